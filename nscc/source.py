@@ -1,0 +1,47 @@
+"""Source text and places in it."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from dataclasses import dataclass
+from functools import cached_property
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """A half-open range of character offsets in one source text."""
+
+    start: int
+    end: int
+
+    def to(self, other: Span) -> Span:
+        """The span from the start of this one to the end of `other`."""
+        return Span(self.start, max(self.end, other.end))
+
+
+@dataclass(frozen=True)
+class Source:
+    """A text with the name that messages show for it.
+
+    `name` is the path as the user wrote it; `text` has been decoded already.
+    """
+
+    name: str
+    text: str
+
+    @cached_property
+    def _line_starts(self) -> list[int]:
+        starts = [0]
+        starts.extend(i + 1 for i, ch in enumerate(self.text) if ch == "\n")
+        return starts
+
+    def row_column(self, offset: int) -> tuple[int, int]:
+        """Row and column of a character offset, both counted from 1."""
+        row = bisect_right(self._line_starts, offset)
+        return row, offset - self._line_starts[row - 1] + 1
+
+    def line(self, row: int) -> str:
+        """The text of row `row` (from 1), without its line break."""
+        start = self._line_starts[row - 1]
+        end = self._line_starts[row] - 1 if row < len(self._line_starts) else len(self.text)
+        return self.text[start:end].rstrip("\r")

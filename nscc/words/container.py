@@ -1,0 +1,94 @@
+"""The compiled program: everything that a device, the emulator or the proof needs, as one value."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.target.model import Target
+
+Word = tuple[int, int, int, int, int]
+"""One ICW: five 32-bit words as the chip takes them."""
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """A recorded list of words, stored once and launched as often as the schedule says."""
+
+    name: str
+    words: tuple[Word, ...]
+
+
+@dataclass(frozen=True)
+class Launch:
+    """Kernel number `kernel` runs at boundary `instant` (0..N: before slot `instant`'s light)."""
+
+    instant: int
+    kernel: int
+
+
+@dataclass(frozen=True)
+class Readout:
+    """After the frame, the exposure of `bucket` in electrons is `register` times `gain`."""
+
+    register: str
+    bucket: str
+    gain: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class DecodeTable:
+    """What each code means.
+
+    `codes` int64 (codes, fields): the field values of every code that the program knows.
+    `shutter_of_code` int32 (codes,): which of the distinct shutters each one opens.
+    `shutters` bool (shutters, buckets, slots): S[n] of every distinct shutter, in each bucket.
+    A program without fields has one code of no fields.
+    """
+
+    fields: tuple[str, ...]
+    codes: NDArray[np.int64]
+    shutter_of_code: NDArray[np.int32]
+    shutters: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class Container:
+    """A compiled shutter program (`.icw`).
+
+    `encoding` bool (shutters, registers of the target): what each digital register of a pixel with
+    that shutter holds when a frame starts. `pixel_codes` int32 (rows, cols): row of
+    `table.codes` at each pixel, None for a program without data. `code_registers` names the digital
+    registers that carry code, in the order in which a device must load them (R12 before R0).
+    `source_lines` is the program's text for listings; `notes` holds what the compiler wants to
+    remember (lowering, class, open or fixed codes), strings only.
+    """
+
+    target: Target
+    slot_us: tuple[float, ...]
+    buckets: tuple[str, ...]
+    table: DecodeTable
+    kernels: tuple[Kernel, ...]
+    launches: tuple[Launch, ...]
+    code_registers: tuple[str, ...]
+    encoding: NDArray[np.bool_]
+    pixel_codes: NDArray[np.int32] | None
+    readouts: tuple[Readout, ...]
+    source_lines: tuple[str, ...] = ()
+    notes: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def slots(self) -> int:
+        """Number of slots in the frame."""
+        return len(self.slot_us)
+
+    def planes(self) -> dict[str, NDArray[np.bool_]]:
+        """The code planes (rows, cols) by register; empty without `pixel_codes`."""
+        if self.pixel_codes is None:
+            return {}
+        shutter = self.table.shutter_of_code[self.pixel_codes]
+        column = {name: i for i, name in enumerate(self.target.digital_registers)}
+        return {name: self.encoding[:, column[name]][shutter] for name in self.code_registers}

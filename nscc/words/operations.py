@@ -1,0 +1,205 @@
+"""The one table of operations: what each instruction code word (ICW) is called, which control
+lines it raises and what it does.
+
+Assembler, proof and emulator take their meaning from here and from nowhere else: this is the
+living definition of the pixel's instruction set. Line numbers are those of the 160-bit SCAMP-5d
+word (`nscc.words.encoding` lays lines out in words).
+
+A word either acts at once, or is half of a pair. The first half of a pair (`Phase.READ`) leaves
+its result on the pixel's bus, the second (`Phase.WRITE`) stores it and must follow at once: any
+other word in between loses it. Pairs exist because a register cannot be read and written in one
+word.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from enum import Enum, auto
+
+
+class Effect(Enum):
+    """What a word does to the state of a pixel.
+
+    `total` is the sum of the analog sources, `some` the OR of the digital ones.
+    """
+
+    NONE = auto()
+    """Nothing."""
+    RESET_PIX = auto()
+    """PIX := reset level, in every pixel or where FLAG = 1 (`Target.reset_honours_flag`)."""
+    BUS = auto()
+    """Where FLAG = 1, each destination := -total / divisor."""
+    FLAG_ALL = auto()
+    """FLAG := 1."""
+    FLAG_ANALOG = auto()
+    """FLAG := total > 0."""
+    FLAG_DIGITAL = auto()
+    """FLAG := some."""
+    DIGITAL = auto()
+    """Each destination := some, or NOT some if inverted; without sources, some is 0."""
+
+
+class Phase(Enum):
+    """Whether a word is whole or one half of a pair."""
+
+    WHOLE = auto()
+    READ = auto()
+    WRITE = auto()
+
+
+@dataclass(frozen=True, slots=True)
+class Operation:
+    """A row of the table.
+
+    `lines` are raised besides the operands' own; `destinations` and `sources` are the fewest and
+    the most operands that the array takes (None: no limit, the digital bus is a wired OR; a
+    target may allow fewer). `clock` is the clock class in bits 19-21 of word 0.
+    """
+
+    name: str
+    effect: Effect
+    clock: int
+    lines: tuple[int, ...]
+    destinations: tuple[int, int | None]
+    sources: tuple[int, int | None]
+    inverted: bool = False
+    divisor: int = 1
+    phase: Phase = Phase.WHOLE
+
+    @property
+    def analog(self) -> bool:
+        """Whether the word runs at the analog clock."""
+        return self.clock == 0
+
+
+_ANALOG, _DIGITAL = 0, 1
+
+# Control lines by name: the columns of the word's layout.
+SELPIX, RSTPIX, S_IN, RANA, RID = 1, 2, 5, 6, 11
+WRF, SETF, NBIT, PLWB, PLRB, BIT, BITMODE, WR = 20, 28, 58, 60, 61, 62, 63, 64
+SELX = 10
+
+# Lines 80 and up do not exist on SCAMP-5d: they are this project's own stand-in for the registers
+# R13, R14, .. of chips whose word is not public, and lie in bits that SCAMP-5d leaves unused.
+
+# An operand's own lines, as a source and as a destination. NEWS also needs selx to be read.
+READ_LINES: dict[str, tuple[int, ...]] = {
+    "A": (21,), "B": (22,), "C": (23,), "NEWS": (24, SELX), "D": (25,), "E": (26,), "F": (27,),
+    "PIX": (SELPIX,), "IN": (S_IN,),
+    "R0": (57,), **{f"R{i}": (31 + i,) for i in range(1, 13)},
+    **{f"R{i}": (80 + 2 * (i - 13),) for i in range(13, 39)},
+    "FLAG": (RANA,), "SELECT": (WR,),
+}  # fmt: skip
+ANALOG_WRITE = {"A": 13, "B": 14, "C": 15, "NEWS": 16, "D": 17, "E": 18, "F": 19}
+DIGITAL_WRITE = {
+    "R0": 56,
+    **{f"R{i}": 43 + i for i in range(1, 13)},
+    **{f"R{i}": 81 + 2 * (i - 13) for i in range(13, 39)},
+}
+
+ANALOG_SOURCES = (*ANALOG_WRITE, "PIX", "IN")
+DIGITAL_SOURCES = (*DIGITAL_WRITE, "FLAG", "SELECT")
+
+_ANY = (1, None)
+_ONE = (1, 1)
+_NO = (0, 0)
+_READ, _WRITE = Phase.READ, Phase.WRITE
+
+_SET = (S_IN, PLWB)
+_COPY = (S_IN, PLRB, BIT, BITMODE)
+_INVERT = (S_IN, PLWB, PLRB, NBIT, BITMODE)
+
+OPERATIONS: tuple[Operation, ...] = (
+    Operation("nop", Effect.NONE, _ANALOG, (), _NO, _NO),
+    Operation("rpix", Effect.RESET_PIX, _ANALOG, (RSTPIX, SELPIX), _NO, _NO),
+    Operation("all", Effect.FLAG_ALL, _ANALOG, (SETF, PLRB, RID), _NO, _NO),
+    Operation("bus", Effect.BUS, _ANALOG, (), _ONE, (0, 4)),
+    Operation("bus2", Effect.BUS, _ANALOG, (), (2, 2), (0, 2), divisor=2),
+    Operation("bus3", Effect.BUS, _ANALOG, (), (3, 3), _ONE, divisor=3),
+    Operation("where", Effect.FLAG_ANALOG, _ANALOG, (WRF,), _NO, (1, 3)),
+    Operation("WHERE", Effect.FLAG_DIGITAL, _DIGITAL, (WRF, PLRB, RID), _NO, _ANY),
+    Operation("SET", Effect.DIGITAL, _DIGITAL, _SET, _ANY, _NO, inverted=True),
+    Operation("CLR", Effect.DIGITAL, _DIGITAL, _COPY, _ANY, _NO),
+    Operation("MOV", Effect.DIGITAL, _DIGITAL, _COPY, _ONE, _ONE),
+    Operation("OR", Effect.DIGITAL, _DIGITAL, _COPY, _ONE, (2, None)),
+    Operation("NOT", Effect.DIGITAL, _DIGITAL, _INVERT, _ONE, _ONE, inverted=True),
+    Operation("NOR", Effect.DIGITAL, _DIGITAL, _INVERT, _ONE, (2, None), inverted=True),
+    Operation("REFRESH.read", Effect.DIGITAL, _DIGITAL, _COPY, _NO, _ONE, phase=_READ),
+    Operation(
+        "REFRESH.write", Effect.DIGITAL, _DIGITAL, (S_IN, BIT, BITMODE), _ONE, _NO, phase=_WRITE
+    ),
+    Operation("OR.read", Effect.DIGITAL, _DIGITAL, (PLRB, BIT, BITMODE), _NO, _ANY, phase=_READ),
+    Operation("OR.write", Effect.DIGITAL, _DIGITAL, (BIT, BITMODE), _ONE, _NO, phase=_WRITE),
+    Operation(
+        "NOR.read", Effect.DIGITAL, _DIGITAL, (PLRB, NBIT), _NO, _ANY, inverted=True, phase=_READ
+    ),
+    Operation(
+        "NOR.write", Effect.DIGITAL, _DIGITAL, (NBIT,), _ONE, _NO, inverted=True, phase=_WRITE
+    ),
+)
+
+BY_NAME: dict[str, Operation] = {row.name: row for row in OPERATIONS}
+
+
+@dataclass(frozen=True, slots=True)
+class Op:
+    """One ICW as an operation with its operands, destinations first.
+
+    Sources are a set to the array; they are kept in the order of `READ_LINES`, so that equal
+    words are equal values. The halves of a pair are two of these.
+    """
+
+    name: str
+    destinations: tuple[str, ...] = ()
+    sources: tuple[str, ...] = ()
+
+    @property
+    def operation(self) -> Operation:
+        """The row of the table that says what this word does."""
+        return BY_NAME[self.name]
+
+    @property
+    def analog(self) -> bool:
+        """Whether the word runs at the analog clock."""
+        return BY_NAME[self.name].analog
+
+    def __str__(self) -> str:
+        return " ".join((self.name, ", ".join(self.destinations + self.sources))).strip()
+
+
+_ORDER = {name: i for i, name in enumerate(READ_LINES)}
+
+
+def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
+    """An `Op` with its operands in canonical order; equal words give equal values.
+
+    Raises ValueError where the table has no such operation or does not take these operands:
+    callers check what a user wrote first.
+    """
+    row = BY_NAME.get(name)
+    if row is None:
+        raise ValueError(f"no operation {name!r}")
+    dests = tuple(sorted(set(destinations), key=_ORDER.__getitem__))
+    srcs = tuple(sorted(set(sources), key=_ORDER.__getitem__))
+    for operands, (low, high), word in (
+        (dests, row.destinations, "destinations"),
+        (srcs, row.sources, "sources"),
+    ):
+        if len(operands) < low or (high is not None and len(operands) > high):
+            raise ValueError(f"{name} cannot take {len(operands)} {word}")
+    analog = row.effect in (Effect.BUS, Effect.FLAG_ANALOG)
+    for register in dests:
+        if register not in (ANALOG_WRITE if analog else DIGITAL_WRITE):
+            raise ValueError(f"{name} cannot write {register}")
+    for register in srcs:
+        if register not in (ANALOG_SOURCES if analog else DIGITAL_SOURCES):
+            raise ValueError(f"{name} cannot read {register}")
+    if row.phase is Phase.WHOLE and set(dests) & set(srcs):
+        raise ValueError(f"{name} cannot write a register that it reads")
+    return Op(name, dests, srcs)
+
+
+def pair(kind: str, destination: str, sources: Iterable[str]) -> tuple[Op, Op]:
+    """The two words of an in-place form; `kind` is OR, NOR or REFRESH."""
+    return op(f"{kind}.read", (), sources), op(f"{kind}.write", (destination,))
