@@ -58,9 +58,10 @@ class Program:
 
     `table` holds the codes compiled for (`mode`), sorted by field values and distinct; its
     shutters are distinct and sorted as rows of bits. `pixel_codes` int32 (rows, cols) is the row of
-    `table.codes` at each pixel, None for a file without `pixels`. `class_name` is a, b, c, d, e, codebook or
-    general, `class_reason` a sentence saying how it was recognised. `legal_codes` is the number of
-    codes that fields and `require` allow. `target_span` is the place of the target statement, None
+    `table.codes` at each pixel: None for a file without `pixels`, unless it has no fields and so
+    one code. `class_name` is a, b, c, d, e, codebook or general, `class_reason` a sentence saying
+    how it was recognised. `legal_codes` is the number of codes that fields and `require` allow,
+    None where they are too many to count. `target_span` is the place of the target statement, None
     if there is none. `messages` are warnings and notes.
     """
 
@@ -72,7 +73,7 @@ class Program:
     buckets: tuple[BucketRule, ...]
     mode: Codes
     table: DecodeTable
-    legal_codes: int
+    legal_codes: int | None
     pixel_codes: NDArray[np.int32] | None
     class_name: str
     class_reason: str

@@ -1,4 +1,4 @@
-"""What a compiler, a trainer and an emulator may know of a chip: one frozen value, read from TOML."""
+"""What a compiler, a trainer and an emulator may know of a chip: one frozen value from TOML."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class Target:
     @property
     def electrons_per_lsb(self) -> float:
         """Electrons a code of the readout ADC."""
-        return self.full_well_e / (2**self.adc_bits - 1)
+        return self.full_well_e / ((1 << self.adc_bits) - 1)
 
     @property
     def analog_available(self) -> tuple[str, ...]:

@@ -85,6 +85,11 @@ class Container:
         """Number of slots in the frame."""
         return len(self.slot_us)
 
+    @property
+    def has_table(self) -> bool:
+        """Whether the decode table says what codes mean; hand-written words may come without."""
+        return self.notes.get("table") != "none"
+
     def planes(self) -> dict[str, NDArray[np.bool_]]:
         """The code planes (rows, cols) by register; empty without `pixel_codes`."""
         if self.pixel_codes is None:

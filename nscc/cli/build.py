@@ -1,0 +1,189 @@
+"""`nscc build`: compile a program to a container of instruction code words."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nscc.cli.programs import BuildChoice, build_options, compile_program
+from nscc.cli.support import CommonCommand, say, write_together
+from nscc.diagnostics.model import Diagnostic, Rejected
+
+if TYPE_CHECKING:
+    from nscc.pipeline import Compiled
+
+SUFFIXES = {
+    "ast": ".ast",
+    "ir": ".ir",
+    "gates": ".gates",
+    "schedule": ".schedule",
+    "asm": ".asm",
+    "icw": ".icw",
+    "report": ".report.json",
+    "dot": ".dot",
+}
+
+
+@click.command("build", cls=CommonCommand)
+@click.argument("file", type=click.Path(path_type=Path))
+@click.option(
+    "-o", "out", type=click.Path(path_type=Path), metavar="OUT.icw",
+    help="The container to write (default: beside FILE).",
+)  # fmt: skip
+@click.option(
+    "--emit", "kinds", default="", metavar="KINDS",
+    help=f"Also write any of {', '.join(SUFFIXES)}, separated by commas; KIND=- prints it.",
+)  # fmt: skip
+@click.option("--print-after", "after", metavar="PASS", help="Show what a pass of the compiler made.")
+@build_options
+def command(
+    file: Path,
+    out: Path | None,
+    kinds: str,
+    after: str | None,
+    level: int | None,
+    codes: str | None,
+    lowering: str | None,
+    target: str | None,
+) -> None:
+    """Compile FILE, prove the words, and write them."""
+    wanted = _kinds(kinds)
+    compiled = compile_program(
+        file, BuildChoice(level, codes, lowering, target), price_all=True, see=_printer(after)
+    )
+    say(compiled.diagnostics)
+    container = out if out is not None else file.with_suffix(".icw")
+    products: dict[Path, bytes] = {}
+    printed: list[str] = []
+    if out is not None or not wanted:
+        wanted.setdefault("icw", False)
+    for kind, to_terminal in wanted.items():
+        data = _product(kind, compiled)
+        if to_terminal:
+            printed.append(kind)
+            _print(data)
+        else:
+            path = container if kind == "icw" else container.with_suffix(SUFFIXES[kind])
+            products[path] = data
+    write_together(products)
+    if products:
+        click.echo("wrote " + ", ".join(path.as_posix() for path in products), err=True)
+
+
+def _kinds(text: str) -> dict[str, bool]:
+    """KIND -> whether it goes to standard output."""
+    wanted: dict[str, bool] = {}
+    for item in filter(None, (part.strip() for part in text.split(","))):
+        kind, _, place = item.partition("=")
+        if kind not in SUFFIXES or place not in ("", "-"):
+            absent = kind == "cpp"
+            raise Rejected(
+                Diagnostic(
+                    "NS0505",
+                    f"--emit cannot write '{item}'"
+                    + (": C++ for the devkit is not in this version" if absent else ""),
+                    notes=("kinds: " + ", ".join(SUFFIXES) + "; KIND=- prints to standard output",),
+                ),
+                status=2,
+            )
+        wanted[kind] = place == "-"
+    return wanted
+
+
+def _printer(after: str | None) -> Callable[[str, Any], None] | None:
+    """An observer that prints what pass `after` made."""
+    if after is None:
+        return None
+    from nscc.pipeline import PASSES
+
+    if after not in PASSES:
+        raise Rejected(
+            Diagnostic(
+                "NS0506",
+                f"the compiler has no pass '{after}'",
+                notes=("passes, in their order: " + ", ".join(PASSES),),
+            ),
+            status=2,
+        )
+
+    def see(name: str, value: Any) -> None:
+        if name == after:
+            _print(_after(name, value).encode())
+
+    return see
+
+
+def _after(name: str, value: Any) -> str:
+    from nscc.emit import listing
+
+    match name:
+        case "parse":
+            return _tree_text(value)
+        case "program":
+            return _program_text(value)
+        case "lower":
+            return listing.choice_text(value)
+        case "plan":
+            return listing.plan_text(value)
+        case "gates":
+            return listing.gates_text(value)
+        case "schedule":
+            return listing.schedule_text(value)
+        case "words":
+            from nscc.words.disassembly import disassemble
+
+            return disassemble(value)
+        case _:
+            verdict = "holds" if value.holds else f"fails: {value.failure}"
+            return f"proof {verdict}: {value.codes} codes, {value.slots} slots\n"
+
+
+def _tree_text(tree: Any) -> str:
+    from nscc.syntax.printing import print_tree
+
+    return print_tree(tree)
+
+
+def _program_text(program: Any) -> str:
+    from nscc.program.printing import print_program
+
+    return print_program(program)
+
+
+def _product(kind: str, compiled: Compiled) -> bytes:
+    lowered, container, proof = compiled.lowered, compiled.container, compiled.proof
+    assert lowered is not None and container is not None and proof is not None
+    from nscc.emit import listing
+
+    match kind:
+        case "ast":
+            return _tree_text(compiled.tree).encode()
+        case "ir":
+            return _program_text(compiled.program).encode()
+        case "gates":
+            return listing.gates_text(lowered).encode()
+        case "schedule":
+            return listing.schedule_text(lowered).encode()
+        case "dot":
+            return listing.dot_text(lowered).encode()
+        case "asm":
+            from nscc.words.disassembly import disassemble
+
+            return disassemble(container).encode()
+        case "report":
+            from nscc.emit.report import report, report_bytes
+
+            return report_bytes(report(lowered, compiled.choice, proof))
+        case _:
+            from nscc.words.file import to_bytes
+
+            return to_bytes(container)
+
+
+def _print(data: bytes) -> None:
+    stream = click.get_binary_stream("stdout")
+    stream.write(data)
+    stream.flush()

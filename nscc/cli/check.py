@@ -1,0 +1,75 @@
+"""`nscc check`: parse, check, fit; writes nothing."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from nscc.cli.programs import BuildChoice, build_options, compile_program
+from nscc.cli.support import CommonCommand, say
+from nscc.diagnostics.model import Diagnostic, Rejected
+
+if TYPE_CHECKING:
+    from nscc.pipeline import Compiled
+
+
+@click.command("check", cls=CommonCommand)
+@click.argument("files", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path))
+@build_options
+def command(
+    files: tuple[Path, ...],
+    level: int | None,
+    codes: str | None,
+    lowering: str | None,
+    target: str | None,
+) -> None:
+    """Check programs: what they are, whether they fit the chip, and that their words are right.
+
+    Lowers at -O1 and proves that. Where only a search can tell whether a program fits, a note says
+    that `nscc build` decides.
+    """
+    choice = BuildChoice(level, codes, lowering, target)
+    wrong: list[Diagnostic] = []
+    status = 0
+    for path in files:
+        try:
+            compiled = compile_program(path, choice, unproved_is_error=False)
+            say(compiled.diagnostics)
+        except Rejected as rejected:
+            wrong.extend(rejected.diagnostics)
+            status = max(status, rejected.status)
+        else:
+            click.echo(summary(path.as_posix(), compiled))
+    if wrong:
+        raise Rejected(wrong, status)
+
+
+def summary(name: str, compiled: Compiled) -> str:
+    """What `nscc check` prints of a program that passes."""
+    program, lowered, proof = compiled.program, compiled.lowered, compiled.proof
+    table = program.table
+    lines = [f"class      {program.class_name}: {program.class_reason}"]
+    lines.append(
+        f"codes      {len(table.codes)} "
+        f"{'in use' if program.mode == 'fixed' else 'legal'}, {len(table.shutters)} shutters, "
+        f"{len(program.frame.slot_us)} slots"
+    )
+    if lowered is None or proof is None:
+        return "\n  ".join([f"{name}: passes, unless its words do not fit", *lines])
+    schedule = lowered.schedule
+    digital = ", ".join(f"{r} {what}" for r, what in schedule.allocation.holders.items())
+    analog = ", ".join(f"{r} {what}" for r, what in lowered.plan.registers.items())
+    shortest = min(program.frame.slot_us)
+    lines += [
+        f"lowering   {lowered.plan.lowering}; encoding: {lowered.solution.encoding}",
+        f"digital    {digital or 'no register needed'}",
+        f"analog     {analog}",
+        f"words      {schedule.words_stored} stored of {program.target.store_words}, "
+        f"{schedule.words_total} a frame",
+        f"time       shortest slot {shortest:g} us, longest instructions "
+        f"{lowered.shortest_slot_us:.4g} us",
+        f"proved     {proof.codes} codes x {proof.slots} slots, {proof.frames} frames",
+    ]
+    return "\n  ".join([f"{name}: fits {program.target.name}", *lines])

@@ -1,0 +1,42 @@
+"""The commands of nscc: what `nscc --help` lists, without importing any of them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Entry(NamedTuple):
+    """A command: its name, the module that holds its `command`, and one line of help."""
+
+    name: str
+    module: str
+    help: str
+
+
+COMMANDS = (
+    Entry("check", "nscc.cli.check", "Check programs: names, ranges, time, registers."),
+    Entry("build", "nscc.cli.build", "Compile a program to a container of words."),
+    Entry("run", "nscc.cli.run", "Expose one frame of a scene with a program."),
+    Entry("shutters", "nscc.cli.shutters", "Write every pixel's shutter, found by replay."),
+    Entry("prove", "nscc.cli.prove", "Replay a container against its own decode table."),
+    Entry("view", "nscc.cli.view", "Draw a program's shutters and its map of codes."),
+    Entry("asm", "nscc.cli.asm", "Assemble a listing into a container or words."),
+    Entry("disasm", "nscc.cli.disasm", "List a container's words as assembly text."),
+    Entry("diff", "nscc.cli.diff", "Say what differs between two containers."),
+    Entry("explain", "nscc.cli.explain", "Explain the code of a message."),
+    Entry("targets", "nscc.cli.targets", "List the chips that nscc knows, and their limits."),
+    Entry("doctor", "nscc.cli.doctor", "Report on this installation."),
+)
+"""The commands of this version, in the order in which `nscc --help` lists them."""
+
+PLANNED = (
+    "calibrate",
+    "device",
+    "effects",
+    "evaluate",
+    "metrics",
+    "reconstruct",
+    "tradeoff",
+    "train",
+)
+"""Commands whose names are taken by versions to come."""

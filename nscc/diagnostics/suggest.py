@@ -1,0 +1,31 @@
+"""The name the user probably meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+_LONGEST = 64
+"""Names longer than this are not compared: nobody misspells a word of that length by a letter."""
+
+
+def closest(name: str, candidates: Iterable[str]) -> str | None:
+    """The candidate most like `name`, or None if none is near.
+
+    Upper and lower case count as the same letter. Of equally near candidates the first in
+    alphabetical order is taken, so that the answer does not depend on the order given.
+    """
+    if len(name) > _LONGEST:
+        return None
+    by_folded: dict[str, str] = {}
+    for candidate in sorted(set(candidates)):
+        if len(candidate) <= _LONGEST and candidate != name:
+            by_folded.setdefault(candidate.casefold(), candidate)
+    folded = name.casefold()
+    if folded in by_folded:
+        return by_folded[folded]
+
+    from difflib import get_close_matches  # only where a name is wrong: keeps start-up short
+
+    cutoff = 0.5 if len(folded) <= 3 else 0.65
+    found = get_close_matches(folded, by_folded, n=1, cutoff=cutoff)
+    return by_folded[found[0]] if found else None

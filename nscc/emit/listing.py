@@ -1,0 +1,99 @@
+"""Plain text of what lies between the passes: plans, gates, schedules (`--print-after`, `--emit`)."""
+
+from __future__ import annotations
+
+from nscc.logic.problem import Gate
+from nscc.lower.choose import Choice
+from nscc.lower.lowered import Lowered
+from nscc.lower.plan import ExposurePlan
+from nscc.words.operations import Op
+
+
+def plan_text(plan: ExposurePlan) -> str:
+    """The exposure plan: every boundary's steps, with how many shutters take part."""
+    lines = [f"lowering {plan.lowering}, {plan.slots} slots, {plan.shutters} shutters"]
+    lines += [f"  {register:<5} {holder}" for register, holder in plan.registers.items()]
+    for step in plan.steps:
+        where = "every pixel" if step.predicate is None else f"{step.predicate.bit_count()} shutters"
+        bucket = "" if step.bucket < 0 else f" bucket {step.bucket}"
+        words = "; ".join(str(word) for word in step.words)
+        lines.append(f"boundary {step.boundary:>4} {step.role:<5}{bucket} [{where}]  {words}")
+    return "\n".join(lines) + "\n"
+
+
+def gates_text(lowered: Lowered) -> str:
+    """The gates that answer every demand, on virtual registers, and where those live."""
+    solution, places = lowered.solution, lowered.schedule.allocation.places
+    lines = [f"encoding: {solution.encoding}"]
+    for i, holder in enumerate(solution.holders):
+        lines.append(f"  p{i} in {places[f'p{i}']}: {holder}")
+    lines += [f"  {v} in {r}: scratch or state" for v, r in places.items() if v[0] in "ts"]
+    steps = [step for step in lowered.plan.steps if step.predicate is not None]
+    _segments(lines, "opening", solution.opening)
+    for step, answer in zip(steps, solution.answers, strict=True):
+        _segments(lines, f"boundary {step.boundary} {step.role} of bucket {step.bucket}", answer)
+    _segments(lines, "closing", solution.closing)
+    return "\n".join(lines) + "\n"
+
+
+def _segments(lines: list[str], title: str, segments: tuple[tuple[Gate, ...], ...]) -> None:
+    if segments:
+        lines.append(title)
+        lines += ["  " + "; ".join(_gate(gate) for gate in segment) for segment in segments]
+
+
+def _gate(gate: Gate) -> str:
+    return f"{gate.destination} = {gate.name}({', '.join(gate.sources)})"
+
+
+def schedule_text(lowered: Lowered) -> str:
+    """Kernels with their words, and which boundary launches which."""
+    schedule = lowered.schedule
+    lines = [
+        f"{schedule.words_stored} words stored in {len(schedule.kernels)} kernels, "
+        f"{schedule.words_total} executed a frame"
+    ]
+    for i, kernel in enumerate(schedule.kernels):
+        lines.append(f"k{i}: " + "; ".join(_word(word) for word in kernel))
+    at: dict[int, list[str]] = {}
+    for boundary, number in schedule.launches:
+        at.setdefault(boundary, []).append(f"k{number}")
+    lines += [f"boundary {boundary:>4}: {' '.join(names)}" for boundary, names in at.items()]
+    return "\n".join(lines) + "\n"
+
+
+def _word(word: Op) -> str:
+    return str(word)
+
+
+def choice_text(choice: Choice) -> str:
+    """The lowerings that were tried, best first, with their prices."""
+    lines = []
+    for lowered in choice.tried:
+        least, most = lowered.analog_writes
+        lines.append(
+            f"{lowered.plan.lowering:<11}{'fits' if lowered.fits else 'does not fit':<13}"
+            f"{lowered.schedule.words_total:>7} words a frame, {lowered.schedule.words_stored} stored, "
+            f"largest boundary {max(lowered.words_per_boundary)}, analog writes {least}..{most}"
+        )
+    lines += [f"{name:<11}{misfit.reason}" for name, misfit in choice.misfits.items()]
+    return "\n".join(lines) + "\n"
+
+
+def dot_text(lowered: Lowered) -> str:
+    """The frame as a graph for Graphviz: boundaries in a row, the kernels that each launches."""
+    schedule = lowered.schedule
+    lines = ["digraph frame {", "  rankdir=LR;", "  node [shape=box, fontname=monospace];"]
+    for i, kernel in enumerate(schedule.kernels):
+        text = "\\l".join(str(word) for word in kernel)
+        lines.append(f'  k{i} [label="k{i}\\l{text}\\l"];')
+    edges: dict[tuple[int, int], list[int]] = {}
+    previous: int | None = None
+    for boundary, number in schedule.launches:
+        if previous is not None:
+            edges.setdefault((previous, number), []).append(boundary)
+        previous = number
+    for (first, second), boundaries in edges.items():
+        label = f"{boundaries[0]}" + (f" .. {boundaries[-1]}" if len(boundaries) > 1 else "")
+        lines.append(f'  k{first} -> k{second} [label="{label}"];')
+    return "\n".join([*lines, "}"]) + "\n"

@@ -1,0 +1,136 @@
+"""The report of a build (`--emit report`): what was compiled, what it costs, what was proved."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections import Counter
+from typing import Any
+
+from nscc.logic.bound import ASSUMES, level_bound
+from nscc.lower.choose import Choice
+from nscc.lower.lowered import Lowered
+from nscc.prove.proof import Proof
+from nscc.words.operations import Effect, Op, Phase
+
+
+def report(lowered: Lowered, choice: Choice, proof: Proof) -> dict[str, Any]:
+    """The report as JSON values; keys as in the command line's contract."""
+    program, schedule = lowered.program, lowered.schedule
+    table = program.table
+    slots = len(program.frame.slot_us)
+    launches = Counter(kernel for _, kernel in schedule.launches)
+    return {
+        "class": program.class_name,
+        "class_reason": program.class_reason,
+        "slots": slots,
+        "slot_time_us": list(program.frame.slot_us),
+        "codes": {
+            "mode": program.mode,
+            "count": len(table.codes),
+            "shutters": len(table.shutters),
+        },
+        "fields": {field.name: [field.low, field.high] for field in program.fields},
+        "buckets": [bucket.name for bucket in program.buckets],
+        "digital_registers": schedule.allocation.holders,
+        "analog_registers": lowered.plan.registers,
+        "lowering": lowered.plan.lowering,
+        "logic": _logic(lowered),
+        "kernels": [
+            {"words": len(kernel), "launches": launches[i]}
+            for i, kernel in enumerate(schedule.kernels)
+        ],
+        "words_total": schedule.words_total,
+        "words_stored": schedule.words_stored,
+        "words_per_slot": {
+            "mean": schedule.words_total / slots,
+            "max": max(lowered.words_per_boundary),
+        },
+        "shortest_slot_us": round(lowered.shortest_slot_us, 6),
+        "frame_us": round(lowered.frame_us, 6),
+        "refreshed": list(schedule.refreshed),
+        "analog_writes": _range(lowered),
+        "headroom_e": lowered.headroom_e,
+        "alternatives": [
+            *(_priced(other) for other in choice.tried if other is not lowered),
+            *(
+                {"lowering": name, "fits": False, "reason": misfit.reason}
+                for name, misfit in choice.misfits.items()
+            ),
+        ],
+        "proof": {
+            "codes": proof.codes,
+            "slots": proof.slots,
+            "frames": proof.frames,
+            "holds": proof.holds,
+        },
+        "target": program.target.name,
+        "source_sha256": hashlib.sha256(program.source.text.encode()).hexdigest(),
+    }
+
+
+def report_bytes(values: dict[str, Any]) -> bytes:
+    """The report as a file."""
+    return (json.dumps(values, indent=2) + "\n").encode()
+
+
+def _range(lowered: Lowered) -> dict[str, int]:
+    least, most = lowered.analog_writes
+    return {"min": least, "max": most}
+
+
+def _priced(lowered: Lowered) -> dict[str, Any]:
+    return {
+        "lowering": lowered.plan.lowering,
+        "fits": lowered.fits,
+        "words_total": lowered.schedule.words_total,
+        "words_stored": lowered.schedule.words_stored,
+        "words_per_slot_max": max(lowered.words_per_boundary),
+        "shortest_slot_us": round(lowered.shortest_slot_us, 6),
+        "analog_writes": _range(lowered),
+        "headroom_e": lowered.headroom_e,
+    }
+
+
+def _logic(lowered: Lowered) -> dict[str, Any]:
+    """Counts of decode logic: digital words executed in a frame, refresh left out.
+
+    Refresh words are told apart by their operation; what they need around them is counted here.
+    """
+    schedule, program = lowered.schedule, lowered.program
+    per_kernel = [_digital(kernel) for kernel in schedule.kernels]
+    slots = len(program.frame.slot_us)
+    at = [0] * (slots + 1)
+    words = pairs = 0
+    for boundary, kernel in schedule.launches:
+        words += per_kernel[kernel][0]
+        pairs += per_kernel[kernel][1]
+        at[boundary] += per_kernel[kernel][0]
+    bound = None
+    if lowered.plan.lowering == "accumulate" and len(program.table.codes) == program.legal_codes:
+        bound = level_bound(
+            program.class_name, len(program.table.shutters), slots,
+            len(program.target.digital_registers),
+        )  # fmt: skip
+    return {
+        "ops": words - pairs,
+        "words": words,
+        "in_place": pairs,
+        "max_slot_words": max(at),
+        "registers": len(schedule.allocation.holders),
+        "bound": bound,
+        "bound_assumes": ASSUMES if bound is not None else None,
+        "encoding": lowered.solution.encoding,
+    }
+
+
+def _digital(kernel: tuple[Op, ...]) -> tuple[int, int]:
+    """Digital words of a kernel that decode, and how many in-place pairs are among them."""
+    words = pairs = 0
+    for word in kernel:
+        row = word.operation
+        if row.effect not in (Effect.DIGITAL, Effect.FLAG_DIGITAL) or row.name.startswith("REFRESH"):
+            continue
+        words += 1
+        pairs += row.phase is Phase.READ
+    return words, pairs

@@ -1,0 +1,258 @@
+"""Cubes over code planes: covers, and the gates that bring an OR of cubes into FLAG.
+
+A cube is a set of literals (plane, value); it holds where every plane has its value. NOR reads
+complements, so a literal with value 1 needs its plane inverted. The emitter inverts planes in
+place and remembers which way round each one stands, so consecutive demands share the work (a
+Gray counter is the extreme: one inversion a step); at the end of the frame all are put back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nscc.logic.gates import Gates
+from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
+
+Cube = tuple[tuple[int, int], ...]
+"""Literals (plane, value), planes in rising order."""
+
+
+@dataclass(frozen=True)
+class Encoding:
+    """What the planes hold, and each demand's predicate as an OR of cubes.
+
+    `cubes[i]` covers demand i; `inverted[i]`: it covers the complement instead.
+    """
+
+    name: str
+    planes: tuple[int, ...]
+    holders: tuple[str, ...]
+    cubes: tuple[tuple[Cube, ...], ...]
+    inverted: tuple[bool, ...]
+
+
+class Budget:
+    """Steps that a search may still take; the same input always takes the same steps."""
+
+    def __init__(self, steps: int) -> None:
+        self.left = steps
+
+    def spend(self, steps: int) -> None:
+        """Takes `steps` away; raises GaveUp when none are left."""
+        self.left -= steps
+        if self.left < 0:
+            raise GaveUp("the search used up its steps")
+
+
+def cover(on: int, off: int, planes: Sequence[int], everything: int, budget: Budget) -> list[Cube]:
+    """Prime cubes whose union contains `on` and avoids `off`; planes must tell the two apart."""
+    literals = [(everything & ~plane, plane) for plane in planes]
+    found: list[Cube] = []
+    rest = on
+    while rest:
+        seed = rest & -rest
+        kept = [(i, 1 if plane & seed else 0) for i, plane in enumerate(planes)]
+        kept = _expand(kept, literals, rest, off, everything, budget)
+        covered = everything
+        for i, value in kept:
+            covered &= literals[i][value]
+        if covered & off:
+            raise GaveUp("two shutters have the same code in these planes")
+        found.append(tuple(kept))
+        rest &= ~covered
+    return found
+
+
+def _expand(
+    kept: list[tuple[int, int]],
+    literals: list[tuple[int, int]],
+    rest: int,
+    off: int,
+    everything: int,
+    budget: Budget,
+) -> list[tuple[int, int]]:
+    """Drops literals while no off-shutter gets in, each time the one that covers most."""
+    while kept:
+        budget.spend(len(kept))
+        after = [everything] * (len(kept) + 1)
+        for i in range(len(kept) - 1, -1, -1):
+            plane, value = kept[i]
+            after[i] = after[i + 1] & literals[plane][value]
+        before, best, choice = everything, -1, -1
+        for i, (plane, value) in enumerate(kept):
+            without = before & after[i + 1]
+            if not without & off:
+                gain = (without & rest).bit_count()
+                if gain > best:
+                    best, choice = gain, i
+            before &= literals[plane][value]
+        if choice < 0:
+            return kept
+        del kept[choice]
+    return kept
+
+
+def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
+    """The gates for an encoding. Raises GaveUp where no register is left to compute with."""
+    planes = len(encoding.planes)
+    left = machine.registers - planes
+    if left < 0:
+        raise GaveUp(f"{planes} code planes are more than {machine.registers} registers")
+    emitter, answers, closing = _emit_with(problem, machine, encoding, left)
+    if machine.masked and left > 1 and emitter.all_planes_written and emitter.used == left:
+        # Only a plane that never changes may live in the masked register; there is none.
+        emitter, answers, closing = _emit_with(problem, machine, encoding, left - 1)
+    return Solution(
+        "cubes", encoding.name, encoding.planes, encoding.holders, 0, emitter.used, (),
+        answers, closing,
+    )  # fmt: skip
+
+
+def _emit_with(
+    problem: Problem, machine: Machine, encoding: Encoding, scratch: int
+) -> tuple[_Emitter, tuple[tuple[Segment, ...], ...], tuple[Segment, ...]]:
+    emitter = _Emitter(machine, len(encoding.planes), scratch)
+    answers: list[tuple[Segment, ...]] = []
+    last: int | None = None
+    for demand, cubes, inverted in zip(
+        problem.demands, encoding.cubes, encoding.inverted, strict=True
+    ):
+        if demand.flag_kept and demand.predicate == last:
+            answers.append(())
+        else:
+            answers.append(emitter.answer(cubes, inverted))
+        last = demand.predicate
+    return emitter, tuple(answers), emitter.restore()
+
+
+class _Emitter:
+    """State of the machine while gates are emitted: which planes stand inverted."""
+
+    def __init__(self, machine: Machine, planes: int, scratch: int) -> None:
+        self._machine = machine
+        self._inverted = [0] * planes
+        self._scratch = [f"t{i}" for i in range(scratch)]
+        self._written = [False] * planes
+        self._gates = Gates(machine)
+        self.used = 0
+
+    @property
+    def all_planes_written(self) -> bool:
+        """Whether every plane is inverted at some time."""
+        return all(self._written)
+
+    def answer(self, cubes: Sequence[Cube], inverted: bool) -> tuple[Segment, ...]:
+        """Segments that leave the OR of `cubes` (or its complement) in FLAG."""
+        segments: list[Segment] = []
+        single = [cube[0] for cube in cubes if len(cube) == 1]
+        wide = [cube for cube in cubes if len(cube) != 1]
+        terms: list[str] = []
+        while wide:
+            wide.sort(key=self._mismatches)
+            cube = wide.pop(0)
+            # Room first: turning the plane of the masked register overwrites its mask, which is
+            # scratch and may hold a term.
+            terms = self._make_room(terms)
+            segments.extend(self._turn(cube))
+            target = self._free(terms)
+            self._gates.nor(target, [f"p{plane}" for plane, _ in cube])
+            terms.append(target)
+        # Planes are read as they stand at the end; one that stands the wrong way round is
+        # inverted into scratch, or in place where there is none.
+        for plane, value in single:
+            if self._inverted[plane] != value:
+                terms.append(f"p{plane}")
+        for plane, value in single:
+            if self._inverted[plane] == value:
+                terms = self._negate(plane, terms, segments)
+        self._finish(terms, inverted)
+        segments.append(self._gates.take())
+        return tuple(segments)
+
+    def restore(self) -> tuple[Segment, ...]:
+        """Segments that put every inverted plane back."""
+        segments = []
+        for plane, inverted in enumerate(self._inverted):
+            if inverted:
+                segments.append(self._flip(plane))
+        return tuple(segments)
+
+    def _mismatches(self, cube: Cube) -> int:
+        return sum(self._inverted[plane] != value for plane, value in cube)
+
+    def _flip(self, plane: int) -> Segment:
+        self._inverted[plane] ^= 1
+        self._written[plane] = True
+        self._gates.invert(f"p{plane}")
+        return self._gates.take()
+
+    def _turn(self, cube: Cube) -> list[Segment]:
+        """Inverts the planes of `cube` that stand the wrong way for a NOR."""
+        pending = self._gates.take()
+        segments = [pending] if pending else []
+        segments.extend(
+            self._flip(plane) for plane, value in cube if self._inverted[plane] != value
+        )
+        return segments
+
+    def _free(self, terms: Sequence[str]) -> str:
+        for i, name in enumerate(self._scratch):
+            if name not in terms:
+                self.used = max(self.used, i + 1)
+                return name
+        raise GaveUp("no register is left to compute with")
+
+    def _make_room(self, terms: list[str]) -> list[str]:
+        """Gathers the terms so far when every scratch register holds one."""
+        held = [name for name in terms if name in self._scratch]
+        if len(held) < len(self._scratch):
+            return terms
+        if not held:
+            raise GaveUp("no register is left to compute with")
+        others = [name for name in terms if name not in held and name != "FLAG"]
+        flag = ["FLAG"] if "FLAG" in terms else []
+        if len(held) == 1:
+            # One scratch register: the sum so far waits in FLAG.
+            self._load_flag([*flag, held[0]])
+            return ["FLAG", *others]
+        self._gates.or_(held[0], [*flag, *held])
+        return [held[0], *others]
+
+    def _negate(self, plane: int, terms: list[str], segments: list[Segment]) -> list[str]:
+        name = f"p{plane}"
+        if name in terms:
+            raise GaveUp("a plane is needed both ways round at once")
+        if not self._scratch:
+            pending = self._gates.take()
+            if pending:
+                segments.append(pending)
+            segments.append(self._flip(plane))
+            return [*terms, name]
+        terms = self._make_room(terms)
+        target = self._free(terms)
+        self._gates.nor(target, [name])
+        return [*terms, target]
+
+    def _load_flag(self, terms: list[str]) -> None:
+        """FLAG := OR of terms, of which FLAG itself may be one."""
+        spare = next((name for name in self._scratch if name in terms), None)
+        limit = self._machine.where_sources
+        if spare is None and limit is not None and len(terms) > limit:
+            spare = self._free(terms)
+        if "FLAG" in terms and not self._machine.where_reads_flag:
+            held = [name for name in terms if name in self._scratch]
+            into = held[0] if held else self._free(terms)
+            self._gates.or_(into, ["FLAG", into] if held else ["FLAG"])
+            terms = [into, *(name for name in terms if name not in ("FLAG", into))]
+            spare = into
+        self._gates.where(terms, spare)
+
+    def _finish(self, terms: list[str], inverted: bool) -> None:
+        if not inverted:
+            self._load_flag(terms)
+            return
+        held = [name for name in terms if name in self._scratch]
+        target = held[0] if held and len(held) == len(self._scratch) else self._free(terms)
+        self._gates.nor(target, terms)
+        self._gates.where([target], None)

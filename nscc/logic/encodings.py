@@ -1,0 +1,220 @@
+"""Encodings: what the code planes may hold so that a problem's predicates get cheap.
+
+Each function looks at the predicates, not at where they come from, and raises GaveUp where it does
+not serve them or where the planes would not leave the registers it needs.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.cubes import Budget, Cube, Encoding, cover
+from nscc.logic.problem import GaveUp, Machine, Problem
+from nscc.logic.truth import members, number_planes
+
+
+def gray(number: int) -> int:
+    """The reflected Gray code: neighbours differ in one bit."""
+    return number ^ (number >> 1)
+
+
+def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
+    """One plane for each distinct predicate (raw bits; thermometer codes): one word a demand."""
+    distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
+    if len(distinct) > machine.registers:
+        raise GaveUp(f"{len(distinct)} different predicates, {machine.registers} registers")
+    place = {predicate: i for i, predicate in enumerate(distinct)}
+    cubes = tuple((((place[d.predicate], 1),),) for d in problem.demands)
+    first = {place[d.predicate]: d for d in reversed(problem.demands)}
+    return Encoding(
+        "one register for each predicate",
+        tuple(distinct),
+        tuple(f"{first[i].edge} at boundary {first[i].boundary}" for i in range(len(distinct))),
+        cubes,
+        (False,) * len(cubes),
+    )
+
+
+def one_hot(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
+    """One plane for each shutter: every predicate is an OR of planes."""
+    if problem.shutters > machine.registers:
+        raise GaveUp(f"{problem.shutters} shutters, {machine.registers} registers")
+    used = 0
+    for demand in problem.demands:
+        used |= demand.predicate
+    place = {int(shutter): i for i, shutter in enumerate(members(used, problem.shutters))}
+    cubes = tuple(
+        tuple(((place[int(m)], 1),) for m in members(d.predicate, problem.shutters))
+        for d in problem.demands
+    )
+    return Encoding(
+        "one register for each shutter",
+        tuple(1 << shutter for shutter in place),
+        tuple(f"shutter {shutter}" for shutter in place),
+        cubes,
+        (False,) * len(cubes),
+    )
+
+
+def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
+    """Times as Gray codes, kept in the pixel as time XOR now: an event is an equality, one NOR.
+
+    A shutter's k-th event of one kind (rise or fall of a bucket) is a time. Every kind and k is a
+    field: its planes hold the Gray code of the event's number, and one in-place NOT before each
+    event keeps "all zero" meaning "now".
+    """
+    planes: list[int] = []
+    holders: list[str] = []
+    cubes: list[list[Cube]] = [[] for _ in problem.demands]
+    for (edge, bucket, rank), events in _event_fields(problem).items():
+        # Shutters without such an event keep the number after the last: it never comes.
+        numbers = np.full(problem.shutters, len(events), dtype=np.int64)
+        for number, (_, shutters) in enumerate(events):
+            numbers[shutters] = number
+        width = max(1, int(numbers.max()).bit_length())
+        base = len(planes)
+        if base + width > machine.registers - 1:
+            raise GaveUp(f"event times need {base + width} registers and one of scratch")
+        planes += number_planes(numbers ^ (numbers >> 1), width)
+        label = f"{edge} time {rank + 1} of bucket {bucket}"
+        holders += [f"{label}, Gray bit {bit}" for bit in range(width)]
+        for number, (demand, _) in enumerate(events):
+            cubes[demand].append(_equality(gray(number), base, width))
+    return Encoding(
+        "event times in Gray code",
+        tuple(planes),
+        tuple(holders),
+        tuple(tuple(each) for each in cubes),
+        (False,) * len(cubes),
+    )
+
+
+def _equality(code: int, base: int, width: int) -> Cube:
+    """The cube of shutters whose planes base .. base + width - 1 hold `code`."""
+    return tuple((base + bit, code >> bit & 1) for bit in range(width))
+
+
+_Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
+
+
+def _event_fields(problem: Problem) -> _Events:
+    """For each kind of event and its rank: (demand, shutters) in time order."""
+    seen: dict[tuple[str, int], NDArray[np.int64]] = {}
+    fields: _Events = {}
+    for i, demand in enumerate(problem.demands):
+        kind = (demand.edge, demand.bucket)
+        if kind not in seen:
+            seen[kind] = np.zeros(problem.shutters, dtype=np.int64)
+        shutters = members(demand.predicate, problem.shutters)
+        ranks = seen[kind][shutters]
+        seen[kind][shutters] += 1
+        for rank in np.unique(ranks):
+            fields.setdefault((*kind, int(rank)), []).append((i, shutters[ranks == rank]))
+    return dict(sorted(fields.items()))
+
+
+def _index_planes(problem: Problem, machine: Machine) -> list[int]:
+    """Planes of the Gray code of every shutter's number, as few as tell all shutters apart."""
+    numbers = np.arange(problem.shutters, dtype=np.int64)
+    width = max(1, (problem.shutters - 1).bit_length())
+    if width > machine.registers - 1:
+        raise GaveUp(f"{problem.shutters} shutters leave no register to compute with")
+    return number_planes(numbers ^ (numbers >> 1), width)
+
+
+def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
+    """Shutters numbered in Gray code, each member of a predicate an equality.
+
+    Serves long programs whose kernels must repeat to fit the store: every equality reads all the
+    planes, so one kernel serves all of them, and one serves each plane's inversion.
+    """
+    planes = _index_planes(problem, machine)
+    width = len(planes)
+    if sum(d.predicate.bit_count() for d in problem.demands) > 4 * len(problem.demands):
+        raise GaveUp("predicates hold too many shutters for an equality each")
+    cubes = tuple(
+        tuple(
+            _equality(gray(int(shutter)), 0, width)
+            for shutter in members(d.predicate, problem.shutters)
+        )
+        for d in problem.demands
+    )
+    return Encoding(
+        "shutter number in Gray code, equalities",
+        tuple(planes),
+        tuple(f"shutter number, Gray bit {bit}" for bit in range(width)),
+        cubes,
+        (False,) * len(cubes),
+    )
+
+
+def covered_gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
+    """Shutters numbered in Gray code, a cover of cubes for each predicate."""
+    planes = _index_planes(problem, machine)
+    holders = [f"shutter number, Gray bit {bit}" for bit in range(len(planes))]
+    return _covered(problem, "shutter number in Gray code", planes, holders, budget)
+
+
+def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
+    """As `covered_gray_index`, with every bit held both ways round, so that nothing is inverted."""
+    half = _index_planes(problem, machine)
+    if 2 * len(half) > machine.registers - 2:
+        raise GaveUp("no room for both polarities and two scratch registers")
+    bits = [f"shutter number, Gray bit {bit}" for bit in range(len(half))]
+    encoding = _covered(problem, "shutter number in Gray code, both polarities", half, bits, budget)
+    # Plane 2i holds bit i, 2i + 1 its complement; a NOR reads the complement of each literal, so
+    # the literal (i, value) is (2i + value, 0), and alone it is the plane that equals it.
+    planes = [v for p in half for v in (p, problem.everything & ~p)]
+    holders = [text for b in bits for text in (b, f"{b}, inverted")]
+    cubes = tuple(
+        tuple(_twice(cube) for cube in predicate) for predicate in encoding.cubes
+    )
+    return Encoding(encoding.name, tuple(planes), tuple(holders), cubes, encoding.inverted)
+
+
+def _twice(cube: Cube) -> Cube:
+    if len(cube) == 1:
+        (plane, value) = cube[0]
+        return ((2 * plane + 1 - value, 1),)
+    return tuple((2 * plane + value, 0) for plane, value in cube)
+
+
+def covered_stored(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
+    """As many predicates stored as there are registers but two, the rest made from those planes."""
+    distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
+    room = machine.registers - (2 if len(distinct) > machine.registers - 1 else 1)
+    planes = distinct[:room]
+    holders = [f"predicate {i}" for i in range(len(planes))]
+    return _covered(problem, "predicates, the rest made from them", planes, holders, budget)
+
+
+def _covered(
+    problem: Problem, name: str, planes: Sequence[int], holders: Sequence[str], budget: Budget
+) -> Encoding:
+    known: dict[int, tuple[tuple[Cube, ...], bool]] = {}
+    cubes: list[tuple[Cube, ...]] = []
+    inverted: list[bool] = []
+    for demand in problem.demands:
+        if demand.predicate not in known:
+            known[demand.predicate] = _best_cover(problem, demand.predicate, planes, budget)
+        chosen, negative = known[demand.predicate]
+        cubes.append(chosen)
+        inverted.append(negative)
+    return Encoding(name, tuple(planes), tuple(holders), tuple(cubes), tuple(inverted))
+
+
+def _best_cover(
+    problem: Problem, predicate: int, planes: Sequence[int], budget: Budget
+) -> tuple[tuple[Cube, ...], bool]:
+    """The smaller of the covers of a predicate and of its complement."""
+    complement = problem.everything & ~predicate
+    direct = cover(predicate, complement, planes, problem.everything, budget)
+    if len(direct) <= 1:
+        return tuple(direct), False
+    other = cover(complement, predicate, planes, problem.everything, budget)
+    if len(other) + 1 < len(direct):
+        return tuple(other), True
+    return tuple(direct), False

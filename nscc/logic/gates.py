@@ -1,0 +1,72 @@
+"""Gates within the machine's fan-in, written down as they are emitted."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nscc.logic.problem import Gate, Machine
+
+
+class Gates:
+    """Collects gates; splits what has more sources than one word of the machine may read."""
+
+    def __init__(self, machine: Machine) -> None:
+        self._machine = machine
+        self._gates: list[Gate] = []
+
+    def take(self) -> tuple[Gate, ...]:
+        """The gates since the last call."""
+        taken = tuple(self._gates)
+        self._gates.clear()
+        return taken
+
+    def nor(self, destination: str, sources: Sequence[str]) -> None:
+        """destination := NOR(sources). The destination may be among them."""
+        self._gather("NOR", "NOT", destination, sources)
+
+    def or_(self, destination: str, sources: Sequence[str]) -> None:
+        """destination := OR(sources). The destination may be among them."""
+        self._gather("OR", "MOV", destination, sources)
+
+    def clear(self, registers: Sequence[str]) -> None:
+        """Every register := 0."""
+        self._gates.extend(Gate("CLR", register, ()) for register in registers)
+
+    def set(self, registers: Sequence[str]) -> None:
+        """Every register := 1."""
+        self._gates.extend(Gate("SET", register, ()) for register in registers)
+
+    def invert(self, register: str) -> None:
+        """register := NOT register."""
+        self._gates.append(Gate("NOT", register, (register,)))
+
+    def where(self, sources: Sequence[str], scratch: str | None) -> None:
+        """FLAG := OR(sources); `scratch` may be overwritten, also when it is a source."""
+        limit = self._machine.where_sources
+        if limit is not None and len(sources) > limit:
+            if scratch is None:
+                raise ValueError("no scratch register to gather the sources of WHERE")
+            rest = [name for name in sources if name != scratch]
+            head = [scratch] if scratch in sources else []
+            spill = len(rest) - (limit - 1)
+            self.or_(scratch, [*head, *rest[:spill]])
+            sources = [scratch, *rest[spill:]]
+        self._gates.append(Gate("WHERE", "FLAG", tuple(sources)))
+
+    def _gather(self, many: str, single: str, destination: str, sources: Sequence[str]) -> None:
+        limit = self._machine.or_sources
+        rest = [name for name in sources if name != destination]
+        in_place = len(rest) < len(sources)
+        if limit is not None:
+            room = limit - 1 if in_place else limit
+            while len(rest) > room:
+                head, rest = rest[:room], rest[room:]
+                self._append("OR", "MOV", destination, head, in_place)
+                in_place, room = True, limit - 1
+        self._append(many, single, destination, rest, in_place)
+
+    def _append(
+        self, many: str, single: str, destination: str, sources: Sequence[str], in_place: bool
+    ) -> None:
+        read = (destination, *sources) if in_place else tuple(sources)
+        self._gates.append(Gate(many if len(read) > 1 else single, destination, read))

@@ -1,0 +1,71 @@
+"""The generators, in the order in which they are tried, and what each level of effort allows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from nscc.logic import encodings, states
+from nscc.logic.cubes import Budget, Encoding, emit
+from nscc.logic.problem import GaveUp, Machine, Problem, Solution
+
+# Search steps of one generator at -O0 and -O1; a step is one cofactor of a truth vector.
+SEARCH_STEPS = {0: 50_000, 1: 400_000}
+
+Generator = Callable[[Problem, Machine, Budget], Solution]
+
+
+def _emitted(encode: Callable[[Problem, Machine, Budget], Encoding]) -> Generator:
+    def generate(problem: Problem, machine: Machine, budget: Budget) -> Solution:
+        return emit(problem, machine, encode(problem, machine, budget))
+
+    return generate
+
+
+# One word a demand: nothing can be cheaper, so nothing else is tried after one of these.
+DIRECT: tuple[Generator, ...] = (
+    _emitted(encodings.stored_predicates),
+    _emitted(encodings.one_hot),
+)
+# Equalities: a few words a demand, at any number of shutters and slots.
+EQUALITIES: tuple[Generator, ...] = (
+    _emitted(encodings.gray_times),
+    _emitted(encodings.gray_index),
+    states.state_register,
+    states.state_in_flag,
+)
+# Covers: any predicates at all, at a price that grows with them.
+COVERS: tuple[Generator, ...] = (
+    _emitted(encodings.covered_both_polarities),
+    _emitted(encodings.covered_stored),
+    _emitted(encodings.covered_gray_index),
+)
+
+
+def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Solution]:
+    """Solutions of a problem, each from another generator; none where every one gives up.
+
+    Level 0 stops at the first that works, level 1 offers all that its steps allow. The caller
+    prices them: what a solution costs depends on the words around it.
+    """
+    if not problem.demands:
+        yield Solution("none", "no code is needed", (), (), 0, 0, (), (), ())
+        return
+    direct = list(_tries(DIRECT, problem, machine, level))
+    if direct:
+        yield min(direct, key=lambda s: len(s.planes))
+        return
+    for group in (EQUALITIES, COVERS):
+        for solution in _tries(group, problem, machine, level):
+            yield solution
+            if level == 0:
+                return
+
+
+def _tries(
+    group: tuple[Generator, ...], problem: Problem, machine: Machine, level: int
+) -> Iterator[Solution]:
+    for generate in group:
+        try:
+            yield generate(problem, machine, Budget(SEARCH_STEPS[level]))
+        except GaveUp:
+            continue

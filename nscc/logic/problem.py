@@ -1,0 +1,131 @@
+"""What a generator is asked for and what it answers: (predicates, machine) -> (program, encoding).
+
+A problem is a list of demands in time: before each one's analog words run, FLAG must hold its
+predicate. A solution says what every pixel's registers hold when a frame starts (the encoding;
+f runs on the host, so this may be anything) and which gates answer each demand. When the frame
+ends the registers hold what they held at its start.
+
+Solutions name virtual registers: p0, p1, .. carry code, s0, .. carry state inside a frame, t0, ..
+are scratch. `nscc.lower.allocate` gives them places.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nscc.target.model import Target
+
+
+@dataclass(frozen=True, slots=True)
+class Gate:
+    """A digital operation on virtual registers.
+
+    `name` is WHERE (destination FLAG), SET, CLR, MOV, NOT, OR or NOR. A gate whose destination is
+    among its sources is an in-place pair of words.
+    """
+
+    name: str
+    destination: str
+    sources: tuple[str, ...]
+
+    @property
+    def words(self) -> int:
+        """How many ICWs the gate takes, before the masked register's rule."""
+        return 2 if self.destination in self.sources else 1
+
+
+Segment = tuple[Gate, ...]
+"""Gates that run one after the other and are worth storing as one kernel."""
+
+
+@dataclass(frozen=True, slots=True)
+class Demand:
+    """FLAG must equal `predicate`, neither nothing nor everything, at `boundary`.
+
+    `edge` is "rise", "fall" or "open", `bucket` whose it is. `flag_kept`: FLAG still holds what the
+    demand before this one asked for.
+    """
+
+    boundary: int
+    edge: str
+    bucket: int
+    predicate: int
+    flag_kept: bool
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Demands in the order in which they come, over `shutters` distinct shutters.
+
+    `opens[bucket][slot]` are the truth vectors of the open shutters; `flag_persists`: FLAG is 1
+    everywhere before the solution's opening, nothing but its gates writes FLAG from there to the
+    last demand, it does not decay, and where the opening changes it nobody counts on the ones.
+    """
+
+    demands: tuple[Demand, ...]
+    shutters: int
+    opens: tuple[tuple[int, ...], ...]
+    flag_persists: bool
+
+    @property
+    def everything(self) -> int:
+        """The truth vector of all shutters."""
+        return (1 << self.shutters) - 1
+
+
+@dataclass(frozen=True)
+class Machine:
+    """What gates cost and may do: the digital half of a target.
+
+    `registers` is how many one-bit registers a pixel has; `masked` says that one of them (R12 on
+    SCAMP-5) takes a write only where another (R0) is 1.
+    """
+
+    registers: int
+    masked: bool
+    or_sources: int | None
+    where_sources: int | None
+    where_reads_flag: bool
+
+    @staticmethod
+    def of(target: Target) -> Machine:
+        """The machine of a target."""
+        return Machine(
+            len(target.digital_registers),
+            target.masked_register is not None,
+            target.or_sources,
+            target.where_sources,
+            target.where_reads_flag,
+        )
+
+
+@dataclass(frozen=True)
+class Solution:
+    """Gates and encoding that meet a problem.
+
+    `planes` are the truth vectors of p0, p1, .. at the start of a frame, `holders` says in words what
+    each one carries. `answers` has one entry for each demand; `opening` runs at boundary 0 before
+    any demand and `closing` at boundary N after the last.
+    """
+
+    generator: str
+    encoding: str
+    planes: tuple[int, ...]
+    holders: tuple[str, ...]
+    states: int
+    scratch: int
+    opening: tuple[Segment, ...]
+    answers: tuple[tuple[Segment, ...], ...]
+    closing: tuple[Segment, ...]
+
+    def segments(self) -> Sequence[Segment]:
+        """All segments in the order in which they run."""
+        run = [*self.opening]
+        for answer in self.answers:
+            run.extend(answer)
+        return [*run, *self.closing]
+
+
+class GaveUp(Exception):
+    """A generator found no solution: the reason in words. It proves nothing."""

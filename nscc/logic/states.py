@@ -1,0 +1,181 @@
+"""Levels from events: a register that remembers whether the shutter is open.
+
+An open shutter is one that has risen and not yet fallen. Where shutters have few edges, their
+times are held in Gray code (`nscc.logic.encodings.gray_times`), and each equality sets or clears
+the state, so that every slot costs the same few words whatever the times are. The state is a
+register, or FLAG itself where nothing else writes FLAG.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nscc.logic.cubes import Budget, Encoding
+from nscc.logic.encodings import gray_index, gray_times
+from nscc.logic.gates import Gates
+from nscc.logic.problem import Demand, GaveUp, Machine, Problem, Segment, Solution
+
+
+def state_register(problem: Problem, machine: Machine, budget: Budget) -> Solution:
+    """The state of each bucket in a register of its own."""
+    return _solve(problem, machine, budget, in_flag=False)
+
+
+def state_in_flag(problem: Problem, machine: Machine, budget: Budget) -> Solution:
+    """The state in FLAG: one bucket, and nothing else may write FLAG inside the frame."""
+    if not problem.flag_persists or len(problem.opens) != 1:
+        raise GaveUp("FLAG does not keep its value from slot to slot")
+    return _solve(problem, machine, budget, in_flag=True)
+
+
+def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool) -> Solution:
+    if any(d.edge != "open" for d in problem.demands):
+        raise GaveUp("the demands are events already")
+    from_open = [_closes_only(levels) for levels in problem.opens]
+    events, needed_before = _events(problem, from_open)
+    inner = Problem(tuple(events), problem.shutters, problem.opens, False)
+    states = 0 if in_flag else len(problem.opens)
+    encoding = _times(inner, machine, budget, machine.registers - 1 - states)
+    planes = len(encoding.planes)
+    left = machine.registers - planes - states
+    if machine.masked and left > 1:
+        left -= 1  # every plane changes in the frame, so the masked register stays empty
+    if left < 1:
+        raise GaveUp(f"{planes} planes and {states} states leave no register to compute with")
+    walker = _Walker(machine, planes, min(left, 2), in_flag)
+    opening = walker.start(from_open)
+    answers = []
+    done = 0
+    for i in range(len(problem.demands)):
+        segments: list[Segment] = []
+        while done < needed_before[i]:
+            segments.extend(walker.event(events[done], encoding.cubes[done]))
+            done += 1
+        segments.extend(walker.load(problem.demands[i]))
+        answers.append(tuple(segments))
+    return Solution(
+        "states", encoding.name + (", state in FLAG" if in_flag else ", state in a register"),
+        encoding.planes, encoding.holders, states, walker.scratch, opening, tuple(answers),
+        walker.restore(),
+    )  # fmt: skip
+
+
+def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Encoding:
+    """Event times as fields of their own, or all in one number where `room` planes cannot hold them."""
+    try:
+        encoding = gray_times(problem, machine, budget)
+        if len(encoding.planes) <= room:
+            return encoding
+    except GaveUp:
+        pass
+    return gray_index(problem, machine, budget)
+
+
+def _closes_only(levels: Sequence[int]) -> bool:
+    """Whether no shutter opens later than slot 0: then all start open, the never-open ones too."""
+    return not any(after & ~before for before, after in zip(levels, levels[1:], strict=False))
+
+
+def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], list[int]]:
+    """Rises and falls in time order, and how many of them come before each demand.
+
+    The demand at boundary n + 1 asks for the level of slot n, so the events of boundaries 0..n
+    come before it. A bucket starts open or closed in all pixels (`from_open`).
+    """
+    events: list[Demand] = []
+    needed: list[int] = []
+    boundary = 0
+    for demand in problem.demands:
+        while boundary < demand.boundary:
+            for bucket, levels in enumerate(problem.opens):
+                start = problem.everything if from_open[bucket] else 0
+                before = levels[boundary - 1] if boundary else start
+                after = levels[boundary]
+                for edge, vector in (("fall", before & ~after), ("rise", after & ~before)):
+                    if vector:
+                        events.append(Demand(boundary, edge, bucket, vector, False))
+            boundary += 1
+        needed.append(len(events))
+    return events, needed
+
+
+class _Walker:
+    """Emits the gates of events and of levels, keeping track of inverted planes."""
+
+    def __init__(self, machine: Machine, planes: int, scratch: int, in_flag: bool) -> None:
+        self._machine = machine
+        self._inverted = [0] * planes
+        self._in_flag = in_flag
+        self._gates = Gates(machine)
+        self.scratch = scratch
+
+    def start(self, from_open: Sequence[bool]) -> tuple[Segment, ...]:
+        """Segments that open or close every shutter."""
+        if self._in_flag:
+            if from_open[0]:
+                return ()  # FLAG is 1 everywhere after the setup
+            self._gates.clear(["t0"])
+            self._gates.where(["t0"], None)
+            return (self._gates.take(),)
+        self._gates.clear([f"s{b}" for b, is_open in enumerate(from_open) if not is_open])
+        self._gates.set([f"s{b}" for b, is_open in enumerate(from_open) if is_open])
+        return (self._gates.take(),)
+
+    def event(
+        self, event: Demand, cubes: Sequence[Sequence[tuple[int, int]]]
+    ) -> list[Segment]:
+        """Segments that let the shutters of one event rise or fall."""
+        segments = []
+        for cube in cubes:
+            for plane, value in cube:
+                if self._inverted[plane] != value:
+                    self._inverted[plane] ^= 1
+                    self._gates.invert(f"p{plane}")
+                    segments.append(self._gates.take())
+            equal = [f"p{plane}" for plane, _ in cube]
+            change = self._flag if self._in_flag else self._register
+            change(event, equal)
+            segments.append(self._gates.take())
+        return segments
+
+    def _register(self, event: Demand, equal: list[str]) -> None:
+        state = f"s{event.bucket}"
+        self._gates.nor("t0", equal)
+        if event.edge == "rise":
+            self._gates.or_(state, [state, "t0"])
+        elif self.scratch > 1:
+            self._gates.nor("t1", [state])
+            self._gates.nor(state, ["t0", "t1"])
+        else:
+            self._gates.invert(state)
+            self._gates.nor(state, [state, "t0"])
+
+    def _flag(self, event: Demand, equal: list[str]) -> None:
+        if event.edge == "rise":
+            self._gates.nor("t0", equal)
+            if self._machine.where_reads_flag:
+                self._gates.where(["FLAG", "t0"], None)
+                return
+            self._gates.or_("t0", ["t0", "FLAG"])
+        else:
+            self._gates.nor("t0", ["FLAG"])
+            self._gates.where(["t0"], None)
+            self._gates.nor("t0", equal)
+            self._gates.nor("t0", ["t0", "FLAG"])
+        self._gates.where(["t0"], None)
+
+    def load(self, demand: Demand) -> list[Segment]:
+        """The segment that brings the level of the demand's bucket into FLAG."""
+        if self._in_flag:
+            return []
+        self._gates.where([f"s{demand.bucket}"], None)
+        return [self._gates.take()]
+
+    def restore(self) -> tuple[Segment, ...]:
+        """Segments that put every inverted plane back."""
+        segments = []
+        for plane, inverted in enumerate(self._inverted):
+            if inverted:
+                self._gates.invert(f"p{plane}")
+                segments.append(self._gates.take())
+        return tuple(segments)

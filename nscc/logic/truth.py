@@ -1,0 +1,39 @@
+"""Truth vectors: one Python integer for a bit of every shutter.
+
+Bit i of a truth vector belongs to shutter i of the decode table. Integers of thousands of bits
+are combined in one machine operation a word, which makes exhaustive search and proof cheap.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def columns(bits: NDArray[np.bool_]) -> list[int]:
+    """Truth vectors of the columns of `bits` (shutters, columns)."""
+    packed = np.packbits(np.ascontiguousarray(bits.T), axis=1, bitorder="little")
+    return [int.from_bytes(row.tobytes(), "little") for row in packed]
+
+
+def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
+    """The inverse of `columns`: bool (count, len(vectors))."""
+    size = max(1, (count + 7) // 8)
+    if not vectors:
+        return np.zeros((count, 0), dtype=np.bool_)
+    raw = b"".join(vector.to_bytes(size, "little") for vector in vectors)
+    packed = np.frombuffer(raw, dtype=np.uint8).reshape(len(vectors), size)
+    bits = np.unpackbits(packed, axis=1, count=count, bitorder="little")
+    return np.ascontiguousarray(bits.T).astype(np.bool_)
+
+
+def members(vector: int, count: int) -> NDArray[np.intp]:
+    """The shutters, of `count`, whose bit is set, in rising order."""
+    if vector & (vector - 1) == 0:
+        return np.array([vector.bit_length() - 1] if vector else [], dtype=np.intp)
+    return np.flatnonzero(rows([vector], count)[:, 0])
+
+
+def number_planes(numbers: NDArray[np.int64], width: int) -> list[int]:
+    """Truth vectors of the `width` lowest bits of every shutter's number (shutters,)."""
+    return columns((numbers[:, None] >> np.arange(width)) & 1 == 1)

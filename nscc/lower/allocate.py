@@ -1,0 +1,123 @@
+"""Places for virtual registers, and gates as words.
+
+The masked register (R12 on SCAMP-5) takes a write only where its mask (R0) is 1, so it is given to
+code that does not change inside the frame; where every register is needed, to the plane that
+changes least, and each of its writes is preceded by SET of the mask, which is scratch then.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+
+from nscc.logic.problem import Gate, Segment, Solution
+from nscc.target.model import Target
+from nscc.words.operations import Op, op, pair
+
+
+@dataclass(frozen=True)
+class Allocation:
+    """Where every virtual register lives, and which of them are never written in a frame."""
+
+    places: dict[str, str]
+    holders: dict[str, str]
+    code_registers: tuple[str, ...]
+    state_registers: tuple[str, ...]
+    mask: str | None
+    masked: str | None
+
+    @property
+    def mask_is_code(self) -> bool:
+        """Whether the mask register itself carries code."""
+        return self.mask in self.code_registers
+
+
+def allocate(solution: Solution, target: Target) -> Allocation:
+    """Registers of `target` for a solution that its generator sized for this target."""
+    writes = Counter(
+        gate.destination for segment in solution.segments() for gate in segment
+    )  # fmt: skip
+    planes = [f"p{i}" for i in range(len(solution.planes))]
+    scratch = [f"t{i}" for i in range(solution.scratch)]
+    states = [f"s{i}" for i in range(solution.states)]
+    places: dict[str, str] = {}
+    free = list(target.digital_registers)
+    if target.masked_register is not None and target.mask_register is not None:
+        total = len(planes) + len(scratch) + len(states)
+        if scratch:
+            places[scratch[0]] = target.mask_register
+            free.remove(target.mask_register)
+        if total == len(target.digital_registers):
+            quiet = min(planes, key=lambda name: (writes[name], name))
+            places[quiet] = target.masked_register
+        free.remove(target.masked_register)
+        if not scratch and len(free) > len(planes) + len(states):
+            free.remove(target.mask_register)  # code stays out of the mask while there is room
+    names = [name for name in (*planes, *states, *scratch) if name not in places]
+    places.update(zip(names, free, strict=False))
+    holders = {
+        **dict(zip(planes, solution.holders, strict=True)),
+        **{name: "state: open" for name in states},
+        **{name: "scratch" for name in scratch},
+    }
+    order = {register: i for i, register in enumerate(target.digital_registers)}
+    by_place = {places[name]: holders[name] for name in (*planes, *states, *scratch)}
+    return Allocation(
+        places,
+        {register: by_place[register] for register in sorted(by_place, key=order.__getitem__)},
+        _load_order([places[name] for name in planes], target),
+        tuple(places[name] for name in states),
+        target.mask_register,
+        target.masked_register,
+    )
+
+
+def _load_order(registers: list[str], target: Target) -> tuple[str, ...]:
+    """Code registers in the order of loading: the masked one needs its mask at 1, so it goes first
+    and the mask's own code last."""
+    order = {register: i for i, register in enumerate(target.digital_registers)}
+    rank = {target.masked_register: -1, target.mask_register: len(order)}
+    return tuple(sorted(registers, key=lambda r: rank.get(r, order[r])))
+
+
+def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
+    """The ICWs of a segment."""
+    out: list[Op] = []
+    for gate in segment:
+        if allocation.places.get(gate.destination) == allocation.masked is not None:
+            assert allocation.mask is not None
+            out.append(op("SET", (allocation.mask,)))
+        out.extend(_gate_words(gate, allocation.places))
+    return tuple(out)
+
+
+def _gate_words(gate: Gate, places: dict[str, str]) -> tuple[Op, ...]:
+    sources = [places.get(name, name) for name in gate.sources]
+    if gate.name == "WHERE":
+        return (op("WHERE", (), sources),)
+    destination = places[gate.destination]
+    if destination in sources:
+        kind = {"NOT": "NOR", "NOR": "NOR", "OR": "OR", "MOV": "REFRESH"}[gate.name]
+        return pair(kind, destination, sources)
+    return (op(gate.name, (destination,), sources),)
+
+
+def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[Op, ...]:
+    """Words that write every register of `registers` back to itself.
+
+    FLAG is lost where both the masked register and its mask carry code.
+    """
+    masked, mask = allocation.masked, allocation.mask
+    out: list[Op] = []
+    plain = [r for r in registers if r != masked]
+    if masked in registers and mask is not None:
+        if allocation.mask_is_code:
+            # The mask's code waits in FLAG; moving it back refreshes it too.
+            out += [op("WHERE", (), (mask,)), op("SET", (mask,))]
+            out += [*pair("REFRESH", masked, (masked,)), op("MOV", (mask,), ("FLAG",))]
+            plain = [r for r in plain if r != mask]
+        else:
+            out += [op("SET", (mask,)), *pair("REFRESH", masked, (masked,))]
+    for register in plain:
+        out += pair("REFRESH", register, (register,))
+    return tuple(out)

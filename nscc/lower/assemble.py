@@ -1,0 +1,47 @@
+"""A lowered program as a container: encoded words, schedule, encoding, codes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nscc.logic.truth import rows
+from nscc.lower.lowered import Lowered
+from nscc.words.container import Container, Kernel, Launch, Readout
+from nscc.words.encoding import encode
+
+
+def assemble(lowered: Lowered, level: int) -> Container:
+    """The container of a lowered program, whole, for a device, the emulator or the proof."""
+    program, plan, schedule = lowered.program, lowered.plan, lowered.schedule
+    target = program.target
+    shutters = len(program.table.shutters)
+    encoding = np.zeros((shutters, len(target.digital_registers)), dtype=np.bool_)
+    held = rows(list(lowered.solution.planes), shutters)
+    for i in range(held.shape[1]):
+        place = schedule.allocation.places[f"p{i}"]
+        encoding[:, target.digital_registers.index(place)] = held[:, i]
+    return Container(
+        target=target,
+        slot_us=program.frame.slot_us,
+        buckets=tuple(bucket.name for bucket in program.buckets),
+        table=program.table,
+        kernels=tuple(
+            Kernel(f"k{i}", tuple(encode(word) for word in kernel))
+            for i, kernel in enumerate(schedule.kernels)
+        ),
+        launches=tuple(Launch(boundary, kernel) for boundary, kernel in schedule.launches),
+        code_registers=schedule.allocation.code_registers,
+        encoding=encoding,
+        pixel_codes=program.pixel_codes,
+        readouts=tuple(
+            Readout(register, bucket.name)
+            for register, bucket in zip(plan.bucket_registers, program.buckets, strict=True)
+        ),
+        source_lines=tuple(program.source.text.splitlines()),
+        notes={
+            "class": program.class_name,
+            "codes": program.mode,
+            "level": str(level),
+            "lowering": plan.lowering,
+        },
+    )

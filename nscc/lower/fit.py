@@ -1,0 +1,225 @@
+"""What the user hears when a program does not fit, or when only a search can tell.
+
+Proved and not proved are kept apart: a count that no encoding can beat is an error wherever it is
+seen; gates that this compiler did not find prove nothing, so `nscc check` only notes them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nscc.diagnostics.model import Diagnostic, Label, Severity
+from nscc.lower.choose import Choice
+from nscc.lower.lowered import Lowered
+from nscc.lower.plan import Misfit
+from nscc.program.model import Program
+from nscc.source import Span
+
+
+def capacity_fault(program: Program, ways_out: Sequence[str]) -> Diagnostic | None:
+    """NS0412: more shutters than the registers of a pixel have states. Certain."""
+    target = program.target
+    shutters = len(program.table.shutters)
+    available = len(target.digital_registers)
+    required = max(0, (shutters - 1).bit_length())
+    if required <= available:
+        return None
+    if program.mode == "fixed":
+        what = f"{shutters} different shutters in use"
+    elif program.class_name == "e":
+        what = f"{len(program.frame.slot_us)} slots, each free: {shutters} shutters"
+    else:
+        what = f"{shutters} different shutters"
+    ledger = [
+        f"{field.name} {max(1, (field.high - field.low).bit_length())}" for field in program.fields
+    ]
+    return Diagnostic(
+        "NS0412",
+        f"this shutter does not fit {target.name}: its codes need {required} bits a pixel, "
+        f"the chip has {available}",
+        source=program.source,
+        label=Label(_field_span(program), what),
+        related=_chip(
+            program,
+            f"{available} one-bit registers a pixel "
+            f"({target.digital_registers[0]}-{target.digital_registers[-1]})",
+        ),
+        notes=(
+            f"certain for codes held in digital registers: {shutters} shutters need {required} "
+            "of them, whatever the encoding",
+            f"bits by holder: {', '.join(ledger)}; scratch 0" if len(ledger) > 1 else
+            f"bits by holder: {', '.join(ledger)}",
+        ),
+        helps=tuple(ways_out),
+        data=_resource("digital registers", required, available, proved=True),
+    )  # fmt: skip
+
+
+def misfit_fault(program: Program, choice: Choice, *, level: int) -> Diagnostic:
+    """Why no lowering at all could be laid out: NS0413, NS0414 (certain) or NS0502 (not)."""
+    reasons = [f"{name}: {misfit.reason}" for name, misfit in choice.misfits.items()]
+    short = [m for m in choice.misfits.values() if m.resource is not None]
+    if len(short) == len(choice.misfits):
+        least: Misfit = min(short, key=lambda m: m.required)
+        return Diagnostic(
+            "NS0413",
+            f"{len(program.buckets)} buckets do not fit {program.target.name}: "
+            f"they need {least.required} {least.resource}, the chip has {least.available}",
+            source=program.source,
+            label=Label(program.buckets[-1].span, f"bucket {len(program.buckets)}"),
+            related=_chip(program, f"{least.available} analog registers that keep a value"),
+            notes=("certain: every bucket is a frame in a register of its own", *reasons),
+            helps=(f"keep at most {least.available} buckets",),
+            data=_resource("analog registers", least.required, least.available, proved=True),
+        )
+    if all(m.resource is not None or "serves only" in m.reason for m in choice.misfits.values()):
+        return Diagnostic(
+            "NS0414",
+            "this program cannot be lowered as asked: " + "; ".join(reasons),
+            source=program.source,
+            label=Label(program.buckets[0].span),
+            helps=("leave --lowering at auto, or choose edges or accumulate",),
+            data={"lowerings": list(choice.misfits)},
+        )
+    return Diagnostic(
+        "NS0502",
+        f"no gates were found at -O{level} that decode {len(program.table.shutters)} shutters in "
+        f"{len(program.target.digital_registers)} digital registers",
+        source=program.source,
+        label=Label(_field_span(program)),
+        notes=(*reasons, "not proved: another encoding or more search may find some"),
+        helps=("use fewer codes: `--codes fixed` compiles only those that the pixels use",),
+        data=_resource(
+            "digital registers", len(program.target.digital_registers) + 1,
+            len(program.target.digital_registers), proved=False,
+        ),
+    )  # fmt: skip
+
+
+def faults(lowered: Lowered, *, level: int) -> list[Diagnostic]:
+    """Everything that keeps the best lowering from fitting; empty if it fits."""
+    found = []
+    if not lowered.retained:
+        found.append(_retention(lowered))
+    if lowered.late:
+        found.append(_late(lowered, level))
+    if not lowered.stored_ok:
+        found.append(_store(lowered, level))
+    return found
+
+
+def only_search_can_tell(diagnostic: Diagnostic) -> bool:
+    """Whether a fault is this compiler's and not the chip's."""
+    return diagnostic.data.get("proved") is False
+
+
+def as_note(diagnostic: Diagnostic) -> Diagnostic:
+    """What `nscc check` says instead of an unproved fault."""
+    return Diagnostic(
+        "NS0503",
+        f"whether this fits is for `nscc build` to decide: {diagnostic.message}",
+        severity=Severity.NOTE,
+        source=diagnostic.source,
+        label=diagnostic.label,
+        notes=diagnostic.notes,
+        data=diagnostic.data,
+    )
+
+
+def _retention(lowered: Lowered) -> Diagnostic:
+    program = lowered.program
+    longest = max(range(len(program.frame.slot_us)), key=program.frame.slot_us.__getitem__)
+    slot_us = program.frame.slot_us[longest]
+    keep_us = lowered.time.keep_us
+    return Diagnostic(
+        "NS0602",
+        f"digital registers forget within this frame: slot {longest} lasts {_time(slot_us)}, and "
+        f"the readout {_time(lowered.time.between_us)}; {program.target.name} keeps a bit for "
+        f"{_time(program.target.digital_retention_us)}",
+        source=program.source,
+        label=Label(program.frame.span, "registers are refreshed between slots, not inside them"),
+        notes=(f"nothing is left untouched for more than {_time(keep_us)}, with a margin of 10 %",),
+        helps=("split the slot into several: the rule may treat them alike",),
+        data=_resource("retention_us", slot_us, keep_us, proved=True),
+    )
+
+
+def _late(lowered: Lowered, level: int) -> Diagnostic:
+    program, target = lowered.program, lowered.program.target
+    slots_us = program.frame.slot_us
+    worst = max(lowered.late, key=lambda n: lowered.busy_us[n] - slots_us[n])
+    floor_us = _least_us(lowered, worst)
+    proved = floor_us > slots_us[worst]
+    words = lowered.words_per_boundary[worst]
+    needed_us = floor_us if proved else lowered.busy_us[worst]
+    return Diagnostic(
+        "NS0601",
+        f"slot {worst} is shorter than its own instructions: it lasts {_time(slots_us[worst])}, "
+        + (
+            f"and the analog words alone take {_time(floor_us)}"
+            if proved
+            else f"and its {words} words take {_time(needed_us)} at -O{level}"
+        ),
+        source=program.source,
+        label=Label(program.frame.span, f"{len(lowered.late)} of {len(slots_us)} slots too short"),
+        notes=(
+            f"{target.name}: {target.digital_word_us:g} us a digital word, "
+            f"{target.analog_word_us:g} us an analog one, {target.launch_us:g} us a launch",
+            "certain: the light must be read and a kernel launched"
+            if proved
+            else "not proved: fewer words may be found",
+        ),
+        helps=(f"slots of {_time(lowered.shortest_slot_us)} or longer fit the words found",),
+        data=_resource("slot_us", needed_us, slots_us[worst], proved=proved),
+    )
+
+
+def _least_us(lowered: Lowered, boundary: int) -> float:
+    """Time that no program can do without at a boundary: its analog words and one launch."""
+    target = lowered.program.target
+    steps = [s for s in lowered.plan.steps if s.boundary == boundary and s.bucket >= 0]
+    analog = sum(len(step.words) for step in steps)
+    return target.launch_us + analog * target.analog_word_us if analog else 0.0
+
+
+def _store(lowered: Lowered, level: int) -> Diagnostic:
+    program, target = lowered.program, lowered.program.target
+    stored = lowered.schedule.words_stored
+    holders = lowered.schedule.allocation.holders
+    return Diagnostic(
+        "NS0501",
+        f"this program needs {stored} stored words at -O{level}, {target.name} stores "
+        f"{target.store_words}",
+        source=program.source,
+        label=Label(_field_span(program), f"{len(program.table.shutters)} different shutters"),
+        related=_chip(program, f"all kernels together: {target.store_words} words"),
+        notes=(
+            f"{len(lowered.schedule.kernels)} kernels, lowered as {lowered.plan.lowering}, "
+            f"encoding: {lowered.solution.encoding}",
+            "registers: " + ", ".join(f"{r} {what}" for r, what in holders.items()),
+            "not proved: other gates or another encoding may be shorter",
+        ),
+        helps=("use fewer codes, fewer slots, or shutters with fewer edges",),
+        data=_resource("store_words", stored, target.store_words, proved=False),
+    )
+
+
+def _field_span(program: Program) -> Span:
+    return program.fields[0].span if program.fields else program.buckets[0].span
+
+
+def _chip(program: Program, text: str) -> tuple[Label, ...]:
+    return (Label(program.target_span, text),) if program.target_span is not None else ()
+
+
+def _resource(
+    name: str, required: float, available: float, *, proved: bool
+) -> dict[str, str | float | bool]:
+    return {"resource": name, "required": required, "available": available, "proved": proved}
+
+
+def _time(us: float) -> str:
+    for unit, size in (("s", 1e6), ("ms", 1e3), ("us", 1.0)):
+        if us >= size:
+            return f"{us / size:.4g} {unit}"
+    return f"{us * 1e3:.4g} ns"

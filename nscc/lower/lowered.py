@@ -1,0 +1,179 @@
+"""A program lowered in one way, with its price."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from nscc.logic.generate import solutions
+from nscc.logic.problem import Demand, Machine, Problem, Solution
+from nscc.logic.truth import rows
+from nscc.lower.plan import ExposurePlan, Misfit, Step
+from nscc.lower.schedule import Schedule, schedule
+from nscc.lower.timeline import Before, Timeline, flag_actions, timeline
+from nscc.program.model import Program
+from nscc.words.operations import Effect
+
+
+@dataclass(frozen=True)
+class Lowered:
+    """A plan, its gates and its words, priced against the program's target."""
+
+    program: Program
+    plan: ExposurePlan
+    solution: Solution
+    schedule: Schedule
+    time: Timeline
+
+    @cached_property
+    def words_per_boundary(self) -> list[int]:
+        """Words executed at each boundary 0..N."""
+        return self.schedule.words_at(self.plan.slots)
+
+    @cached_property
+    def busy_us(self) -> list[float]:
+        """Time that each boundary's words take."""
+        return self.schedule.busy_us(self.plan.slots, self.program.target)
+
+    @property
+    def shortest_slot_us(self) -> float:
+        """The shortest slot that any boundary's words leave possible, were all slots equal."""
+        return max(self.busy_us[: self.plan.slots])
+
+    @property
+    def frame_us(self) -> float:
+        """Time from boundary 0's first word to boundary N's last."""
+        return self.schedule.setup_us + self.time.boundary_us[-1] + self.busy_us[-1]
+
+    @cached_property
+    def late(self) -> list[int]:
+        """Slots that are shorter than the words at their start."""
+        slots = self.program.frame.slot_us
+        return [n for n, slot_us in enumerate(slots) if self.busy_us[n] > slot_us]
+
+    @property
+    def stored_ok(self) -> bool:
+        """Whether the kernels fit the store."""
+        target = self.program.target
+        return self.schedule.words_stored <= target.store_words
+
+    @property
+    def retained(self) -> bool:
+        """Whether digital memory lasts from one refresh to the next."""
+        return self.time.refresh_at is not None or not self.schedule.allocation.code_registers
+
+    @property
+    def fits(self) -> bool:
+        """Whether store, slot time and retention all allow this program."""
+        return self.stored_ok and self.retained and not self.late
+
+    @property
+    def price(self) -> tuple[bool, int, int]:
+        """Sort key among solutions of one lowering: fits, words a frame, largest boundary."""
+        return not self.fits, self.schedule.words_total, max(self.words_per_boundary)
+
+    @cached_property
+    def analog_writes(self) -> tuple[int, int]:
+        """Fewest and most analog words that an ever-open pixel's registers take in a frame."""
+        return analog_writes(self.program, self.plan)
+
+    @property
+    def headroom_e(self) -> float:
+        """Most electrons a frame, at constant light with the shutter always open, for every code.
+
+        Neither PIX between two resets nor a frame register may leave its range.
+        """
+        return headroom_e(self.program, self.plan)
+
+
+def analog_writes(program: Program, plan: ExposurePlan) -> tuple[int, int]:
+    """Fewest and most analog words (`bus`) that a pixel which ever opens executes after the setup."""
+    counts = np.zeros(plan.shutters, dtype=np.int64)
+    for step in plan.steps:
+        if step.bucket < 0:
+            continue
+        buses = sum(word.operation.effect is Effect.BUS for word in step.words)
+        if step.predicate is None:
+            counts += buses
+        else:
+            counts[rows([step.predicate], plan.shutters)[:, 0]] += buses
+    opening = program.table.shutters.any(axis=(1, 2))
+    used = counts[opening]
+    return (int(used.min()), int(used.max())) if used.size else (0, 0)
+
+
+def headroom_e(program: Program, plan: ExposurePlan) -> float:
+    """See `Lowered.headroom_e`."""
+    target = program.target
+    slot_us = np.array(program.frame.slot_us)
+    share = slot_us / slot_us.sum()
+    open_share = program.table.shutters @ share
+    register_share = float(open_share.max(initial=0.0))
+    reads = [s.boundary for s in plan.steps if s.bucket >= 0 and _reads_pix(s)]
+    if plan.lowering == "accumulate":
+        read_slots = [n - 1 for n in reads]
+        pix_share = float(share[read_slots].max(initial=0.0)) if read_slots else 0.0
+    elif any(s.role == "rise" and not _reads_pix(s) for s in plan.steps):
+        pix_share = register_share
+    else:
+        pix_share = float(share[: max(reads, default=0)].sum())
+        if plan.lowering == "edges":
+            register_share = max(register_share, _deepest_share(plan, share))
+    limits = [target.full_well_e / pix_share] if pix_share else []
+    if register_share:
+        limits.append(min(target.register_max_e, -target.register_min_e) / register_share)
+    return min(limits, default=target.full_well_e)
+
+
+def _reads_pix(step: Step) -> bool:
+    return any("PIX" in word.sources for word in step.words)
+
+
+def _deepest_share(plan: ExposurePlan, share: np.ndarray) -> float:
+    """The largest light that a rising edge subtracts, as a share of the frame's."""
+    rises = [s.boundary for s in plan.steps if s.role == "rise"]
+    return float(share[: max(rises, default=0)].sum())
+
+
+def problem_of(
+    program: Program, plan: ExposurePlan, time: Timeline, opens: list[list[int]]
+) -> tuple[Problem, list[Before]]:
+    """What the gates must compute for a plan, and what every step does to FLAG."""
+    actions = flag_actions(plan, time, program.target)
+    demands = []
+    ones_needed = False
+    persists = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
+    for step, action in zip(plan.steps, actions, strict=True):
+        if step.predicate is not None:
+            kept = action == "keep" and bool(demands)
+            demands.append(Demand(step.boundary, step.role, step.bucket, step.predicate, kept))
+        elif action == "all" and step.boundary > 0:
+            persists = False
+        elif action == "keep" and step.bucket >= 0:
+            ones_needed = True
+    if ones_needed:
+        persists = persists and all(bucket[0] == plan.everywhere for bucket in opens)
+    levels = tuple(tuple(bucket) for bucket in opens)
+    return Problem(tuple(demands), plan.shutters, levels, persists), actions
+
+
+def lower(
+    program: Program, plan: ExposurePlan, level: int, opens: list[list[int]]
+) -> Lowered | Misfit:
+    """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found."""
+    time = timeline(program.frame.slot_us, len(program.buckets), program.target)
+    problem, actions = problem_of(program, plan, time, opens)
+    best: Lowered | None = None
+    for solution in solutions(problem, Machine.of(program.target), level):
+        laid = schedule(plan, solution, actions, time, program.target)
+        candidate = Lowered(program, plan, solution, laid, time)
+        if best is None or candidate.price < best.price:
+            best = candidate
+    if best is None:
+        return Misfit(
+            f"no generator found gates for {plan.lowering} in "
+            f"{len(program.target.digital_registers)} digital registers"
+        )
+    return best

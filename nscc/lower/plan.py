@@ -1,0 +1,223 @@
+"""Exposure plans: which analog words run at which boundary, and in which pixels.
+
+A plan is how equation (3), E = sum of L[n] S[n], comes out of a photodiode that only integrates:
+
+accumulate  reset every slot, add the slot's light at its end where the shutter was open
+latch       never reset inside the frame; a pixel that is open from slot 0 copies PIX when it closes
+edges       never reset inside the frame; add PIX at every falling edge, subtract it at every
+            rising one (where single pixels can be reset, reset them at the rising edge instead)
+
+Boundaries run over 0..N. Boundary n comes before slot n's light; slot n is read at boundary n + 1.
+A plan says *where* as a predicate, a truth vector over the program's shutters; how the gates
+compute it is not its business.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+import numpy as np
+
+from nscc.logic.truth import columns
+from nscc.program.model import Program
+from nscc.words.operations import Op, op
+
+Lowering = Literal["accumulate", "latch", "edges"]
+LOWERINGS: tuple[Lowering, ...] = get_args(Lowering)
+
+Role = Literal["setup", "reset", "open", "rise", "fall"]
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """Analog words that run at one boundary in the pixels of `predicate`.
+
+    `predicate` None means every pixel, whatever FLAG was. `bucket` is the bucket's number, -1 for
+    steps of the whole frame.
+    """
+
+    boundary: int
+    role: Role
+    bucket: int
+    predicate: int | None
+    words: tuple[Op, ...]
+
+
+@dataclass(frozen=True)
+class ExposurePlan:
+    """The analog half of a program. `registers` maps every analog register used to its holder."""
+
+    lowering: Lowering
+    steps: tuple[Step, ...]
+    registers: dict[str, str]
+    bucket_registers: tuple[str, ...]
+    shutters: int
+    slots: int
+
+    @property
+    def everywhere(self) -> int:
+        """The truth vector of all shutters."""
+        return (1 << self.shutters) - 1
+
+
+@dataclass(frozen=True)
+class Misfit:
+    """Why a lowering cannot serve a program: an unmet condition or a register too few."""
+
+    reason: str
+    resource: str | None = None
+    required: int = 0
+    available: int = 0
+
+
+def levels(program: Program) -> list[list[int]]:
+    """For every bucket, the truth vector of the open shutters in each slot."""
+    shutters = program.table.shutters
+    return [columns(shutters[:, bucket, :]) for bucket in range(shutters.shape[1])]
+
+
+def plan_exposure(program: Program, lowering: Lowering, opens: list[list[int]]) -> (
+    ExposurePlan | Misfit
+):
+    """The plan of `lowering` for `program`, or why there is none. `opens` is `levels(program)`."""
+    buckets = len(program.buckets)
+    free = program.target.analog_available
+    reference_needed = lowering != "edges" or buckets < len(free)
+    required = buckets + (1 if reference_needed else 0)
+    if required > len(free):
+        return Misfit(
+            f"{lowering} needs {required} analog registers beside {program.target.analog_scratch}: "
+            f"{buckets} buckets"
+            + (" and the reset level" if reference_needed else "")
+            + f"; there are {len(free)}",
+            "analog registers",
+            required,
+            len(free),
+        )
+    if lowering == "latch" and not _prefixes(program):
+        return Misfit("latch serves only shutters that open with slot 0 and close once")
+    builder = _Builder(program, lowering, opens, free[buckets] if reference_needed else None)
+    return builder.build()
+
+
+def _prefixes(program: Program) -> bool:
+    shutters = program.table.shutters
+    return not bool(np.any(shutters[:, :, 1:] & ~shutters[:, :, :-1]))
+
+
+class _Builder:
+    """Collects the steps of one plan in the order in which they run."""
+
+    def __init__(
+        self, program: Program, lowering: Lowering, opens: list[list[int]], reference: str | None
+    ) -> None:
+        self.program = program
+        self.lowering = lowering
+        self.opens = opens
+        self.reference = reference
+        self.slots = len(program.frame.slot_us)
+        self.registers = program.target.analog_available[: len(program.buckets)]
+        self.scratch = program.target.analog_scratch
+        self.steps: list[Step] = []
+
+    def build(self) -> ExposurePlan:
+        self._setup()
+        match self.lowering:
+            case "accumulate":
+                self._accumulate()
+            case "latch":
+                self._latch()
+            case "edges":
+                self._edges()
+        holders = {
+            register: f"exposure of {bucket.name}"
+            for register, bucket in zip(self.registers, self.program.buckets, strict=True)
+        }
+        if self.reference is not None:
+            holders[self.reference] = "reset level of PIX"
+        holders[self.scratch] = "scratch of analog words"
+        return ExposurePlan(
+            self.lowering,
+            tuple(self.steps),
+            holders,
+            tuple(self.registers),
+            len(self.program.table.shutters),
+            self.slots,
+        )
+
+    def _step(self, boundary: int, role: Role, bucket: int, predicate: int, *words: Op) -> None:
+        """Adds a step, unless no shutter takes part in it."""
+        everywhere = (1 << len(self.program.table.shutters)) - 1
+        if predicate:
+            where = None if predicate == everywhere else predicate
+            self.steps.append(Step(boundary, role, bucket, where, words))
+
+    def _reset(self) -> tuple[Op, ...]:
+        # Twice and a pause, as the library's respix does: one word is too short to empty the well.
+        return (op("rpix"), op("rpix"), op("nop"))
+
+    def _setup(self) -> None:
+        scratch = self.scratch
+        clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
+        self.steps.append(Step(0, "setup", -1, None, clear))
+        sample: tuple[Op, ...] = ()
+        if self.reference is not None:
+            sample = (op("bus", (scratch,), ("PIX",)), op("bus", (self.reference,), (scratch,)))
+        self.steps.append(Step(0, "reset", -1, None, (*self._reset(), *sample)))
+
+    def _add(self, register: str) -> tuple[Op, ...]:
+        """register += PIX - reference."""
+        scratch, zero = self.scratch, (self.reference,) if self.reference else ()
+        return (op("bus", (scratch,), (register, "PIX")), op("bus", (register,), (scratch, *zero)))
+
+    def _subtract(self, register: str) -> tuple[Op, ...]:
+        """register -= PIX - reference."""
+        scratch, zero = self.scratch, (self.reference,) if self.reference else ()
+        return (op("bus", (scratch,), (register, *zero)), op("bus", (register,), (scratch, "PIX")))
+
+    def _accumulate(self) -> None:
+        for slot in range(self.slots):
+            lit = [bucket[slot] for bucket in self.opens]
+            if slot and any(lit):
+                self.steps.append(Step(slot, "reset", -1, None, self._reset()))
+            for bucket, register in enumerate(self.registers):
+                self._step(slot + 1, "open", bucket, lit[bucket], *self._add(register))
+
+    def _latch(self) -> None:
+        """A pixel's last write is the one at its stop, so only boundaries where one closes count."""
+        for slot in range(self.slots):
+            for bucket, register in enumerate(self.registers):
+                now = self.opens[bucket][slot]
+                then = self.opens[bucket][slot + 1] if slot + 1 < self.slots else 0
+                if now != then:
+                    copy = (
+                        op("bus", (self.scratch,), ("PIX",)),
+                        op("bus", (register,), (self.scratch, self.reference or "PIX")),
+                    )
+                    self._step(slot + 1, "open", bucket, now, *copy)
+
+    def _edges(self) -> None:
+        by_reset = self._can_reset_at_rise()
+        for boundary in range(self.slots + 1):
+            for bucket, register in enumerate(self.registers):
+                before = self.opens[bucket][boundary - 1] if boundary else 0
+                after = self.opens[bucket][boundary] if boundary < self.slots else 0
+                self._step(boundary, "fall", bucket, before & ~after, *self._add(register))
+                if boundary == 0 and self.reference is not None:
+                    continue  # PIX stands at the reference: there is nothing to subtract
+                rise = self._reset() if by_reset else self._subtract(register)
+                self._step(boundary, "rise", bucket, after & ~before, *rise)
+
+    def _can_reset_at_rise(self) -> bool:
+        """Whether a rising pixel may lose what PIX holds: no other bucket of it is still open."""
+        if self.program.target.reset_honours_flag != "yes" or self.reference is None:
+            return False
+        for boundary in range(1, self.slots):
+            rising = busy = 0
+            for bucket in self.opens:
+                rising |= bucket[boundary] & ~bucket[boundary - 1]
+                busy |= bucket[boundary] & bucket[boundary - 1]
+            if rising & busy:
+                return False
+        return True

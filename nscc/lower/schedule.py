@@ -1,0 +1,170 @@
+"""Words in time: what runs at each boundary, in which kernels, and what that costs.
+
+A boundary's words come in segments. Kernels are recorded lists of words, stored once however often
+they are launched; every launch costs time. So a boundary's segments are one kernel while the store
+has room, and separate kernels, shared between boundaries, where it has not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nscc.logic.problem import Solution
+from nscc.lower.allocate import Allocation, allocate, refresh_words, words
+from nscc.lower.plan import ExposurePlan
+from nscc.lower.timeline import Before, Timeline, fades
+from nscc.target.model import Target
+from nscc.words.operations import Effect, Op, op
+
+Words = tuple[Op, ...]
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """A whole frame in words.
+
+    `kernels` are distinct; `launches` are (boundary, kernel) in the order in which they run.
+    `setup_us` is the time of boundary 0's words before the exposure starts, with their launch.
+    """
+
+    allocation: Allocation
+    kernels: tuple[Words, ...]
+    launches: tuple[tuple[int, int], ...]
+    setup_us: float
+    refreshed: tuple[str, ...]
+
+    @property
+    def words_stored(self) -> int:
+        """Words in the store."""
+        return sum(len(kernel) for kernel in self.kernels)
+
+    @property
+    def words_total(self) -> int:
+        """Words executed in a frame."""
+        return sum(len(self.kernels[kernel]) for _, kernel in self.launches)
+
+    def words_at(self, slots: int) -> list[int]:
+        """Words executed at each boundary 0..N."""
+        counts = [0] * (slots + 1)
+        for boundary, kernel in self.launches:
+            counts[boundary] += len(self.kernels[kernel])
+        return counts
+
+    def busy_us(self, slots: int, target: Target) -> list[float]:
+        """Time that the words of each boundary 0..N take, launches included.
+
+        At boundary 0 only what runs after the exposure has started counts.
+        """
+        kernel_us = [words_us(kernel, target) + target.launch_us for kernel in self.kernels]
+        busy = [0.0] * (slots + 1)
+        for boundary, kernel in self.launches:
+            busy[boundary] += kernel_us[kernel]
+        busy[0] -= self.setup_us
+        return busy
+
+
+def words_us(kernel: Sequence[Op], target: Target) -> float:
+    """Time that the words of a kernel take, without its launch."""
+    analog = sum(1 for word in kernel if word.analog)
+    return analog * target.analog_word_us + (len(kernel) - analog) * target.digital_word_us
+
+
+def schedule(
+    plan: ExposurePlan,
+    solution: Solution,
+    actions: Sequence[Before],
+    time: Timeline,
+    target: Target,
+) -> Schedule:
+    """Lays a solution's gates and a plan's analog words out over the boundaries."""
+    allocation = allocate(solution, target)
+    boundaries = _segments(plan, solution, actions, allocation, plan.slots)
+    refreshed = _refreshed(boundaries, allocation, time)
+    exposed = max(
+        i for i, w in enumerate(boundaries[0][0]) if w.operation.effect is Effect.RESET_PIX
+    )
+    setup_us = words_us(boundaries[0][0][: exposed + 1], target) + target.launch_us
+    held = (*refreshed, *allocation.state_registers)
+    if held:
+        for n in time.refresh_at or ():
+            boundaries[n].insert(0, refresh_words(held, allocation))
+    if refreshed:
+        boundaries[plan.slots].append(refresh_words(refreshed, allocation))
+    for form in (_merged, _shared):
+        kernels, launches = form(boundaries)
+        result = Schedule(allocation, kernels, launches, setup_us, refreshed)
+        if result.words_stored <= target.store_words:
+            break
+    return result
+
+
+def _segments(
+    plan: ExposurePlan,
+    solution: Solution,
+    actions: Sequence[Before],
+    allocation: Allocation,
+    slots: int,
+) -> list[list[Words]]:
+    """The words of every boundary, in segments; boundary 0's first one ends the setup."""
+    boundaries: list[list[Words]] = [[] for _ in range(slots + 1)]
+    answers = iter(solution.answers)
+    setup: list[Op] = []
+    opened = False
+    for step, action in zip(plan.steps, actions, strict=True):
+        if action == "all":
+            analog: Words = (op("all"), *step.words)
+        else:
+            analog = step.words
+        if step.boundary == 0 and step.bucket < 0:
+            setup.extend(analog)
+            boundaries[0] = [tuple(setup)]
+            continue
+        if not opened:
+            boundaries[0].extend(words(segment, allocation) for segment in solution.opening)
+            opened = True
+        gates: Words = ()
+        if step.predicate is not None:
+            answer = next(answers)
+            boundaries[step.boundary].extend(words(s, allocation) for s in answer[:-1])
+            gates = words(answer[-1], allocation) if answer else ()
+        boundaries[step.boundary].append((*gates, *analog))
+    boundaries[slots].extend(words(segment, allocation) for segment in solution.closing)
+    return boundaries
+
+
+def _refreshed(
+    boundaries: Sequence[Sequence[Words]], allocation: Allocation, time: Timeline
+) -> tuple[str, ...]:
+    """The code registers that the frame's own words do not write often enough."""
+    written: dict[str, set[int]] = {register: set() for register in allocation.code_registers}
+    for n, segments in enumerate(boundaries):
+        for segment in segments:
+            for word in segment:
+                for register in word.destinations:
+                    if register in written:
+                        written[register].add(n)
+    return tuple(
+        register
+        for register in allocation.code_registers
+        if fades(tuple(sorted(written[register])), time)
+    )
+
+
+_Form = tuple[tuple[Words, ...], tuple[tuple[int, int], ...]]
+
+
+def _merged(boundaries: Sequence[Sequence[Words]]) -> _Form:
+    """One kernel for each boundary; equal ones are one."""
+    return _shared([[tuple(w for s in segments for w in s)] for segments in boundaries])
+
+
+def _shared(boundaries: Sequence[Sequence[Words]]) -> _Form:
+    """One kernel for each distinct segment."""
+    number: dict[Words, int] = {}
+    launches: list[tuple[int, int]] = []
+    for n, segments in enumerate(boundaries):
+        for segment in segments:
+            if segment:
+                launches.append((n, number.setdefault(segment, len(number))))
+    return tuple(number), tuple(launches)

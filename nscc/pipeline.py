@@ -1,0 +1,156 @@
+"""The way through the compiler: one visible list of passes, and the proof at its end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from nscc.diagnostics.model import Diagnostic, Rejected, Severity
+from nscc.lower.assemble import assemble
+from nscc.lower.choose import Choice, LoweringOption, choose
+from nscc.lower.fit import as_note, capacity_fault, faults, misfit_fault, only_search_can_tell
+from nscc.lower.lowered import Lowered
+from nscc.lower.ways_out import ways_out
+from nscc.program.analyse import analyse
+from nscc.program.model import Codes, Program
+from nscc.prove.proof import Proof, prove
+from nscc.source import Source
+from nscc.syntax.parse import parse, read_source
+from nscc.syntax.tree import File
+from nscc.target.load import load_target
+from nscc.target.model import Target
+from nscc.words.container import Container
+
+PASSES = ("parse", "program", "lower", "plan", "gates", "schedule", "words", "prove")
+"""Every value between two passes can be seen with `nscc build --print-after PASS`."""
+
+LEVELS = (0, 1)
+
+
+@dataclass(frozen=True)
+class Options:
+    """How to compile.
+
+    `target` (a value, or a name or file as `--target` takes it) overrides the program's own.
+    `price_all` lowers in every way, for the report's alternatives. Without `unproved_is_error`,
+    what only a search can tell is a note.
+    """
+
+    level: int = 1
+    codes: Codes = "fixed"
+    lowering: LoweringOption = "auto"
+    target: Target | str | None = None
+    price_all: bool = False
+    unproved_is_error: bool = True
+
+
+@dataclass(frozen=True)
+class Compiled:
+    """A program that compiled: its words, proved, and what there is to say about it.
+
+    `lowered`, `container` and `proof` are None only where `unproved_is_error` is off and only a
+    search can tell whether the program fits.
+    """
+
+    tree: File
+    program: Program
+    choice: Choice
+    lowered: Lowered | None
+    container: Container | None
+    proof: Proof | None
+    diagnostics: tuple[Diagnostic, ...]
+
+
+class ProofFailed(Exception):
+    """The compiler's own words do not satisfy the program: a fault of the compiler."""
+
+
+Observer = Callable[[str, Any], None]
+"""Sees (pass name, value) after each pass."""
+
+
+def compile_file(path: Path, options: Options | None = None, see: Observer | None = None) -> Compiled:
+    """Compiles a `.nsl` file. Raises Rejected with everything that is wrong with it."""
+    return compile_source(read_source(path), path.parent, options or Options(), see)
+
+
+def compile_source(
+    source: Source, base: Path, options: Options, see: Observer | None = None
+) -> Compiled:
+    """Compiles a program's text; `base` is the folder that its paths are relative to."""
+    see = see or (lambda _name, _value: None)
+    if options.level not in LEVELS:
+        raise Rejected(_no_such_level(options.level), status=2)
+    chip = options.target
+    if isinstance(chip, str):
+        chip = load_target(chip, Path())
+    tree, found = parse(source)
+    see("parse", tree)
+    _stop_on_errors(found)
+    program = analyse(source, tree, base=base, codes=options.codes, target=chip)
+    see("program", program)
+    messages = [*found, *program.messages]
+    fault = capacity_fault(program, ())
+    if fault is not None:
+        nearby = ways_out(program, lambda text: _attempt(text, program.target))
+        raise Rejected([d for d in (*messages, capacity_fault(program, nearby)) if d is not None])
+    choice = choose(program, options.lowering, options.level, price_all=options.price_all)
+    see("lower", choice)
+    lowered = choice.best
+    if lowered is None:
+        fault = misfit_fault(program, choice, level=options.level)
+        return _unfit(tree, program, choice, [fault], messages, options)
+    see("plan", lowered.plan)
+    see("gates", lowered)
+    see("schedule", lowered)
+    wrong = faults(lowered, level=options.level)
+    if wrong:
+        return _unfit(tree, program, choice, wrong, messages, options)
+    container = assemble(lowered, options.level)
+    see("words", container)
+    proof = prove(container, lowered.schedule.kernels)
+    see("prove", proof)
+    if proof.failure is not None:
+        raise ProofFailed(f"{source.name}: {proof.failure}")
+    return Compiled(tree, program, choice, lowered, container, proof, tuple(messages))
+
+
+def _unfit(
+    tree: File,
+    program: Program,
+    choice: Choice,
+    wrong: list[Diagnostic],
+    messages: list[Diagnostic],
+    options: Options,
+) -> Compiled:
+    """Rejects what does not fit; what only a search can tell may pass as a note."""
+    if options.unproved_is_error or not all(only_search_can_tell(d) for d in wrong):
+        raise Rejected([*messages, *wrong])
+    notes = [as_note(d) for d in wrong]
+    return Compiled(tree, program, choice, None, None, None, (*messages, *notes))
+
+
+def _attempt(text: str, target: Target) -> Lowered | None:
+    """Compiles a nearby program for `ways_out`."""
+    source = Source("way-out.nsl", text)
+    try:
+        compiled = compile_source(source, Path(), Options(codes="open", target=target))
+    except Rejected:
+        return None
+    return compiled.lowered
+
+
+def _no_such_level(level: int) -> Diagnostic:
+    return Diagnostic(
+        "NS0504",
+        f"-O{level} is not in this version: it has -O0 and -O1",
+        notes=("levels 2 and 3 belong to the optimiser, which is not built yet",),
+        helps=("leave -O away: the default is -O1",),
+    )
+
+
+def _stop_on_errors(found: tuple[Diagnostic, ...]) -> None:
+    if any(d.severity is Severity.ERROR for d in found):
+        raise Rejected(found)

@@ -1,0 +1,99 @@
+"""What is allowed and yet worth saying: warnings and notes about a program without errors."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nscc.program.classes import Recognised
+from nscc.program.evaluate import Books
+from nscc.program.expressions import Checked
+from nscc.program.model import Field
+from nscc.program.names import Declarations, Rule
+from nscc.program.problems import Problems, counted
+from nscc.source import Span
+from nscc.syntax.tree import Bucket
+from nscc.words.container import DecodeTable
+
+
+def judge_rules(
+    rules: Sequence[Rule], has_fields: bool, table: DecodeTable, basis: str, problems: Problems
+) -> None:
+    """Warns of rules that never open (NS0350) and, where there are fields, always do (NS0351)."""
+    for k, rule in enumerate(rules):
+        shutters = table.shutters[:, k, :]
+        who = f"the bucket `{rule.name.text}`" if isinstance(rule, Bucket) else "the shutter"
+        if not shutters.any():
+            problems.warning(
+                "NS0350",
+                f"{who} never opens",
+                rule.rule.span,
+                f"false in every slot, {basis}" if has_fields else "false in every slot",
+            )
+        elif has_fields and shutters.all():
+            problems.warning(
+                "NS0351",
+                f"{who} is always open, whatever the code",
+                rule.rule.span,
+                f"true in every slot, {basis}",
+                helps=("`open when true` without fields is the ordinary camera",),
+            )
+
+
+def judge_names(
+    declared: Declarations,
+    fields: Sequence[Field],
+    rules: Sequence[Checked],
+    read: set[str],
+    books: Books,
+    problems: Problems,
+) -> None:
+    """Warns of fields that no rule reads (NS0352); notes lets and books that nothing does (NS0355).
+
+    `read` are the names that expressions anywhere in the file read.
+    """
+    in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
+    for field in fields:
+        if field.name not in in_rules:
+            problems.warning(
+                "NS0352",
+                f"no rule reads the field `{field.name}`",
+                declared.codes[field.name].name.span,
+                "every value of it gives the same shutter",
+            )
+    for name, let in declared.lets.items():
+        if name not in read:
+            problems.note("NS0355", f"nothing reads `{name}`", let.name.span, "not used")
+    in_rules_or_fields = {book for rule in rules for book in rule.books}
+    in_rules_or_fields |= {field.book for field in fields if field.book is not None}
+    for name in books:
+        if name not in in_rules_or_fields:
+            place = declared.books[name].name.span
+            problems.note("NS0355", f"nothing reads the codebook `{name}`", place, "not used")
+
+
+def judge_bumps(found: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:
+    """Warns where bumps of one length are cut by the frame's edge (NS0354)."""
+    if found.name == "c" and found.cut:
+        problems.warning(
+            "NS0354",
+            f"{counted(found.cut, 'shutter has', 'shutters have')} a bump that the frame's edge "
+            "cuts short",
+            rule.rule.span,
+            f"a frame has the slots 0..{table.shutters.shape[2] - 1}",
+            notes=(found.reason,),
+            helps=("end the range of starts at N - len: `code start : 0..N - len`",),
+        )
+
+
+def judge_codes(in_use: int, legal: int | None, place: Span, problems: Problems) -> None:
+    """Notes in one summary how many legal codes no pixel uses (NS0353)."""
+    if legal is None or in_use >= legal:
+        return
+    unused = legal - in_use
+    problems.note(
+        "NS0353",
+        f"the pixels use {in_use} of {counted(legal, 'code')}; {unused} are never used",
+        place,
+        f"{counted(in_use, 'code')} in use",
+        data={"in_use": in_use, "legal": legal, "unused": unused},
+    )

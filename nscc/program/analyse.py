@@ -1,0 +1,84 @@
+"""From the tree to a checked program: every name, type, range and code, every error at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from nscc.diagnostics.model import Rejected
+from nscc.program.books import make_books
+from nscc.program.complete import Completion
+from nscc.program.constants import resolve_constants
+from nscc.program.expressions import Checked, Meaning, check
+from nscc.program.fields import make_fields
+from nscc.program.frame import make_frame
+from nscc.program.model import Codes, Program
+from nscc.program.names import Declarations, gather
+from nscc.program.planes import make_planes
+from nscc.program.problems import Problems
+from nscc.program.scopes import constants_scope, require_scope, rule_scope
+from nscc.program.table import Rules
+from nscc.source import Source
+from nscc.syntax.tree import File, TargetByName, TargetFromFile
+from nscc.target.model import Target
+
+
+def analyse(
+    source: Source, tree: File, *, base: Path, codes: Codes = "fixed", target: Target | None = None
+) -> Program:
+    """The program that `tree` describes.
+
+    Paths in it are relative to the folder `base`. `target` overrides the target statement. A
+    file without `pixels` is compiled for every legal code, whatever `codes` says; so is one
+    without fields, whose single code every pixel then holds. Raises Rejected with every error
+    found, by place (NS02xx, NS03xx; NS0450 beyond a stated limit of enumeration).
+    """
+    problems = Problems(source)
+    declared = gather(tree, problems)
+    chosen = target or _load_target(declared, base, problems)
+    constants = resolve_constants(declared, chosen, problems)
+    frame = None
+    if declared.frame is not None:
+        frame = make_frame(declared.frame, constants["N"], problems)
+    books = make_books(declared.books, constants["N"], base, problems)
+    scope = constants_scope(declared, constants)
+    fields = make_fields(declared, scope, books, problems)
+    requires, rules = _check_rules(declared, constants, problems)
+    planes = make_planes(declared, fields, constants, chosen, base, problems)
+    problems.stop_on_errors()
+    assert frame is not None
+    assert chosen is not None
+    sound = [field for field in fields.values() if field is not None]
+    digits = {name: book for name, book in books.items() if book is not None}
+    known = Rules(sound, requires, rules, digits, len(frame.slot_us))
+    return Completion(problems, declared, chosen, frame, known, planes, codes).run()
+
+
+def _load_target(declared: Declarations, base: Path, problems: Problems) -> Target | None:
+    from nscc.target.load import DEFAULT_NAME, load_target
+
+    match declared.target:
+        case None:
+            return load_target(DEFAULT_NAME, base)
+        case TargetByName(name=name):
+            text, span = name.text, name.span
+        case TargetFromFile(path=path):
+            text, span = path.value, path.span
+    try:
+        return load_target(text, base, source=problems.source, span=span)
+    except Rejected as rejected:
+        problems.adopt(rejected, span)
+        return None
+
+
+def _check_rules(
+    declared: Declarations, constants: Mapping[str, Meaning], problems: Problems
+) -> tuple[list[Checked], list[Checked]]:
+    """The sound `require` conditions and rules, names and types checked."""
+    scope = require_scope(declared, constants)
+    conditions = [
+        check(r.condition, "boolean", scope, problems, "a condition") for r in declared.requires
+    ]
+    scope = rule_scope(declared, constants)
+    rules = [check(r.rule, "boolean", scope, problems, "a rule") for r in declared.rules]
+    return [c for c in conditions if c is not None], [r for r in rules if r is not None]

@@ -1,0 +1,189 @@
+"""Reading integer arrays from .npz files that anyone may have made: nothing in them is trusted.
+
+An array's size is checked as declared, before it is unpacked; objects (pickles) are refused; every
+failure is an `Unreadable` with the code and the words of its diagnostic.
+"""
+
+from __future__ import annotations
+
+from io import BytesIO
+from pathlib import Path
+from typing import IO, TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.suggest import closest
+from nscc.program.problems import clipped
+
+if TYPE_CHECKING:
+    from zipfile import ZipFile
+
+MOST_FILE_BYTES = 2**27
+"""Largest file that is read at all: twice the largest codebook, unpacked."""
+
+_MOST_KEYS = 4096
+_MOST_HEADER_BYTES = 2**16
+
+
+class Unreadable(Exception):
+    """A file, or an array in it, that cannot be used: code, one line, and what to do."""
+
+    def __init__(self, code: str, message: str, *helps: str) -> None:
+        super().__init__(message)
+        self.code = code
+        self.message = message
+        self.helps = helps
+
+
+class ArraysFile:
+    """An .npz file, opened: `keys` in the order stored, `sha256` of the whole file in hexadecimal.
+
+    `shown` is the path as the user wrote it.
+    """
+
+    def __init__(self, path: Path, shown: str) -> None:
+        self.shown = clipped(shown, 80)
+        self._data = self._bytes(path)
+        self._zip = self._unzip()
+        names = [info.filename for info in self._zip.infolist()]
+        if len(names) > _MOST_KEYS:
+            raise self._broken(f"it lists {len(names)} arrays")
+        self.keys = tuple(name.removesuffix(".npy") for name in names if name.endswith(".npy"))
+
+    @property
+    def sha256(self) -> str:
+        """Digest of the bytes that were read."""
+        from hashlib import sha256
+
+        return sha256(self._data).hexdigest()
+
+    def require_sha256(self, wanted: str) -> None:
+        """Raises Unreadable (NS0315) unless the file has the digest that the program states."""
+        if len(wanted) != 64 or not all(c in "0123456789abcdefABCDEF" for c in wanted):
+            raise Unreadable(
+                "NS0315",
+                f'"{clipped(wanted)}" is no SHA-256: that has 64 hexadecimal digits',
+                f'the file has sha256 "{self.sha256}"',
+            )
+        if wanted.lower() != self.sha256:
+            raise Unreadable(
+                "NS0315",
+                f'"{self.shown}" is not the file that the program was written for: '
+                "its SHA-256 differs",
+                f"expected {wanted.lower()}",
+                f"found    {self.sha256}",
+            )
+
+    def integers(self, key: str, *, most: int, bools: bool = False) -> NDArray[Any]:
+        """The array `key`, of an integer dtype (or bool, with `bools`), of at most `most` values.
+
+        Raises Unreadable: NS0313 where the file is broken, NS0314 where the array is missing or is
+        no such array.
+        """
+        if key not in self.keys:
+            raise self._missing(key)
+        from zipfile import BadZipFile
+        from zlib import error as ZlibError  # noqa: N812 (a class with a small name)
+
+        try:
+            if self._zip.getinfo(f"{key}.npy").file_size > 8 * most + _MOST_HEADER_BYTES:
+                raise self._too_large(key, most)
+            with self._zip.open(f"{key}.npy") as stream:
+                return self._array(stream, key, most, bools)
+        except Unreadable:
+            raise
+        except (
+            BadZipFile, ZlibError, EOFError, OSError, ValueError, RuntimeError, SyntaxError,
+            TypeError, KeyError, MemoryError, OverflowError,
+        ) as error:  # fmt: skip
+            raise self._broken(f"the array `{clipped(key)}` cannot be unpacked") from error
+
+    def _array(self, stream: IO[bytes], key: str, most: int, bools: bool) -> NDArray[Any]:
+        from numpy.lib import format as npy
+
+        version = npy.read_magic(stream)
+        read = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
+        if version not in ((1, 0), (2, 0)):
+            raise self._broken(f"the array `{clipped(key)}` has npy version {version}")
+        shape, fortran, dtype = read(stream)
+        if dtype.kind not in ("iub" if bools else "iu"):
+            raise self._not_integers(key, dtype)
+        count = 1
+        for length in shape:
+            count *= length
+        if count > most:
+            raise self._too_large(key, most)
+        if any(length < 0 for length in shape):
+            raise self._broken(f"the array `{clipped(key)}` has the shape {shape}")
+        data = stream.read(count * dtype.itemsize + 1)
+        if len(data) != count * dtype.itemsize:
+            raise self._broken(f"the array `{clipped(key)}` is cut short or too long")
+        flat = np.frombuffer(data, dtype=dtype)
+        return flat.reshape(shape[::-1]).T if fortran else flat.reshape(shape)
+
+    def _bytes(self, path: Path) -> bytes:
+        try:
+            if not path.is_file():
+                problem = "is not a file" if path.exists() else "does not exist"
+                raise Unreadable(
+                    "NS0313",
+                    f'"{self.shown}" {problem}',
+                    "paths are relative to the file that names them",
+                )
+            size = path.stat().st_size
+            if size > MOST_FILE_BYTES:
+                raise Unreadable(
+                    "NS0313",
+                    f'"{self.shown}" has {size} bytes; at most {MOST_FILE_BYTES} are read',
+                )
+            with path.open("rb") as stream:
+                return stream.read(MOST_FILE_BYTES + 1)
+        except (OSError, ValueError) as error:
+            reason = getattr(error, "strerror", None) or "not a possible path"
+            raise Unreadable("NS0313", f'"{self.shown}" cannot be read: {reason}') from error
+
+    def _unzip(self) -> ZipFile:
+        from zipfile import BadZipFile, ZipFile
+
+        try:
+            return ZipFile(BytesIO(self._data))
+        except (BadZipFile, OSError, ValueError, NotImplementedError, EOFError) as error:
+            raise Unreadable(
+                "NS0313",
+                f'"{self.shown}" is not an .npz file',
+                "write one with `numpy.savez(PATH, NAME=array)`",
+            ) from error
+
+    def _broken(self, what: str) -> Unreadable:
+        return Unreadable("NS0313", f'"{self.shown}" is damaged: {what}')
+
+    def _too_large(self, key: str, most: int) -> Unreadable:
+        return Unreadable(
+            "NS0314",
+            f'the array `{clipped(key)}` of "{self.shown}" has more than {most} values',
+            "no program of this size can use so many",
+        )
+
+    def _missing(self, key: str) -> Unreadable:
+        near = closest(key, self.keys)
+        helps = [f"did you mean `{near}`?"] if near else []
+        listed = ", ".join(f"`{clipped(k, 30)}`" for k in self.keys[:12]) or "no arrays"
+        return Unreadable(
+            "NS0314",
+            f'"{self.shown}" has no array `{clipped(key)}`',
+            *helps,
+            f"the file has {listed}",
+        )
+
+    def _not_integers(self, key: str, dtype: np.dtype[Any]) -> Unreadable:
+        if dtype.hasobject:
+            kind, helps = "Python objects", []
+        else:
+            kind = f"of type {dtype}"
+            helps = [f"round and convert it before saving: `{key}.astype(numpy.int64)`"]
+        return Unreadable(
+            "NS0314",
+            f'the array `{clipped(key)}` of "{self.shown}" is {kind}, and must be of integers',
+            *helps,
+        )

@@ -1,0 +1,139 @@
+"""Which of the paper's classes the shutters are: a name for the report, and why.
+
+Bumps and always-open shutters are recognised from the shutters themselves, however the rule is
+written. A codebook and free bits (class e) are how a rule is written, so the rule is asked.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.program.evaluate import array, evaluate
+from nscc.program.expressions import Checked
+from nscc.program.problems import counted
+from nscc.program.table import Rules, distinct_rows
+from nscc.syntax.tree import Index, Name
+from nscc.words.container import DecodeTable
+
+
+class Recognised(NamedTuple):
+    """`name` a, b, c, d, e, codebook or general; `reason` a sentence; `cut` counts the shutters
+    whose bump is shorter than the class's because the frame ends."""
+
+    name: str
+    reason: str
+    cut: int = 0
+
+
+def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: str) -> Recognised:
+    """The class of a program; several buckets are of a class if each one is, else general.
+
+    `basis` says in words which codes `table` holds.
+    """
+    found = [
+        _one(rules, rule, table.shutters[:, k, :], basis) for k, rule in enumerate(rules.rules)
+    ]
+    if len(found) == 1:
+        return found[0]
+    cut = sum(f.cut for f in found)
+    names = {f.name for f in found}
+    parts = "; ".join(
+        f"bucket {bucket} is {_class_text(f.name)}: {f.reason}"
+        for bucket, f in zip(buckets[:8], found[:8], strict=True)
+    )
+    if len(names) == 1:
+        return Recognised(found[0].name, parts, cut)
+    return Recognised("general", parts, cut)
+
+
+def _class_text(name: str) -> str:
+    return f"class {name}" if len(name) == 1 else name
+
+
+def _one(rules: Rules, rule: Checked, shutters: NDArray[np.bool_], basis: str) -> Recognised:
+    if len(rules.rules) > 1:
+        packed, _ = distinct_rows(np.packbits(shutters, axis=1))
+        shutters = np.unpackbits(packed, axis=1, count=rules.slots).view(np.bool_)
+    by_shape = _by_shape(shutters, basis)
+    if by_shape.name == "a":
+        return by_shape
+    node = rule.nodes[-1]
+    if isinstance(node, Index) and node.base.text in rules.books:
+        return Recognised("codebook", _codebook_reason(rules, node, by_shape))
+    if isinstance(node, Index) and _own_bit_for_each_slot(rules, rule, node):
+        with_require = " that `require` allows" if rules.requires else ""
+        return Recognised(
+            "e", f"every slot reads its own bit of `{node.base.text}`: any pattern{with_require}"
+        )
+    if by_shape.name == "general" and rules.slots < 32 and len(shutters) == 2**rules.slots:
+        return Recognised(
+            "e", f"all 2^{rules.slots} patterns of {counted(rules.slots, 'slot')} occur"
+        )
+    return by_shape
+
+
+def _codebook_reason(rules: Rules, node: Index, by_shape: Recognised) -> str:
+    rows = rules.books[node.base.text].shape[0]
+    reason = f"the rule reads `{node.base.text}`, {counted(rows, 'row')} of any shape"
+    if by_shape.name != "general":
+        reason += f" (its shutters alone would be class {by_shape.name})"
+    return reason
+
+
+def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
+    """Is the rule `bits[I]` with an index that names another bit in every slot?"""
+    if isinstance(node.index, Name) and node.index.text == "n":
+        return True
+    fields = {field.name for field in rules.fields}
+    index = Checked(rule.nodes[:-1], "integer", rule.constants, rule.variables, frozenset())
+    read = {k.text for k in index.nodes if isinstance(k, Name)}
+    read |= {k.base.text for k in index.nodes if isinstance(k, Index)}
+    if read & fields or not read <= {"n", *rule.constants}:
+        return False
+    slots = array(np.arange(rules.slots, dtype=np.int64))
+    found = evaluate(index, {"n": slots}, {})
+    return found.faults is None and np.unique(found.data).size == rules.slots
+
+
+def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
+    """Class a, b, c or d by where the distinct `shutters` (K, N) open and close, else general."""
+    slots = shutters.shape[1]
+    length = np.count_nonzero(shutters, axis=1)
+    opens = length > 0
+    never = len(shutters) - int(np.count_nonzero(opens))
+    if never == len(shutters):
+        return Recognised("general", f"no shutter ever opens, {basis}")
+    if never == 0 and bool((length == slots).all()):
+        return Recognised("a", f"the shutter is open in every slot, {basis}")
+    start = shutters.argmax(axis=1)
+    stop = slots - shutters[:, ::-1].argmax(axis=1)
+    if not bool((~opens | (stop - start == length)).all()):
+        return Recognised("general", f"some shutters open more than once, {basis}")
+    also = ", or it never opens" if never else ""
+    if not bool(start[opens].any()):
+        return Recognised(
+            "b", f"every shutter is open from slot 0 up to a stop of its own{also}, {basis}"
+        )
+    longest = int(length.max())
+    whole = length == longest
+    short = opens & ~whole
+    at_an_edge = (start == 0) | (stop == slots)
+    slots_text = counted(longest, "slot")
+    if not short.any():
+        return Recognised("c", f"every shutter is one bump of {slots_text}{also}, {basis}")
+    # Two whole bumps show that one length is meant; a single one may be the longest of many.
+    if np.count_nonzero(whole) > 1 and bool(at_an_edge[short].all()):
+        cut = int(np.count_nonzero(short))
+        return Recognised(
+            "c",
+            f"every shutter is one bump of {slots_text}{also}, "
+            f"{cut} of them cut by the frame's edge, {basis}",
+            cut,
+        )
+    return Recognised(
+        "d", f"every shutter is one bump with a start and a stop of its own{also}, {basis}"
+    )

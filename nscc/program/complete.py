@@ -1,0 +1,287 @@
+"""From sound declarations to the program: codes, decode table, class, advice."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Label, Rejected
+from nscc.program.advice import judge_bumps, judge_codes, judge_names, judge_rules
+from nscc.program.classes import Recognised, recognise
+from nscc.program.expressions import Checked, names_in
+from nscc.program.limits import SURVEY_LIMIT
+from nscc.program.model import BucketRule, Codes, Frame, Program
+from nscc.program.names import Declarations, Rule
+from nscc.program.pixels import codes_in_use, rows_of
+from nscc.program.planes import Plane, first_place, pixel_text
+from nscc.program.problems import Problems, counted
+from nscc.program.table import (
+    CodeArray,
+    NoValue,
+    Rules,
+    TooMuch,
+    allowed,
+    code_text,
+    decode,
+    legal_codes,
+)
+from nscc.source import Span
+from nscc.syntax.tree import (
+    Bucket,
+    CodeBits,
+    CodeRange,
+    EqualSlots,
+    Expr,
+    Node,
+    PixelsExpr,
+    PixelsTile,
+)
+from nscc.target.model import Target
+from nscc.words.container import DecodeTable
+
+
+class Completion:
+    """The second half of the analysis: codes, shutters and class of sound declarations.
+
+    `planes` has the values of every field at every pixel where the file has `pixels`.
+    """
+
+    def __init__(
+        self,
+        problems: Problems,
+        declared: Declarations,
+        target: Target,
+        frame: Frame,
+        rules: Rules,
+        planes: dict[str, Plane],
+        codes: Codes,
+    ) -> None:
+        self.problems = problems
+        self.declared = declared
+        self.target = target
+        self.frame = frame
+        self.rules = rules
+        self.planes = [planes[f.name] for f in rules.fields] if declared.has_pixels else []
+        self.has_data = declared.has_pixels or not rules.fields
+        self.mode: Codes = codes if declared.has_pixels else "open"
+        self.buckets = tuple(_bucket(rule) for rule in declared.rules)
+
+    def run(self) -> Program:
+        """The program; raises Rejected for codes that break `require` (NS0312), rules without a
+        value for some code, no legal code (NS0317) and too many codes (NS0450)."""
+        in_use, at_pixel = self._codes_in_use()
+        if self.mode == "fixed":
+            table = self._decode(in_use, "fixed")
+            survey, legal = self._survey(table)
+        else:
+            table, at_pixel = self._open(in_use, at_pixel)
+            survey, legal = table, len(table.codes)
+        found = self._class(survey, table)
+        self._advise(found, survey, table, len(in_use), legal)
+        return Program(
+            source=self.problems.source,
+            target=self.target,
+            target_span=self.declared.target.span if self.declared.target else None,
+            frame=self.frame,
+            fields=self.rules.fields,
+            buckets=self.buckets,
+            mode=self.mode,
+            table=table,
+            legal_codes=legal,
+            pixel_codes=at_pixel if self.has_data else None,
+            class_name=found.name,
+            class_reason=found.reason,
+            messages=self.problems.sorted(),
+        )
+
+    def _codes_in_use(self) -> tuple[CodeArray, NDArray[np.int32]]:
+        shape = (self.target.rows, self.target.cols)
+        in_use, at_pixel = codes_in_use(self.planes, shape)
+        if self.has_data:
+            self._require(in_use, at_pixel)
+        return in_use, at_pixel
+
+    def _require(self, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> None:
+        """Rejects pixels whose code breaks a `require`."""
+        if not self.rules.fields:
+            return
+        try:
+            legal = allowed(self.rules, in_use)
+        except (NoValue, TooMuch) as problem:
+            raise self._refused(problem, self.declared.requires[0].condition.span) from problem
+        if legal.all():
+            return
+        breaking = ~legal[at_pixel]
+        y, x = first_place(breaking)
+        count = int(breaking.sum())
+        code = in_use[at_pixel[y, x]]
+        broken = next(
+            statement
+            for statement, condition in zip(
+                self.declared.requires, self.rules.requires, strict=True
+            )
+            if not allowed(self._with_requires([condition]), code[None, :])[0]
+        )
+        self.problems.error(
+            "NS0312",
+            f"the {pixel_text(x, y)} has {code_text(self.rules, code)}, which `require` forbids",
+            self._pixels_span(),
+            f"{counted(count, 'pixel breaks', 'pixels break')} it",
+            related=(Label(broken.condition.span, "the condition"),),
+            data={"x": x, "y": y, "pixels": count},
+        )
+        self.problems.stop_on_errors()
+
+    def _with_requires(self, requires: list[Checked]) -> Rules:
+        rules = self.rules
+        return Rules(rules.fields, requires, rules.rules, rules.books, rules.slots)
+
+    def _decode(self, codes: CodeArray, mode: Codes) -> DecodeTable:
+        try:
+            return decode(self.rules, codes)
+        except (NoValue, TooMuch) as problem:
+            raise self._refused(problem, self._limit_span(), mode) from problem
+
+    def _open(
+        self, in_use: CodeArray, at_pixel: NDArray[np.int32]
+    ) -> tuple[DecodeTable, NDArray[np.int32]]:
+        """The table of all legal codes, and the pixels' rows in it."""
+        try:
+            legal = legal_codes(self.rules)
+        except (NoValue, TooMuch) as problem:
+            raise self._refused(problem, self._limit_span(), "open") from problem
+        if len(legal) == 0:
+            self.problems.error(
+                "NS0317",
+                "no code is possible: `require` forbids every one",
+                self.declared.requires[0].condition.span,
+                f"false for {counted(self.rules.combinations, 'combination')} of field values"
+                if len(self.declared.requires) == 1
+                else "together with the other conditions",
+            )
+            self.problems.stop_on_errors()
+        table = self._decode(legal, "open")
+        if self.declared.has_pixels and self.rules.fields:
+            rows, _ = rows_of(legal, list(in_use.T))
+            at_pixel = rows[at_pixel]
+        return table, at_pixel
+
+    def _survey(self, table: DecodeTable) -> tuple[DecodeTable, int | None]:
+        """A table of all legal codes, where they are few enough to look at, else of those in use;
+        and their number, where it can be told quickly."""
+        rules = self.rules
+        total = rules.combinations
+        legal = None if rules.requires else total
+        if total > SURVEY_LIMIT:
+            return table, legal
+        try:
+            codes = legal_codes(rules)
+            legal = len(codes)
+            if legal * len(rules.rules) * rules.slots <= SURVEY_LIMIT:
+                return decode(rules, codes), legal
+        except (NoValue, TooMuch):
+            # Codes that no pixel holds are not judged where only the codes in use are compiled.
+            pass
+        return table, legal
+
+    def _class(self, survey: DecodeTable, table: DecodeTable) -> Recognised:
+        if not self.rules.fields:
+            basis = "for every pixel"
+        elif self.mode == "fixed" and survey is table:
+            basis = "in the codes that the pixels use"
+        else:
+            basis = "in all codes that the fields allow"
+        return recognise(self.rules, [b.name for b in self.buckets], survey, basis)
+
+    def _advise(
+        self,
+        found: Recognised,
+        survey: DecodeTable,
+        table: DecodeTable,
+        in_use: int,
+        legal: int | None,
+    ) -> None:
+        problems, declared, fields = self.problems, self.declared, self.rules.fields
+        basis = "for every code in use" if self.mode == "fixed" else "for every code"
+        judge_rules(declared.rules, bool(fields), table, basis, problems)
+        judge_names(
+            declared, fields, self.rules.rules, _names_read(declared), self.rules.books, problems
+        )
+        judge_bumps(found, declared.rules[0], survey, problems)
+        if fields and declared.has_pixels:
+            judge_codes(in_use, legal, self._pixels_span(), problems)
+
+    def _refused(self, problem: NoValue | TooMuch, span: Span, mode: Codes = "fixed") -> Rejected:
+        if isinstance(problem, TooMuch):
+            self._too_much(problem, span, mode)
+        else:
+            for finding in problem.findings:
+                fault = finding.fault
+                self.problems.error(
+                    fault.code,
+                    fault.message,
+                    fault.span,
+                    fault.text,
+                    notes=(finding.text,),
+                    data={"count": finding.count},
+                )
+        return Rejected(self.problems.sorted())
+
+    def _too_much(self, problem: TooMuch, span: Span, mode: Codes) -> None:
+        helps = ["narrow the fields' ranges, or use fewer slots"]
+        if mode == "open" and self.declared.has_pixels:
+            helps.insert(0, "`--codes fixed` compiles only for the codes that the pixels use")
+        elif mode == "open":
+            helps.insert(0, "give the pixels: then only the codes in use are compiled")
+        self.problems.error(
+            "NS0450",
+            f"too many codes and slots: {problem.message}",
+            span,
+            "asks for this many",
+            related=(Label(self.frame.count_span, "the slots"),),
+            helps=tuple(helps),
+            data={
+                "resource": "proof",
+                "required": problem.required,
+                "available": problem.available,
+                "proved": True,
+            },
+        )
+
+    def _limit_span(self) -> Span:
+        """The place to change where there are too many codes: the widest field's, or the frame."""
+        if not self.rules.fields:
+            return self.frame.count_span
+        return max(self.rules.fields, key=lambda f: f.high - f.low).span
+
+    def _pixels_span(self) -> Span:
+        statements: list[Node] = list(self.declared.pixels.values())
+        if self.declared.pixels_file is not None:
+            statements.append(self.declared.pixels_file)
+        return min((s.span for s in statements), key=lambda span: span.start)
+
+
+def _bucket(rule: Rule) -> BucketRule:
+    if isinstance(rule, Bucket):
+        return BucketRule(rule.name.text, rule.span)
+    return BucketRule("frame", rule.span)
+
+
+def _names_read(declared: Declarations) -> set[str]:
+    """Every name that an expression anywhere in the file reads."""
+    exprs: list[Expr] = [let.value for let in declared.lets.values()]
+    exprs += [r.condition for r in declared.requires]
+    exprs += [r.rule for r in declared.rules]
+    if isinstance(declared.frame, EqualSlots):
+        exprs.append(declared.frame.count)
+    for code in declared.codes.values():
+        if isinstance(code, CodeRange):
+            exprs += [code.low, code.high]
+        elif isinstance(code, CodeBits):
+            exprs.append(code.count)
+    for pixels in declared.pixels.values():
+        if isinstance(pixels, PixelsExpr):
+            exprs.append(pixels.value)
+        elif isinstance(pixels, PixelsTile):
+            exprs += [value for row in pixels.rows for value in row.values]
+    return {name.text for expr in exprs for name in names_in(expr)}

@@ -1,0 +1,156 @@
+"""What is known before any code, slot or pixel: lets and N, in the order in which they need each
+other, which need not be the order written."""
+
+from __future__ import annotations
+
+from nscc.diagnostics.model import Label
+from nscc.program.evaluate import Fault, evaluate
+from nscc.program.expressions import FAILED, Meaning, Scope, check, names_in
+from nscc.program.limits import MOST_SLOTS
+from nscc.program.names import Declarations
+from nscc.program.problems import Problems, clipped
+from nscc.program.scopes import constants_scope
+from nscc.source import Span
+from nscc.syntax.tree import EqualSlots, Expr, ListedSlots
+from nscc.target.model import Target
+
+_MOST_CYCLES = 20
+
+
+def constant(expr: Expr, scope: Scope, problems: Problems, what: str) -> int | None:
+    """The value of a compile-time integer, or None after reporting why it has none."""
+    checked = check(expr, "integer", scope, problems, what)
+    if checked is None:
+        return None
+    value = evaluate(checked, {}, {})
+    if isinstance(value.faults, Fault):
+        fault = value.faults
+        problems.error(fault.code, fault.message, fault.span, fault.text)
+        return None
+    return int(value.data)
+
+
+def resolve_constants(
+    declared: Declarations, target: Target | None, problems: Problems
+) -> dict[str, Meaning]:
+    """The meaning of N, rows, cols and every let; those that failed are `failed`.
+
+    Reports cycles (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308).
+    """
+    return _Resolver(declared, target, problems).run()
+
+
+class _Resolver:
+    def __init__(self, declared: Declarations, target: Target | None, problems: Problems) -> None:
+        self.declared = declared
+        self.problems = problems
+        self.known: dict[str, Meaning] = {"rows": FAILED, "cols": FAILED, "N": FAILED}
+        if target is not None:
+            self.known["rows"] = Meaning("constant", target.rows)
+            self.known["cols"] = Meaning("constant", target.cols)
+        self.exprs: dict[str, tuple[Expr, Span]] = {
+            name: (let.value, let.name.span) for name, let in declared.lets.items()
+        }
+        if isinstance(declared.frame, EqualSlots):
+            self.exprs["N"] = (declared.frame.count, declared.frame.count.span)
+
+    def run(self) -> dict[str, Meaning]:
+        """Resolves everything that does not need itself, then breaks and reports one cycle, until
+        nothing is left or enough cycles are reported."""
+        self.scope = constants_scope(self.declared, self.known)
+        if isinstance(self.declared.frame, ListedSlots):
+            self._slots(len(self.declared.frame.lengths), self.declared.frame.span)
+        self.needs: dict[str, list[str]] = {}
+        self.needed_by: dict[str, list[str]] = {name: [] for name in self.exprs}
+        for name, (expr, _) in self.exprs.items():
+            needs = dict.fromkeys(k.text for k in names_in(expr) if k.text in self.exprs)
+            self.needs[name] = list(needs)
+            for need in needs:
+                self.needed_by[need].append(name)
+        self.missing = {name: len(needs) for name, needs in self.needs.items()}
+        self.done: set[str] = set()
+        self._settle([name for name, missing in self.missing.items() if missing == 0])
+        cycles = 0
+        for name in self.exprs:
+            while name not in self.done and cycles < _MOST_CYCLES:
+                cycles += 1
+                cycle = self._cycle(name)
+                self._report(cycle)
+                for member in cycle:
+                    self._learn(member, FAILED)
+                    self.done.add(member)
+                self._settle(self._released(cycle))
+        for name in self.exprs:
+            if name not in self.done:
+                self._learn(name, FAILED)
+        return self.known
+
+    def _settle(self, ready: list[str]) -> None:
+        while ready:
+            name = ready.pop()
+            if name in self.done:
+                continue
+            self.done.add(name)
+            self._resolve(name)
+            ready.extend(self._released([name]))
+
+    def _released(self, names: list[str]) -> list[str]:
+        free = []
+        for name in names:
+            for user in self.needed_by[name]:
+                self.missing[user] -= 1
+                if self.missing[user] == 0 and user not in self.done:
+                    free.append(user)
+        return free
+
+    def _resolve(self, name: str) -> None:
+        expr, place = self.exprs[name]
+        what = "the number of slots" if name == "N" else "a let"
+        value = constant(expr, self.scope, self.problems, what)
+        if value is None:
+            self._learn(name, FAILED)
+        elif name == "N":
+            self._slots(value, place)
+        else:
+            self._learn(name, Meaning("constant", value))
+
+    def _slots(self, count: int, place: Span) -> None:
+        if 1 <= count <= MOST_SLOTS:
+            self._learn("N", Meaning("constant", count))
+            return
+        self._learn("N", FAILED)
+        self.problems.error(
+            "NS0308",
+            f"a frame of {clipped(count)} slots is not possible",
+            place,
+            f"a frame has 1 to {MOST_SLOTS} slots",
+        )
+
+    def _learn(self, name: str, meaning: Meaning) -> None:
+        self.known[name] = meaning
+        self.scope[name] = meaning
+
+    def _cycle(self, start: str) -> list[str]:
+        """A cycle among the names that are not done, found by following what each one needs."""
+        path: dict[str, None] = {}
+        name = start
+        while name not in path:
+            path[name] = None
+            name = next(need for need in self.needs[name] if need not in self.done)
+        order = list(path)
+        return order[order.index(name) :]
+
+    def _report(self, cycle: list[str]) -> None:
+        shown = [*cycle, cycle[0]] if len(cycle) <= 8 else [*cycle[:4], "...", cycle[-1], cycle[0]]
+        chain = " -> ".join(shown)
+        first, *others = cycle
+        self.problems.error(
+            "NS0203",
+            f"`{first}` is defined by itself: {chain}",
+            self.exprs[first][1],
+            "needs its own value",
+            related=tuple(
+                Label(self.exprs[name][1], f"`{name}` is part of the cycle") for name in others[:8]
+            ),
+            helps=("give one of them a number",),
+        )

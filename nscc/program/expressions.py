@@ -1,0 +1,353 @@
+"""Names and types of expressions: what may stand where, found without evaluating anything.
+
+Two types, integer and boolean, and they do not mix. An expression is checked in one pass over its
+nodes in evaluation order, by a loop: a chain of ten thousand operators is no deeper than one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Literal, assert_never
+
+from nscc.program.problems import Problems, clipped
+from nscc.source import Span
+from nscc.syntax.tree import (
+    Binary,
+    Bool,
+    Call,
+    Compare,
+    Expr,
+    IfElse,
+    Index,
+    Int,
+    Name,
+    Node,
+    Unary,
+)
+
+Type = Literal["integer", "boolean"]
+
+LIMIT = 2**62 - 1
+"""Largest magnitude of any value: the sum of two such values still fits 64 bits."""
+
+MinMax = ("min", "max")
+
+
+class Meaning:
+    """What a name stands for in one place.
+
+    `constant` has a `value`; `variable` differs between codes, slots or pixels (`bits` where it may
+    be indexed); `book` is a codebook; `failed` had an error that is reported already; `misplaced`
+    is known but cannot stand here, and `note` says why.
+    """
+
+    __slots__ = ("bits", "kind", "note", "value")
+
+    def __init__(
+        self,
+        kind: Literal["constant", "variable", "book", "failed", "misplaced"],
+        value: int = 0,
+        note: str = "",
+        bits: bool = False,
+    ) -> None:
+        self.kind = kind
+        self.value = value
+        self.note = note
+        self.bits = bits
+
+
+Scope = Mapping[str, Meaning]
+FAILED = Meaning("failed")
+VARIABLE = Meaning("variable")
+
+
+class Checked:
+    """An expression whose names and types are right.
+
+    `nodes` stand in evaluation order, operands before their operator; `constants` gives the values
+    of constant names, `variables` the fields and n, x, y that it reads, `books` its codebooks.
+    """
+
+    __slots__ = ("books", "constants", "nodes", "span", "type", "variables")
+
+    def __init__(
+        self,
+        nodes: tuple[Expr, ...],
+        type_: Type,
+        constants: Mapping[str, int],
+        variables: frozenset[str],
+        books: frozenset[str],
+    ) -> None:
+        self.nodes = nodes
+        self.type = type_
+        self.constants = constants
+        self.variables = variables
+        self.books = books
+        self.span = nodes[-1].span
+
+
+def operands(node: Expr) -> tuple[Expr, ...]:
+    """The direct subexpressions, in evaluation order. A book or bit field's name is not one."""
+    match node:
+        case Int() | Bool() | Name():
+            return ()
+        case Unary():
+            return (node.operand,)
+        case Binary():
+            return (node.left, node.right)
+        case Compare():
+            return (node.first, *node.rest)
+        case IfElse():
+            return (node.condition, node.then, node.otherwise)
+        case Index():
+            return (node.index,)
+        case Call():
+            return node.arguments
+    assert_never(node)
+
+
+def in_evaluation_order(expr: Expr) -> tuple[Expr, ...]:
+    """Every node of `expr`, each after its operands, left before right."""
+    backwards: list[Expr] = []
+    waiting = [expr]
+    while waiting:
+        node = waiting.pop()
+        backwards.append(node)
+        waiting.extend(operands(node))
+    return tuple(reversed(backwards))
+
+
+def names_in(expr: Expr) -> Iterator[Name]:
+    """Every name read by `expr`, those of indexed books and bit fields included."""
+    for node in in_evaluation_order(expr):
+        if isinstance(node, Name):
+            yield node
+        elif isinstance(node, Index):
+            yield node.base
+
+
+def check(expr: Expr, wanted: Type, scope: Scope, problems: Problems, what: str) -> Checked | None:
+    """`expr` with its names and types checked, or None after reporting what is wrong.
+
+    `what` names the expression in messages ("a rule", "the end of a range"). Names that are
+    `failed` in `scope` make the result None without a further report.
+    """
+    return _Checker(scope, problems).run(expr, wanted, what)
+
+
+class _Checker:
+    def __init__(self, scope: Scope, problems: Problems) -> None:
+        self.scope = scope
+        self.problems = problems
+        self.sound = True
+        self.constants: dict[str, int] = {}
+        self.variables: set[str] = set()
+        self.books: set[str] = set()
+
+    def run(self, expr: Expr, wanted: Type, what: str) -> Checked | None:
+        nodes = in_evaluation_order(expr)
+        types: list[Type | None] = []
+        for node in nodes:
+            count = len(operands(node))
+            given = types[len(types) - count :]
+            del types[len(types) - count :]
+            types.append(self._type(node, given))
+        found = types[0]
+        if found is not None and found != wanted:
+            self._mismatch(
+                expr.span,
+                f"{what} must be {_a(wanted)}, and this is {_a(found)}",
+                f"{_a(found)}",
+                _CONVERT[wanted],
+            )
+        if not self.sound or found is None:
+            return None
+        return Checked(
+            nodes, found, self.constants, frozenset(self.variables), frozenset(self.books)
+        )
+
+    def _type(self, node: Expr, given: list[Type | None]) -> Type | None:
+        match node:
+            case Int():
+                if node.value > LIMIT:
+                    self._error(
+                        "NS0305",
+                        f"the number {clipped(node.value)} is too large",
+                        node.span,
+                        "numbers go up to 2^62 - 1",
+                    )
+                return "integer"
+            case Bool():
+                return "boolean"
+            case Name():
+                return self._name(node)
+            case Unary():
+                wanted: Type = "boolean" if node.op == "not" else "integer"
+                self._want(wanted, given, [node.operand], f"`{node.op}`")
+                return wanted
+            case Binary():
+                wanted = "boolean" if node.op in ("and", "or", "xor") else "integer"
+                self._want(wanted, given, [node.left, node.right], f"`{node.op}`")
+                return wanted
+            case Compare():
+                self._compare(node, given)
+                return "boolean"
+            case IfElse():
+                self._want("boolean", given[:1], [node.condition], "the condition after `if`")
+                return self._branches(node, given[1], given[2])
+            case Index():
+                self._want("integer", given, [node.index], "an index")
+                self._base(node.base)
+                return "boolean"
+            case Call():
+                return self._call(node, given)
+        assert_never(node)
+
+    def _name(self, node: Name) -> Type | None:
+        meaning = self.scope.get(node.text)
+        if meaning is None:
+            self._unknown(node, "anything that can stand here", self._readable())
+            return None
+        match meaning.kind:
+            case "constant":
+                self.constants[node.text] = meaning.value
+                return "integer"
+            case "variable":
+                self.variables.add(node.text)
+                return "integer"
+            case "failed":
+                self.sound = False
+                return None
+            case "misplaced":
+                self._misplaced(node, meaning)
+                return None
+            case "book":
+                self._error(
+                    "NS0209",
+                    f"`{node.text}` is a codebook: it cannot stand alone in an expression",
+                    node.span,
+                    "a whole codebook",
+                    helps=(f"`{node.text}[id]` is digit n of row id, a boolean",),
+                )
+                return None
+        assert_never(meaning.kind)
+
+    def _base(self, base: Name) -> None:
+        meaning = self.scope.get(base.text)
+        if meaning is None:
+            indexable = [k for k, m in self.scope.items() if m.kind == "book" or m.bits]
+            self._unknown(base, "a codebook or bit field", indexable)
+        elif meaning.kind == "book":
+            self.books.add(base.text)
+            self.variables.add("n")
+        elif meaning.kind == "variable" and meaning.bits:
+            self.variables.add(base.text)
+        elif meaning.kind == "failed":
+            self.sound = False
+        elif meaning.kind == "misplaced":
+            self._misplaced(base, meaning)
+        else:
+            self._error(
+                "NS0209",
+                f"`{base.text}` has no digits to index",
+                base.span,
+                "neither a bit field nor a codebook",
+                helps=(
+                    "`NAME[i]` is for fields declared `code NAME : bit[K]`",
+                    "`BOOK[id]` is for codebooks declared with `shutters`",
+                ),
+            )
+
+    def _compare(self, node: Compare, given: list[Type | None]) -> None:
+        parts = [node.first, *node.rest]
+        for k, op in enumerate(node.ops):
+            left, right = given[k], given[k + 1]
+            if op not in ("==", "!="):
+                # A part in the middle of a chain is reported by the comparison on its left.
+                first = k if k == 0 or node.ops[k - 1] in ("==", "!=") else k + 1
+                self._want("integer", given[first : k + 2], parts[first : k + 2], f"`{op}`")
+            elif left is not None and right is not None and left != right:
+                self._mismatch(
+                    parts[k].span.to(parts[k + 1].span),
+                    f"`{op}` compares {_a(left)} with {_a(right)}",
+                    "integers and booleans do not mix",
+                    _CONVERT["boolean"] if "boolean" in (left, right) else (),
+                )
+
+    def _branches(self, node: IfElse, then: Type | None, other: Type | None) -> Type | None:
+        if then is None or other is None:
+            return then or other
+        if then != other:
+            self._mismatch(
+                node.span,
+                f"`if else` gives {_a(then)} or {_a(other)}, and must give one type",
+                "integers and booleans do not mix",
+            )
+            return None
+        return then
+
+    def _call(self, node: Call, given: list[Type | None]) -> Type | None:
+        name = node.function.text
+        if name not in MinMax:
+            self._unknown(node.function, "a function", MinMax)
+            return None
+        if not node.arguments:
+            self._error(
+                "NS0318",
+                f"`{name}` needs at least one number to choose from",
+                node.span,
+                "no arguments",
+                helps=(f"write `{name}(A, B)`",),
+            )
+            return None
+        self._want("integer", given, node.arguments, f"`{name}`")
+        return "integer"
+
+    def _want(
+        self, wanted: Type, given: list[Type | None], nodes: Iterable[Node], who: str
+    ) -> None:
+        for found, node in zip(given, nodes, strict=True):
+            if found is not None and found != wanted:
+                self._mismatch(
+                    node.span,
+                    f"{who} needs {_a(wanted)}, and this is {_a(found)}",
+                    _a(found),
+                    _CONVERT[wanted],
+                )
+
+    def _mismatch(self, span: Span, message: str, label: str, helps: tuple[str, ...] = ()) -> None:
+        self._error("NS0301", message, span, label, helps=helps)
+
+    def _misplaced(self, node: Name, meaning: Meaning) -> None:
+        self._error(
+            "NS0208", f"`{node.text}` cannot stand here", node.span, "", notes=(meaning.note,)
+        )
+
+    def _unknown(self, node: Name, what: str, known: Iterable[str]) -> None:
+        self.sound = False
+        self.problems.unknown(what, node.text, node.span, known)
+
+    def _error(
+        self,
+        code: str,
+        message: str,
+        span: Span,
+        label: str,
+        notes: tuple[str, ...] = (),
+        helps: tuple[str, ...] = (),
+    ) -> None:
+        self.sound = False
+        self.problems.error(code, message, span, label, notes=notes, helps=helps)
+
+    def _readable(self) -> list[str]:
+        return [k for k, m in self.scope.items() if m.kind in ("constant", "variable", "failed")]
+
+
+_CONVERT: dict[Type, tuple[str, ...]] = {
+    "integer": ("`1 if CONDITION else 0` makes an integer of a boolean",),
+    "boolean": ("a comparison makes a boolean of integers: `A != 0`, `A < B`",),
+}
+
+
+def _a(type_: Type) -> str:
+    return "an integer" if type_ == "integer" else "a boolean"

@@ -1,0 +1,129 @@
+"""The fields of the pixel code: what values each may have."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import assert_never
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.program.constants import constant
+from nscc.program.expressions import Scope
+from nscc.program.limits import MOST_BITS
+from nscc.program.model import Field
+from nscc.program.names import Declarations
+from nscc.program.problems import Problems
+from nscc.source import Span
+from nscc.syntax.tree import CodeBits, CodeRange, CodeRow
+
+
+def make_fields(
+    declared: Declarations,
+    scope: Scope,
+    books: Mapping[str, NDArray[np.bool_] | None],
+    problems: Problems,
+) -> dict[str, Field | None]:
+    """Every declared field, None where an error was reported, here or about its book.
+
+    Reports an empty range (NS0306), a bit count outside 1..MOST_BITS (NS0307) and `row of` what is
+    no codebook (NS0209, NS0214).
+    """
+    maker = _Maker(declared, scope, books, problems)
+    return {name: maker.make(statement) for name, statement in declared.codes.items()}
+
+
+class _Maker:
+    def __init__(
+        self,
+        declared: Declarations,
+        scope: Scope,
+        books: Mapping[str, NDArray[np.bool_] | None],
+        problems: Problems,
+    ) -> None:
+        self.declared = declared
+        self.scope = scope
+        self.books = books
+        self.problems = problems
+
+    def make(self, statement: CodeRange | CodeBits | CodeRow) -> Field | None:
+        match statement:
+            case CodeRange():
+                return self._range(statement)
+            case CodeBits():
+                return self._bits(statement)
+            case CodeRow():
+                return self._row(statement)
+        assert_never(statement)
+
+    def _range(self, statement: CodeRange) -> Field | None:
+        low = constant(statement.low, self.scope, self.problems, "the start of a range")
+        high = constant(statement.high, self.scope, self.problems, "the end of a range")
+        if low is None or high is None:
+            return None
+        span = statement.low.span.to(statement.high.span)
+        if low > high:
+            helps = (f"write `{high}..{low}`",) if low - high > 1 else ()
+            self.problems.error(
+                "NS0306",
+                f"the range {low}..{high} is empty",
+                span,
+                "the first value is larger than the last",
+                helps=helps,
+            )
+            return None
+        return Field(statement.name.text, "range", low, high, span)
+
+    def _bits(self, statement: CodeBits) -> Field | None:
+        count = constant(statement.count, self.scope, self.problems, "the number of bits")
+        if count is None:
+            return None
+        if not 1 <= count <= MOST_BITS:
+            self.problems.error(
+                "NS0307",
+                f"a field of {count} bits is not possible",
+                statement.count.span,
+                f"a bit field has 1 to {MOST_BITS} bits",
+                helps=("a codebook names shutters of any length: `code id : row of BOOK`",)
+                if count > MOST_BITS
+                else (),
+            )
+            return None
+        return Field(
+            statement.name.text, "bits", 0, 2**count - 1, self._bits_place(statement), bits=count
+        )
+
+    def _bits_place(self, statement: CodeBits) -> Span:
+        """The place of `bit[K]`: the tree has K alone."""
+        start = self.problems.source.text.rfind(
+            "bit", statement.name.span.end, statement.count.span.start
+        )
+        return Span(start, statement.span.end) if start >= 0 else statement.count.span
+
+    def _row(self, statement: CodeRow) -> Field | None:
+        book = statement.book.text
+        if book not in self.declared.books:
+            self._no_book(statement)
+            return None
+        digits = self.books[book]
+        if digits is None:
+            return None
+        return Field(
+            statement.name.text, "row", 0, digits.shape[0] - 1, statement.book.span, book=book
+        )
+
+    def _no_book(self, statement: CodeRow) -> None:
+        name = statement.book.text
+        what = dict(self.declared.declared()).get(name)
+        if what is None:
+            self.problems.unknown(
+                "a codebook", name, statement.book.span, list(self.declared.books)
+            )
+            return
+        self.problems.error(
+            "NS0209",
+            f"`{name}` is {what}, not a codebook",
+            statement.book.span,
+            f"{what}",
+            helps=("declare the shutters first: `shutters BOOK [ 1100, 0011 ]`",),
+        )

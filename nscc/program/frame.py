@@ -1,0 +1,46 @@
+"""The time grid of the one frame."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from nscc.program.expressions import Meaning
+from nscc.program.model import Frame
+from nscc.program.problems import Problems
+from nscc.source import Span
+from nscc.syntax.tree import EqualSlots, ListedSlots, Time
+
+SHORTEST_US = Fraction(1, 10**6)
+LONGEST_US = Fraction(10**12)
+
+
+def make_frame(
+    statement: EqualSlots | ListedSlots, slots: Meaning, problems: Problems
+) -> Frame | None:
+    """The frame, or None after reporting a slot without a usable length (NS0309).
+
+    `slots` is what N means; where that failed there is no frame, and no further report.
+    """
+    times = (statement.length,) if isinstance(statement, EqualSlots) else statement.lengths
+    bad = [time for time in times if not SHORTEST_US <= time.us <= LONGEST_US]
+    for time in bad[:8]:
+        _report(time, problems)
+    if bad or slots.kind != "constant":
+        return None
+    if isinstance(statement, EqualSlots):
+        lengths = (float(statement.length.us),) * slots.value
+        count_span = statement.count.span
+    else:
+        lengths = tuple(float(time.us) for time in times)
+        count_span = Span(times[0].span.start, times[-1].span.end)
+    return Frame(lengths, len(set(lengths)) == 1, statement.span, count_span)
+
+
+def _report(time: Time, problems: Problems) -> None:
+    problems.error(
+        "NS0309",
+        "a slot cannot have this length",
+        time.span,
+        "zero or negative" if time.us <= 0 else "too short" if time.us < 1 else "too long",
+        notes=("a slot lasts from 1 ps to 10^6 s",),
+    )

@@ -1,0 +1,67 @@
+"""How much the compiler enumerates, counted before it does: beyond that it refuses with numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from nscc.program.expressions import Checked, operands
+from nscc.syntax.tree import Index, Name
+
+PROOF_LIMIT = 2**26
+"""Most codes x buckets x slots. Every one is evaluated, held as a byte while words are replayed
+against it, and proved: 67 million take under 100 MB and about a second."""
+
+COMBINATION_LIMIT = 2**22
+"""Most combinations of field values tried for `require` when every legal code is compiled."""
+
+TABLE_LIMIT = 2**23
+"""Most codes x fields: the field values of the codes are kept as 8 bytes each, 64 MB."""
+
+WORK_LIMIT = 2**32
+"""Most operations on single values that evaluating one expression may take: some ten seconds."""
+
+SURVEY_LIMIT = 2**20
+"""Most codes x buckets x slots looked at for naming the class where only the codes in use are
+compiled: milliseconds, so that `nscc check` stays quick."""
+
+MOST_SLOTS = 65536
+"""Most slots in a frame: 16 times the longest frame in the literature, and a table of 1024 codes
+stays within the proof limit."""
+
+MOST_FIELDS = 64
+"""Most fields of a pixel code: more than any target has registers for."""
+
+MOST_BITS = 62
+"""Most bits of a bit field: its value then stays below 2^62 like every other number."""
+
+
+def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
+    """Operations that evaluating `expr` takes, an operand that varies costing one for each value.
+
+    `sizes` gives the axis (0 or 1) and the length for every variable.
+    """
+    axes: list[frozenset[int]] = []
+    lengths = dict.fromkeys((0, 1), 1)
+    lengths.update(dict(sizes.values()))
+    total = 0
+    none: frozenset[int] = frozenset()
+    for node in expr.nodes:
+        count = len(operands(node))
+        varies = none.union(*axes[len(axes) - count :]) if count else none
+        del axes[len(axes) - count :]
+        if isinstance(node, Name) and node.text in sizes:
+            varies = frozenset((sizes[node.text][0],))
+        elif isinstance(node, Index):
+            base = sizes.get(node.base.text, sizes.get("n"))
+            varies |= {base[0]} if base else none
+        axes.append(varies)
+        cost = 1
+        for axis in varies:
+            cost *= lengths[axis]
+        total += cost
+    return total
+
+
+def total_work(exprs: Iterable[Checked], sizes: Mapping[str, tuple[int, int]]) -> int:
+    """The work of several expressions over the same variables."""
+    return sum(work(e, sizes) for e in exprs)

@@ -1,0 +1,239 @@
+"""What a file declares: each statement under its name, duplicates and gaps reported."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import assert_never
+
+from nscc.diagnostics.model import Label
+from nscc.program.limits import MOST_FIELDS
+from nscc.program.problems import Problems
+from nscc.source import Span
+from nscc.syntax.tree import (
+    BookFromFile,
+    BookInline,
+    Bucket,
+    CodeBits,
+    CodeRange,
+    CodeRow,
+    EqualSlots,
+    File,
+    Let,
+    ListedSlots,
+    Name,
+    Open,
+    PixelsExpr,
+    PixelsFromFile,
+    PixelsTile,
+    Require,
+    Statement,
+    TargetByName,
+    TargetFromFile,
+    Version,
+)
+
+PREDEFINED = {
+    "N": "the number of slots",
+    "n": "the slot, 0 .. N-1",
+    "x": "the column of a pixel",
+    "y": "the row of a pixel",
+    "rows": "the number of rows of the array",
+    "cols": "the number of columns of the array",
+}
+
+Code = CodeRange | CodeBits | CodeRow
+Book = BookInline | BookFromFile
+Rule = Open | Bucket
+
+
+class Declarations:
+    """The statements of a file by kind and name, each name once, in the order written.
+
+    `pixels` holds the first `pixels FIELD = ...` for each name, whether that is a field or not;
+    `pixels_file` the one `pixels from`.
+    """
+
+    def __init__(self) -> None:
+        self.target: TargetByName | TargetFromFile | None = None
+        self.frame: EqualSlots | ListedSlots | None = None
+        self.lets: dict[str, Let] = {}
+        self.codes: dict[str, Code] = {}
+        self.books: dict[str, Book] = {}
+        self.requires: list[Require] = []
+        self.rules: list[Rule] = []
+        self.pixels: dict[str, PixelsExpr | PixelsTile] = {}
+        self.pixels_file: PixelsFromFile | None = None
+
+    @property
+    def has_pixels(self) -> bool:
+        """True for a file that says anything about its pixels' codes."""
+        return bool(self.pixels) or self.pixels_file is not None
+
+    def declared(self) -> Iterator[tuple[str, str]]:
+        """Every declared name of expressions with what it is, in words."""
+        for name in self.lets:
+            yield name, "a let"
+        for name in self.codes:
+            yield name, "a field"
+        for name in self.books:
+            yield name, "a codebook"
+
+
+def gather(tree: File, problems: Problems) -> Declarations:
+    """The declarations of `tree`.
+
+    Reports names given twice (NS0201) or predefined (NS0202), a missing frame or rule (NS0204), a
+    statement given twice (NS0205), `open` beside buckets (NS0206), a field given twice (NS0211) and
+    more fields than the stated limit (NS0450). What is reported is left out.
+    """
+    gatherer = _Gatherer(problems)
+    for statement in tree.statements:
+        gatherer.add(statement)
+    gatherer.finish(tree)
+    return gatherer.found
+
+
+class _Gatherer:
+    def __init__(self, problems: Problems) -> None:
+        self.problems = problems
+        self.found = Declarations()
+        self.first_place: dict[str, Span] = {}
+        self.mixed = False
+
+    def add(self, statement: Statement) -> None:
+        found = self.found
+        match statement:
+            case Version():
+                pass
+            case TargetByName() | TargetFromFile():
+                if self._once("target", found.target, statement):
+                    found.target = statement
+            case EqualSlots() | ListedSlots():
+                if self._once("frame", found.frame, statement):
+                    found.frame = statement
+            case Let():
+                if self._new(statement.name):
+                    found.lets[statement.name.text] = statement
+            case CodeRange() | CodeBits() | CodeRow():
+                if self._new(statement.name):
+                    found.codes[statement.name.text] = statement
+            case BookInline() | BookFromFile():
+                if self._new(statement.name):
+                    found.books[statement.name.text] = statement
+            case Require():
+                found.requires.append(statement)
+            case Open() | Bucket():
+                self._rule(statement)
+            case PixelsExpr() | PixelsTile():
+                self._pixels(statement)
+            case PixelsFromFile():
+                if self._once("pixels from", found.pixels_file, statement):
+                    found.pixels_file = statement
+            case _:
+                assert_never(statement)
+
+    def finish(self, tree: File) -> None:
+        """Reports what must be there and is not, at the first statement."""
+        place = tree.statements[0].span if tree.statements else Span(0, 0)
+        if self.found.frame is None:
+            self.problems.error(
+                "NS0204",
+                "the program has no `frame` statement",
+                place,
+                "the time grid is missing",
+                helps=("say how many slots there are, and how long: `frame 256 slots of 125us`",),
+            )
+        if not self.found.rules:
+            self.problems.error(
+                "NS0204",
+                "the program has no rule: no `open when`, and no `bucket`",
+                place,
+                "when a shutter is open is missing",
+                helps=("say when a pixel's shutter is open: `open when n < stop`",),
+            )
+        if len(self.found.codes) > MOST_FIELDS:
+            self.problems.error(
+                "NS0450",
+                f"the pixel code has {len(self.found.codes)} fields; the most is {MOST_FIELDS}",
+                list(self.found.codes.values())[MOST_FIELDS].name.span,
+                f"field number {MOST_FIELDS + 1}",
+                helps=("put single bits together in one field: `code bits : bit[K]`",),
+            )
+
+    def _once(self, word: str, first: Statement | None, second: Statement) -> bool:
+        if first is None:
+            return True
+        self.problems.error(
+            "NS0205",
+            f"`{word}` is given twice; a program has one",
+            second.span,
+            "the second",
+            related=_related(first.span, "the first"),
+        )
+        return False
+
+    def _new(self, name: Name) -> bool:
+        meaning = PREDEFINED.get(name.text)
+        if meaning is not None:
+            self.problems.error(
+                "NS0202",
+                f"`{name.text}` is predefined and cannot be declared",
+                name.span,
+                f"`{name.text}` is {meaning}",
+                helps=("choose another name",),
+            )
+            return False
+        return self._unused(name, f"`{name.text}` is declared twice", name.text)
+
+    def _unused(self, name: Name, message: str, key: str) -> bool:
+        first = self.first_place.setdefault(key, name.span)
+        if first is name.span:
+            return True
+        self.problems.error(
+            "NS0201",
+            message,
+            name.span,
+            "the second",
+            related=_related(first, "the first"),
+            helps=("choose another name for one of them",),
+        )
+        return False
+
+    def _rule(self, rule: Rule) -> None:
+        rules = self.found.rules
+        if rules and isinstance(rules[0], Open) != isinstance(rule, Open):
+            if self.mixed:
+                return
+            self.mixed = True
+            self.problems.error(
+                "NS0206",
+                "a program has either one `open when` or named buckets, not both",
+                rule.span,
+                "of the other kind",
+                related=_related(rules[0].span, "the first rule"),
+                helps=("give each frame of the exposure a name: `bucket NAME open when ...`",),
+            )
+        elif isinstance(rule, Open):
+            if self._once("open when", rules[0] if rules else None, rule):
+                rules.append(rule)
+        # Buckets have names of their own (the key cannot be a name): no expression reads them.
+        elif self._unused(
+            rule.name, f"two buckets are called `{rule.name.text}`", f"bucket {rule.name.text}"
+        ):
+            rules.append(rule)
+
+    def _pixels(self, statement: PixelsExpr | PixelsTile) -> None:
+        name = statement.field.text
+        first = self.found.pixels.setdefault(name, statement)
+        if first is not statement:
+            self.problems.error(
+                "NS0211",
+                f"the pixels of `{name}` are given twice",
+                statement.field.span,
+                "the second",
+                related=_related(first.field.span, "the first"),
+            )
+
+
+def _related(span: Span, text: str) -> tuple[Label, ...]:
+    return (Label(span, text),)

@@ -1,0 +1,121 @@
+"""From field values at every pixel to codes: those in use, and those of a compiled program."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.program.arrays_file import ArraysFile, Unreadable
+from nscc.program.planes import Plane, first_place, pixel_text, stored_plane
+from nscc.program.problems import counted
+from nscc.words.container import DecodeTable
+
+_DENSE = 2**20
+"""Spans of values up to this are counted in a table; wider ones are sorted."""
+
+
+def codes_in_use(
+    planes: Sequence[Plane], shape: tuple[int, int]
+) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
+    """The distinct codes of the pixels, and the row of each pixel's.
+
+    `planes` holds one array of `shape` (rows, cols) for each field. The codes (codes, fields) are
+    sorted by field values, the first field first; without fields there is one code of no fields.
+    """
+    codes = np.zeros((1, 0), dtype=np.int64)
+    at_pixel = np.zeros(shape, dtype=np.int64)
+    for plane in planes:
+        values, of_pixel = _ranked(plane)
+        pairs, at_pixel = _ranked(at_pixel * len(values) + of_pixel)
+        codes = np.column_stack((codes[pairs // len(values)], values[pairs % len(values)]))
+    return codes, at_pixel.astype(np.int32)
+
+
+def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
+    """The distinct values of `plane`, ascending, and the place of each among them."""
+    low = int(plane.min())
+    span = int(plane.max()) - low + 1
+    if span > _DENSE:
+        values, ranks = np.unique(plane, return_inverse=True)
+        return values, ranks.reshape(plane.shape).astype(np.int64)
+    offsets = plane - low
+    seen = np.zeros(span, dtype=bool)
+    seen[offsets] = True
+    return np.flatnonzero(seen) + low, (np.cumsum(seen) - 1)[offsets]
+
+
+def codes_from_file(
+    path: Path, table: DecodeTable, rows: int, cols: int, *, shown: str | None = None
+) -> NDArray[np.int32]:
+    """Codes for a program that is compiled already: the row of `table.codes` at each pixel.
+
+    The file holds an integer array (rows, cols) for each field of `table`, by name. `shown` is the
+    path for messages. Raises Rejected: NS0313 and NS0314 for the file, NS0319 (first pixel and
+    count) where the program was not compiled for a pixel's code.
+    """
+    shape = (rows, cols)
+    try:
+        file = ArraysFile(path, str(path) if shown is None else shown)
+        planes = []
+        missing = np.zeros(shape, dtype=bool)
+        for name in table.fields:
+            plane, beyond = stored_plane(file, name, rows, cols)
+            planes.append(plane)
+            missing |= beyond
+    except Unreadable as problem:
+        raise Rejected(
+            Diagnostic(problem.code, problem.message, helps=problem.helps), status=2
+        ) from problem
+    rows_of_table, unknown = (
+        rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
+    )
+    missing |= unknown
+    if missing.any():
+        raise Rejected(_not_compiled(file, table, planes, missing), status=2)
+    return rows_of_table
+
+
+def _not_compiled(
+    file: ArraysFile, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_]
+) -> Diagnostic:
+    y, x = first_place(missing)
+    count = int(missing.sum())
+    code = ", ".join(f"{n} = {p[y, x]}" for n, p in zip(table.fields, planes, strict=True))
+    return Diagnostic(
+        "NS0319",
+        f'the program was not compiled for a code of "{file.shown}": {pixel_text(x, y)} has {code}',
+        notes=(
+            f"{counted(count, 'pixel has', 'pixels have')} such codes; "
+            f"the program knows {counted(len(table.codes), 'code')}",
+        ),
+        helps=("`nscc build --codes open` compiles for every code that the program allows",),
+        data={"x": x, "y": y, "pixels": count},
+    )
+
+
+def rows_of(
+    codes: NDArray[np.int64], planes: Sequence[NDArray[np.int64]]
+) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
+    """The row of `codes` (sorted, distinct) that holds the values of `planes`, place by place, and
+    where there is none. `planes` has an array for each field, one or more, all of one shape.
+    """
+    shape = planes[0].shape
+    unknown = np.zeros(shape, dtype=bool)
+    # One field after the other: `known` numbers the distinct beginnings of the codes, and
+    # `at_pixel` the beginning of each pixel's code.
+    known = np.zeros(len(codes), dtype=np.int64)
+    at_pixel = np.zeros(shape, dtype=np.int64)
+    for column, plane in zip(codes.T, planes, strict=True):
+        values, of_code = _ranked(column)
+        of_pixel = np.minimum(np.searchsorted(values, plane), len(values) - 1)
+        unknown |= values[of_pixel] != plane
+        beginnings, known = _ranked(known * len(values) + of_code)
+        wanted = at_pixel * len(values) + of_pixel
+        at_pixel = np.minimum(np.searchsorted(beginnings, wanted), len(beginnings) - 1)
+        unknown |= beginnings[at_pixel] != wanted
+    # The codes are sorted and distinct, so their numbers are their rows.
+    return at_pixel.astype(np.int32), unknown

@@ -1,0 +1,294 @@
+"""The value of every field at every pixel: expressions over the array, tiles, files."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Label
+from nscc.program.arrays_file import ArraysFile, Unreadable
+from nscc.program.constants import constant
+from nscc.program.evaluate import Value, array, evaluate, fault_at
+from nscc.program.expressions import Checked, Meaning, check
+from nscc.program.limits import WORK_LIMIT, work
+from nscc.program.model import Field
+from nscc.program.names import Declarations
+from nscc.program.problems import Problems, clipped, counted
+from nscc.program.scopes import constants_scope, pixels_scope
+from nscc.source import Span
+from nscc.syntax.tree import Int, PixelsExpr, PixelsTile
+from nscc.target.model import Target
+
+Plane = NDArray[np.int64]
+"""The values of one field: int64 (rows, cols)."""
+
+
+def make_planes(
+    declared: Declarations,
+    fields: Mapping[str, Field | None],
+    constants: Mapping[str, Meaning],
+    target: Target | None,
+    base: Path,
+    problems: Problems,
+) -> dict[str, Plane]:
+    """The plane of every field; fields with errors, here or before, are left out.
+
+    Without any `pixels` statement, or without a target, there are none. Reports fields not given
+    (NS0210), values outside their range (NS0311), faults of expressions, tiles that are no
+    rectangle (NS0316), files (NS0313, NS0314, NS0315).
+    """
+    return _Maker(declared, fields, constants, target, base, problems).run()
+
+
+class _Maker:
+    def __init__(
+        self,
+        declared: Declarations,
+        fields: Mapping[str, Field | None],
+        constants: Mapping[str, Meaning],
+        target: Target | None,
+        base: Path,
+        problems: Problems,
+    ) -> None:
+        self.declared = declared
+        self.fields = fields
+        self.constants = constants
+        self.target = target
+        self.base = base
+        self.problems = problems
+        self.scope = pixels_scope(declared, constants)
+        self.tile_scope = constants_scope(declared, constants)
+
+    def run(self) -> dict[str, Plane]:
+        planes: dict[str, Plane] = {}
+        for name, statement in self.declared.pixels.items():
+            if name not in self.fields:
+                self._no_field(statement)
+            if isinstance(statement, PixelsExpr):
+                plane = self._expression(statement)
+            else:
+                plane = self._tile(statement)
+            field = self.fields.get(name)
+            if plane is not None and field is not None:
+                span = statement.span
+                if isinstance(statement, PixelsExpr):
+                    span = statement.value.span
+                self._keep(planes, field, plane, span)
+        missing = [name for name in self.fields if name not in self.declared.pixels]
+        if self.declared.pixels_file is not None:
+            self._file(planes, missing)
+        elif self.declared.pixels and missing:
+            self._not_given(missing)
+        return planes
+
+    def _no_field(self, statement: PixelsExpr | PixelsTile) -> None:
+        name = statement.field.text
+        what = dict(self.declared.declared()).get(name)
+        if what is None:
+            self.problems.unknown("a field", name, statement.field.span, list(self.fields))
+        else:
+            self.problems.error(
+                "NS0209",
+                f"`{name}` is {what}, not a field: pixels hold fields",
+                statement.field.span,
+                what,
+                helps=(f"declare it with `code {name} : LO..HI`",),
+            )
+
+    def _not_given(self, missing: list[str]) -> None:
+        shown = ", ".join(f"`{name}`" for name in missing)
+        first = self.declared.codes[missing[0]]
+        given = next(iter(self.declared.pixels.values()))
+        self.problems.error(
+            "NS0210",
+            f"the pixels of {shown} are not given, and those of other fields are",
+            first.name.span,
+            "has no `pixels` statement",
+            related=(Label(given.field.span, "given here"),),
+            helps=(
+                f"add `pixels {missing[0]} = ...`",
+                "a file without any `pixels` is a program without data, which compiles too",
+            ),
+        )
+
+    def _expression(self, statement: PixelsExpr) -> Plane | None:
+        value = statement.value
+        checked = check(value, "integer", self.scope, self.problems, "a pixel's value")
+        if checked is None or self.target is None:
+            return None
+        rows, cols = self.target.rows, self.target.cols
+        cost = work(checked, {"y": (0, rows), "x": (1, cols)})
+        if cost > WORK_LIMIT:
+            self.problems.error(
+                "NS0450",
+                f"this expression takes {cost} operations over the array of {rows} x {cols}; "
+                f"the limit is {WORK_LIMIT}",
+                value.span,
+                helps=('data belongs in a file: `pixels from "codes.npz"`',),
+            )
+            return None
+        bindings = {
+            "y": array(np.arange(rows, dtype=np.int64).reshape(rows, 1)),
+            "x": array(np.arange(cols, dtype=np.int64).reshape(1, cols)),
+        }
+        found = evaluate(checked, bindings, {})
+        if found.faults is not None:
+            self._fault(checked, bindings, found, (rows, cols))
+            return None
+        return np.broadcast_to(np.asarray(found.data, dtype=np.int64), (rows, cols))
+
+    def _fault(
+        self, checked: Checked, bindings: dict[str, Value], found: Value, shape: tuple[int, int]
+    ) -> None:
+        places = np.ones(shape, dtype=bool)
+        if isinstance(found.faults, np.ndarray):
+            places = np.broadcast_to(found.faults, shape)
+        y, x = first_place(places)
+        fault = fault_at(checked, bindings, {}, shape, (y, x))
+        count = int(places.sum())
+        self.problems.error(
+            fault.code,
+            fault.message,
+            fault.span,
+            fault.text,
+            notes=(f"at {pixel_text(x, y)}, and at {counted(count, 'pixel')} in all",),
+            data={"x": x, "y": y, "pixels": count},
+        )
+
+    def _tile(self, statement: PixelsTile) -> Plane | None:
+        rows = statement.rows
+        widths = {len(row.values) for row in rows}
+        if len(widths) != 1 or 0 in widths:
+            odd = next((row for row in rows if len(row.values) != len(rows[0].values)), None)
+            self.problems.error(
+                "NS0316",
+                "the rows of a tile must have the same number of values, and at least one",
+                odd.span if odd else statement.span,
+                f"{counted(len(odd.values), 'value')}, the first row has {len(rows[0].values)}"
+                if odd
+                else "an empty tile",
+            )
+            return None
+        values: list[list[int]] = []
+        sound = True
+        for row in rows:
+            line = []
+            for expr in row.values:
+                small = isinstance(expr, Int) and expr.value < 2**31
+                value = (
+                    expr.value
+                    if small and isinstance(expr, Int)
+                    else constant(expr, self.tile_scope, self.problems, "a value of a tile")
+                )
+                sound = sound and value is not None
+                line.append(value or 0)
+            values.append(line)
+        if not sound or self.target is None:
+            return None
+        tile = np.array(values, dtype=np.int64)
+        self._warn_of_a_large_tile(tile, statement, self.target)
+        y = np.arange(self.target.rows) % tile.shape[0]
+        x = np.arange(self.target.cols) % tile.shape[1]
+        return np.asarray(tile[y[:, None], x[None, :]], dtype=np.int64)
+
+    def _warn_of_a_large_tile(self, tile: Plane, statement: PixelsTile, target: Target) -> None:
+        if tile.shape[0] > target.rows or tile.shape[1] > target.cols:
+            self.problems.warning(
+                "NS0357",
+                f"this tile of {tile.shape[0]} x {tile.shape[1]} values is larger than the "
+                f"array of {target.name}, {target.rows} x {target.cols}",
+                statement.field.span,
+                "the values beyond the array are not used",
+            )
+
+    def _file(self, planes: dict[str, Plane], missing: list[str]) -> None:
+        statement = self.declared.pixels_file
+        assert statement is not None
+        if not missing:
+            self.problems.warning(
+                "NS0356",
+                f'nothing is taken from "{clipped(statement.path.value)}"',
+                statement.span,
+                "every field is given otherwise" if self.fields else "there are no fields",
+            )
+            return
+        try:
+            file = ArraysFile(self.base / statement.path.value, statement.path.value)
+            if statement.sha256 is not None:
+                file.require_sha256(statement.sha256.value)
+        except Unreadable as problem:
+            self._unreadable(problem, statement.path.span)
+            return
+        for name in missing:
+            field = self.fields[name]
+            if field is None or self.target is None:
+                continue
+            try:
+                plane, wrong = stored_plane(file, name, self.target.rows, self.target.cols)
+            except Unreadable as problem:
+                self._unreadable(problem, statement.path.span)
+            else:
+                self._keep(planes, field, plane, statement.path.span, wrong)
+
+    def _unreadable(self, problem: Unreadable, span: Span) -> None:
+        self.problems.error(problem.code, problem.message, span, helps=problem.helps)
+
+    def _keep(
+        self,
+        planes: dict[str, Plane],
+        field: Field,
+        plane: Plane,
+        span: Span,
+        beyond: NDArray[np.bool_] | None = None,
+    ) -> None:
+        """Adds a plane whose values are in range; `beyond` are places that int64 cannot hold."""
+        outside = (plane < field.low) | (plane > field.high)
+        if beyond is not None:
+            outside |= beyond
+        if not outside.any():
+            planes[field.name] = plane
+            return
+        y, x = first_place(outside)
+        count = int(outside.sum())
+        value = "a number beyond 2^63" if beyond is not None and beyond[y, x] else plane[y, x]
+        self.problems.error(
+            "NS0311",
+            f"the {pixel_text(x, y)} has {field.name} = {value}, outside {field.low}..{field.high}",
+            span,
+            f"{counted(count, 'pixel is', 'pixels are')} outside the range",
+            related=(Label(field.span, f"`{field.name}` is {field.low}..{field.high}"),),
+            data={"field": field.name, "x": x, "y": y, "pixels": count},
+        )
+
+
+def stored_plane(
+    file: ArraysFile, name: str, rows: int, cols: int
+) -> tuple[Plane, NDArray[np.bool_]]:
+    """The array `name` as int64, and where it held what int64 cannot."""
+    stored = file.integers(name, most=max(rows * cols, 2**20))
+    if stored.shape != (rows, cols):
+        raise Unreadable(
+            "NS0314",
+            f'the array `{clipped(name)}` of "{file.shown}" has shape {stored.shape}; '
+            f"the array of pixels is {rows} rows x {cols} columns",
+            f"save an array of shape ({rows}, {cols}): [row, column]",
+        )
+    beyond = np.zeros(stored.shape, dtype=bool)
+    if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:
+        beyond = np.asarray(stored > np.uint64(2**63 - 1), dtype=bool)
+    with np.errstate(all="ignore"):
+        return stored.astype(np.int64), beyond
+
+
+def first_place(places: NDArray[np.bool_]) -> tuple[int, int]:
+    """(y, x) of the first place, row by row."""
+    y, x = np.unravel_index(int(places.argmax()), places.shape)
+    return int(y), int(x)
+
+
+def pixel_text(x: int, y: int) -> str:
+    """A pixel's place for messages, in both ways of naming it."""
+    return f"pixel at x = {x}, y = {y} (row {y}, column {x})"

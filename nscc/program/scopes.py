@@ -1,0 +1,55 @@
+"""Which names mean what in each place of a program: constants, pixels, conditions, rules."""
+
+from __future__ import annotations
+
+from nscc.program.expressions import VARIABLE, Meaning, Scope
+from nscc.program.names import Declarations
+from nscc.syntax.tree import CodeBits
+
+_SLOT = "n is the slot: it runs while the frame is exposed, and only rules may read it"
+_PLACE = "x and y are the place of a pixel: only `pixels FIELD = ...` may read them"
+_PLACE_IN_RULE = (
+    "codes carry what differs between pixels: declare a `code` field, give it with "
+    "`pixels FIELD = ...` over x and y, and let the rule read the field"
+)
+_FIELD = "a field differs between codes: it has a value only in rules and in `require`"
+_FIELD_IN_PIXELS = "a field's pixels are computed from x, y, rows and cols, not from other fields"
+_BOOK = "a codebook's digits are read slot by slot: only rules may read them"
+
+
+def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
+    """For `let`, ranges, counts and tiles: `constants` alone, the other names explained."""
+    scope = {
+        "n": Meaning("misplaced", note=_SLOT),
+        "x": Meaning("misplaced", note=_PLACE),
+        "y": Meaning("misplaced", note=_PLACE),
+    }
+    scope.update(dict.fromkeys(declared.codes, Meaning("misplaced", note=_FIELD)))
+    scope.update(dict.fromkeys(declared.books, Meaning("misplaced", note=_BOOK)))
+    scope.update(constants)
+    return scope
+
+
+def pixels_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
+    """For `pixels FIELD = EXPR`: constants, x and y."""
+    scope = constants_scope(declared, constants)
+    scope.update(x=VARIABLE, y=VARIABLE)
+    scope.update(dict.fromkeys(declared.codes, Meaning("misplaced", note=_FIELD_IN_PIXELS)))
+    return scope
+
+
+def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
+    """For `require`: constants and fields."""
+    scope = constants_scope(declared, constants)
+    scope.update(dict.fromkeys(("x", "y"), Meaning("misplaced", note=_PLACE_IN_RULE)))
+    for name, statement in declared.codes.items():
+        scope[name] = Meaning("variable", bits=isinstance(statement, CodeBits))
+    return scope
+
+
+def rule_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
+    """For rules: constants, fields, codebooks and the slot n."""
+    scope = require_scope(declared, constants)
+    scope["n"] = VARIABLE
+    scope.update(dict.fromkeys(declared.books, Meaning("book")))
+    return scope

@@ -1,0 +1,87 @@
+"""The proof that goes with every build: words against decode table, all codes, two frames.
+
+For a program that satisfies g(f(S), n) = S[n], equation (7), and E = sum of L[n] S[n], equation
+(3), the exposure of every code is a known linear form in the light of the slots. Two frames under
+independent random light, with random values in everything that a program may not rely on, tell it
+from any other linear form with certainty for every practical purpose: a wrong coefficient would
+have to meet a hyperplane of measure zero to within 1e-9.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.prove.replay import Faded, Replay
+from nscc.words.container import Container
+from nscc.words.operations import Op
+
+FRAMES = 2
+TOLERANCE = 1e-9
+"""Largest error of an exposure, as a share of all the light of the frame."""
+
+
+@dataclass(frozen=True)
+class Failure:
+    """What a proof found wrong first; `shutter` is the distinct shutter, None if it is all codes."""
+
+    what: str
+    frame: int
+    bucket: str | None = None
+    shutter: int | None = None
+
+
+@dataclass(frozen=True)
+class Proof:
+    """What was replayed and whether it holds."""
+
+    codes: int
+    slots: int
+    frames: int
+    failure: Failure | None
+
+    @property
+    def holds(self) -> bool:
+        """Whether the words do what the decode table says."""
+        return self.failure is None
+
+
+def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
+    """Replays `kernels` (the container's words, decoded) against the container's decode table."""
+    replay = Replay(container, kernels, lights=1)
+    rng = np.random.default_rng(7)
+    failure: Failure | None = None
+    for frame in range(1, FRAMES + 1):
+        light = rng.uniform(0.25, 1.0, (container.slots, 1))
+        failure = _frame(replay, light, frame)
+        if failure is not None:
+            break
+    return Proof(len(container.table.codes), container.slots, FRAMES, failure)
+
+
+def _frame(replay: Replay, light: NDArray[np.float64], frame: int) -> Failure | None:
+    container = replay.container
+    try:
+        measured = replay.exposures(light)
+    except Faded as faded:
+        return Failure(
+            f"{faded.register} is read at boundary {faded.boundary} after its bit has decayed",
+            faded.frame,
+        )
+    scale = float(light.sum())
+    for index, bucket in enumerate(container.buckets):
+        if bucket not in measured:
+            return Failure("no register is read out", frame, bucket)
+        expected = container.table.shutters[:, index, :] @ light
+        wrong = ~(np.abs(measured[bucket] - expected)[:, 0] <= TOLERANCE * scale)
+        if wrong.any():
+            return Failure(
+                "exposure differs from the sum of light over the open slots", frame, bucket,
+                int(np.flatnonzero(wrong)[0]),
+            )  # fmt: skip
+    if not replay.code_kept:
+        return Failure("the code registers do not hold their code when the frame ends", frame)
+    return None

@@ -1,0 +1,73 @@
+"""What words cost in stored words and in time, from the target's figures alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from math import fsum
+
+from nscc.target.model import Target
+from nscc.words.container import Container, Kernel, Word
+
+_CLOCK_CLASS = 7 << 19
+
+
+@dataclass(frozen=True, slots=True)
+class Cost:
+    """Words and the time that they take, launch overhead included."""
+
+    words: int
+    us: float
+
+
+@dataclass(frozen=True, slots=True)
+class FrameCost:
+    """What one frame of a container costs.
+
+    `stored_words` lie in the instruction store, `words` are executed in a frame in `busy_us` (with
+    `launches` kernel launches); `frame_us` is the length of all slots, `busiest_us` the time
+    of the words at the instant that has most.
+    """
+
+    stored_words: int
+    words: int
+    launches: int
+    busy_us: float
+    busiest_us: float
+    frame_us: float
+
+
+def words_cost(words: Iterable[Word], target: Target) -> Cost:
+    """The cost of words by themselves, without a launch."""
+    analog = digital = 0
+    for word in words:
+        if word[0] & _CLOCK_CLASS:
+            digital += 1
+        else:
+            analog += 1
+    us = analog * target.analog_word_us + digital * target.digital_word_us
+    return Cost(analog + digital, us)
+
+
+def kernel_cost(kernel: Kernel, target: Target) -> Cost:
+    """The cost of one launch of a kernel."""
+    cost = words_cost(kernel.words, target)
+    return Cost(cost.words, cost.us + target.launch_us)
+
+
+def frame_cost(container: Container) -> FrameCost:
+    """What the container stores and what one frame of it takes."""
+    costs = [kernel_cost(kernel, container.target) for kernel in container.kernels]
+    at_instant = [0.0] * (container.slots + 1)
+    words = 0
+    for launch in container.launches:
+        at_instant[launch.instant] += costs[launch.kernel].us
+        words += costs[launch.kernel].words
+    return FrameCost(
+        stored_words=sum(cost.words for cost in costs),
+        words=words,
+        launches=len(container.launches),
+        busy_us=fsum(at_instant),
+        busiest_us=max(at_instant),
+        frame_us=fsum(container.slot_us),
+    )

@@ -1,0 +1,223 @@
+"""What differs between two containers, in lines that a person reads."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from difflib import unified_diff
+
+import numpy as np
+
+from nscc.target.values import target_values
+from nscc.words.container import Container, Kernel
+from nscc.words.cost import FrameCost, frame_cost
+from nscc.words.disassembly import instruction_lines
+from nscc.words.file import to_bytes
+from nscc.words.text import number_text, ranges_text
+
+_LONGEST_LISTING = 4096
+_MOST_LINES = 200
+
+
+def differences(first: Container, second: Container) -> list[str]:
+    """Lines saying what changed from `first` to `second`; empty if both are the same file."""
+    if to_bytes(first) == to_bytes(second):
+        return []
+    lines: list[str] = []
+    for title, found in (
+        ("target", _target(first, second)),
+        ("costs", _costs(frame_cost(first), frame_cost(second))),
+        ("slots", _slots(first, second)),
+        ("kernels", _kernels(first, second)),
+        ("schedule", _schedule(first, second)),
+        ("codes", _codes(first, second)),
+        ("readouts", _readouts(first, second)),
+        ("notes", _notes(first, second)),
+    ):
+        body = list(found)
+        if body:
+            shown = body[:_MOST_LINES]
+            rest = len(body) - len(shown)
+            lines += [f"{title}:", *(f"  {line}".rstrip() for line in shown)]
+            lines += [f"  .. and {rest} lines more"] if rest else []
+    return lines
+
+
+def _change(what: str, old: object, new: object) -> str:
+    return f"{what}: {old} -> {new}"
+
+
+def _target(first: Container, second: Container) -> Iterator[str]:
+    old, new = target_values(first.target), target_values(second.target)
+    for name in old:
+        if not isinstance(old[name], dict):
+            if old[name] != new[name]:
+                yield _change(name, old[name], new[name])
+            continue
+        for key in old[name]:
+            if old[name][key] != new[name][key]:
+                yield _change(f"{name}.{key}", old[name][key], new[name][key])
+
+
+def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
+    for what, before, after, unit in (
+        ("words stored", old.stored_words, new.stored_words, ""),
+        ("words a frame", old.words, new.words, ""),
+        ("launches a frame", old.launches, new.launches, ""),
+        ("time of the words", old.busy_us, new.busy_us, " us"),
+        ("time of the busiest instant", old.busiest_us, new.busiest_us, " us"),
+        ("frame time", old.frame_us, new.frame_us, " us"),
+    ):
+        if before != after:
+            share = f" ({(after - before) / before:+.1%})" if before else ""
+            yield _change(what, f"{before:.10g}{unit}", f"{after:.10g}{unit}") + share
+
+
+def _slots(first: Container, second: Container) -> Iterator[str]:
+    if first.slots != second.slots:
+        yield _change("slots", first.slots, second.slots)
+        return
+    changed = [i for i in range(first.slots) if first.slot_us[i] != second.slot_us[i]]
+    if changed:
+        old, new = first.slot_us[changed[0]], second.slot_us[changed[0]]
+        change = _change(f"length of slot {changed[0]}", number_text(old), number_text(new))
+        yield f"{change} us; lengths differ at {_cut(ranges_text(changed))}"
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= 100 else text[:96] + " ..."
+
+
+def _kernels(first: Container, second: Container) -> Iterator[str]:
+    old = {kernel.name: kernel for kernel in first.kernels}
+    new = {kernel.name: kernel for kernel in second.kernels}
+    for name in [*old, *(name for name in new if name not in old)]:
+        before, after = old.get(name), new.get(name)
+        if before is None or after is None:
+            change = "added" if before is None else "removed"
+            kernel = before or after
+            yield f"{change} {name}: {len(kernel.words) if kernel else 0} words"
+            yield from _listing_change(before, first, after, second)
+        elif before.words != after.words:
+            yield f"changed {name}: {len(before.words)} -> {len(after.words)} words"
+            yield from _listing_change(before, first, after, second)
+    if list(old) != list(new) and sorted(old) == sorted(new):
+        yield "the kernels stand in another order"
+
+
+def _listing_change(
+    before: Kernel | None, first: Container, after: Kernel | None, second: Container
+) -> Iterator[str]:
+    old, new = _listing(before, first), _listing(after, second)
+    if max(len(old), len(new)) > _LONGEST_LISTING:
+        same = next((i for i, (a, b) in enumerate(zip(old, new, strict=False)) if a != b), None)
+        yield f"  too long to compare line by line; they part at line {same}"
+        return
+    for line in list(unified_diff(old, new, lineterm="", n=2))[2:]:
+        yield f"  {line}"
+
+
+def _listing(kernel: Kernel | None, container: Container) -> list[str]:
+    if kernel is None:
+        return []
+    return [text for _, text, _ in instruction_lines(kernel.words, container.target)]
+
+
+def _at_instants(container: Container) -> dict[int, tuple[str, ...]]:
+    found: dict[int, tuple[str, ...]] = {}
+    for launch in container.launches:
+        name = container.kernels[launch.kernel].name
+        found[launch.instant] = (*found.get(launch.instant, ()), name)
+    return found
+
+
+def _schedule(first: Container, second: Container) -> Iterator[str]:
+    """Instants that launch other kernels, those with the same change together."""
+    old, new = _at_instants(first), _at_instants(second)
+    changes: dict[tuple[tuple[str, ...], tuple[str, ...]], list[int]] = {}
+    for instant in sorted(old.keys() | new.keys()):
+        change = (old.get(instant, ()), new.get(instant, ()))
+        if change[0] != change[1]:
+            changes.setdefault(change, []).append(instant)
+    for (before, after), instants in changes.items():
+        what = f"at {_cut(ranges_text(instants))}"
+        yield _change(what, _cut(" ".join(before)) or "nothing", _cut(" ".join(after)) or "nothing")
+
+
+def _codes(first: Container, second: Container) -> Iterator[str]:
+    old, new = first.table, second.table
+    for what, before, after in (
+        ("fields", old.fields, new.fields),
+        ("buckets", first.buckets, second.buckets),
+        ("code registers", first.code_registers, second.code_registers),
+    ):
+        if before != after:
+            yield _change(what, " ".join(before) or "none", " ".join(after) or "none")
+    if len(old.codes) != len(new.codes):
+        yield _change("codes", len(old.codes), len(new.codes))
+    elif old.codes.shape == new.codes.shape and not np.array_equal(old.codes, new.codes):
+        changed = np.flatnonzero((old.codes != new.codes).any(axis=1)).tolist()
+        yield f"other field values in codes {_cut(ranges_text(changed))}"
+    if len(old.shutters) != len(new.shutters):
+        yield _change("distinct shutters", len(old.shutters), len(new.shutters))
+    else:
+        yield from _shutters(first, second)
+    yield from _pixels(first, second)
+
+
+def _shutters(first: Container, second: Container) -> Iterator[str]:
+    old, new = first.table, second.table
+    if old.shutters.shape == new.shutters.shape:
+        changed = np.flatnonzero((old.shutters != new.shutters).any(axis=(1, 2))).tolist()
+        if changed:
+            yield f"other slots open in shutters {_cut(ranges_text(changed))}"
+    if first.encoding.shape == second.encoding.shape:
+        changed = np.flatnonzero((first.encoding != second.encoding).any(axis=1)).tolist()
+        if changed:
+            yield f"other register contents for shutters {_cut(ranges_text(changed))}"
+    same = old.shutter_of_code.shape == new.shutter_of_code.shape
+    if same and not np.array_equal(old.shutter_of_code, new.shutter_of_code):
+        changed = np.flatnonzero(old.shutter_of_code != new.shutter_of_code).tolist()
+        yield f"other shutters for codes {_cut(ranges_text(changed))}"
+
+
+def _pixels(first: Container, second: Container) -> Iterator[str]:
+    old, new = first.pixel_codes, second.pixel_codes
+    if (old is None) != (new is None):
+        yield "the second has pixel data" if old is None else "the second has no pixel data"
+    elif old is not None and new is not None:
+        if old.shape != new.shape:
+            yield _change("array", f"{old.shape}", f"{new.shape}")
+        elif not np.array_equal(old, new):
+            yield f"{np.count_nonzero(old != new)} of {old.size} pixels hold another code"
+
+
+def _readouts(first: Container, second: Container) -> Iterator[str]:
+    old = {r.bucket: f"{r.register} x {number_text(r.gain)}" for r in first.readouts}
+    new = {r.bucket: f"{r.register} x {number_text(r.gain)}" for r in second.readouts}
+    for bucket in [*old, *(bucket for bucket in new if bucket not in old)]:
+        if old.get(bucket) != new.get(bucket):
+            yield _change(bucket, old.get(bucket, "none"), new.get(bucket, "none"))
+    if list(old) != list(new) and sorted(old) == sorted(new):
+        yield "they stand in another order"
+
+
+def _notes(first: Container, second: Container) -> Iterator[str]:
+    for key in sorted(first.notes.keys() | second.notes.keys()):
+        old, new = first.notes.get(key), second.notes.get(key)
+        if old != new:
+            yield _change(key, _quoted(old), _quoted(new))
+    if first.source_lines != second.source_lines:
+        yield "the program's source:"
+        yield from _source_change(first.source_lines, second.source_lines)
+
+
+def _quoted(text: str | None) -> str:
+    return "none" if text is None else _cut(ascii(text))
+
+
+def _source_change(old: Sequence[str], new: Sequence[str]) -> Iterator[str]:
+    if max(len(old), len(new)) > _LONGEST_LISTING:
+        yield "  too long to compare line by line"
+        return
+    for line in list(unified_diff(list(old), list(new), lineterm="", n=1))[2:]:
+        yield f"  {line}"

@@ -1,0 +1,223 @@
+"""A container as assembly text, from which `nscc.words.assembly` makes the same container again.
+
+First what a reader wants to see (the program's source, the kernels with their words, the
+schedule), then the data: decode table, encoding, pixel codes.
+"""
+
+from __future__ import annotations
+
+import json
+from base64 import b64encode
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.target.load import builtin_names, builtin_target, target_toml
+from nscc.target.model import Target
+from nscc.words.container import Container, Kernel, Word
+from nscc.words.cost import frame_cost, kernel_cost
+from nscc.words.encoding import matching, word_text
+from nscc.words.legality import pair_kind, target_fault
+from nscc.words.operations import Op, Phase
+from nscc.words.text import block_text, name_text, number_text, ranges_text, slots_text
+
+_COMMENT_COLUMN = 40
+_BASE64_WIDTH = 96
+_LARGEST_TILE = 64 * 64
+_TIMES_A_LINE = 8
+
+
+def disassemble(container: Container) -> str:
+    """The whole container as text."""
+    sections = (
+        _head(container),
+        _source(container.source_lines),
+        _times(container.slot_us),
+        *(_kernel(container, number) for number in range(len(container.kernels))),
+        _schedule(container),
+        _readouts(container),
+        _table(container),
+        _pixels(container),
+    )
+    return "\n\n".join("\n".join(lines) for lines in map(list, sections) if lines) + "\n"
+
+
+def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, str, str]]:
+    """The lines of a kernel's words: (number of the first word, instruction, comment).
+
+    An in-place pair is one line. A word that no instruction line of this target stands for is a
+    `.word`, with the reason as comment.
+    """
+    lines: list[tuple[int, str, str]] = []
+    ops = [matching(word) for word in words]
+    faults: dict[Op, str | None] = {op: target_fault(op, target) for op in ops if op is not None}
+    at = 0
+    while at < len(words):
+        operation = ops[at]
+        following = ops[at + 1] if at + 1 < len(words) else None
+        if operation is None:
+            lines.append((at, f".word {word_text(words[at])}", "matches no operation"))
+        elif faults[operation] is not None:
+            comment = f"{operation}: {faults[operation]}"
+            lines.append((at, f".word {word_text(words[at])}", comment))
+        elif operation.operation.phase is Phase.WHOLE:
+            lines.append((at, str(operation), ""))
+        else:
+            text = _pair(operation, following)
+            if text is not None:
+                lines.append((at, text, ""))
+                at += 1
+            else:
+                lines.append((at, f".word {word_text(words[at])}", f"half of a pair: {operation}"))
+        at += 1
+    return lines
+
+
+def _pair(first: Op, second: Op | None) -> str | None:
+    """The in-place form of two half-words, if one stands for them."""
+    kind = pair_kind(first, second) if second is not None else None
+    if kind is None or second is None:
+        return None
+    (destination,) = second.destinations
+    if destination not in first.sources:
+        return None
+    others = [register for register in first.sources if register != destination]
+    if kind == "REFRESH" or (kind == "NOR" and not others):
+        return f"{'NOT' if kind == 'NOR' else kind} {destination}"
+    if len(others) != 1:
+        # `OR d, d, x, y`: with two or more other sources the destination is named as one, too.
+        others.insert(0, destination)
+    return f"{kind} {', '.join((destination, *others))}"
+
+
+def _commented(text: str, comment: str) -> str:
+    return f"{text:<{_COMMENT_COLUMN}} ; {comment}" if comment else text
+
+
+def _head(container: Container) -> Iterator[str]:
+    cost, target = frame_cost(container), container.target
+    slots = _counted(container.slots, "slot")
+    yield f"; {slots}, {number_text(round(cost.frame_us, 3))} us of light a frame"
+    yield (
+        f"; {_counted(cost.stored_words, 'word')} stored in "
+        f"{_counted(len(container.kernels), 'kernel')}; {cost.words} executed a frame in "
+        f"{_counted(cost.launches, 'launch', 'launches')}, {cost.busy_us:.4g} us"
+    )
+    if target.name in builtin_names() and target == builtin_target(target.name):
+        yield f".target {name_text(target.name)}"
+    else:
+        yield ".target"
+        yield from block_text(target_toml(target).rstrip("\n").split("\n"))
+    for key in sorted(container.notes):
+        yield f".note {name_text(key)} {json.dumps(container.notes[key])}"
+
+
+def _counted(count: int, word: str, plural: str = "") -> str:
+    return f"{count} {word if count == 1 else plural or word + 's'}"
+
+
+def _source(lines: Sequence[str]) -> Iterator[str]:
+    if lines:
+        yield ".source"
+        yield from block_text(lines)
+
+
+def _times(slot_us: Sequence[float]) -> Iterator[str]:
+    at, pending = 0, ""
+    for index in range(1, len(slot_us) + 1):
+        if index < len(slot_us) and slot_us[index] == slot_us[at]:
+            continue
+        item = f"{number_text(slot_us[at])}us" + (f" x{index - at}" if index - at > 1 else "")
+        pending = f"{pending} {item}" if pending else f".wait {item}"
+        if pending.count(" ") >= _TIMES_A_LINE or index == len(slot_us):
+            yield pending
+            pending = ""
+        at = index
+
+
+def _kernel(container: Container, number: int) -> Iterator[str]:
+    kernel: Kernel = container.kernels[number]
+    instants = [launch.instant for launch in container.launches if launch.kernel == number]
+    where = _shortened(ranges_text(sorted(set(instants)))) if instants else "nowhere"
+    cost = kernel_cost(kernel, container.target)
+    comment = f"{_counted(cost.words, 'word')}, {cost.us:.4g} us; launched at {where}"
+    yield _commented(f".kernel {name_text(kernel.name)}", comment)
+    for _, text, remark in instruction_lines(kernel.words, container.target):
+        yield _commented(f"    {text}", remark)
+
+
+def _shortened(text: str) -> str:
+    return text if len(text) <= 60 else text[:56] + " ..."
+
+
+def _schedule(container: Container) -> Iterator[str]:
+    """One line for each distinct list of kernels, with all instants that launch just these."""
+    at_instant: dict[int, list[int]] = {}
+    for launch in container.launches:
+        at_instant.setdefault(launch.instant, []).append(launch.kernel)
+    instants_of: dict[tuple[int, ...], list[int]] = {}
+    for instant, kernels in at_instant.items():
+        instants_of.setdefault(tuple(kernels), []).append(instant)
+    for sequence, instants in instants_of.items():
+        names = " ".join(name_text(container.kernels[kernel].name) for kernel in sequence)
+        yield f".slot {ranges_text(instants)} {names}"
+
+
+def _readouts(container: Container) -> Iterator[str]:
+    yield f".bucket {' '.join(map(name_text, container.buckets))}"
+    for readout in container.readouts:
+        bucket = name_text(readout.bucket)
+        yield f".readout {readout.register} {bucket} {number_text(readout.gain)}"
+
+
+def _table(container: Container) -> Iterator[str]:
+    table, registers = container.table, container.target.digital_registers
+    if container.code_registers:
+        yield f".load {' '.join(container.code_registers)}"
+    if table.fields:
+        yield f".fields {' '.join(map(name_text, table.fields))}"
+    span = f"{registers[0]}..{registers[-1]}" if registers else "no register"
+    yield f"; a line a shutter: {span} at the start of a frame, then the open slots of each bucket"
+    for row, (bits, buckets) in enumerate(zip(container.encoding, table.shutters, strict=True)):
+        digits = "".join("1" if bit else "0" for bit in bits) or "-"
+        slots = " ".join(slots_text(bucket) for bucket in buckets)
+        yield _commented(f".shutter {digits} {slots}", str(row))
+    yield "; a line a code: its shutter, then its fields"
+    for shutter, values in zip(table.shutter_of_code.tolist(), table.codes.tolist(), strict=True):
+        yield " ".join([f".code {shutter}", *map(str, values)])
+
+
+def _pixels(container: Container) -> Iterator[str]:
+    codes = container.pixel_codes
+    if codes is None:
+        return
+    yield "; the code of every pixel"
+    tile = smallest_tile(codes)
+    if tile is not None:
+        yield f".pixels tile {tile.shape[0]} {tile.shape[1]}"
+        for row in tile.tolist():
+            yield "| " + " ".join(map(str, row))
+        return
+    yield f".pixels plane {codes.shape[0]} {codes.shape[1]}"
+    text = b64encode(codes.astype("<i4").tobytes()).decode("ascii")
+    for start in range(0, len(text), _BASE64_WIDTH):
+        yield "| " + text[start : start + _BASE64_WIDTH]
+
+
+def smallest_tile(plane: NDArray[Any]) -> NDArray[Any] | None:
+    """The smallest tile that repeats, cut at the edges, to `plane` (rows, cols); None if large."""
+    rows = _period(plane)
+    cols = _period(plane[:rows].T)
+    return plane[:rows, :cols] if rows * cols <= _LARGEST_TILE else None
+
+
+def _period(plane: NDArray[Any]) -> int:
+    """After how many rows the plane repeats."""
+    for period in range(1, len(plane)):
+        # One row tells most periods apart; the whole plane is compared only where it agrees.
+        same = np.array_equal(plane[period], plane[0])
+        if same and np.array_equal(plane[period:], plane[:-period]):
+            return period
+    return len(plane)

@@ -1,0 +1,121 @@
+"""What the lines of an assembly text say, before it is put together: values with their places."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from nscc.diagnostics.model import Diagnostic, Label, Rejected
+from nscc.source import Source, Span
+from nscc.words.container import Word
+from nscc.words.operations import Op
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A piece of a line; `quoted` if it stood in quotation marks (`text` is what they hold)."""
+
+    text: str
+    span: Span
+    quoted: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Instruction:
+    """The words of one line; `ops` is empty for a `.word`."""
+
+    words: tuple[Word, ...]
+    ops: tuple[Op, ...]
+    span: Span
+
+
+@dataclass
+class KernelDraft:
+    """A `.kernel` and the lines below it."""
+
+    name: Token
+    lines: list[Instruction] = field(default_factory=list)
+
+
+@dataclass(frozen=True, slots=True)
+class SlotDraft:
+    """A `.slot` line: the kernels that run, in order, at each of the instants."""
+
+    instants: tuple[range, ...]
+    place: Token
+    kernels: tuple[Token, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class ReadoutDraft:
+    """A `.readout` line; without a bucket it means the only one."""
+
+    register: Token
+    bucket: Token | None
+    gain: float
+
+
+@dataclass(frozen=True, slots=True)
+class PlaneDraft:
+    """A `.plane` line."""
+
+    register: Token
+    file: Token
+    sha256: Token | None
+
+
+@dataclass
+class Block:
+    """A directive with lines of free text below it, each behind a bar."""
+
+    directive: Token
+    arguments: tuple[Token, ...]
+    lines: list[tuple[str, Span]] = field(default_factory=list)
+
+
+@dataclass
+class Draft:
+    """Everything that a text says, in its order."""
+
+    target: Block | None = None
+    source: Block | None = None
+    pixels: Block | None = None
+    notes: dict[str, str] = field(default_factory=dict)
+    slot_us: list[float] = field(default_factory=list)
+    buckets: list[Token] = field(default_factory=list)
+    kernels: list[KernelDraft] = field(default_factory=list)
+    slots: list[SlotDraft] = field(default_factory=list)
+    readouts: list[ReadoutDraft] = field(default_factory=list)
+    load: list[Token] = field(default_factory=list)
+    fields: list[Token] = field(default_factory=list)
+    shutters: list[tuple[Token, ...]] = field(default_factory=list)
+    codes: list[tuple[Token, ...]] = field(default_factory=list)
+    planes: list[PlaneDraft] = field(default_factory=list)
+
+
+class Faults:
+    """Collects what is wrong with one text; too many of them end the reading at once."""
+
+    _MOST = 50
+
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.found: list[Diagnostic] = []
+
+    def add(
+        self, code: str, message: str, span: Span, *, label: str = "", helps: tuple[str, ...] = ()
+    ) -> None:
+        """Note a fault at `span`. Raises Rejected where that was the last one worth showing."""
+        place = Label(span, label)
+        self.found.append(Diagnostic(code, message, source=self.source, label=place, helps=helps))
+        if len(self.found) >= self._MOST:
+            self.stop()
+
+    def stop(self) -> None:
+        """Raise Rejected if anything was found."""
+        if self.found:
+            raise Rejected(self.found)
+
+
+def shown(text: str) -> str:
+    """A text as messages quote it: on one line and not too long."""
+    return ascii(text if len(text) <= 60 else text[:57] + "...")

@@ -1,0 +1,211 @@
+"""The 160-bit instruction code word (ICW): `encode` an operation, `decode` a word, both exact.
+
+A word is five 32-bit integers. Bits 0-15 of each carry control lines (line k in word k // 16, bit
+k % 16), bits 16-18 the integer's index 0..4, and bits 19-21 of the first the clock class. Lines 80
+and up belong to registers R13.. of chips whose word is not public: they are laid into the bits
+19..31 that the integers 1..4 leave unused, line 80 + k in integer 1 + k // 13, bit 19 + k % 13.
+
+Inside this module a word is one 160-bit integer, the first 32-bit integer lowest.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import lru_cache
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.words.container import Word
+from nscc.words.operations import (
+    ANALOG_SOURCES,
+    ANALOG_WRITE,
+    BIT,
+    BITMODE,
+    DIGITAL_SOURCES,
+    DIGITAL_WRITE,
+    NBIT,
+    OPERATIONS,
+    PLRB,
+    PLWB,
+    READ_LINES,
+    RID,
+    RSTPIX,
+    S_IN,
+    SETF,
+    WRF,
+    Effect,
+    Op,
+    Operation,
+    op,
+)
+
+_INTEGER = 0xFFFF_FFFF
+_CLOCK_SHIFT = 19
+_FIRST_EXTRA, _EXTRAS_A_WORD = 80, 13
+_EXTRAS = 4 * _EXTRAS_A_WORD
+
+_GROUPS = (
+    (0, "selsq selpix rstpix seldiffe seldiffs s_in rana sels"),
+    (9, "sele selx rid seln"),
+    (13, "W1 W2 W3 W4 W5 W6 W7 wrf SEL1 SEL2 SEL3 SEL4 SEL5 SEL6 SEL7 setf selw pupd fbus"),
+    (32, " ".join(f"RR{i}" for i in range(1, 13))),
+    (44, " ".join(f"LR{i}" for i in range(1, 13))),
+    (56, "lfl rfl nbit nb plwb plrb bit bitmode"),
+    (64, "wr ana dig8 g_start g_stop col_out dir row_out s0_left s1_left rst_start rst_stop"),
+    (76, "s0_bot s1_bot pgdb pgdbobus"),
+    (80, " ".join(f"RR{13 + i} LR{13 + i}" for i in range(_EXTRAS // 2))),
+)
+LINE_NAMES: dict[int, str] = {
+    first + i: name for first, names in _GROUPS for i, name in enumerate(names.split())
+}
+"""The name of every control line; line 8 has none."""
+
+
+def _bit(line: int) -> int:
+    """The 160-bit integer in which only control line `line` is raised."""
+    if line < _FIRST_EXTRA:
+        return 1 << (32 * (line // 16) + line % 16)
+    extra = line - _FIRST_EXTRA
+    return 1 << (32 * (1 + extra // _EXTRAS_A_WORD) + 19 + extra % _EXTRAS_A_WORD)
+
+
+def _raised(lines: Iterable[int]) -> int:
+    word = 0
+    for line in lines:
+        word |= _bit(line)
+    return word
+
+
+_INDEX = sum(index << (32 * index + 16) for index in range(5))
+_CLOCK = 7 << _CLOCK_SHIFT
+_READ = {name: _raised(lines) for name, lines in READ_LINES.items()}
+# The destination of an analog word is selected like a source, and written.
+_WRITE = {name: _READ[name] | _bit(line) for name, line in ANALOG_WRITE.items()}
+_WRITE |= {name: _bit(line) for name, line in DIGITAL_WRITE.items()}
+_FIXED = {row.name: _INDEX | row.clock << _CLOCK_SHIFT | _raised(row.lines) for row in OPERATIONS}
+_ALL_LINES = {_bit(line): line for line in range(_FIRST_EXTRA + _EXTRAS)}
+
+# The lines that tell operations apart; the others only name operands. selpix and s_in are both, so
+# that what an analog word's operands cannot settle is settled by encoding the answer again.
+_KIND_ANALOG = _raised((RSTPIX, WRF, SETF, PLRB, RID))
+_KIND_DIGITAL = _raised((S_IN, WRF, PLWB, PLRB, NBIT, BIT, BITMODE, RID))
+
+
+def _kinds() -> dict[tuple[int, int], tuple[Operation, ...]]:
+    kinds: dict[tuple[int, int], tuple[Operation, ...]] = {}
+    for row in OPERATIONS:
+        mask = _KIND_ANALOG if row.analog else _KIND_DIGITAL
+        key = (row.clock, _FIXED[row.name] & mask)
+        kinds[key] = (*kinds.get(key, ()), row)
+    return kinds
+
+
+_KINDS = _kinds()
+_ANALOG_READS = tuple((name, _READ[name]) for name in ANALOG_SOURCES)
+_ANALOG_WRITES = tuple((name, _bit(line)) for name, line in ANALOG_WRITE.items())
+_DIGITAL_READS = tuple((name, _READ[name]) for name in DIGITAL_SOURCES)
+_DIGITAL_WRITES = tuple((name, _WRITE[name]) for name in DIGITAL_WRITE)
+
+
+def _split(word: int) -> Word:
+    return (
+        word & _INTEGER,
+        word >> 32 & _INTEGER,
+        word >> 64 & _INTEGER,
+        word >> 96 & _INTEGER,
+        word >> 128,
+    )
+
+
+def _joined(word: Word) -> int:
+    return word[0] | word[1] << 32 | word[2] << 64 | word[3] << 96 | word[4] << 128
+
+
+def _encoded(operation: Op) -> int:
+    word = _FIXED[operation.name]
+    for register in operation.destinations:
+        word |= _WRITE[register]
+    for register in operation.sources:
+        word |= _READ[register]
+    return word
+
+
+@lru_cache(maxsize=1 << 14)
+def encode(operation: Op) -> Word:
+    """The five 32-bit integers of an operation made by `nscc.words.operations.op`."""
+    return _split(_encoded(operation))
+
+
+@lru_cache(maxsize=1 << 14)
+def matching(word: Word) -> Op | None:
+    """The operation whose word this is, bit for bit, or None if there is none."""
+    if len(word) != 5 or not all(0 <= integer <= _INTEGER for integer in word):
+        return None
+    bits = _joined(word)
+    clock = (bits & _CLOCK) >> _CLOCK_SHIFT
+    analog = clock == 0
+    kind = bits & (_KIND_ANALOG if analog else _KIND_DIGITAL)
+    reads, writes = (_ANALOG_READS, _ANALOG_WRITES) if analog else (_DIGITAL_READS, _DIGITAL_WRITES)
+    destinations = [name for name, mask in writes if bits & mask]
+    read = [name for name, mask in reads if bits & mask == mask]
+    for row in _KINDS.get((clock, kind), ()):
+        sources = read
+        if row.effect in (Effect.BUS, Effect.RESET_PIX):
+            sources = [name for name in read if not _FIXED[row.name] & _READ[name]]
+            sources = [name for name in sources if name not in destinations]
+        if not _fits(len(destinations), row.destinations) or not _fits(len(sources), row.sources):
+            continue
+        try:
+            found = op(row.name, destinations, sources)
+        except ValueError:
+            continue
+        if _encoded(found) == bits:
+            return found
+    return None
+
+
+def _fits(count: int, allowed: tuple[int, int | None]) -> bool:
+    low, high = allowed
+    return count >= low and (high is None or count <= high)
+
+
+def decode(word: Word, where: str = "") -> Op:
+    """The operation whose word this is; `where` names the word's place for the message.
+
+    Raises Rejected (NS0701) for a word that no operation of the table encodes to.
+    """
+    found = matching(word)
+    if found is None:
+        raise Rejected(no_operation(word, where))
+    return found
+
+
+def no_operation(word: Word, where: str = "") -> Diagnostic:
+    """The diagnostic NS0701 of a word that matches no operation."""
+    notes = []
+    bits = _joined(word)
+    wrong = [i for i in range(5) if word[i] >> 16 & 7 != i]
+    if wrong:
+        listed = ", ".join(f"{i} (0x{word[i]:05x})" for i in wrong)
+        notes.append(f"bits 16-18 of each integer must hold its index 0..4; wrong in {listed}")
+    names = [LINE_NAMES.get(line, f"line {line}") for line in word_lines(word)]
+    clock = (bits & _CLOCK) >> _CLOCK_SHIFT
+    raised = ", ".join(names) if names else "none"
+    notes.append(f"it raises these control lines: {raised} (clock class {clock})")
+    return Diagnostic(
+        "NS0701",
+        f"{where + ': ' if where else ''}this word matches no operation: {word_text(word)}",
+        notes=tuple(notes),
+        helps=("compile or assemble the program again; `nscc disasm` lists its words",),
+        data={"word": list(word), "lines": names},
+    )
+
+
+def word_lines(word: Word) -> tuple[int, ...]:
+    """The numbers of the control lines that a word raises, in rising order."""
+    bits = _joined(word)
+    return tuple(line for mask, line in _ALL_LINES.items() if bits & mask)
+
+
+def word_text(word: Word) -> str:
+    """The five integers in the usual notation: `0x` and lower-case hexadecimal, five digits."""
+    return " ".join(f"0x{integer:05x}" for integer in word)

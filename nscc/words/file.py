@@ -1,0 +1,309 @@
+"""The container's bytes (`.icw`): `to_bytes` and `from_bytes`, each other's exact inverse.
+
+All integers are little endian. Nothing is compressed, so the bytes depend on no library's version.
+
+    8   magic 89 49 43 57 0d 0a 1a 0a (like PNG's: a text transfer or a cut spoils it)
+    4   version
+    4   length of the header
+    8   length of the whole file
+    ..  header: canonical JSON (sorted keys, no blanks, ASCII)
+    ..  arrays, without gaps, in the order of `_layout`
+    32  SHA-256 of everything before it
+
+A container has one spelling: `from_bytes` refuses bytes that `to_bytes` would not write, so that a
+file that was read and written again is the same file.
+"""
+
+from __future__ import annotations
+
+import json
+from hashlib import sha256
+from pathlib import Path
+from struct import Struct
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.target.load import target_dict, target_from_dict
+from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
+from nscc.words.soundness import faults
+
+MAGIC = b"\x89ICW\r\n\x1a\n"
+VERSION = 1
+_PREAMBLE = Struct("<8sIIQ")
+_DIGEST = 32
+LARGEST_FILE = 1 << 31
+_LARGEST_COUNT = 1 << 31
+_CHUNK = 1 << 20
+
+
+class _Array(NamedTuple):
+    """An array of the file: `bits` says that booleans are packed, eight a byte, lowest first."""
+
+    name: str
+    dtype: str
+    shape: tuple[int, ...]
+    bits: bool = False
+
+    @property
+    def items(self) -> int:
+        count = 1
+        for size in self.shape:
+            count *= size
+        return count
+
+    @property
+    def nbytes(self) -> int:
+        return (self.items + 7) // 8 if self.bits else self.items * np.dtype(self.dtype).itemsize
+
+
+def _layout(header: dict[str, Any]) -> tuple[_Array, ...]:
+    """The arrays that a header announces, in file order."""
+    counts, target = header["counts"], header["target"]
+    registers = len(target["registers"]["digital"])
+    buckets, fields = len(header["buckets"]), len(header["fields"])
+    pixels = (target["array"]["rows"], target["array"]["cols"]) if counts["pixels"] else (0, 0)
+    words = sum(count for _, count in header["kernels"])
+    return (
+        _Array("slot_us", "<f8", (counts["slots"],)),
+        _Array("codes", "<i8", (counts["codes"], fields)),
+        _Array("shutter_of_code", "<i4", (counts["codes"],)),
+        _Array("shutters", "?", (counts["shutters"], buckets, counts["slots"]), bits=True),
+        _Array("encoding", "?", (counts["shutters"], registers), bits=True),
+        _Array("words", "<u4", (words, 5)),
+        _Array("launches", "<i4", (counts["launches"], 2)),
+        _Array("pixel_codes", "<i4", pixels),
+    )
+
+
+def to_bytes(container: Container) -> bytes:
+    """The container as a file. Raises ValueError where it is not sound (a fault of its maker)."""
+    wrong = faults(container)
+    if wrong:
+        raise ValueError(f"unsound container: {wrong[0]}")
+    header = _header(container)
+    arrays = _arrays(container)
+    parts = [_spelled(header)]
+    for array in _layout(header):
+        parts.append(_packed(array, arrays[array.name]))
+    length = _PREAMBLE.size + sum(map(len, parts)) + _DIGEST
+    body = b"".join([_PREAMBLE.pack(MAGIC, VERSION, len(parts[0]), length), *parts])
+    return body + sha256(body).digest()
+
+
+def _spelled(header: dict[str, Any]) -> bytes:
+    text = json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False)
+    return text.encode("ascii")
+
+
+def _header(container: Container) -> dict[str, Any]:
+    table = container.table
+    return {
+        "target": target_dict(container.target),
+        "buckets": list(container.buckets),
+        "fields": list(table.fields),
+        "kernels": [[kernel.name, len(kernel.words)] for kernel in container.kernels],
+        "code_registers": list(container.code_registers),
+        "readouts": [[r.register, r.bucket, float(r.gain)] for r in container.readouts],
+        "source_lines": list(container.source_lines),
+        "notes": dict(container.notes),
+        "counts": {
+            "slots": container.slots,
+            "codes": len(table.codes),
+            "shutters": len(table.shutters),
+            "launches": len(container.launches),
+            "pixels": container.pixel_codes is not None,
+        },
+    }
+
+
+def _arrays(container: Container) -> dict[str, NDArray[Any]]:
+    table, pixels = container.table, container.pixel_codes
+    words = [word for kernel in container.kernels for word in kernel.words]
+    launches = [(launch.instant, launch.kernel) for launch in container.launches]
+    return {
+        "slot_us": np.array(container.slot_us, dtype="<f8"),
+        "codes": table.codes,
+        "shutter_of_code": table.shutter_of_code,
+        "shutters": table.shutters,
+        "encoding": container.encoding,
+        "words": np.array(words, dtype="<u4").reshape(-1, 5),
+        "launches": np.array(launches, dtype="<i4").reshape(-1, 2),
+        "pixel_codes": np.zeros((0, 0), "<i4") if pixels is None else pixels,
+    }
+
+
+def _packed(array: _Array, values: NDArray[Any]) -> bytes:
+    if array.bits:
+        return np.packbits(values, axis=None, bitorder="little").tobytes()
+    return values.astype(array.dtype, copy=False).tobytes()
+
+
+def read_container(path: Path) -> Container:
+    """The container in a file.
+
+    Raises Rejected: NS0709 (status 2) where the file cannot be read, else as `from_bytes`.
+    """
+    try:
+        with open(path, "rb") as file:
+            data = file.read(_CHUNK)
+            # Whatever the path leads to, no more is read than a container may have.
+            while data.startswith(MAGIC) and len(data) <= LARGEST_FILE:
+                more = file.read(max(_CHUNK, len(data)))
+                if not more:
+                    break
+                data += more
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        found = Diagnostic("NS0709", f"cannot read '{path}': {reason}")
+        raise Rejected(found, status=2) from None
+    return from_bytes(data, str(path))
+
+
+def from_bytes(data: bytes, name: str) -> Container:
+    """The container that `to_bytes` wrote; `name` is the file's name for messages.
+
+    Everything is checked before it is believed, sizes before anything is allocated. Raises
+    Rejected: NS0702 for what is no container, NS0704 for another version, NS0705 for a file
+    cut short or with something behind its end, NS0706 for a wrong checksum, NS0707 for contents
+    that make no sense. Words are not looked at: `nscc.words.legality.decoded` does that.
+    """
+    header_length = _check_frame(data, name)
+    try:
+        header = json.loads(data[_PREAMBLE.size : _PREAMBLE.size + header_length])
+        _check_header(header)
+        container = _assembled(header, data, _PREAMBLE.size + header_length)
+        wrong = faults(container)
+        if wrong:
+            raise ValueError(wrong[0])
+        if to_bytes(container) != data:
+            raise ValueError("it is not written the way nscc writes containers")
+    except RecursionError:
+        raise _rejected("NS0707", name, "its header is nested too deeply") from None
+    except (ValueError, UnicodeDecodeError) as error:
+        raise _rejected("NS0707", name, f"its contents make no sense: {error}") from None
+    return container
+
+
+def _rejected(code: str, name: str, what: str) -> Rejected:
+    return Rejected(
+        Diagnostic(
+            code,
+            f"'{name}' cannot be used: {what}",
+            helps=("build the program again: `nscc build PROGRAM.nsl -o FILE.icw`",),
+            data={"file": name},
+        )
+    )
+
+
+def _check_frame(data: bytes, name: str) -> int:
+    """Check magic, version, length and checksum; the header's length."""
+    if not data.startswith(MAGIC):
+        what = "it is empty" if not data else "it is no container of instruction words (.icw)"
+        raise _rejected("NS0702", name, what)
+    if len(data) < _PREAMBLE.size + _DIGEST:
+        raise _rejected("NS0705", name, f"it was cut short: {len(data)} bytes are left of it")
+    _, version, header_length, length = _PREAMBLE.unpack_from(data)
+    if version != VERSION:
+        what = f"it has version {version} of the format, this nscc reads version {VERSION}"
+        raise _rejected("NS0704", name, what)
+    if len(data) != length:
+        what = (
+            f"it was cut short: it has {len(data)} bytes of {length}"
+            if len(data) < length
+            else f"it has {len(data)} bytes, {length} belong to the container"
+        )
+        raise _rejected("NS0705", name, what)
+    if sha256(memoryview(data)[:-_DIGEST]).digest() != data[-_DIGEST:]:
+        what = "it was damaged: its checksum does not fit its contents"
+        raise _rejected("NS0706", name, what)
+    if header_length > len(data) - _PREAMBLE.size - _DIGEST:
+        raise _rejected("NS0707", name, "its contents make no sense: the header is too long")
+    return int(header_length)
+
+
+def _check_header(header: Any) -> None:
+    """Check the shape of a header; ValueError names what is wrong."""
+    _need(isinstance(header, dict), "the header is no table")
+    names = {"target", "buckets", "fields", "kernels", "code_registers", "readouts"}
+    names |= {"source_lines", "notes", "counts"}
+    _need(header.keys() == names, "the header has other keys than a container's")
+    for name in ("buckets", "fields", "code_registers", "source_lines"):
+        values = header[name]
+        _need(isinstance(values, list) and all(isinstance(v, str) for v in values), name)
+    _need(isinstance(header["target"], dict), "target")
+    notes = header["notes"]
+    _need(isinstance(notes, dict) and all(isinstance(v, str) for v in notes.values()), "notes")
+    for entry in _rows(header["kernels"], 2, "kernels"):
+        _need(isinstance(entry[0], str) and _is_count(entry[1]), "kernels")
+    for entry in _rows(header["readouts"], 3, "readouts"):
+        texts = isinstance(entry[0], str) and isinstance(entry[1], str)
+        _need(texts and isinstance(entry[2], float), "readouts")
+    counts = header["counts"]
+    _need(isinstance(counts, dict), "counts")
+    _need(counts.keys() == {"slots", "codes", "shutters", "launches", "pixels"}, "counts")
+    _need(isinstance(counts["pixels"], bool), "counts")
+    _need(all(_is_count(value) for key, value in counts.items() if key != "pixels"), "counts")
+
+
+def _need(holds: bool, what: str) -> None:
+    if not holds:
+        raise ValueError(what if " " in what else f"the header's {what} are malformed")
+
+
+def _rows(values: Any, width: int, what: str) -> list[list[Any]]:
+    _need(isinstance(values, list), what)
+    _need(all(isinstance(row, list) and len(row) == width for row in values), what)
+    return list(values)
+
+
+def _is_count(value: Any) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= _LARGEST_COUNT
+
+
+def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
+    """The container of a checked header; ValueError where the arrays do not fit the file."""
+    target = target_from_dict(header["target"])
+    layout = _layout(header)
+    need = start + sum(array.nbytes for array in layout) + _DIGEST
+    if need != len(data):
+        raise ValueError(f"its arrays need {need} bytes and it has {len(data)}")
+    arrays: dict[str, NDArray[Any]] = {}
+    for array in layout:
+        arrays[array.name] = _unpacked(array, data, start)
+        start += array.nbytes
+    words = [(a, b, c, d, e) for a, b, c, d, e in arrays["words"].tolist()]
+    kernels, first = [], 0
+    for name, count in header["kernels"]:
+        kernels.append(Kernel(name, tuple(words[first : first + count])))
+        first += count
+    return Container(
+        target=target,
+        slot_us=tuple(arrays["slot_us"].tolist()),
+        buckets=tuple(header["buckets"]),
+        table=DecodeTable(
+            tuple(header["fields"]),
+            arrays["codes"],
+            arrays["shutter_of_code"],
+            arrays["shutters"],
+        ),
+        kernels=tuple(kernels),
+        launches=tuple(Launch(instant, kernel) for instant, kernel in arrays["launches"].tolist()),
+        code_registers=tuple(header["code_registers"]),
+        encoding=arrays["encoding"],
+        pixel_codes=arrays["pixel_codes"] if header["counts"]["pixels"] else None,
+        readouts=tuple(Readout(*entry) for entry in header["readouts"]),
+        source_lines=tuple(header["source_lines"]),
+        notes=header["notes"],
+    )
+
+
+def _unpacked(array: _Array, data: bytes, start: int) -> NDArray[Any]:
+    raw = np.frombuffer(data, dtype=np.uint8, count=array.nbytes, offset=start)
+    if array.bits:
+        bits = np.unpackbits(raw, count=array.items, bitorder="little")
+        return bits.view(np.bool_).reshape(array.shape)
+    native = np.dtype(array.dtype).newbyteorder("=")
+    return raw.view(array.dtype).astype(native).reshape(array.shape)

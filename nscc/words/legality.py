@@ -1,0 +1,123 @@
+"""Whether words mean something on a target: what every user of a container's words goes through.
+
+A container's bytes may hold any five integers as a word. `decoded` turns them into operations and
+refuses a word that is none (NS0701), half-words that do not stand together (NS0703) and words that
+the container's target does not take (NS0708).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.target.model import Target
+from nscc.words.container import Container
+from nscc.words.encoding import matching, no_operation
+from nscc.words.operations import Effect, Op, Phase
+
+_MOST_SHOWN = 10
+
+
+def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
+    """The operations of every kernel, in order.
+
+    Raises Rejected with all faults found (of the first ten words at fault).
+    """
+    found: list[Diagnostic] = []
+    kernels: list[tuple[Op, ...]] = []
+    faults: dict[Op, str | None] = {}
+    for kernel in container.kernels:
+        ops: list[Op] = []
+        for index, word in enumerate(kernel.words):
+            where = f"word {index} of kernel '{kernel.name}'"
+            operation = matching(word)
+            if operation is None:
+                found.append(no_operation(word, where))
+            else:
+                if operation not in faults:
+                    faults[operation] = target_fault(operation, container.target)
+                fault = faults[operation]
+                if fault is not None:
+                    found.append(_not_on_target(operation, where, fault, container.target))
+                ops.append(operation)
+            if len(found) >= _MOST_SHOWN:
+                raise Rejected(found)
+        if len(ops) == len(kernel.words):
+            found.extend(split_pairs(kernel.name, ops))
+        kernels.append(tuple(ops))
+    if found:
+        raise Rejected(found[:_MOST_SHOWN])
+    return tuple(kernels)
+
+
+def target_fault(operation: Op, target: Target) -> str | None:
+    """Why `target` does not take this word, as half a sentence; None if it does."""
+    known = (*target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT")
+    for register in operation.destinations + operation.sources:
+        if register not in known:
+            return f"{target.name} has no register {register}"
+    count, row = len(operation.sources), operation.operation
+    if row.effect is Effect.FLAG_DIGITAL:
+        if target.where_sources is not None and count > target.where_sources:
+            return (
+                f"a WHERE word of {target.name} reads at most {target.where_sources} sources, "
+                f"and this one reads {count}"
+            )
+        if "FLAG" in operation.sources and not target.where_reads_flag:
+            return f"WHERE writes FLAG, and on {target.name} it cannot read it as well"
+        return None
+    limit = target.or_sources if row.effect is Effect.DIGITAL else None
+    if limit is not None and count > limit:
+        return (
+            f"an OR or NOR word of {target.name} reads at most {limit} sources, and this one "
+            f"reads {count}"
+        )
+    return None
+
+
+def pair_kind(first: Op, second: Op) -> str | None:
+    """OR, NOR or REFRESH where these are the two words of one in-place form, else None."""
+    kind, _, half = first.name.partition(".")
+    return kind if half == "read" and second.name == f"{kind}.write" else None
+
+
+def split_pairs(kernel: str, ops: Sequence[Op]) -> list[Diagnostic]:
+    """A diagnostic NS0703 for every half-word whose other half is not beside it."""
+    found = []
+    for index, operation in enumerate(ops):
+        phase = operation.operation.phase
+        if phase is Phase.READ:
+            following = ops[index + 1] if index + 1 < len(ops) else None
+            if following is None or pair_kind(operation, following) is None:
+                seen = f"is followed by `{following}`" if following else "ends the kernel"
+                found.append(_split(kernel, index, operation, seen))
+        elif phase is Phase.WRITE:
+            before = ops[index - 1] if index else None
+            if before is None or pair_kind(before, operation) is None:
+                seen = f"comes after `{before}`" if before else "begins the kernel"
+                found.append(_split(kernel, index, operation, seen))
+    return found
+
+
+def _split(kernel: str, index: int, operation: Op, seen: str) -> Diagnostic:
+    kind = operation.name.partition(".")[0]
+    return Diagnostic(
+        "NS0703",
+        f"word {index} of kernel '{kernel}' is one half of a pair, and its other half is not "
+        f"beside it: `{operation}` {seen}",
+        notes=(
+            "the first word of a pair leaves its result on the pixel's bus; any word but its "
+            "second half loses it",
+        ),
+        helps=(f"keep `{kind}.read` and `{kind}.write` together in one kernel",),
+        data={"kernel": kernel, "word": index},
+    )
+
+
+def _not_on_target(operation: Op, where: str, fault: str, target: Target) -> Diagnostic:
+    return Diagnostic(
+        "NS0708",
+        f"{where}: {target.name} cannot run `{operation}`: {fault}",
+        helps=(f"`nscc targets {target.name}` lists what the chip has",),
+        data={"target": target.name},
+    )

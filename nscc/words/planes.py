@@ -1,0 +1,138 @@
+"""Planes of 0 and 1 from files, and what they make of the pixels of a hand-written program."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from hashlib import sha256
+from io import BytesIO
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.suggest import closest
+from nscc.target.model import Target
+from nscc.words.draft import Faults, PlaneDraft, shown
+
+_LARGEST_FILE = 1 << 28
+
+
+class _BadPlaneError(Exception):
+    """What is wrong with a plane's file, in words."""
+
+
+def read_planes(
+    drafts: list[PlaneDraft], target: Target, base: Path, faults: Faults
+) -> dict[str, NDArray[np.bool_]]:
+    """The planes bool (rows, cols) by register, in the order of the target's registers.
+
+    Notes NS0712, NS0716 and NS0719 in `faults`; the result is whole only where none is.
+    """
+    planes: dict[str, NDArray[np.bool_]] = {}
+    for draft in drafts:
+        register = draft.register.text
+        if register not in target.digital_registers:
+            near = closest(register, target.digital_registers)
+            faults.add(
+                "NS0712",
+                f"{target.name} has no digital register {shown(register)}",
+                draft.register.span,
+                helps=(f"did you mean `{near}`?",) if near else (),
+            )
+        elif register in planes:
+            faults.add("NS0719", f"{register} is given two planes", draft.register.span)
+        try:
+            wanted = draft.sha256.text if draft.sha256 else None
+            shape = (target.rows, target.cols)
+            planes[register] = _plane(base / draft.file.text, register, shape, wanted)
+        except _BadPlaneError as error:
+            message = f"the plane file {shown(draft.file.text)} cannot be used: {error}"
+            faults.add("NS0716", message, draft.file.span)
+    return {name: planes[name] for name in target.digital_registers if name in planes}
+
+
+def codes_of_planes(
+    planes: Mapping[str, NDArray[np.bool_]], target: Target
+) -> tuple[NDArray[np.bool_], NDArray[np.int32] | None]:
+    """The distinct contents of pixels, bool (codes, registers), and each pixel's row of them.
+
+    Without planes there is one code, registers all 0, and no data.
+    """
+    if not planes:
+        return np.zeros((1, len(target.digital_registers)), dtype=np.bool_), None
+    pattern = np.zeros((target.rows, target.cols), dtype=np.int64)
+    for bit, plane in enumerate(planes.values()):
+        pattern |= plane.astype(np.int64) << bit
+    distinct, codes = np.unique(pattern, return_inverse=True)
+    encoding = np.zeros((len(distinct), len(target.digital_registers)), dtype=np.bool_)
+    for bit, register in enumerate(planes):
+        encoding[:, target.digital_registers.index(register)] = distinct >> bit & 1
+    return encoding, codes.reshape(pattern.shape).astype(np.int32)
+
+
+def _plane(
+    path: Path, register: str, shape: tuple[int, int], wanted: str | None
+) -> NDArray[np.bool_]:
+    try:
+        if not path.is_file():
+            raise _BadPlaneError("it is no file" if path.exists() else "it does not exist")
+        with open(path, "rb") as file:
+            data = file.read(_LARGEST_FILE + 1)
+    except (OSError, ValueError) as error:
+        raise _BadPlaneError(
+            getattr(error, "strerror", None) or "no such path is possible"
+        ) from None
+    if len(data) > _LARGEST_FILE:
+        raise _BadPlaneError(f"it has more than {_LARGEST_FILE} bytes")
+    found = sha256(data).hexdigest()
+    if wanted is not None and wanted.lower() != found:
+        raise _BadPlaneError(f"its SHA-256 is {found}, not {wanted[:64]!a}")
+    values = _values(data, register, shape)
+    if not np.isin(values, (0, 1)).all():
+        raise _BadPlaneError("it holds values other than 0 and 1")
+    return values.astype(np.bool_)
+
+
+def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
+    if data.startswith(b"\x93NUMPY"):
+        return _array(BytesIO(data), shape)
+    from zipfile import BadZipFile, ZipFile
+    from zlib import error as DeflateError  # noqa: N812 (a class with a small name)
+
+    try:
+        with ZipFile(BytesIO(data)) as archive:
+            members = [name for name in archive.namelist() if name.endswith(".npy")]
+            named = f"{register}.npy"
+            if named not in members and len(members) != 1:
+                raise _BadPlaneError(
+                    f"it holds {len(members)} arrays, and none is named {register}"
+                )
+            with archive.open(named if named in members else members[0]) as member:
+                return _array(member, shape)
+    except (
+        BadZipFile, DeflateError, EOFError, OSError, ValueError, RuntimeError, NotImplementedError,
+    ):  # fmt: skip
+        raise _BadPlaneError("it is neither an .npy nor an .npz file, or is damaged") from None
+
+
+def _array(file: IO[bytes], shape: tuple[int, int]) -> NDArray[Any]:
+    """The array of an .npy stream; its size is checked before it is read."""
+    from numpy.lib import format as npy
+
+    try:
+        version = npy.read_magic(file)
+        read = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
+        found, fortran, dtype = read(file)
+    except (ValueError, SyntaxError, TypeError, EOFError, RecursionError, MemoryError):
+        raise _BadPlaneError("its .npy header is damaged") from None
+    if tuple(found) != shape:
+        raise _BadPlaneError(f"its shape is {found}, and the array's is {shape}")
+    if dtype.kind not in "biuf":
+        raise _BadPlaneError(f"its values are of type {dtype}, not numbers")
+    size = shape[0] * shape[1] * dtype.itemsize
+    data = file.read(size + 1)
+    if len(data) != size:
+        raise _BadPlaneError("it is cut short, or too long")
+    values = np.frombuffer(data, dtype=dtype)
+    return values.reshape(shape[::-1]).T if fortran else values.reshape(shape)

@@ -1,0 +1,136 @@
+"""Whether a container makes sense as a whole: every index, shape and name in it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from math import isfinite
+
+import numpy as np
+
+from nscc.words.container import Container
+
+MOST_WORDS = 1 << 20
+MOST_SLOTS = 1 << 20
+_LONGEST_NAME = 200
+_LONGEST_SLOT_US = 1e15
+
+
+def faults(container: Container) -> list[str]:
+    """What is wrong with a container, each as part of a sentence; empty if it is sound.
+
+    The words themselves are not looked at (see `nscc.words.legality`), except that each must be
+    five 32-bit integers and that all must fit the target's store.
+    """
+    found = list(_time_faults(container))
+    found += _table_faults(container)
+    found += _kernel_faults(container)
+    found += _register_faults(container)
+    found += _pixel_faults(container)
+    return found
+
+
+def _names(what: str, names: Sequence[str]) -> Iterator[str]:
+    for name in names:
+        if not name or len(name) > _LONGEST_NAME or not name.isprintable():
+            yield f"the {what} name {name[:_LONGEST_NAME]!a} is not one line of visible text"
+    if len(set(names)) != len(names):
+        yield f"a {what} name stands twice in {list(names)[:20]}"
+
+
+def _time_faults(container: Container) -> Iterator[str]:
+    if not 1 <= container.slots <= MOST_SLOTS:
+        yield f"it has {container.slots} slots, 1 to {MOST_SLOTS} are possible"
+    for index, length in enumerate(container.slot_us):
+        if not (isfinite(length) and 0 < length <= _LONGEST_SLOT_US):
+            yield f"slot {index} has the length {length} us"
+            break
+    if not container.buckets:
+        yield "it has no bucket"
+    yield from _names("bucket", container.buckets)
+
+
+def _table_faults(container: Container) -> Iterator[str]:
+    table = container.table
+    yield from _names("field", table.fields)
+    codes, shutters = len(table.codes), len(table.shutters)
+    registers = len(container.target.digital_registers)
+    for name, array, shape, dtype in (
+        ("codes", table.codes, (codes, len(table.fields)), np.int64),
+        ("shutter_of_code", table.shutter_of_code, (codes,), np.int32),
+        (
+            "shutters",
+            table.shutters,
+            (shutters, len(container.buckets), container.slots),
+            np.bool_,
+        ),
+        ("encoding", container.encoding, (shutters, registers), np.bool_),
+    ):
+        if array.shape != shape or array.dtype != dtype:
+            yield (
+                f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {shape} as the "
+                "rest of it needs"
+            )
+    if codes == 0 or shutters == 0:
+        yield "its decode table is empty"
+    elif not _within(table.shutter_of_code, shutters):
+        yield f"a code names a shutter that is not among its {shutters}"
+
+
+def _kernel_faults(container: Container) -> Iterator[str]:
+    yield from _names("kernel", [kernel.name for kernel in container.kernels])
+    stored = 0
+    for kernel in container.kernels:
+        stored += len(kernel.words)
+        for index, word in enumerate(kernel.words):
+            if len(word) != 5 or max(word) >> 32 or min(word) < 0:
+                yield f"word {index} of kernel '{kernel.name}' is not five 32-bit integers"
+                break
+    target = container.target
+    most = target.store_words if target.tables_count_against_store else MOST_WORDS
+    if stored > most:
+        yield f"its kernels have {stored} words, and {target.name} stores {most}"
+    previous = 0
+    for launch in container.launches:
+        if not 0 <= launch.instant <= container.slots:
+            yield f"a kernel is launched at instant {launch.instant} of 0..{container.slots}"
+            break
+        if not 0 <= launch.kernel < len(container.kernels):
+            yield f"kernel {launch.kernel} is launched, and there are {len(container.kernels)}"
+            break
+        if launch.instant < previous:
+            yield f"the launch at instant {launch.instant} stands behind a later one"
+            break
+        previous = launch.instant
+
+
+def _register_faults(container: Container) -> Iterator[str]:
+    target = container.target
+    for register in container.code_registers:
+        if register not in target.digital_registers:
+            yield f"the code register {register[:40]!a} is not one of {target.name}"
+    if len(set(container.code_registers)) != len(container.code_registers):
+        yield "a code register is listed twice"
+    read = [readout.bucket for readout in container.readouts]
+    if sorted(read) != sorted(container.buckets):
+        yield "its readouts do not name every bucket once"
+    for readout in container.readouts:
+        if readout.register not in target.analog_registers:
+            yield f"it reads out {readout.register[:40]!a}, which {target.name} does not have"
+        if not isfinite(readout.gain):
+            yield f"a readout has the gain {readout.gain}"
+
+
+def _pixel_faults(container: Container) -> Iterator[str]:
+    pixels, target = container.pixel_codes, container.target
+    if pixels is not None:
+        if pixels.shape != (target.rows, target.cols) or pixels.dtype != np.int32:
+            yield (
+                f"its pixel codes are {pixels.dtype} {pixels.shape}, not int32 "
+                f"{(target.rows, target.cols)} as {target.name} needs"
+            )
+        elif not _within(pixels, len(container.table.codes)):
+            yield f"a pixel holds a code that is not among the {len(container.table.codes)}"
+
+
+def _within(indices: np.ndarray[tuple[int, ...], np.dtype[np.int32]], count: int) -> bool:
+    return bool(indices.size == 0 or (indices.min() >= 0 and indices.max() < count))

@@ -1,0 +1,160 @@
+"""The small pieces of assembly text, each written and read here: names, numbers, times, ranges.
+
+What a `*_text` function writes, its `read_*` partner reads back exactly. Readers return None for
+text that is malformed.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Sequence
+from math import isfinite
+
+import numpy as np
+from numpy.typing import NDArray
+
+_PLAIN = re.compile(r"[A-Za-z_][A-Za-z0-9_.+-]*")
+_INTEGER = re.compile(r"-?[0-9]{1,19}")
+_NUMBER = re.compile(r"[+-]?(?:[0-9]{1,40}\.?[0-9]{0,40}|\.[0-9]{1,40})(?:[eE][+-]?[0-9]{1,4})?")
+_TIME = re.compile(f"({_NUMBER.pattern})(ns|us|ms|s)")
+_RANGE = re.compile(r"([0-9]{1,9})(?:\.\.([0-9]{1,9})(?:/([0-9]{1,9}))?)?")
+_POWER = {"ns": -3, "us": 0, "ms": 3, "s": 6}
+
+
+def name_text(name: str) -> str:
+    """A name as one token: bare if it is plain, else a JSON string."""
+    return name if _PLAIN.fullmatch(name) else json.dumps(name)
+
+
+def number_text(value: float) -> str:
+    """The shortest decimal number that reads back as `value`."""
+    return repr(float(value)).removesuffix(".0")
+
+
+def read_integer(text: str) -> int | None:
+    """An integer of 64 bits."""
+    if not _INTEGER.fullmatch(text):
+        return None
+    value = int(text)
+    return value if -(1 << 63) <= value < 1 << 63 else None
+
+
+def read_number(text: str) -> float | None:
+    """A finite decimal number."""
+    if not _NUMBER.fullmatch(text):
+        return None
+    value = float(text)
+    return value if isfinite(value) else None
+
+
+def read_time_us(text: str) -> float | None:
+    """A time such as `125us` or `1.5 ms` without the blank, in microseconds."""
+    found = _TIME.fullmatch(text)
+    if found is None:
+        return None
+    from decimal import Decimal
+
+    # Decimal moves the point exactly; a product of floats would round twice.
+    value = float(Decimal(found[1]).scaleb(_POWER[found[2]]))
+    return value if isfinite(value) and value > 0 else None
+
+
+def ranges_text(values: Sequence[int]) -> str:
+    """Rising integers as ranges: `0..15`, `1..63/2` (every second), `4`, joined by commas."""
+    parts: list[str] = []
+    at = 0
+    while at < len(values):
+        step = values[at + 1] - values[at] if at + 1 < len(values) else 1
+        end = at
+        while end + 1 < len(values) and values[end + 1] - values[end] == step:
+            end += 1
+        if end - at < 2 and step > 1:
+            end = at
+        if end == at:
+            parts.append(str(values[at]))
+        else:
+            parts.append(f"{values[at]}..{values[end]}" + (f"/{step}" if step > 1 else ""))
+        at = end + 1
+    return ",".join(parts)
+
+
+def read_ranges(text: str, most: int) -> list[range] | None:
+    """The ranges of `ranges_text`; None where one is malformed, empty or reaches beyond `most`."""
+    found: list[range] = []
+    for part in text.split(","):
+        match = _RANGE.fullmatch(part)
+        if match is None:
+            return None
+        first = int(match[1])
+        last = int(match[2]) if match[2] else first
+        step = int(match[3]) if match[3] else 1
+        if not first <= last <= most or step < 1:
+            return None
+        found.append(range(first, last + 1, step))
+    return found
+
+
+def slots_text(slots: NDArray[np.bool_]) -> str:
+    """The open slots of a shutter, bool (slots,): ranges, `never`, or `x` and hexadecimal.
+
+    The hexadecimal form packs slot 8 k + i in bit i of byte k; it is used where it is shorter.
+    """
+    if not slots.any():
+        return "never"
+    hexadecimal = 1 + 2 * ((len(slots) + 7) // 8)
+    # A range takes at least two characters, so that many changes need not be written to compare.
+    if np.count_nonzero(slots[1:] != slots[:-1]) < 4 * hexadecimal:
+        ranges = ranges_text(np.flatnonzero(slots).tolist())
+        if len(ranges) <= max(hexadecimal, 20):
+            return ranges
+    return "x" + np.packbits(slots, bitorder="little").tobytes().hex()
+
+
+def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
+    """The inverse of `slots_text`: bool (slots,)."""
+    found = np.zeros(slots, dtype=np.bool_)
+    if text == "never":
+        return found
+    if text.startswith("x"):
+        if len(text) != 1 + 2 * ((slots + 7) // 8) or not re.fullmatch("[0-9a-fA-F]+", text[1:]):
+            return None
+        packed = np.frombuffer(bytes.fromhex(text[1:]), dtype=np.uint8)
+        bits = np.unpackbits(packed, bitorder="little").view(np.bool_)
+        return None if bits[slots:].any() else bits[:slots]
+    ranges = read_ranges(text, slots - 1)
+    if ranges is None:
+        return None
+    for part in ranges:
+        found[part.start : part.stop : part.step] = True
+    return found
+
+
+def block_text(lines: Sequence[str]) -> list[str]:
+    """Lines of free text, each behind a bar; those with invisible ends as JSON strings."""
+    return [
+        f"| {line}" if line.isprintable() and not line.endswith(" ") and line
+        else "|" if not line
+        else f"|= {json.dumps(line)}"
+        for line in lines
+    ]  # fmt: skip
+
+
+def read_block_line(text: str) -> str | None:
+    """One line of `block_text`, from its bar on."""
+    if text == "|":
+        return ""
+    if text.startswith("| "):
+        return text[2:]
+    if text.startswith("|= "):
+        return read_string(text[3:])
+    return None
+
+
+def read_string(text: str) -> str | None:
+    """A JSON string."""
+    try:
+        value = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    return value if isinstance(value, str) else None

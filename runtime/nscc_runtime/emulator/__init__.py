@@ -1,0 +1,7 @@
+"""A SCAMP-like chip in software: executes the words of a compiled program and nothing else."""
+
+from __future__ import annotations
+
+from nscc_runtime.emulator.capture import Emulator, expose
+
+__all__ = ["Emulator", "expose"]

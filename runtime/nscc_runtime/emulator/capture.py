@@ -1,0 +1,201 @@
+"""One frame on the emulated chip, without sensor effects.
+
+Words take no time: all words of boundary n see PIX as it is after the slots before n; then the
+light of slot n falls on PIX of every pixel. After boundary N the readouts follow.
+
+A frame starts with arbitrary values in PIX, FLAG, the analog registers and those digital registers
+that carry no code, and the reset level of PIX is a constant of each pixel that is not zero. They
+are fixed by `device_seed`. The analog ones are 1/4 to 3/4 of all the light that the pixel gets in
+the frame (between 1 and 2 where it gets none): so near the light that a program which forgets a reset
+or reads what it has not written is far off, and so near it that subtracting them again costs
+a right program no accuracy, at 1e-30 electrons as at 1e30. PIX and reset level are positive, registers of
+either sign.
+
+Not emulated, because no program of this project uses it: addresses (SELECT reads 0) and the
+global DAC (IN reads 0).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc_runtime.emulator.steps import Layout, steps_of
+from nscc_runtime.interface import Exposure
+
+if TYPE_CHECKING:
+    from nscc.words.container import Container
+    from nscc_runtime.light import Light
+
+BLOCK = 8192
+"""Pixels exposed together: their registers stay in the cache, and their light comes in long strips."""
+
+
+@dataclass(frozen=True)
+class Emulator:
+    """An emulated chip: an `nscc_runtime.interface.Exposer`. `device_seed` picks the chip."""
+
+    device_seed: int = 0
+
+    def expose(self, container: Container, light: Light | None) -> Exposure:
+        """See `expose`."""
+        if light is None:
+            raise ValueError("the emulator needs light")
+        return expose(container, light, device_seed=self.device_seed)
+
+
+def expose(
+    container: Container, light: Light, *, device_seed: int = 0, block: int = BLOCK
+) -> Exposure:
+    """Run `container`'s words over `light`, slot by slot, in float64.
+
+    `block`, a multiple of 64, is how many pixels run together; it changes no bit. Raises `Rejected`
+    for a program without pixel codes (NS0760), without a readout of each bucket (NS0761), for light of
+    another size (NS0762), and for words that cannot run (`nscc_runtime.emulator.steps`).
+    """
+    from nscc_runtime.emulator.compiled import entry_point
+
+    _check(container, light)
+    if block < 64 or block % 64:
+        raise ValueError(f"a block of {block} pixels")
+    layout = Layout.of(container.target)
+    codes = container.planes()
+    readouts = {readout.bucket: readout for readout in container.readouts}
+    ordered = [readouts[bucket] for bucket in container.buckets]
+    pixels = light.shape[0] * light.shape[1]
+    exposure = np.empty((len(ordered), pixels), np.float64)
+    block = min(block, (pixels + 63) // 64 * 64)
+    arrays = (
+        *_program(container, layout),
+        *_light(light),
+        _packed(codes.values(), pixels),
+        np.array([layout.planes[name] for name in codes], np.int64),
+        np.array([layout.rows[readout.register] for readout in ordered], np.int64),
+        np.array([readout.gain for readout in ordered], np.float64),
+        np.empty(len(layout.planes) * (block // 64), np.uint64),
+        np.empty(len(layout.rows) * block, np.float64),
+        np.empty(block, np.float32),
+        exposure,
+    )
+    addresses = [array.ctypes.data for array in arrays]
+    run = entry_point()
+    seed = np.array(device_seed & 2**64 - 1, np.uint64).view(np.int64)
+    for first in range(0, pixels, block):
+        sizes = np.array(
+            [
+                container.slots,
+                pixels,
+                first,
+                min(block, pixels - first),
+                len(light.frames),
+                len(codes),
+                len(ordered),
+                seed,
+                layout.planes["FLAG"],
+                layout.rows["PIX"],
+            ],
+            np.int64,
+        )
+        run(sizes.ctypes.data, *addresses)
+    shaped = exposure.reshape(len(ordered), *light.shape)
+    return Exposure(shaped, np.isfinite(shaped))
+
+
+def _program(container: Container, layout: Layout) -> tuple[NDArray[np.int64], ...]:
+    """Kernels and schedule as `loops.expose_block` takes them."""
+    program = steps_of(container, layout)
+    return (
+        program.steps,
+        program.operands,
+        program.kernel_start,
+        program.launch_start,
+        program.launch_kernel,
+    )
+
+
+def _light(light: Light) -> tuple[NDArray[np.generic], ...]:
+    """Frames and matrix as `loops.expose_block` takes them: it does no checks of its own."""
+    frames = len(light.frames)
+    starts, index = light.row_start, light.frame_index
+    if starts[0] != 0 or np.any(np.diff(starts) < 0):
+        raise ValueError("the rows of the light's matrix are out of order")
+    if index.size and not (0 <= index.min() and index.max() < frames):
+        raise ValueError("the light's matrix names a frame that does not exist")
+    return (
+        np.require(light.frames, np.float32, ["C", "A"]),
+        np.require(starts, np.int64, ["C", "A"]),
+        np.require(index, np.int32, ["C", "A"]),
+        np.require(light.weight, np.float64, ["C", "A"]),
+        np.bincount(index, light.weight, minlength=frames),
+    )
+
+
+def _check(container: Container, light: Light) -> None:
+    """Refuse what cannot run before anything runs."""
+    problems = []
+    if container.pixel_codes is None:
+        problems.append(
+            Diagnostic(
+                "NS0760",
+                "this program says what codes mean, but not which code each pixel has",
+                helps=(
+                    "give the program `pixels` statements, or codes in a file: --pixels CODES.npz",
+                ),
+            )
+        )
+    else:
+        shape = container.pixel_codes.shape
+        if light.shape != shape or light.slots != container.slots:
+            problems.append(
+                Diagnostic(
+                    "NS0762",
+                    f"the light is {_size(light.shape)} pixels in {light.slots} slots, "
+                    f"the program's array is {_size(shape)} pixels in {container.slots} slots",
+                    helps=("lay the scene on this program's array and slots",),
+                )
+            )
+    problems.extend(_readout_problems(container))
+    if problems:
+        raise Rejected(problems)
+
+
+def _size(shape: tuple[int, ...]) -> str:
+    return " x ".join(str(length) for length in shape)
+
+
+def _readout_problems(container: Container) -> list[Diagnostic]:
+    problems = []
+    known = (*container.target.analog_registers, "PIX")
+    for bucket in container.buckets:
+        found = [readout.register for readout in container.readouts if readout.bucket == bucket]
+        if len(found) != 1:
+            problems.append(
+                Diagnostic(
+                    "NS0761",
+                    f"frame `{bucket}` is read out {len(found)} times, it needs one readout",
+                    helps=("name one register for each frame in the program's readouts",),
+                )
+            )
+        elif found[0] not in known:
+            problems.append(
+                Diagnostic(
+                    "NS0761",
+                    f"frame `{bucket}` is read out of `{found[0]}`, which is no analog register",
+                    helps=(f"read one of {', '.join(known)}",),
+                )
+            )
+    return problems
+
+
+def _packed(planes: Iterable[NDArray[np.bool_]], pixels: int) -> NDArray[np.uint64]:
+    """Planes as 64-bit words, pixel i in bit i % 64 of word i // 64, filled up with 0."""
+    packed = [np.packbits(plane.reshape(-1), bitorder="little") for plane in planes]
+    words = np.zeros((len(packed), (pixels + 63) // 64 * 8), np.uint8)
+    for row, data in zip(words, packed, strict=True):
+        row[: data.size] = data
+    return words.view("<u8").astype(np.uint64)

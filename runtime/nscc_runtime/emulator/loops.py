@@ -1,0 +1,367 @@
+"""The loops to be compiled: a block of pixels through a whole frame, step by step.
+
+The entry point is `expose_block`; `nscc_runtime.emulator.compiled` compiles it. Only that module
+imports this one, because it imports numba. Everything here works on bare pointers, allocates nothing
+and raises nothing, so that its machine code needs nothing of numba or of Python once it is made. That
+is why arrays are flat and lengths are arguments.
+
+A block is a run of consecutive pixels that starts at a multiple of 64. Its planes are 64-bit words,
+pixel i in bit i % 64 of word i // 64; its rows are float64. Plane p starts at p * words in
+`planes`, row r at r * 64 * words in `rows`. Every pixel's result depends on that pixel alone, so
+the size of a block changes no bit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar, cast
+
+import numba
+import numpy as np
+from numba import types
+from numpy.typing import NDArray
+
+from nscc_runtime.emulator.steps import COLUMNS, Step
+
+_F = TypeVar("_F", bound=Callable[..., object])
+
+
+def _compiled(function: _F) -> _F:
+    return cast(_F, numba.njit(nogil=True, error_model="numpy")(function))
+
+
+_COMBINE, _STORE = int(Step.COMBINE), int(Step.STORE)
+_BUS2, _BUS4, _DIVIDE, _COPY = int(Step.BUS2), int(Step.BUS4), int(Step.DIVIDE), int(Step.COPY)
+_COMPARE, _COMPARE_MASKED = int(Step.COMPARE), int(Step.COMPARE_MASKED)
+
+_NONE, _SOME, _ALL = 0, 1, 2
+
+_GOLDEN = 0.6180339887498949
+
+_ZERO = np.uint64(0)
+_ONE = np.uint64(1)
+_FULL = np.uint64(0xFFFF_FFFF_FFFF_FFFF)
+
+# Pointers; typed as arrays, which is how they are used.
+Ints = NDArray[np.int64]
+Ints32 = NDArray[np.int32]
+Planes = NDArray[np.uint64]
+Rows = NDArray[np.float64]
+Frames = NDArray[np.float32]
+
+
+@_compiled
+def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
+    """64 random-looking bits of (seed, stream, counter): two rounds of splitmix64's finaliser."""
+    z = seed + np.uint64(stream + 1) * np.uint64(0x9E37_79B9_7F4A_7C15)
+    for step in range(2):
+        z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58_476D_1CE4_E5B9)
+        z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D0_49BB_1331_11EB)
+        z = z ^ (z >> np.uint64(31))
+        if step == 0:
+            z += np.uint64(counter)
+    return z
+
+
+@_compiled
+def _any_all(planes: Planes, flag: int, words: int) -> int:
+    """Whether no, some or every pixel of the plane that starts at `flag` is 1."""
+    some, every = _ZERO, _FULL
+    for i in range(words):
+        some |= planes[flag + i]
+        every &= planes[flag + i]
+    if some == _ZERO:
+        return _NONE
+    return _ALL if every == _FULL else _SOME
+
+
+@_compiled
+def _combine(
+    planes: Planes, words: int, out: int, operands: Ints, first: int, count: int, flip: np.uint64
+) -> None:
+    """Plane at `out` := OR of `count` planes operands[first..], each bit XOR that of `flip`."""
+    if count == 0:
+        for i in range(words):
+            planes[out + i] = flip
+        return
+    a = operands[first] * words
+    if count == 1:
+        for i in range(words):
+            planes[out + i] = planes[a + i] ^ flip
+        return
+    b = operands[first + 1] * words
+    if count == 2:
+        for i in range(words):
+            planes[out + i] = (planes[a + i] | planes[b + i]) ^ flip
+        return
+    for i in range(words):
+        planes[out + i] = planes[a + i] | planes[b + i]
+    for k in range(2, count - 1):
+        a = operands[first + k] * words
+        for i in range(words):
+            planes[out + i] |= planes[a + i]
+    b = operands[first + count - 1] * words
+    for i in range(words):
+        planes[out + i] = (planes[out + i] | planes[b + i]) ^ flip
+
+
+@_compiled
+def _bus2(
+    rows: Rows, out: int, a: int, b: int, planes: Planes, flag: int, words: int, state: int
+) -> None:
+    """Row at `out` := -(a + b) where FLAG = 1; `out` is neither a nor b."""
+    if state == _ALL:
+        for i in range(64 * words):
+            rows[out + i] = -(rows[a + i] + rows[b + i])
+        return
+    for g in range(words):
+        word = planes[flag + g]
+        if word == _ZERO:
+            continue
+        x, y, z = out + 64 * g, a + 64 * g, b + 64 * g
+        for j in range(64):
+            old, new = rows[x + j], -(rows[y + j] + rows[z + j])
+            rows[x + j] = new if (word >> np.uint64(j)) & _ONE else old
+
+
+@_compiled
+def _bus4(
+    rows: Rows, out: int, a: int, b: int, c: int, d: int, planes: Planes, flag: int, words: int
+) -> None:
+    """Row at `out` := -(a + b + c + d) where FLAG = 1; `out` is none of the others."""
+    for g in range(words):
+        word = planes[flag + g]
+        if word == _ZERO:
+            continue
+        for j in range(64):
+            i = 64 * g + j
+            old = rows[out + i]
+            new = -(rows[a + i] + rows[b + i] + rows[c + i] + rows[d + i])
+            rows[out + i] = new if (word >> np.uint64(j)) & _ONE else old
+
+
+@_compiled
+def _divide(
+    rows: Rows, out: int, a: int, divisor: float, planes: Planes, flag: int, words: int
+) -> None:
+    """Row at `out` := a / divisor where FLAG = 1; `out` is not a."""
+    for g in range(words):
+        word = planes[flag + g]
+        if word == _ZERO:
+            continue
+        x, y = out + 64 * g, a + 64 * g
+        for j in range(64):
+            old, new = rows[x + j], rows[y + j] / divisor
+            rows[x + j] = new if (word >> np.uint64(j)) & _ONE else old
+
+
+@_compiled
+def _compare(
+    rows: Rows, a: int, b: int, c: int, d: int, planes: Planes, flag: int, words: int, within: int
+) -> None:
+    """FLAG := a + b + c + d > 0, and its old value if `within`."""
+    for g in range(words):
+        word = _ZERO
+        for j in range(64):
+            i = 64 * g + j
+            if rows[a + i] + rows[b + i] + rows[c + i] + rows[d + i] > 0.0:
+                word |= _ONE << np.uint64(j)
+        planes[flag + g] = word & planes[flag + g] if within else word
+
+
+@_compiled
+def _run_steps(
+    steps: Ints,
+    first: int,
+    stop: int,
+    operands: Ints,
+    planes: Planes,
+    rows: Rows,
+    words: int,
+    flag_plane: int,
+    state: int,
+) -> int:
+    """One kernel; `state` says whether FLAG is 1 nowhere, somewhere or everywhere."""
+    flag, pixels = flag_plane * words, 64 * words
+    for s in range(first, stop):
+        at = s * COLUMNS
+        code, out = steps[at], steps[at + 1]
+        a, b, c, d = steps[at + 2], steps[at + 3], steps[at + 4], steps[at + 5]
+        if code == _COMBINE:
+            _combine(planes, words, out * words, operands, a, b, _FULL if c else _ZERO)
+            if out == flag_plane:
+                state = _any_all(planes, flag, words)
+        elif code == _STORE:
+            for i in range(words):
+                old, mask = planes[out * words + i], planes[b * words + i]
+                planes[out * words + i] = old ^ ((old ^ planes[a * words + i]) & mask)
+        elif code == _COPY:
+            for i in range(pixels):
+                rows[out * pixels + i] = rows[a * pixels + i]
+        elif code == _COMPARE or code == _COMPARE_MASKED:
+            x, y, z, u = a * pixels, b * pixels, c * pixels, d * pixels
+            _compare(rows, x, y, z, u, planes, flag, words, code == _COMPARE_MASKED)
+            state = _any_all(planes, flag, words)
+        elif state == _NONE:
+            continue
+        elif code == _BUS2:
+            _bus2(rows, out * pixels, a * pixels, b * pixels, planes, flag, words, state)
+        elif code == _BUS4:
+            x, y, z, u = a * pixels, b * pixels, c * pixels, d * pixels
+            _bus4(rows, out * pixels, x, y, z, u, planes, flag, words)
+        elif code == _DIVIDE:
+            _divide(rows, out * pixels, a * pixels, float(b), planes, flag, words)
+    return state
+
+
+@_compiled
+def _start(
+    planes: Planes,
+    rows: Rows,
+    words: int,
+    flag_plane: int,
+    pix: int,
+    scale: int,
+    seed: np.uint64,
+    first: int,
+) -> None:
+    """Arbitrary values, as `nscc_runtime.emulator.capture` describes them.
+
+    The row at `scale` holds the light of the whole frame, 0 beyond the array. The reset level is the
+    row after PIX; the row after that is overwritten.
+    """
+    for p in range(flag_plane + 1):
+        for g in range(words):
+            planes[p * words + g] = _hash(seed, p, first // 64 + g)
+    for i in range((flag_plane + 1) * words, (flag_plane + 3) * words):
+        planes[i] = _ZERO
+    # One number a pixel, and a turn of the golden section further for each register.
+    pixels = 64 * words
+    place = (pix + 2) * pixels
+    for i in range(pixels):
+        bits = _hash(seed, flag_plane + 1, first + i)
+        rows[place + i] = float(np.int64(bits >> np.uint64(11))) * 2.0**-53
+    for r in range(pix + 2):
+        lowest = -1.0 if r < pix else 1.0
+        for i in range(pixels):
+            turn = rows[place + i] + r * _GOLDEN
+            spread = 2.0 * (turn - np.floor(turn)) - 1.0
+            light = rows[scale + i]
+            value = abs(spread) + 1.0
+            if light > 0.0:
+                value = light * (0.25 + 0.5 * abs(spread))
+            rows[r * pixels + i] = value * lowest if spread < 0.0 else value
+
+
+@_compiled
+def _same_light(row_start: Ints, frame_index: Ints32, weight: Rows, slot: int) -> bool:
+    """Whether a slot has the light of the slot before it."""
+    if slot == 0:
+        return False
+    before, start, stop = row_start[slot - 1], row_start[slot], row_start[slot + 1]
+    if stop - start != start - before:
+        return False
+    for k in range(stop - start):
+        if frame_index[before + k] != frame_index[start + k]:
+            return False
+        if weight[before + k] != weight[start + k]:
+            return False
+    return True
+
+
+def expose_block(
+    sizes: Ints,
+    steps: Ints,
+    operands: Ints,
+    kernel_start: Ints,
+    launch_start: Ints,
+    launch_kernel: Ints,
+    frames: Frames,
+    row_start: Ints,
+    frame_index: Ints32,
+    weight: Rows,
+    frame_weight: Rows,
+    code_planes: Planes,
+    code_rows: Ints,
+    readout_rows: Ints,
+    readout_gain: Rows,
+    planes: Planes,
+    rows: Rows,
+    charge: Frames,
+    exposure: Rows,
+) -> None:
+    """Expose some pixels and write them into `exposure` (buckets, pixels of the array).
+
+    `sizes` are, in order: slots, pixels of the array, first pixel of the block (a multiple of 64), its
+    length, frames, code registers, buckets, seed, FLAG's plane, PIX's row. `frames` (frames,
+    pixels) with the matrix of `nscc_runtime.light.Light`; `frame_weight` is the weight of each
+    frame in the whole frame's light. `code_planes` (code registers, words of the array) start the
+    planes `code_rows`. `planes`, `rows` and `charge` (block) are working memory: planes up to two
+    after FLAG's, rows up to four after PIX's (see `nscc_runtime.emulator.steps.Layout`), the last
+    of them used here.
+    """
+    slots, pixels, first, length = sizes[0], sizes[1], sizes[2], sizes[3]
+    frame_count, code_count, bucket_count = sizes[4], sizes[5], sizes[6]
+    seed, flag_plane, pix_row = np.uint64(sizes[7]), sizes[8], sizes[9]
+    words = (length + 63) // 64
+    row_length = 64 * words
+    pix = pix_row * row_length
+    zero, exact = (pix_row + 3) * row_length, (pix_row + 4) * row_length
+
+    for i in range(row_length):
+        rows[exact + i] = 0.0
+    for k in range(frame_count):
+        part, frame = frame_weight[k], k * pixels + first
+        if part != 0.0:
+            for i in range(length):
+                rows[exact + i] += part * frames[frame + i]
+    _start(planes, rows, words, flag_plane, pix_row, exact, seed, first)
+    for i in range(row_length):
+        rows[zero + i] = 0.0
+    for c in range(code_count):
+        source = c * ((pixels + 63) // 64) + first // 64
+        for g in range(words):
+            planes[code_rows[c] * words + g] = code_planes[source + g]
+
+    state = _any_all(planes, flag_plane * words, words)
+    for n in range(slots + 1):
+        for at in range(launch_start[n], launch_start[n + 1]):
+            begin, end = kernel_start[launch_kernel[at]], kernel_start[launch_kernel[at] + 1]
+            state = _run_steps(steps, begin, end, operands, planes, rows, words, flag_plane, state)
+        if n == slots:
+            break
+        start, stop = row_start[n], row_start[n + 1]
+        if stop - start == 1 and weight[start] == 1.0:
+            frame = frame_index[start] * pixels + first
+            for i in range(length):
+                rows[pix + i] += frames[frame + i]
+            continue
+        if not _same_light(row_start, frame_index, weight, n):
+            for i in range(length):
+                rows[exact + i] = 0.0
+            for k in range(start, stop):
+                frame, part = frame_index[k] * pixels + first, weight[k]
+                for i in range(length):
+                    rows[exact + i] += frames[frame + i] * part
+            for i in range(length):
+                charge[i] = np.float32(rows[exact + i])
+        for i in range(length):
+            rows[pix + i] += charge[i]
+
+    for k in range(bucket_count):
+        row, gain, out = readout_rows[k] * row_length, readout_gain[k], k * pixels + first
+        for i in range(length):
+            # -0 + 0 is +0.
+            exposure[out + i] = rows[row + i] * gain + 0.0
+
+
+_I64, _I32, _U64 = (
+    types.CPointer(types.int64),
+    types.CPointer(types.int32),
+    types.CPointer(types.uint64),
+)
+_F64, _F32 = types.CPointer(types.float64), types.CPointer(types.float32)
+SIGNATURE = types.void(
+    _I64, _I64, _I64, _I64, _I64, _I64, _F32, _I64, _I32, _F64, _F64, _U64, _I64, _I64, _F64,
+    _U64, _F64, _F32, _F64,
+)  # fmt: skip

@@ -1,0 +1,208 @@
+"""Words as the emulator's own steps: every kernel decoded once, into rows of integers.
+
+A word is one to a few steps, each of which writes one place: a plane (a one-bit register of
+all pixels) or a row (an analog register of all pixels). A word's sources are read before any of
+its destinations is written, so a word with several destinations passes through the bus plane or
+the sum row. What a word does comes from `nscc.words.operations`; this file only says how
+`nscc_runtime.emulator.loops` shall go about it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import TYPE_CHECKING
+
+import numpy as np
+from nscc.words.legality import decoded
+from nscc.words.operations import Effect, Op, Phase
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from nscc.target.model import Target
+    from nscc.words.container import Container
+
+
+class Step(IntEnum):
+    """The first column of a step; `out` is the second, the rest are named here in order."""
+
+    COMBINE = 0
+    """(first, count, inverted): plane := OR of the planes operands[first : first + count]."""
+    STORE = 1
+    """(plane, mask): plane := the other plane, where the mask plane is 1."""
+    BUS2 = 2
+    """(a, b): row := -(a + b) where FLAG = 1."""
+    BUS4 = 3
+    """(a, b, c, d): row := -(a + b + c + d) where FLAG = 1."""
+    DIVIDE = 4
+    """(a, divisor): row := a / divisor where FLAG = 1."""
+    COPY = 5
+    """(a): row := a in every pixel."""
+    COMPARE = 6
+    """(a, b, c, d): FLAG := a + b + c + d > 0."""
+    COMPARE_MASKED = 7
+    """(a, b, c, d): FLAG := FLAG and a + b + c + d > 0."""
+
+
+COLUMNS = 6
+
+
+@dataclass(frozen=True)
+class Layout:
+    """Which plane and which row holds what.
+
+    Planes: the target's digital registers, then FLAG, the bus of half-word pairs, and a plane of
+    zeros (SELECT: no address is ever matched). Rows: the analog registers, then PIX, the reset level,
+    the sum of a word with several destinations, a row of zeros (IN: the global DAC is at 0), and
+    one for the light that is being laid on PIX.
+    """
+
+    planes: dict[str, int]
+    rows: dict[str, int]
+
+    @classmethod
+    def of(cls, target: Target) -> Layout:
+        """The layout for a target."""
+        planes = (*target.digital_registers, "FLAG", "bus", "SELECT")
+        rows = (*target.analog_registers, "PIX", "reset", "sum", "IN", "light")
+        return cls(
+            {name: i for i, name in enumerate(planes)}, {name: i for i, name in enumerate(rows)}
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Steps:
+    """A container's kernels and schedule for the compiled loops.
+
+    `steps` int64 (steps, COLUMNS); kernel k is steps[kernel_start[k] : kernel_start[k + 1]].
+    Boundary n launches launch_kernel[launch_start[n] : launch_start[n + 1]], in that order.
+    """
+
+    steps: NDArray[np.int64]
+    operands: NDArray[np.int64]
+    kernel_start: NDArray[np.int64]
+    launch_start: NDArray[np.int64]
+    launch_kernel: NDArray[np.int64]
+
+
+def steps_of(container: Container, layout: Layout) -> Steps:
+    """Decode every kernel and sort the launches by boundary.
+
+    Raises `Rejected` (NS07xx of the words) for a word that is in no table or a split pair,
+    ValueError for a schedule that names a kernel or a boundary that does not exist.
+    """
+    translator = _Translator(container.target, layout)
+    rows: list[tuple[int, ...]] = []
+    kernel_start = [0]
+    for kernel in decoded(container):
+        first = len(rows)
+        for op in kernel:
+            for step in translator.steps(op):
+                # No step reads what it writes: the same one twice running does no more than once.
+                if len(rows) == first or rows[-1] != step:
+                    rows.append(step)
+        kernel_start.append(len(rows))
+    instants = np.array([launch.instant for launch in container.launches], np.int64)
+    kernels = np.array([launch.kernel for launch in container.launches], np.int64)
+    boundaries = container.slots + 1
+    if instants.size and not (0 <= instants.min() and instants.max() < boundaries):
+        raise ValueError("a launch outside the frame")
+    if kernels.size and not (0 <= kernels.min() and kernels.max() < len(container.kernels)):
+        raise ValueError("a launch of no kernel")
+    launch_start = np.zeros(boundaries + 1, np.int64)
+    np.cumsum(np.bincount(instants, minlength=boundaries), out=launch_start[1:])
+    return Steps(
+        steps=np.array(rows, np.int64).reshape(len(rows), COLUMNS),
+        operands=np.array(translator.operands, np.int64),
+        kernel_start=np.array(kernel_start, np.int64),
+        launch_start=launch_start,
+        launch_kernel=kernels[np.argsort(instants, kind="stable")],
+    )
+
+
+class _Translator:
+    """Turns operations into steps, each distinct one once; collects the operands of COMBINE."""
+
+    def __init__(self, target: Target, layout: Layout) -> None:
+        self.target = target
+        self.layout = layout
+        self.operands: list[int] = []
+        self.known: dict[Op, tuple[tuple[int, ...], ...]] = {}
+
+    def steps(self, op: Op) -> tuple[tuple[int, ...], ...]:
+        """The steps of one word, padded to COLUMNS."""
+        found = self.known.get(op)
+        if found is None:
+            made = (tuple(int(value) for value in step) for step in self._translate(op))
+            found = tuple(step + (0,) * (COLUMNS - len(step)) for step in made)
+            self.known[op] = found
+        return found
+
+    def _translate(self, op: Op) -> list[tuple[int, ...]]:
+        planes, rows = self.layout.planes, self.layout.rows
+        match op.operation.effect:
+            case Effect.NONE:
+                return []
+            case Effect.RESET_PIX:
+                # "unknown" is taken as "yes": the chip that resets less.
+                if self.target.reset_honours_flag == "no":
+                    return [(Step.COPY, rows["PIX"], rows["reset"])]
+                return [(Step.DIVIDE, rows["PIX"], rows["reset"], 1)]
+            case Effect.BUS:
+                return self._bus(op)
+            case Effect.FLAG_ALL:
+                return [self._combine("FLAG", (), inverted=True)]
+            case Effect.FLAG_ANALOG:
+                masked = self.target.where_obeys_flag
+                compare = Step.COMPARE_MASKED if masked else Step.COMPARE
+                return [(compare, planes["FLAG"], *self._four(op.sources))]
+            case Effect.FLAG_DIGITAL:
+                return self._digital(op, ("FLAG",))
+            case Effect.DIGITAL:
+                return self._digital(op, op.destinations)
+
+    def _four(self, sources: tuple[str, ...]) -> list[int]:
+        """Rows of up to four analog sources, filled up with the row of zeros."""
+        rows = self.layout.rows
+        return [rows[name] for name in (*sources, *("IN",) * (4 - len(sources)))]
+
+    def _bus(self, op: Op) -> list[tuple[int, ...]]:
+        rows = self.layout.rows
+        divisor = op.operation.divisor
+        direct = divisor == 1 and len(op.destinations) == 1
+        out = rows[op.destinations[0] if direct else "sum"]
+        four = self._four(op.sources)
+        small = len(op.sources) <= 2
+        steps: list[tuple[int, ...]] = [
+            (Step.BUS2, out, *four[:2]) if small else (Step.BUS4, out, *four)
+        ]
+        if not direct:
+            steps += [(Step.DIVIDE, rows[d], rows["sum"], divisor) for d in op.destinations]
+        return steps
+
+    def _digital(self, op: Op, destinations: tuple[str, ...]) -> list[tuple[int, ...]]:
+        row = op.operation
+        masked, mask = self.target.masked_register, self.target.mask_register
+        plain = len(destinations) == 1 and destinations[0] != masked
+        if plain and row.phase is Phase.WHOLE and destinations[0] not in op.sources:
+            return [self._combine(destinations[0], op.sources, inverted=row.inverted)]
+        steps = []
+        if row.phase is not Phase.WRITE:
+            steps.append(self._combine("bus", op.sources, inverted=row.inverted))
+        if row.phase is not Phase.READ:
+            planes = self.layout.planes
+            # The masked register first: it looks at the mask as it was before this word.
+            for name in sorted(destinations, key=lambda name: name != masked):
+                if name == masked and mask is not None:
+                    steps.append((Step.STORE, planes[name], planes["bus"], planes[mask]))
+                else:
+                    steps.append(self._combine(name, ("bus",), inverted=False))
+        return steps
+
+    def _combine(
+        self, destination: str, sources: tuple[str, ...], *, inverted: bool
+    ) -> tuple[int, ...]:
+        planes = self.layout.planes
+        first = len(self.operands)
+        self.operands.extend(planes[name] for name in sources)
+        return (Step.COMBINE, planes[destination], first, len(sources), inverted)

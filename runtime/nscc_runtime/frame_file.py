@@ -1,0 +1,221 @@
+"""The frame file: what one exposure (or K of them) leaves behind, as an .npz of a fixed layout.
+
+    frame       uint8   (buckets, rows, cols)  the readout: 8 bits a pixel
+    exposure_e  float64 (buckets, rows, cols)  electrons before the ADC
+    valid       bool    (buckets, rows, cols)  False where the exposure means nothing
+    meta        text    JSON, see `meta`
+
+K repeats put an axis K in front of the three arrays. On request also `light` float32 (N, rows,
+cols); `truth_e`, the all-open sum float64 (rows, cols) of a still or the `light` of a clip;
+`shutter` uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the lowest
+bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols).
+
+Same frame, same bytes: the archive holds no times, and its entries have a fixed order.
+"""
+
+from __future__ import annotations
+
+import json
+import zipfile
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.target.model import Target
+from nscc.words.container import Container
+from nscc_runtime.interface import Exposure
+from nscc_runtime.light import Light
+
+SCHEMA = "nscc-frame-1"
+KEEP = ("light", "truth", "shutter", "codes")
+_MOST_BITS = 8
+"""`frame` is uint8: a wider ADC does not fit."""
+_BLOCK_BYTES = 1 << 24
+
+
+@dataclass(frozen=True, eq=False)
+class Frame:
+    """The three arrays of a frame file; with repeats each has a leading axis K."""
+
+    frame: NDArray[np.uint8]
+    exposure_e: NDArray[np.float64]
+    valid: NDArray[np.bool_]
+
+
+def read_out(exposure: Exposure, target: Target) -> Frame:
+    """What the ADC makes of an exposure.
+
+    frame = clip(round_half_even(exposure_e / electrons_per_lsb) + offset, 0, top code). A value
+    that is no number reads 0 and is invalid; infinities read as the end of the scale. NS0742 for a
+    target whose ADC has more than 8 bits.
+    """
+    if target.adc_bits > _MOST_BITS:
+        raise Rejected(
+            Diagnostic(
+                "NS0742",
+                f"the ADC of target '{target.name}' has {target.adc_bits} bits, a frame file "
+                f"holds {_MOST_BITS}",
+                helps=(f"set adc_bits to at most {_MOST_BITS} in the target's [range]",),
+                data={"required": target.adc_bits, "available": _MOST_BITS},
+            ),
+            status=2,
+        )
+    known = ~np.isnan(exposure.exposure_e)
+    codes = np.rint(np.where(known, exposure.exposure_e, 0.0) / target.electrons_per_lsb)
+    codes = np.clip(codes + target.adc_offset_lsb, 0, 2**target.adc_bits - 1)
+    frame = np.where(known, np.rint(codes), 0.0).astype(np.uint8)
+    return Frame(frame, exposure.exposure_e, exposure.valid & known)
+
+
+def repeated(frame: Frame, count: int) -> Frame:
+    """The same frame K times, as an axis in front: with all effects off frames do not differ."""
+
+    def stack(values: NDArray[Any]) -> NDArray[Any]:
+        return np.broadcast_to(values, (count, *values.shape))
+
+    return Frame(stack(frame.frame), stack(frame.exposure_e), stack(frame.valid))
+
+
+def sensor_values(target: Target) -> dict[str, float]:
+    """The numbers of the sensor that a frame depends on."""
+    return {
+        "adc_bits": target.adc_bits,
+        "adc_offset_lsb": target.adc_offset_lsb,
+        "electrons_per_lsb": target.electrons_per_lsb,
+        "full_well_e": target.full_well_e,
+        "register_max_e": target.register_max_e,
+        "register_min_e": target.register_min_e,
+    }
+
+
+@dataclass(frozen=True)
+class Provenance:
+    """Where a frame came from, as far as arrays do not tell."""
+
+    program: bytes
+    seed: int = 0
+    device_seed: int = 0
+    fidelity: str = "planned"
+
+
+def meta(container: Container, light: Light, frame: Frame, origin: Provenance) -> dict[str, Any]:
+    """The `meta` of a frame file, for a run without effects: an exact plan that drops nothing."""
+    import hashlib
+
+    sensor = json.dumps(sensor_values(container.target), sort_keys=True).encode()
+    return {
+        "schema": SCHEMA,
+        "program_sha256": hashlib.sha256(origin.program).hexdigest(),
+        "scene_sha256": light.sha256(),
+        "sensor_sha256": hashlib.sha256(sensor).hexdigest(),
+        "seed": origin.seed,
+        "device_seed": origin.device_seed,
+        "fidelity": origin.fidelity,
+        "lowering": container.notes.get("lowering"),
+        "buckets": list(container.buckets),
+        "electrons_per_lsb": container.target.electrons_per_lsb,
+        "adc_offset": container.target.adc_offset_lsb,
+        "exposure_scale_e": light.exposure_scale_e,
+        "invalid_pixels": int(np.count_nonzero(~frame.valid)),
+        "plan": {
+            "tolerance_e": 0.0,
+            "predicted_e": 0.0,
+            "bound_e": 0.0,
+            "slot_loop": True,
+            "slot_loop_reasons": ["words are executed slot by slot"],
+            "sampled_fraction": 0.0,
+            "approximations": [],
+            "effects": [],
+        },
+        "audit": None,
+    }
+
+
+def packed_shutters(
+    container: Container, shutters: NDArray[np.bool_]
+) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:
+    """`shutter` and `shutter_shape` of a container with pixels.
+
+    `shutters` bool (distinct shutters, buckets, N), the order of `container.table`.
+    """
+    if container.pixel_codes is None:
+        raise ValueError("a container without pixels has no shutters on the array")
+    packed = np.packbits(shutters, axis=-1, bitorder="little")
+    at_pixel = container.table.shutter_of_code[container.pixel_codes]
+    laid = np.stack([packed[:, b][at_pixel] for b in range(shutters.shape[1])])
+    shape = (*laid.shape[:3], shutters.shape[2])
+    return laid, np.array(shape, np.int64)
+
+
+@dataclass(frozen=True, eq=False)
+class FrameFile:
+    """Everything that goes into one file: `kept` arrays and `slots` of light, by key."""
+
+    frame: Frame
+    meta: Mapping[str, Any]
+    kept: Mapping[str, NDArray[Any]]
+    slots: Mapping[str, Light]
+
+    def write(self, file: IO[bytes]) -> None:
+        """Write the archive; light goes slot by slot and repeats block by block, never whole."""
+        with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
+            for key in ("frame", "exposure_e", "valid"):
+                _put_array(archive, key, getattr(self.frame, key))
+            _put_array(archive, "meta", np.array(json.dumps(self.meta, allow_nan=False)))
+            for key, light in self.slots.items():
+                shape = (light.slots, *light.shape)
+                blocks = (light.slot(n) for n in range(light.slots))
+                _put(archive, key, shape, np.dtype("<f4"), blocks)
+            for key, values in self.kept.items():
+                _put_array(archive, key, values)
+
+
+def _put_array(archive: zipfile.ZipFile, key: str, values: NDArray[Any]) -> None:
+    whole = values.ndim == 0 or values.nbytes <= _BLOCK_BYTES
+    _put(archive, key, values.shape, values.dtype, iter([values] if whole else values))
+
+
+def _put(
+    archive: zipfile.ZipFile,
+    key: str,
+    shape: tuple[int, ...],
+    dtype: np.dtype[Any],
+    blocks: Iterator[NDArray[Any]],
+) -> None:
+    """One array as the entry KEY.npy: row-major, little-endian, dated 1980 as zip's epoch."""
+    little = dtype.newbyteorder("<")
+    entry = zipfile.ZipInfo(f"{key}.npy")
+    entry.external_attr = 0o600 << 16
+    with archive.open(entry, "w", force_zip64=True) as out:
+        header = {"descr": little.str, "fortran_order": False, "shape": shape}
+        np.lib.format.write_array_header_1_0(out, header)
+        for block in blocks:
+            out.write(np.ascontiguousarray(block, little).tobytes())
+
+
+def kept_arrays(
+    container: Container, light: Light, keep: tuple[str, ...], shutters: NDArray[np.bool_] | None
+) -> tuple[dict[str, NDArray[Any]], dict[str, Light]]:
+    """What `--keep` adds: arrays, and light that is written slot by slot.
+
+    `shutters` as in `packed_shutters`, needed where `keep` names them.
+    """
+    arrays: dict[str, NDArray[Any]] = {}
+    slots: dict[str, Light] = {}
+    if "light" in keep:
+        slots["light"] = light
+    if "truth" in keep and light.kind == "still":
+        arrays["truth_e"] = light.total_e()
+    elif "truth" in keep:
+        slots["truth_e"] = light
+    if "shutter" in keep and shutters is not None:
+        arrays["shutter"], arrays["shutter_shape"] = packed_shutters(container, shutters)
+    if "codes" in keep and container.pixel_codes is not None:
+        values = container.table.codes[container.pixel_codes]
+        for column, name in enumerate(container.table.fields):
+            arrays[f"codes_{name}"] = values[..., column]
+    return arrays, slots

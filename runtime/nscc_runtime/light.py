@@ -1,0 +1,149 @@
+"""The light on the array: the charge each slot would give each pixel, stills and clips alike."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, eq=False)
+class Light:
+    """Electrons that each pixel collects in each of N slots, if its shutter is open throughout.
+
+    Slot n is float32(sum over k of weight[k] * frames[frame_index[k]]) for k from `row_start[n]` to
+    `row_start[n + 1]`: products and sum in float64, in that order, rounded once. A still is one
+    frame (electrons a second) weighted with the slot lengths (seconds), so that thousands of slots
+    of one picture cost one picture of memory; a clip is its frames with the weights that map them
+    to slots.
+
+    `frames` float32 (T, rows, cols), finite and not negative; `row_start` int64 (N + 1,);
+    `frame_index` int32 and `weight` float64, both (row_start[N],). `exposure_scale_e` is the factor
+    that took the scene's own numbers to electrons (to electrons a second for a still), 1 for
+    scenes given in electrons.
+    """
+
+    frames: NDArray[np.float32]
+    row_start: NDArray[np.int64]
+    frame_index: NDArray[np.int32]
+    weight: NDArray[np.float64]
+    kind: Literal["still", "clip"]
+    exposure_scale_e: float = 1.0
+
+    def __post_init__(self) -> None:
+        entries = int(self.row_start[-1])
+        if self.frames.ndim != 3 or self.frames.dtype != np.float32:
+            raise ValueError(f"frames: {self.frames.dtype} {self.frames.shape}")
+        if len(self.frame_index) != entries or len(self.weight) != entries:
+            raise ValueError(f"{entries} entries, {len(self.frame_index)}, {len(self.weight)}")
+
+    @classmethod
+    def of_still(
+        cls, frame: NDArray[np.float32], weight: NDArray[np.float64], exposure_scale_e: float = 1.0
+    ) -> Light:
+        """One picture (rows, cols); slot n is weight[n] times the picture."""
+        slots = len(weight)
+        return cls(
+            frames=frame[None],
+            row_start=np.arange(slots + 1, dtype=np.int64),
+            frame_index=np.zeros(slots, np.int32),
+            weight=np.asarray(weight, np.float64),
+            kind="still",
+            exposure_scale_e=exposure_scale_e,
+        )
+
+    @classmethod
+    def of_clip(cls, frames: NDArray[np.float32], exposure_scale_e: float = 1.0) -> Light:
+        """A clip (N, rows, cols); slot n is `exposure_scale_e` times frame n."""
+        slots = len(frames)
+        return cls(
+            frames=frames,
+            row_start=np.arange(slots + 1, dtype=np.int64),
+            frame_index=np.arange(slots, dtype=np.int32),
+            weight=np.full(slots, exposure_scale_e, np.float64),
+            kind="clip",
+            exposure_scale_e=exposure_scale_e,
+        )
+
+    @property
+    def slots(self) -> int:
+        """N, the number of slots."""
+        return len(self.row_start) - 1
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """(rows, cols)."""
+        return self.frames.shape[1], self.frames.shape[2]
+
+    def slot(self, n: int) -> NDArray[np.float32]:
+        """Electrons of slot n (rows, cols): what is integrated and what `--keep light` writes.
+
+        May be a view of `frames`: not to be written to.
+        """
+        start, stop = int(self.row_start[n]), int(self.row_start[n + 1])
+        if stop == start:
+            return np.zeros(self.shape, np.float32)
+        if stop == start + 1 and self.weight[start] == 1.0:
+            return self._frame(start)
+        total: NDArray[np.float64] = self._frame(start) * self.weight[start]
+        for k in range(start + 1, stop):
+            total += self._frame(k) * self.weight[k]
+        return total.astype(np.float32)
+
+    def _frame(self, k: int) -> NDArray[np.float32]:
+        """The frame of matrix entry k."""
+        frame: NDArray[np.float32] = self.frames[self.frame_index[k]]
+        return frame
+
+    def dense(self) -> NDArray[np.float32]:
+        """All slots (N, rows, cols)."""
+        out = np.empty((self.slots, *self.shape), np.float32)
+        for n in range(self.slots):
+            out[n] = self.slot(n)
+        return out
+
+    def total_e(self) -> NDArray[np.float64]:
+        """The all-open sum of all slots (rows, cols), to 1e-12 of its value; not to be written to.
+
+        Slots with equal light are added as a multiple: equal slots of a still are one product.
+        """
+        return self._total_e
+
+    @cached_property
+    def _total_e(self) -> NDArray[np.float64]:
+        total = np.zeros(self.shape, np.float64)
+        for n, count in self._distinct_slots():
+            if count == 1:
+                total += self.slot(n)
+            else:
+                total += self.slot(n).astype(np.float64) * count
+        total.flags.writeable = False
+        return total
+
+    def _distinct_slots(self) -> Iterator[tuple[int, int]]:
+        """The first slot of each distinct row of the matrix, and how many slots have that row."""
+        counts: dict[tuple[bytes, bytes], list[int]] = {}
+        for n in range(self.slots):
+            part = slice(int(self.row_start[n]), int(self.row_start[n + 1]))
+            key = (self.frame_index[part].tobytes(), self.weight[part].tobytes())
+            counts.setdefault(key, [n, 0])[1] += 1
+        yield from ((n, count) for n, count in counts.values())
+
+    def sha256(self) -> str:
+        """Hexadecimal digest of shape, matrix and frames: the same light wherever it came from."""
+        import hashlib
+
+        digest = hashlib.sha256(f"light {self.slots} {self.frames.shape} {self.kind}".encode())
+        for values, kind in (
+            (self.row_start, "<i8"),
+            (self.frame_index, "<i4"),
+            (self.weight, "<f8"),
+        ):
+            digest.update(np.ascontiguousarray(values, kind).data)
+        for frame in self.frames:
+            digest.update(np.ascontiguousarray(frame, "<f4").data)
+        return digest.hexdigest()

@@ -1,0 +1,9 @@
+"""Scenes: from files, folders and builtin names to light in electrons on the array."""
+
+from __future__ import annotations
+
+from nscc_runtime.scenes.crop import parse_crop
+from nscc_runtime.scenes.exposure import Exposure, parse_exposure
+from nscc_runtime.scenes.load import load_scene
+
+__all__ = ["Exposure", "load_scene", "parse_crop", "parse_exposure"]

@@ -1,0 +1,172 @@
+"""Scenes given as numbers: `light` in electrons in .npz, .npy and .mat, `orig` clips in .mat.
+
+An .npz or .npy array is checked by its header before any of its data is read, and read block by
+block into float32, so that a long clip costs its own float32 size and little more.
+"""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Rejected
+from nscc_runtime.scenes.errors import Census, damaged, rejected, size
+
+KEY = "light"
+MAT_CLIP_KEY = "orig"
+_BLOCK_BYTES = 1 << 24
+
+Check = Callable[[tuple[int, ...]], None]
+"""Raises Rejected where a light array of that shape does not fit the program and the array."""
+
+
+def check_type(name: Path, key: str, dtype: np.dtype[Any]) -> None:
+    """Light is made of real numbers: anything else is NS0733."""
+    if dtype.kind in "uif":
+        return
+    kinds = {"b": "true/false", "c": "complex", "O": "pickled objects", "U": "text", "S": "text"}
+    kind = kinds.get(dtype.kind, f"of type {dtype}"[:60])
+    raise rejected(
+        "NS0733",
+        f"'{key}' in '{name}' is {kind}, not real numbers",
+        helps=("save it as float32: np.savez(file, light=a.astype(np.float32))",),
+    )
+
+
+def read_light(path: Path, check: Check) -> NDArray[np.float32]:
+    """The array `light` of an .npz, .npy or .mat file, float32, (T, rows, cols) or (rows, cols).
+
+    NS0732 where the file is damaged, NS0733 for a missing key or another kind of numbers, whatever
+    `check` raises for the shape, NS0736 for values that cannot be light.
+    """
+    try:
+        if path.suffix.lower() == ".npy":
+            with open(path, "rb") as file:
+                return _read_npy(file, path, check)
+        with zipfile.ZipFile(path) as archive, archive.open(_member(path, archive)) as entry:
+            return _read_npy(entry, path, check)
+    except Rejected:
+        raise
+    except Exception as error:  # zipfile and numpy raise a dozen types for damaged files
+        raise damaged(path, error) from error
+
+
+def _member(path: Path, archive: zipfile.ZipFile) -> str:
+    names = archive.namelist()
+    if f"{KEY}.npy" in names:
+        return f"{KEY}.npy"
+    raise missing_key(path, [n.removesuffix(".npy") for n in names], (KEY,))
+
+
+def missing_key(path: Path, have: list[str], wanted: tuple[str, ...]) -> Rejected:
+    """The file lacks the array that would be the scene (NS0733)."""
+    shown = ", ".join(repr(name[:40]) for name in sorted(have)[:12]) or "nothing"
+    more = f" and {len(have) - 12} more" if len(have) > 12 else ""
+    names = " or ".join(f"'{key}'" for key in wanted)
+    return rejected(
+        "NS0733",
+        f"'{path}' has no array {names}",
+        notes=(f"it holds {shown}{more}",),
+        helps=(
+            "save the scene's light under that name: np.savez(file, light=a), electrons a slot "
+            "(T, rows, cols) or electrons a second (rows, cols)",
+        ),
+    )
+
+
+def _read_npy(file: IO[bytes], path: Path, check: Check) -> NDArray[np.float32]:
+    version = np.lib.format.read_magic(file)
+    if version == (1, 0):
+        shape, fortran, dtype = np.lib.format.read_array_header_1_0(file)
+    elif version == (2, 0):
+        shape, fortran, dtype = np.lib.format.read_array_header_2_0(file)
+    else:
+        raise ValueError(f"npy format version {version}")
+    check_type(path, KEY, dtype)
+    check(shape)
+    if fortran and len(shape) > 1:
+        blocks: Iterator[NDArray[Any]] = iter(_read_all(file, shape, dtype))
+    else:
+        blocks = _read_blocks(file, shape, dtype)
+    return _gather(path, shape, blocks)
+
+
+def _read_blocks(
+    file: IO[bytes], shape: tuple[int, ...], dtype: np.dtype[Any]
+) -> Iterator[NDArray[Any]]:
+    """Parts of the array along its first axis, each of some megabytes."""
+    inner = shape[1:]
+    each = dtype.itemsize * int(np.prod(inner))
+    step = max(1, _BLOCK_BYTES // max(each, 1))
+    for start in range(0, shape[0], step):
+        count = min(step, shape[0] - start)
+        yield np.frombuffer(_exactly(file, count * each), dtype).reshape(count, *inner)
+
+
+def _read_all(file: IO[bytes], shape: tuple[int, ...], dtype: np.dtype[Any]) -> list[NDArray[Any]]:
+    """A column-major array, as one block: its first axis is scattered over the whole file."""
+    flat = np.frombuffer(_exactly(file, dtype.itemsize * int(np.prod(shape))), dtype)
+    return [flat.reshape(shape[::-1]).T]
+
+
+def _exactly(file: IO[bytes], count: int) -> bytes:
+    data = file.read(count)
+    if len(data) != count:
+        raise ValueError("the array's data ends early")
+    return data
+
+
+def _gather(
+    path: Path, shape: tuple[int, ...], blocks: Iterator[NDArray[Any]]
+) -> NDArray[np.float32]:
+    """The blocks as one float32 array, every value of it light."""
+    out = np.empty(shape, np.float32)
+    census = Census()
+    start = 0
+    for block in blocks:
+        census.look(block, start)
+        with np.errstate(over="ignore"):  # the census has seen these
+            out[start : start + len(block)] = block
+        start += len(block)
+    census.reject(path)
+    return out
+
+
+def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
+    """The scene in a .mat file: ("light", float32 array) or ("orig", (rows, cols, T) as stored).
+
+    `light` wins where both are there. Files of MATLAB 7.3 (HDF5) are refused (NS0732).
+    """
+    from scipy.io import loadmat, whosmat
+
+    wanted = (KEY, MAT_CLIP_KEY)
+    try:
+        names = [str(name) for name, _, _ in whosmat(path)]
+        key = next((k for k in wanted if k in names), None)
+        if key is None:
+            raise missing_key(path, names, wanted)
+        found: NDArray[Any] = loadmat(path, variable_names=[key])[key]
+    except Rejected:
+        raise
+    except NotImplementedError as error:
+        raise damaged(path, error, helps=("save it in MATLAB with the option -v7",)) from error
+    except Exception as error:  # scipy.io raises a dozen types for damaged files
+        raise damaged(path, error) from error
+    if not isinstance(found, np.ndarray):
+        raise damaged(path, f"'{key}' is a {type(found).__name__}, not an array")
+    check_type(path, key, found.dtype)
+    if key == KEY:
+        check(found.shape)
+        return key, _gather(path, found.shape, iter([found]))
+    if found.ndim != 3 or 0 in found.shape:
+        raise rejected(
+            "NS0733",
+            f"'{key}' in '{path}' is {size(found.shape)}, not (rows, cols, T)",
+            helps=("a clip is three-dimensional, time last, with at least one frame",),
+        )
+    return key, found

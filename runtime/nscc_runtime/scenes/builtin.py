@@ -1,0 +1,88 @@
+"""Scenes that need no file: `builtin:hdr`, `builtin:motion`, `builtin:flat:E`, `builtin:dark`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from nscc.diagnostics.suggest import closest
+from nscc_runtime.light import Light
+from nscc_runtime.scenes import exposure as exposures
+from nscc_runtime.scenes.errors import rejected
+from nscc_runtime.scenes.exposure import BUILTIN, Exposure
+
+NAMES = ("hdr", "motion", "flat", "dark")
+
+
+def load_builtin(
+    spec: str,
+    *,
+    slot_us: Sequence[float],
+    rows: int,
+    cols: int,
+    exposure: Exposure | None = None,
+) -> Light:
+    """The light of `builtin:NAME`; NS0731 for a name or an argument that is not one.
+
+    Without `exposure`, hdr and motion have 30000 electrons at percentile 99, flat has its own
+    number of electrons over the whole frame, shared out by slot length.
+    """
+    _, name, *arguments = spec.split(":")
+    if name not in NAMES or bool(arguments) != (name == "flat") or len(arguments) > 1:
+        raise _unknown(spec, name)
+    seconds = np.array(slot_us, np.float64) * 1e-6
+    match name:
+        case "motion":
+            from nscc_runtime.scenes.builtin_motion import motion
+
+            return motion(slot_us, rows, cols, exposure or BUILTIN, spec)
+        case "hdr":
+            from nscc_runtime.scenes.builtin_hdr import landscape
+
+            frame = landscape(rows, cols)
+            wanted: Exposure | None = exposure or BUILTIN
+        case "flat":
+            electrons = _electrons(spec, arguments[0])
+            frame = np.full((rows, cols), 1.0 if electrons else 0.0, np.float32)
+            wanted = exposure or (Exposure(electrons) if electrons else None)
+        case _:
+            frame = np.zeros((rows, cols), np.float32)
+            wanted = exposure
+    factor = 1.0
+    if wanted is not None:
+        open_sum = frame.astype(np.float64) * float(seconds.sum())
+        factor = exposures.scale(open_sum, wanted, spec)
+    return Light.of_still(frame, seconds * factor, factor)
+
+
+def _electrons(spec: str, text: str) -> float:
+    try:
+        electrons = float(text)
+    except ValueError:
+        electrons = math.nan
+    if 0.0 <= electrons < 1e38:
+        return electrons
+    raise rejected(
+        "NS0731",
+        f"'{text[:60]}' in '{spec[:80]}' is no number of electrons",
+        notes=("builtin:flat:E gives every pixel E electrons over the whole frame, 0 or more",),
+        helps=("for instance builtin:flat:10000",),
+    )
+
+
+def _unknown(spec: str, name: str) -> Exception:
+    near = name if name in NAMES else closest(name, NAMES)
+    if near == "flat":
+        help_text = "did you mean builtin:flat:10000 (10000 electrons over the whole frame)?"
+    elif near:
+        help_text = f"did you mean builtin:{near}?"
+    else:
+        help_text = "choose one of these, or name a file"
+    return rejected(
+        "NS0731",
+        f"there is no scene '{spec[:80]}'",
+        notes=("builtin scenes: builtin:hdr, builtin:motion, builtin:flat:E, builtin:dark",),
+        helps=(help_text,),
+    )

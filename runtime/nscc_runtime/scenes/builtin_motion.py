@@ -1,0 +1,145 @@
+"""`builtin:motion`: a ball, a wheel, a train and a spark cross the picture within one frame."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.light import Light
+from nscc_runtime.scenes import timing
+from nscc_runtime.scenes.exposure import Exposure
+from nscc_runtime.scenes.load import spread
+from nscc_runtime.scenes.shapes import Field, fractal, hashed, turn
+
+_FEWEST, _MOST = 64, 256
+"""Pictures of the clip: fewer would jump, more would cost a gigabyte for thousands of slots."""
+
+
+def motion(slot_us: Sequence[float], rows: int, cols: int, exposure: Exposure, name: str) -> Light:
+    """The clip under the slots of a frame; it lasts exactly as long as the frame.
+
+    It has 64 to 256 pictures: a multiple of the number of slots where that is below 256, so that
+    a slot of equal slots holds whole pictures. Slots integrate them piecewise constant.
+    """
+    slots = len(slot_us)
+    count = slots * ceil(_FEWEST / slots) if slots <= _MOST else _MOST
+    length_us = timing.slot_edges_us(slot_us)[-1]
+    seconds = timing.overlaps(slot_us, Fraction(count * 1_000_000) / length_us)
+    return spread(frames(count, rows, cols), seconds, exposure, name)
+
+
+def frames(count: int, rows: int, cols: int) -> NDArray[np.float32]:
+    """`count` pictures (count, rows, cols) of the clip, relative luminance up to 8."""
+    unit = float(min(rows, cols))
+    x = (np.arange(cols, dtype=np.float64) + 0.5 - cols / 2) / unit
+    y = (np.arange(rows, dtype=np.float64) + 0.5 - rows / 2) / unit
+    clip = np.empty((count, rows, cols), np.float32)
+    clip[:] = _wall(x, y)
+    half = (cols / 2 / unit, rows / 2 / unit)
+    for k, picture in enumerate(clip):
+        phase = (k + 0.5) / count
+        _train(picture, x, y, phase, half, 1.0 / unit)
+        _wheel(picture, x, y, phase, 1.0 / unit)
+        _ball(picture, x, y, phase, half, 1.0 / unit)
+        _spark(picture, x, y, phase, half)
+    return clip
+
+
+def _wall(x: Field, y: Field) -> NDArray[np.float32]:
+    """Bricks in side light."""
+    course = np.floor(y * 16.0)
+    along = x[None, :] * 7.0 + 0.5 * (course % 2)[:, None]
+    brick = np.floor(along)
+    joint = np.minimum(along - brick, 1.0 - (along - brick)) * (16.0 / 7.0)
+    bed = np.minimum(y * 16.0 - course, 1.0 - (y * 16.0 - course))[:, None]
+    mortar = np.clip((np.minimum(joint, bed) - 0.04) * 12.0, 0.0, 1.0)
+    tone = hashed(brick.astype(np.int64), course.astype(np.int64)[:, None], 5)
+    grain = fractal(x * 24.0, y * 24.0, 11, 3)
+    light = 0.24 - 0.12 * x[None, :] - 0.06 * y[:, None]
+    colour = (0.45 + 0.55 * mortar * (0.5 + 0.5 * tone)) * (0.7 + 0.6 * grain)
+    wall: Field = np.maximum(light, 0.03) * colour
+    return wall.astype(np.float32)
+
+
+def _span(axis: Field, low: float, high: float) -> slice:
+    """The pixels whose centres lie between `low` and `high`."""
+    return slice(int(np.searchsorted(axis, low)), int(np.searchsorted(axis, high, side="right")))
+
+
+def _train(
+    picture: NDArray[np.float32],
+    x: Field,
+    y: Field,
+    phase: float,
+    half: tuple[float, float],
+    pixel: float,
+) -> None:
+    """Coaches with lit windows run along the lower edge from left to right."""
+    rows = _span(y, half[1] - 0.22, half[1] - 0.05)
+    u = (x - (phase * 1.5 - 0.75) * (2 * half[0] + 0.6)) * 9.0
+    v = ((y[rows] - (half[1] - 0.22)) / 0.17)[:, None]
+    on = np.clip(4.5 - np.abs(u) + 0.5, 0.0, 1.0)
+    cell = u - np.floor(u)
+    edge = 9.0 * pixel
+    pane = np.clip((np.minimum(cell - 0.2, 0.8 - cell)) / edge + 0.5, 0.0, 1.0)
+    window = pane * np.clip((0.17 - np.abs(v - 0.38)) * 12.0, 0.0, 1.0)
+    body = 0.16 + 0.5 * np.clip(0.06 - np.abs(v - 0.72), 0.0, 0.05) * 20.0
+    lamp = 5.0 / (1.0 + ((u - 4.3) ** 2 + (v - 0.72) ** 2 * 6.0) * 60.0)
+    picture[rows] += ((body + (1.9 - body) * window + lamp) - picture[rows]) * on
+
+
+def _wheel(picture: NDArray[np.float32], x: Field, y: Field, phase: float, pixel: float) -> None:
+    """A wheel of five spokes turns one and a half times."""
+    centre, radius = (-0.2, -0.05), 0.21
+    rows = _span(y, centre[1] - radius - pixel, centre[1] + radius + pixel)
+    cols = _span(x, centre[0] - radius - pixel, centre[0] + radius + pixel)
+    dx, dy = (x[cols] - centre[0])[None, :], (y[rows] - centre[1])[:, None]
+    r = np.sqrt(dx * dx + dy * dy)
+    ring = np.minimum(radius - r, r - 0.84 * radius)
+    shape = np.maximum(ring, 0.2 * radius - r)
+    for spoke in range(5):
+        c, s = turn(phase * 1.5 + spoke / 5)
+        forward, aside = dx * c + dy * s, np.abs(dy * c - dx * s)
+        arm = np.minimum(0.014 + 0.05 * forward - aside, np.minimum(forward, 0.9 * radius - r))
+        shape = np.maximum(shape, arm)
+    cover = np.clip(shape / pixel + 0.5, 0.0, 1.0)
+    c, s = turn(phase * 1.5)
+    glint = 0.55 + 0.35 * (dx * c + dy * s) / radius
+    picture[rows, cols] += (glint - picture[rows, cols]) * cover
+
+
+def _ball(
+    picture: NDArray[np.float32],
+    x: Field,
+    y: Field,
+    phase: float,
+    half: tuple[float, float],
+    pixel: float,
+) -> None:
+    """A ball bounces three times on its way from right to left."""
+    radius = 0.075
+    bounce = (phase * 3.0) % 1.0
+    cx = half[0] + 0.05 - phase * (2 * half[0] + 0.1)
+    cy = half[1] - 0.3 - 2.2 * bounce * (1.0 - bounce) * min(half[1], 1.0)
+    rows = _span(y, cy - radius - pixel, cy + radius + pixel)
+    cols = _span(x, cx - radius - pixel, cx + radius + pixel)
+    dx, dy = (x[cols] - cx)[None, :] / radius, (y[rows] - cy)[:, None] / radius
+    r2 = dx * dx + dy * dy
+    cover = np.clip((1.0 - np.sqrt(r2)) * radius / pixel + 0.5, 0.0, 1.0)
+    lit = np.clip(0.75 * np.sqrt(np.maximum(1.0 - r2, 0.0)) - 0.45 * dx - 0.5 * dy, 0.05, None)
+    gloss = 1.2 / (1.0 + ((dx + 0.4) ** 2 + (dy + 0.45) ** 2) * 40.0)
+    picture[rows, cols] += (lit + gloss - picture[rows, cols]) * cover
+
+
+def _spark(
+    picture: NDArray[np.float32], x: Field, y: Field, phase: float, half: tuple[float, float]
+) -> None:
+    """A point of light runs a loop twice as fast one way as the other."""
+    cx, cy = 0.75 * half[0] * turn(phase)[0], -0.25 + 0.17 * turn(2.0 * phase)[1]
+    rows, cols = _span(y, cy - 0.09, cy + 0.09), _span(x, cx - 0.09, cx + 0.09)
+    r2 = (x[cols] - cx)[None, :] ** 2 + (y[rows] - cy)[:, None] ** 2
+    picture[rows, cols] += 8.0 * np.clip(1.0 - r2 / 0.0081, 0.0, 1.0) ** 2 / (1.0 + r2 / 0.0001)

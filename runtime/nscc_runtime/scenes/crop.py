@@ -1,0 +1,56 @@
+"""Which part of a picture falls on the array."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from numpy.typing import NDArray
+
+from nscc_runtime.scenes.errors import Path_or_name, misfit, rejected, size
+
+
+@dataclass(frozen=True)
+class Window:
+    """The array's size and where its top left corner lies in pictures; None centres it."""
+
+    rows: int
+    cols: int
+    corner: tuple[int, int] | None = None
+
+    def of(self, picture: NDArray[Any], name: Path_or_name) -> NDArray[Any]:
+        """The part (rows, cols, ...) of a picture (R, C, ...); NS0734 where it does not fit.
+
+        A centred window whose margins cannot be equal has the smaller one above and to the left.
+        """
+        have = (int(picture.shape[0]), int(picture.shape[1]))
+        need = (self.rows, self.cols)
+        if have[0] < need[0] or have[1] < need[1]:
+            raise misfit(name, have, need)
+        if self.corner is None:
+            top, left = (have[0] - need[0]) // 2, (have[1] - need[1]) // 2
+        else:
+            top, left = self.corner
+            if not (0 <= top <= have[0] - need[0] and 0 <= left <= have[1] - need[1]):
+                raise rejected(
+                    "NS0734",
+                    f"--crop {top},{left} puts the array of {size(need)} outside the scene "
+                    f"'{name}' of {size(have)}",
+                    notes=("--crop R,C is the row and column of the top left corner",),
+                    helps=(f"R may be 0 to {have[0] - need[0]} here, C 0 to {have[1] - need[1]}",),
+                    data={"scene": list(have), "array": list(need), "crop": [top, left]},
+                )
+        return picture[top : top + need[0], left : left + need[1]]
+
+
+def parse_crop(text: str) -> tuple[int, int]:
+    """`R,C` as two whole numbers; NS0739 for anything else."""
+    parts = text.split(",")
+    if len(parts) == 2 and all(p.strip().isdecimal() and len(p.strip()) < 10 for p in parts):
+        return int(parts[0]), int(parts[1])
+    raise rejected(
+        "NS0739",
+        f"'{text[:60]}' is no corner for --crop",
+        notes=("--crop R,C: the row and column of the top left corner, from 0",),
+        helps=("for instance --crop 120,300",),
+    )

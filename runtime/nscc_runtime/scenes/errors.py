@@ -1,0 +1,120 @@
+"""What is said about a scene that cannot be used. All of it ends in exit status 2."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+
+Path_or_name = Path | str
+
+
+def rejected(
+    code: str,
+    message: str,
+    *,
+    notes: Sequence[str] = (),
+    helps: Sequence[str] = (),
+    data: dict[str, Any] | None = None,
+) -> Rejected:
+    """One error about the scene, as the exception that ends the command with status 2."""
+    diagnostic = Diagnostic(code, message, notes=tuple(notes), helps=tuple(helps), data=data or {})
+    return Rejected(diagnostic, status=2)
+
+
+def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) -> Rejected:
+    """The file of that name cannot be decoded (NS0732); `reason` is the reader's own word."""
+    words = " ".join(str(reason).split())[:200]
+    notes = (f"the reader says: {words}",) if words else ()
+    return rejected(
+        "NS0732",
+        f"cannot read '{name}' as {_kind(name)}",
+        notes=notes,
+        helps=helps or ("check that the file is whole and that its ending says what it is",),
+    )
+
+
+def _kind(name: Path_or_name) -> str:
+    ending = Path(str(name)).suffix.lower()
+    return f"a {ending} file" if ending else "a scene"
+
+
+def misfit(name: Path_or_name, have: tuple[int, int], need: tuple[int, int]) -> Rejected:
+    """The picture is smaller than the array (NS0734)."""
+    return rejected(
+        "NS0734",
+        f"the scene '{name}' is {size(have)}, smaller than the array of {size(need)}",
+        notes=("sizes are rows x columns; pictures are cropped to the array, never scaled",),
+        helps=("use a larger picture, or a target with a smaller array",),
+        data={"scene": list(have), "array": list(need)},
+    )
+
+
+def size(shape: Sequence[int]) -> str:
+    """`256 x 256` for (256, 256)."""
+    return " x ".join(str(n) for n in shape) if len(shape) else "a single number"
+
+
+class Census:
+    """Counts what is wrong with light values, block by block, and remembers the first place."""
+
+    def __init__(self) -> None:
+        self.counts = {"NaN": 0, "infinite": 0, "negative": 0}
+        self.first: dict[str, tuple[tuple[int, ...], float]] = {}
+
+    def look(self, block: NDArray[Any], start: int = 0) -> None:
+        """Add the values of `block`, whose first axis begins at `start` (a plain 2-D block at 0).
+
+        Values above float32's range count as infinite.
+        """
+        if block.size == 0:
+            return
+        low, high = float(block.min()), float(block.max())
+        top = float(np.finfo(np.float32).max)
+        if low >= 0.0 and high <= top:
+            return
+        for kind, bad in (
+            ("NaN", np.isnan(block)),
+            ("infinite", np.abs(block) > top),
+            ("negative", (block < 0) & (block >= -top)),
+        ):
+            count = int(np.count_nonzero(bad))
+            if not count:
+                continue
+            if kind not in self.first:
+                place = tuple(int(i) for i in np.argwhere(bad)[0])
+                value = float(block[place])
+                self.first[kind] = ((place[0] + start, *place[1:]), value)
+            self.counts[kind] += count
+
+    def reject(self, name: Path_or_name) -> None:
+        """Raise NS0736 if any value was bad."""
+        found = [kind for kind in self.counts if self.counts[kind]]
+        if not found:
+            return
+        worst = found[0]
+        place, value = self.first[worst]
+        words = {"NaN": "not a number (NaN)", "infinite": "too large", "negative": "negative"}
+        counted = ", ".join(f"{self.counts[k]} {words[k]}" for k in found)
+        total = sum(self.counts.values())
+        raise rejected(
+            "NS0736",
+            f"{total} light value{'s' if total > 1 else ''} in '{name}' cannot be light: {counted}",
+            notes=(
+                f"the first {words[worst]} is {value:g} at {axes(len(place))} = "
+                f"[{', '.join(map(str, place))}]",
+                "light is a count of electrons: finite (below 3.4e38) and not negative",
+            ),
+            helps=("repair the array, for instance with np.nan_to_num and np.clip(a, 0, None)",),
+            data={"count": total, "first": list(place)},
+        )
+
+
+def axes(dimensions: int) -> str:
+    """How messages call the indices of a still or a clip."""
+    return "[slot, row, column]" if dimensions == 3 else "[row, column]"

@@ -1,0 +1,88 @@
+"""`--exposure E[@P]`: how many electrons a scene without units amounts to."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.scenes.errors import Path_or_name, rejected
+
+DEFAULT_PERCENTILE = 99.0
+
+
+@dataclass(frozen=True)
+class Exposure:
+    """`electrons` over the whole frame at percentile `percentile` of the all-open sum."""
+
+    electrons: float
+    percentile: float = DEFAULT_PERCENTILE
+
+
+BUILTIN = Exposure(30000.0)
+"""What the builtin scenes get unless asked otherwise: the full well of PIX, at percentile 99."""
+
+
+def parse_exposure(text: str) -> Exposure:
+    """`E` or `E@P`, electrons above 0 and a percentile in 0..100; NS0738 for anything else."""
+    electrons, at, percentile = text.partition("@")
+    try:
+        found = Exposure(float(electrons), float(percentile) if at else DEFAULT_PERCENTILE)
+    except ValueError:
+        found = Exposure(math.nan)
+    if not (0 < found.electrons < math.inf and 0 <= found.percentile <= 100):
+        raise rejected(
+            "NS0738",
+            f"'{text[:60]}' is no exposure",
+            notes=(
+                "--exposure E or E@P: E electrons, above 0, over the whole frame, for the pixel at "
+                "percentile P (0 to 100, 99 if not given) of the scene",
+            ),
+            helps=("for instance --exposure 30000@99",),
+        )
+    return found
+
+
+def needed(name: Path_or_name) -> Exposure:
+    """Never returns: the scene has no unit of its own and no exposure was given (NS0737)."""
+    raise rejected(
+        "NS0737",
+        f"the scene '{name}' says nothing about electrons: --exposure is needed",
+        notes=("pictures and clips hold relative light; only `light` arrays hold electrons",),
+        helps=(
+            "add --exposure 30000: the pixel at percentile 99 then gets 30000 electrons over "
+            "the whole frame, a full well of scamp5",
+        ),
+    )
+
+
+def scale(open_sum: NDArray[np.float64], exposure: Exposure, name: Path_or_name) -> float:
+    """The factor that takes `open_sum` (rows, cols), in the scene's own unit, to electrons.
+
+    Percentiles between two pixels are interpolated linearly. NS0738 where the scene is dark there,
+    or where its electrons would leave float32's range.
+    """
+    level = float(np.percentile(open_sum, exposure.percentile))
+    if level <= 0.0:
+        lit = int(np.count_nonzero(open_sum > 0))
+        raise rejected(
+            "NS0738",
+            f"the scene '{name}' is dark at percentile {exposure.percentile:g}: no factor makes "
+            f"that {exposure.electrons:g} electrons",
+            notes=(f"{lit} of {open_sum.size} pixels have light",),
+            helps=("use a higher percentile, such as @100, or another --crop",)
+            if lit
+            else ("use another scene, or another --crop",),
+        )
+    factor = exposure.electrons / level
+    peak = float(open_sum.max())
+    if not (0.0 < factor < math.inf and peak * factor < float(np.finfo(np.float32).max)):
+        raise rejected(
+            "NS0738",
+            f"{exposure.electrons:g} electrons at percentile {exposure.percentile:g} of "
+            f"'{name}' leave the range of numbers for light (3.4e38)",
+            helps=("a full well of scamp5 is 30000 electrons: --exposure 30000",),
+        )
+    return factor

@@ -1,0 +1,299 @@
+"""`--scene`: from a name to the light on the array."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Diagnostic, Severity
+from nscc_runtime.light import Light
+from nscc_runtime.scenes import arrays, exposure, timing
+from nscc_runtime.scenes.colour import Transfer, linear, luminance
+from nscc_runtime.scenes.crop import Window
+from nscc_runtime.scenes.errors import Census, rejected, size
+from nscc_runtime.scenes.exposure import Exposure
+
+FramesAre = Literal["integrals", "samples"]
+
+ARRAYS = (".mat", ".npy", ".npz")
+_TINY_NEGATIVE = 1e-3
+"""Samples below 0 by at most this part of a picture's peak are filter ringing: set to 0."""
+
+
+@dataclass(frozen=True)
+class Options:
+    """What the command line says about a scene besides its name; None: not given.
+
+    `frames_are` "samples" declares that the scene moves within a frame. That motion is an effect
+    of the sensor model: with effects off a sample stands for its whole frame, as an integral does.
+    """
+
+    exposure: Exposure | None = None
+    transfer: Transfer | None = None
+    fps: float | None = None
+    crop: tuple[int, int] | None = None
+    frames_are: FramesAre = "integrals"
+
+
+@dataclass(frozen=True)
+class _Request:
+    """A scene to load: its name, the program's slots and array, the options, where notes go."""
+
+    name: str
+    slot_us: tuple[float, ...]
+    window: Window
+    options: Options
+    warn: Callable[[Diagnostic], None]
+
+    @property
+    def slots(self) -> int:
+        return len(self.slot_us)
+
+    @property
+    def slot_s(self) -> NDArray[np.float64]:
+        return np.array(self.slot_us, np.float64) * 1e-6
+
+
+def load_scene(
+    spec: str,
+    *,
+    slot_us: Sequence[float],
+    rows: int,
+    cols: int,
+    exposure: Exposure | None = None,
+    transfer: Transfer | None = None,
+    fps: float | None = None,
+    crop: tuple[int, int] | None = None,
+    frames_are: FramesAre = "integrals",
+    warn: Callable[[Diagnostic], None] = lambda _: None,
+) -> Light:
+    """The light of scene `spec` in slots of `slot_us` on an array of rows x cols.
+
+    `spec` is a file, a folder of pictures or `builtin:NAME`. Raises Rejected with status 2
+    (NS0730..NS0739); `warn` is handed what was changed in the scene (NS0740).
+    """
+    options = Options(exposure, transfer, fps, crop, frames_are)
+    request = _Request(spec, tuple(slot_us), Window(rows, cols, crop), options, warn)
+    if spec.startswith("builtin:"):
+        from nscc_runtime.scenes.builtin import load_builtin
+
+        _refuse(request, "a builtin scene is made for the array", "transfer", "fps", "crop")
+        return load_builtin(spec, slot_us=request.slot_us, rows=rows, cols=cols, exposure=exposure)
+    return _load_path(request, _existing(spec))
+
+
+def _existing(spec: str) -> Path:
+    path = Path(spec)
+    try:
+        if path.is_dir() or path.is_file():
+            return path
+        reason = "it is not a file" if path.exists() else "there is no such file"
+    except (OSError, ValueError) as error:
+        reason = str(error)
+    raise rejected(
+        "NS0730",
+        f"the scene '{spec[:200]}' cannot be opened: {reason}",
+        helps=(
+            "name a file, a folder of pictures or a builtin scene: builtin:hdr, builtin:motion, "
+            "builtin:flat:E, builtin:dark",
+        ),
+    )
+
+
+def _load_path(request: _Request, path: Path) -> Light:
+    from nscc_runtime.scenes import clips, pictures
+
+    suffix = path.suffix.lower()
+    if path.is_dir():
+        files = pictures.files_of(path)
+        transfer = request.options.transfer or pictures.default_transfer(files[0])
+        return _clip(request, pictures.read_folder(files), transfer)
+    if suffix in ARRAYS:
+        return _array(request, path)
+    if suffix in pictures.PICTURES:
+        return _still(request, path)
+    if suffix in clips.CLIPS:
+        return _clip(request, clips.read_clip(path), request.options.transfer or "srgb")
+    known = ", ".join(sorted(ARRAYS + pictures.PICTURES + clips.CLIPS))
+    raise rejected(
+        "NS0731",
+        f"'{path}' does not end like a scene",
+        notes=(f"scenes end in {known}, or are folders of pictures",),
+        helps=("give the file the ending of its format",),
+    )
+
+
+def _refuse(request: _Request, why: str, *names: str) -> None:
+    """Raise NS0739 if one of these options is given."""
+    for name in names:
+        if getattr(request.options, name) is not None:
+            raise rejected(
+                "NS0739",
+                f"--{name} means nothing for the scene '{request.name}'",
+                notes=(why,),
+                helps=(f"leave --{name} out",),
+            )
+
+
+def _array(request: _Request, path: Path) -> Light:
+    """Light in electrons, or a .mat clip."""
+
+    def check(shape: tuple[int, ...]) -> None:
+        _check_light(request, shape)
+
+    if path.suffix.lower() == ".mat":
+        key, found = arrays.read_mat(path, check)
+        if key == arrays.MAT_CLIP_KEY:
+            frames = (found[:, :, k] for k in range(found.shape[2]))
+            return _clip(request, frames, request.options.transfer or "linear")
+    else:
+        found = arrays.read_light(path, check)
+    _refuse(request, "`light` arrays hold electrons, slot by slot, for every pixel", "fps", "crop")
+    if request.options.transfer == "srgb":
+        _refuse(request, "`light` arrays hold electrons, which are linear", "transfer")
+    return _electrons(request, found)
+
+
+def _electrons(request: _Request, found: NDArray[np.float32]) -> Light:
+    wanted = request.options.exposure
+    if found.ndim == 3:
+        light = Light.of_clip(found)
+        factor = 1.0 if wanted is None else exposure.scale(light.total_e(), wanted, request.name)
+        return light if wanted is None else Light.of_clip(found, factor)
+    seconds = request.slot_s
+    if wanted is not None:
+        factor = _still_scale(request, found, wanted)
+        return Light.of_still(found, seconds * factor, factor)
+    peak = float(found.max()) * float(seconds.max())
+    if peak > float(np.finfo(np.float32).max):
+        raise rejected(
+            "NS0736",
+            f"the scene '{request.name}' gives {peak:g} electrons in one slot",
+            notes=("a slot's light must stay below 3.4e38 electrons",),
+            helps=("a still in a `light` array is in electrons a second: divide it",),
+        )
+    return Light.of_still(found, seconds)
+
+
+def _check_light(request: _Request, shape: tuple[int, ...]) -> None:
+    """The shape that a `light` array must have for this program."""
+    need = (request.window.rows, request.window.cols)
+    if len(shape) not in (2, 3):
+        raise rejected(
+            "NS0733",
+            f"'light' in '{request.name}' has {len(shape)} dimensions: {size(shape)}",
+            notes=(f"a still is (rows, cols) = {size(need)}, a clip (slots, rows, cols)",),
+            helps=("give the array two or three dimensions",),
+        )
+    if tuple(shape[-2:]) != need:
+        raise rejected(
+            "NS0734",
+            f"'light' in '{request.name}' is {size(shape[-2:])}, the array is {size(need)}",
+            notes=("sizes are rows x columns; light in electrons is neither cropped nor scaled",),
+            helps=("cut the array to that size, or use a target of the scene's size",),
+            data={"scene": list(shape[-2:]), "array": list(need)},
+        )
+    if len(shape) == 3 and shape[0] != request.slots:
+        raise rejected(
+            "NS0735",
+            f"'light' in '{request.name}' has {shape[0]} frame{'' if shape[0] == 1 else 's'}, "
+            f"the program has {request.slots} slots",
+            notes=("a light array holds the electrons of each slot: one frame a slot",),
+            helps=("use a program of as many slots, or a still: (rows, cols), electrons a second",),
+            data={"frames": shape[0], "needed": request.slots},
+        )
+
+
+def _still(request: _Request, path: Path) -> Light:
+    from nscc_runtime.scenes import pictures
+
+    _refuse(request, "a still has no frame rate", "fps")
+    wanted = request.options.exposure or exposure.needed(request.name)
+    transfer = request.options.transfer or pictures.default_transfer(path)
+    frame = _luminance(request, pictures.read_picture(path), transfer, str(path))
+    factor = _still_scale(request, frame, wanted)
+    return Light.of_still(frame, request.slot_s * factor, factor)
+
+
+def _still_scale(request: _Request, frame: NDArray[np.float32], wanted: Exposure) -> float:
+    """Electrons a second for one unit of a still."""
+    return exposure.scale(
+        frame.astype(np.float64) * float(request.slot_s.sum()), wanted, request.name
+    )
+
+
+def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> Light:
+    """The first frames of a clip: one a slot, or as `--fps` lays them under the slots."""
+    wanted = request.options.exposure or exposure.needed(request.name)
+    fps = None if request.options.fps is None else timing.check_fps(request.options.fps)
+    need = request.slots if fps is None else timing.frames_needed(request.slot_us, fps)
+    frames = np.empty((0, request.window.rows, request.window.cols), np.float32)
+    have = 0
+    for picture in stored:
+        frame = _luminance(request, picture, transfer, f"{request.name}, frame {have}")
+        if have == len(frames):
+            # realloc grows a large block without a copy; the final size is exactly `need`
+            frames.resize((min(need, max(64, 2 * have)), *frame.shape), refcheck=False)
+        frames[have] = frame
+        have += 1
+        if have == need:
+            break
+    if have < need:
+        raise timing.too_short(request.name, have, need, request.slots, request.options.fps)
+    if fps is None:
+        factor = exposure.scale(frames.sum(axis=0, dtype=np.float64), wanted, request.name)
+        return Light.of_clip(frames, factor)
+    return spread(frames, timing.overlaps(request.slot_us, fps), wanted, request.name)
+
+
+def spread(
+    frames: NDArray[np.float32], seconds: timing.Overlaps, wanted: Exposure, name: str
+) -> Light:
+    """A clip of electrons a second, up to a factor, that slots integrate piecewise constant."""
+    share = np.bincount(seconds.frame_index, seconds.seconds, len(frames))
+    open_sum = np.zeros(frames.shape[1:], np.float64)
+    for frame, time_s in zip(frames, share, strict=True):
+        open_sum += frame * time_s
+    factor = exposure.scale(open_sum, wanted, name)
+    return Light(
+        frames=frames,
+        row_start=seconds.row_start,
+        frame_index=seconds.frame_index,
+        weight=seconds.seconds * factor,
+        kind="clip",
+        exposure_scale_e=factor,
+    )
+
+
+def _luminance(
+    request: _Request, stored: NDArray[Any], transfer: Transfer, name: str
+) -> NDArray[np.float32]:
+    """The part of a stored picture on the array as luminance; NS0736 for what is not light."""
+    peak = float(stored.max()) if stored.dtype.kind == "f" else 0.0
+    part = linear(request.window.of(stored, request.name), transfer)
+    values = luminance(part) if part.ndim == 3 else part
+    low = float(values.min())
+    if low < 0 and low >= -_TINY_NEGATIVE * peak:
+        count = int(np.count_nonzero(values < 0))
+        values = np.maximum(values, 0.0)
+        request.warn(_clamped(name, count, values.size, low))
+    census = Census()
+    census.look(values)
+    census.reject(name)
+    return values.astype(np.float32)
+
+
+def _clamped(name: str, count: int, total: int, low: float) -> Diagnostic:
+    return Diagnostic(
+        "NS0740",
+        f"{count} of {total} pixels of '{name}' were negative and are taken as dark",
+        severity=Severity.WARNING,
+        notes=(f"the lowest is {low:.3g}; so little below zero is left by filters, not by light",),
+        helps=("nothing needs to be done; clip the picture at 0 to be rid of this message",),
+        data={"count": count},
+    )

@@ -1,0 +1,69 @@
+"""Pieces of procedural pictures.
+
+Only sums, products, quotients and square roots, which every machine rounds alike: a builtin scene
+is the same to the bit everywhere, which library sines and powers are not.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Field = NDArray[np.float64]
+
+
+def smooth(low: float, high: float, values: Field) -> Field:
+    """0 below `low`, 1 above `high`, a cubic in between."""
+    t = np.clip((values - low) / (high - low), 0.0, 1.0)
+    result: Field = t * t * (3.0 - 2.0 * t)
+    return result
+
+
+def hashed(x: NDArray[np.int64], y: NDArray[np.int64], seed: int) -> Field:
+    """A number in [0, 1) for every pair of integers, without visible pattern."""
+    h = (x * 374761393 + y * 668265263 + seed * 1442695041) & 0xFFFFFFFF
+    h = ((h ^ (h >> 13)) * 1274126177) & 0xFFFFFFFF
+    h = ((h ^ (h >> 15)) * 2246822519) & 0xFFFFFFFF
+    result: Field = ((h ^ (h >> 14)) & 0xFFFFFF) / float(1 << 24)
+    return result
+
+
+def noise(x: Field, y: Field, seed: int) -> Field:
+    """Smooth random field in [0, 1) with grain size 1.
+
+    x and y are the coordinates of columns (cols,) and of rows (rows,): the field is (rows, cols).
+    """
+    column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
+    left, top = int(column.min()), int(row.min())
+    across = np.arange(left, int(column.max()) + 2, dtype=np.int64)
+    down = np.arange(top, int(row.max()) + 2, dtype=np.int64)
+    lattice = hashed(across[None, :], down[:, None], seed)
+    u, v = smooth(0.0, 1.0, x - column), smooth(0.0, 1.0, y - row)[:, None]
+    rows_above = lattice[row - top]
+    rows_below = lattice[row - top + 1]
+    between = rows_above + (rows_below - rows_above) * v
+    at_left = between[:, column - left]
+    result: Field = at_left + (between[:, column - left + 1] - at_left) * u
+    return result
+
+
+def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
+    """Noise in [0, 1) with detail at `octaves` scales, each half as large and half as strong."""
+    total = np.zeros((len(y), len(x)))
+    strength, sum_of_strengths = 1.0, 0.0
+    for octave in range(octaves):
+        factor = float(1 << octave)
+        total += strength * noise(x * factor, y * factor, seed + octave)
+        sum_of_strengths += strength
+        strength *= 0.5
+    result: Field = total / sum_of_strengths
+    return result
+
+
+def turn(phase: float) -> tuple[float, float]:
+    """A point (x, y) of the unit circle; phase 0..1 goes round once, at nearly constant speed."""
+    quarter, rest = divmod((phase % 1.0) * 4.0, 1.0)
+    t = rest * (0.8284 + 0.1716 * rest * rest)  # near tan(rest * 45 degrees), exact at 0 and 1
+    x, y = (1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)
+    corners = ((x, y), (-y, x), (-x, -y), (y, -x))
+    return corners[int(quarter) % 4]

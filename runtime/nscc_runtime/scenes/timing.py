@@ -1,0 +1,104 @@
+"""Which parts of which frames of a clip fall into which slot."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Rejected
+from nscc_runtime.scenes.errors import Path_or_name, rejected
+
+_SLACK_FRAMES = Fraction(1, 1000)
+"""So much of a frame may the last slot reach beyond the clip: slots of 16.667 ms at 60 frames/s."""
+
+
+@dataclass(frozen=True, eq=False)
+class Overlaps:
+    """Sparse matrix (slots, frames) of the seconds that each slot spends in each frame, as CSR."""
+
+    row_start: NDArray[np.int64]
+    frame_index: NDArray[np.int32]
+    seconds: NDArray[np.float64]
+
+
+def slot_edges_us(slot_us: Sequence[float]) -> list[Fraction]:
+    """The N + 1 boundaries of the slots, exact: lengths are the decimals that they print as."""
+    edges = [Fraction(0)]
+    known: dict[float, Fraction] = {}
+    for length in slot_us:
+        exact = known.get(length)
+        if exact is None:
+            exact = known[length] = Fraction(repr(float(length)))
+        edges.append(edges[-1] + exact)
+    return edges
+
+
+def frames_needed(slot_us: Sequence[float], fps: Fraction) -> int:
+    """How many frames, from the first, the slots reach into."""
+    end = slot_edges_us(slot_us)[-1] * fps / 1_000_000
+    return max(1, ceil(end - _SLACK_FRAMES))
+
+
+def overlaps(slot_us: Sequence[float], fps: Fraction) -> Overlaps:
+    """Frame k covers [k / fps, (k + 1) / fps); what reaches beyond the last frame counts to it.
+
+    The boundaries are computed in exact fractions, so a slot that ends with a frame holds
+    nothing of the next, whatever the number of slots. The last frame is number
+    `frames_needed` - 1.
+    """
+    per_us = fps / 1_000_000
+    last = frames_needed(slot_us, fps) - 1
+    row_start, frame_index, seconds = [0], [], []
+    begin = Fraction(0)
+    for edge_us in slot_edges_us(slot_us)[1:]:
+        end = edge_us * per_us
+        k = min(int(begin), last)
+        at = begin
+        while at < end:
+            stop = end if k == last else min(end, Fraction(k + 1))
+            frame_index.append(k)
+            seconds.append(float((stop - at) / fps))
+            at, k = stop, k + 1
+        row_start.append(len(frame_index))
+        begin = end
+    return Overlaps(
+        np.array(row_start, np.int64),
+        np.array(frame_index, np.int32),
+        np.array(seconds, np.float64),
+    )
+
+
+def check_fps(fps: float) -> Fraction:
+    """The frame rate as the exact fraction that it prints as; NS0739 outside 1e-6 .. 1e9."""
+    if 1e-6 <= fps <= 1e9:
+        return Fraction(repr(float(fps)))
+    raise rejected(
+        "NS0739",
+        f"--fps {fps:g} is no frame rate",
+        notes=("--fps F: frames a second, from 1e-6 to 1e9",),
+        helps=("for instance --fps 60",),
+    )
+
+
+def too_short(name: Path_or_name, have: int, need: int, slots: int, fps: float | None) -> Rejected:
+    """The clip has fewer frames than the slots take (NS0735)."""
+    if fps is None:
+        why = f"{slots} slots take one frame each"
+        helps = (
+            "use a longer clip, a program with fewer slots, or give the clip's frame rate: --fps F",
+        )
+    else:
+        why = f"the {slots} slots last {need} frames at {fps:g} frames a second"
+        helps = ("use a longer clip, a lower --fps, or a program with a shorter frame",)
+    return rejected(
+        "NS0735",
+        f"the clip '{name}' has {have} frame{'' if have == 1 else 's'}, {need} are needed",
+        notes=(why,),
+        helps=helps,
+        data={"frames": have, "needed": need},
+    )
