@@ -7,8 +7,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-import nscc.target.model
 import numpy as np
+
+import nscc.target.model
 from nscc.target.model import Target
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.encoding import encode
@@ -58,8 +59,8 @@ def container_of(
 ) -> Container:
     """A container whose pixels start with `planes` (rows, cols) in their registers.
 
-    Its decode table holds one shutter for each distinct set of bits; the shutters are left closed, the
-    emulator does not look at them.
+    Its decode table holds one shutter for each distinct set of bits; they are left closed, because
+    the emulator does not look at them.
     """
     names = tuple(planes)
     shape = (target.rows, target.cols)
@@ -82,7 +83,8 @@ def container_of(
             shutters=np.zeros((len(used), len(buckets), slots), bool),
         ),
         kernels=tuple(
-            Kernel(f"k{i}", tuple(encode(word) for word in words)) for i, words in enumerate(kernels)
+            Kernel(f"k{i}", tuple(encode(word) for word in words))
+            for i, words in enumerate(kernels)
         ),
         launches=tuple(Launch(*launch) for launch in launches),
         code_registers=names,
@@ -105,8 +107,8 @@ def bumps(
 ) -> Container:
     """Open while start <= n < stop; `start` and `stop` int (rows, cols), None: from slot 0 on.
 
-    The fields lie in registers as Gray codes, of which every boundary flips one bit in place, so that a
-    register's bits are all 0 where the field equals the boundary's number. A pixel keeps whether
+    The fields lie in registers as Gray codes, of which every boundary flips one bit in place, so
+    that a field's registers are all 0 where it equals the boundary's number. A pixel keeps whether
     it is open in a register. `lowering` is accumulate, latch (only from slot 0 on) or edges.
     """
     shape = (target.rows, target.cols)

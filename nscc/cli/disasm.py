@@ -18,6 +18,6 @@ def command(file: str, output: str | None) -> None:
     """List FILE.icw as text that `nscc asm` turns into the same file again."""
     text = disassemble(read_container(Path(file)))
     if output is None or output == "-":
-        click.echo(text, nl=False)
+        click.echo(text.encode("utf-8"), nl=False)
     else:
         write_whole(Path(output), text.encode("utf-8"))

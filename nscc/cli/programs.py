@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -28,6 +28,11 @@ class BuildChoice:
     codes: str | None = None
     lowering: str | None = None
     target: str | None = None
+
+    @classmethod
+    def of(cls, options: Mapping[str, Any]) -> BuildChoice:
+        """From a command's options by name."""
+        return cls(options["level"], options["codes"], options["lowering"], options["target"])
 
     def given(self) -> list[str]:
         """The options that were given, as the user spells them."""

@@ -13,10 +13,13 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.cli.programs import BuildChoice, build_options, load_program
-from nscc.cli.support import CommonCommand, Product, say, write_together
+from nscc.cli.support import CommonCommand, Product, done, say, write_together
 from nscc.diagnostics.model import Diagnostic, Rejected
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from nscc.words.container import Container
     from nscc_runtime.frame_file import Frame
     from nscc_runtime.light import Light
@@ -97,9 +100,8 @@ def command(program: Path, **options: Any) -> None:
     _refuse_unbuilt(options)
     keep = _parse_keep(options["keep"])
     timings = Timings()
-    choice = BuildChoice(options["level"], options["codes"], options["lowering"], options["target"])
     with timings.part("compile_s"):
-        container, messages = load_program(program, choice)
+        container, messages = load_program(program, BuildChoice.of(options))
         container = _with_pixels(container, program, options["pixels"])
     with timings.part("scene_s"):
         light = _scene(container, options, messages)
@@ -107,16 +109,18 @@ def command(program: Path, **options: Any) -> None:
         from nscc_runtime.emulator import expose
         from nscc_runtime.frame_file import read_out
 
-        frame = read_out(expose(container, light), container.target)
+        exposure = expose(container, light, device_seed=options["device_seed"])
+        frame = read_out(exposure, container.target)
     # Not NAME.npz: that may well be the program's own data.
     out = options["out"] or Path(program.stem + ".frame.npz")
+    _refuse_same(out, options["png"], options["timings"])
     with timings.part("write_s"):
         products = _products(container, light, frame, keep, out, options, program)
         write_together(products)
     if options["timings"]:
         text = json.dumps(timings.seconds, indent=2) + "\n"
         write_together({options["timings"]: text.encode()})
-    click.echo(_summary(container, frame, [*products], options))
+    done(_summary(container, frame, [*products], options))
 
 
 def _refuse_unbuilt(options: dict[str, Any]) -> None:
@@ -134,6 +138,20 @@ def _refuse_unbuilt(options: dict[str, Any]) -> None:
         raise _not_here(
             f"--on {options['place'][:60]} needs the link to a device",
             "use --on emulator (the default)",
+        )
+
+
+def _refuse_same(*files: Path | None) -> None:
+    """NS0745 where two products would be one file."""
+    named = [file for file in files if file is not None]
+    if len({file.absolute() for file in named}) < len(named):
+        raise Rejected(
+            Diagnostic(
+                "NS0745",
+                f"two products would be written to one file: {', '.join(map(str, named))}",
+                helps=("give -o, --png and --timings different names",),
+            ),
+            status=2,
         )
 
 
@@ -170,7 +188,7 @@ def _with_pixels(container: Container, program: Path, pixels: Path | None) -> Co
     if pixels is not None:
         from nscc.program.pixels import codes_from_file
 
-        codes = codes_from_file(pixels, container.table, target)
+        codes = codes_from_file(pixels, container.table, target.rows, target.cols)
         return replace(container, pixel_codes=codes)
     if container.pixel_codes is not None:
         return container
@@ -246,9 +264,7 @@ def _products(
     )
     shutters = None
     if "shutter" in keep:
-        from nscc.prove.replay import replay_shutters
-
-        shutters = replay_shutters(container)
+        shutters = _replayed(container)
     kept, slots = frame_file.kept_arrays(container, light, keep, shutters)
     whole = frame_file.repeated(frame, options["repeat"]) if options["repeat"] else frame
     meta = frame_file.meta(container, light, whole, origin)
@@ -261,6 +277,24 @@ def _products(
         title = f"{program.name}  ·  {options['scene'].rstrip('/').rsplit('/', 1)[-1]}"
         products[options["png"]] = frame_png(readouts(container, frame.frame), title)
     return products
+
+
+def _replayed(container: Container) -> NDArray[np.bool_]:
+    """What the words open (shutters, buckets, N); NS0442 where light counts half or twice."""
+    from nscc.prove.replay import shutters
+    from nscc.words.legality import decoded
+
+    found = shutters(container, decoded(container))
+    if found is None:
+        raise Rejected(
+            Diagnostic(
+                "NS0442",
+                "the words of this program open no shutters: some slot's light counts neither once "
+                "nor not at all",
+                helps=("`nscc prove` says what they do; leave shutter out of --keep",),
+            )
+        )
+    return found
 
 
 def _summary(container: Container, frame: Frame, files: list[Path], options: dict[str, Any]) -> str:

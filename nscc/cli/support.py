@@ -70,6 +70,12 @@ def say(diagnostics: Sequence[Diagnostic]) -> None:
     show(diagnostics, now.message_format)
 
 
+def done(text: str) -> None:
+    """Tell the user what was done, on standard error; programs (json) read the files instead."""
+    if session().message_format != "json":
+        click.echo(text, err=True)
+
+
 def _denied(diagnostic: Diagnostic) -> Diagnostic:
     if diagnostic.severity is not Severity.WARNING:
         return diagnostic

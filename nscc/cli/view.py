@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import click
 
 from nscc.cli.programs import BuildChoice, build_options, load_program
-from nscc.cli.support import CommonCommand, say, write_whole
+from nscc.cli.support import CommonCommand, done, say, write_whole
 
 
 @click.command(name="view", cls=CommonCommand)
@@ -19,19 +20,12 @@ from nscc.cli.support import CommonCommand, say, write_whole
     help="The picture (default: the program's name with .png, in this folder).",
 )
 @build_options
-def command(
-    program: Path,
-    out: Path | None,
-    level: int | None,
-    codes: str | None,
-    lowering: str | None,
-    target: str | None,
-) -> None:
+def command(program: Path, out: Path | None, **options: Any) -> None:
     """Draw the shutters of a program as a time chart, and the map of its codes, as a PNG."""
-    container, messages = load_program(program, BuildChoice(level, codes, lowering, target))
+    container, messages = load_program(program, BuildChoice.of(options))
     say(messages)
     from nscc_runtime.chart import view_png
 
     out = out or Path(program.stem + ".png")
     write_whole(out, view_png(container, program.name))
-    click.echo(f"wrote {out}")
+    done(f"wrote {out.as_posix()}")

@@ -74,7 +74,7 @@ def _expand(
 ) -> list[tuple[int, int]]:
     """Drops literals while no off-shutter gets in, each time the one that covers most."""
     while kept:
-        budget.spend(len(kept))
+        budget.spend(len(kept) * (1 + everything.bit_length() // 512))
         after = [everything] * (len(kept) + 1)
         for i in range(len(kept) - 1, -1, -1):
             plane, value = kept[i]

@@ -131,6 +131,8 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     Serves long programs whose kernels must repeat to fit the store: every equality reads all the
     planes, so one kernel serves all of them, and one serves each plane's inversion.
     """
+    if len({(d.edge, d.bucket) for d in problem.demands}) == 1:
+        raise GaveUp("one kind of event is one field of times")
     planes = _index_planes(problem, machine)
     width = len(planes)
     if sum(d.predicate.bit_count() for d in problem.demands) > 4 * len(problem.demands):

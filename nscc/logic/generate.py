@@ -8,8 +8,12 @@ from nscc.logic import encodings, states
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# Search steps of one generator at -O0 and -O1; a step is one cofactor of a truth vector.
+# Search steps of one generator at -O0 and -O1; a step is one cofactor of a truth vector
+# of up to 512 shutters.
 SEARCH_STEPS = {0: 50_000, 1: 400_000}
+
+# Covers of more shutters than this are tried only where nothing else works: they would not win.
+MOST_COVERED = 512
 
 Generator = Callable[[Problem, Machine, Budget], Solution]
 
@@ -54,11 +58,18 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
     if direct:
         yield min(direct, key=lambda s: len(s.planes))
         return
-    for group in (EQUALITIES, COVERS):
-        for solution in _tries(group, problem, machine, level):
-            yield solution
-            if level == 0:
-                return
+    found = False
+    for solution in _tries(EQUALITIES, problem, machine, level):
+        yield solution
+        found = True
+        if level == 0:
+            return
+    if found and problem.shutters > MOST_COVERED:
+        return
+    for solution in _tries(COVERS, problem, machine, level):
+        yield solution
+        if level == 0:
+            return
 
 
 def _tries(

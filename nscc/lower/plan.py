@@ -119,6 +119,7 @@ class _Builder:
         self.slots = len(program.frame.slot_us)
         self.registers = program.target.analog_available[: len(program.buckets)]
         self.scratch = program.target.analog_scratch
+        self.everywhere = (1 << len(program.table.shutters)) - 1
         self.steps: list[Step] = []
 
     def build(self) -> ExposurePlan:
@@ -148,9 +149,8 @@ class _Builder:
 
     def _step(self, boundary: int, role: Role, bucket: int, predicate: int, *words: Op) -> None:
         """Adds a step, unless no shutter takes part in it."""
-        everywhere = (1 << len(self.program.table.shutters)) - 1
         if predicate:
-            where = None if predicate == everywhere else predicate
+            where = None if predicate == self.everywhere else predicate
             self.steps.append(Step(boundary, role, bucket, where, words))
 
     def _reset(self) -> tuple[Op, ...]:
@@ -177,15 +177,18 @@ class _Builder:
         return (op("bus", (scratch,), (register, *zero)), op("bus", (register,), (scratch, "PIX")))
 
     def _accumulate(self) -> None:
+        adds = [self._add(register) for register in self.registers]
+        reset = self._reset()
         for slot in range(self.slots):
             lit = [bucket[slot] for bucket in self.opens]
             if slot and any(lit):
-                self.steps.append(Step(slot, "reset", -1, None, self._reset()))
-            for bucket, register in enumerate(self.registers):
-                self._step(slot + 1, "open", bucket, lit[bucket], *self._add(register))
+                self.steps.append(Step(slot, "reset", -1, None, reset))
+            for bucket, add in enumerate(adds):
+                self._step(slot + 1, "open", bucket, lit[bucket], *add)
 
     def _latch(self) -> None:
-        """A pixel's last write is the one at its stop, so only boundaries where one closes count."""
+        """A pixel's last write is the one at its stop: only boundaries where one closes count."""
+        assert self.reference is not None
         for slot in range(self.slots):
             for bucket, register in enumerate(self.registers):
                 now = self.opens[bucket][slot]
@@ -193,21 +196,30 @@ class _Builder:
                 if now != then:
                     copy = (
                         op("bus", (self.scratch,), ("PIX",)),
-                        op("bus", (register,), (self.scratch, self.reference or "PIX")),
+                        op("bus", (register,), (self.scratch, self.reference)),
                     )
                     self._step(slot + 1, "open", bucket, now, *copy)
 
     def _edges(self) -> None:
-        by_reset = self._can_reset_at_rise()
+        """Falls before rises: a rise may reset what another bucket's fall still has to read."""
+        falls = [self._add(register) for register in self.registers]
+        if self._can_reset_at_rise():
+            rises = [self._reset() for _ in self.registers]
+        else:
+            rises = [self._subtract(register) for register in self.registers]
+        # With a reference, PIX stands at it at boundary 0: there is nothing to subtract.
+        first_rise = 0 if self.reference is None else 1
         for boundary in range(self.slots + 1):
-            for bucket, register in enumerate(self.registers):
-                before = self.opens[bucket][boundary - 1] if boundary else 0
-                after = self.opens[bucket][boundary] if boundary < self.slots else 0
-                self._step(boundary, "fall", bucket, before & ~after, *self._add(register))
-                if boundary == 0 and self.reference is not None:
-                    continue  # PIX stands at the reference: there is nothing to subtract
-                rise = self._reset() if by_reset else self._subtract(register)
-                self._step(boundary, "rise", bucket, after & ~before, *rise)
+            changes = [
+                (levels_[boundary - 1] if boundary else 0,
+                 levels_[boundary] if boundary < self.slots else 0)
+                for levels_ in self.opens
+            ]  # fmt: skip
+            for bucket, (before, after) in enumerate(changes):
+                self._step(boundary, "fall", bucket, before & ~after, *falls[bucket])
+            if boundary >= first_rise:
+                for bucket, (before, after) in enumerate(changes):
+                    self._step(boundary, "rise", bucket, after & ~before, *rises[bucket])
 
     def _can_reset_at_rise(self) -> bool:
         """Whether a rising pixel may lose what PIX holds: no other bucket of it is still open."""

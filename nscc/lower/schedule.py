@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nscc.logic.problem import Solution
+from nscc.logic.problem import Segment, Solution
 from nscc.lower.allocate import Allocation, allocate, refresh_words, words
 from nscc.lower.plan import ExposurePlan
 from nscc.lower.timeline import Before, Timeline, fades
@@ -109,6 +109,13 @@ def _segments(
     """The words of every boundary, in segments; boundary 0's first one ends the setup."""
     boundaries: list[list[Words]] = [[] for _ in range(slots + 1)]
     answers = iter(solution.answers)
+    known: dict[Segment, Words] = {}
+
+    def placed(segment: Segment) -> Words:
+        if segment not in known:
+            known[segment] = words(segment, allocation)
+        return known[segment]
+
     setup: list[Op] = []
     opened = False
     for step, action in zip(plan.steps, actions, strict=True):
@@ -121,15 +128,15 @@ def _segments(
             boundaries[0] = [tuple(setup)]
             continue
         if not opened:
-            boundaries[0].extend(words(segment, allocation) for segment in solution.opening)
+            boundaries[0].extend(placed(segment) for segment in solution.opening)
             opened = True
         gates: Words = ()
         if step.predicate is not None:
             answer = next(answers)
-            boundaries[step.boundary].extend(words(s, allocation) for s in answer[:-1])
-            gates = words(answer[-1], allocation) if answer else ()
+            boundaries[step.boundary].extend(placed(segment) for segment in answer[:-1])
+            gates = placed(answer[-1]) if answer else ()
         boundaries[step.boundary].append((*gates, *analog))
-    boundaries[slots].extend(words(segment, allocation) for segment in solution.closing)
+    boundaries[slots].extend(placed(segment) for segment in solution.closing)
     return boundaries
 
 

@@ -48,7 +48,7 @@ def _inline(book: BookInline, slots: Meaning, problems: Problems) -> Digits | No
     if bad or slots.kind != "constant":
         return None
     text = "".join(row.digits for row in book.rows).encode("ascii")
-    digits = np.frombuffer(text, dtype=np.uint8) == ord("1")
+    digits: Digits = np.frombuffer(text, dtype=np.uint8) == ord("1")
     return digits.reshape(len(book.rows), slots.value)
 
 

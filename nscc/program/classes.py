@@ -114,6 +114,9 @@ def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
     if not bool((~opens | (stop - start == length)).all()):
         return Recognised("general", f"some shutters open more than once, {basis}")
     also = ", or it never opens" if never else ""
+    if len(shutters) == 1:
+        shape = f"open in the slots {int(start[0])}..{int(stop[0]) - 1}"
+        return Recognised("c" if start[0] else "b", f"the one shutter is {shape}, {basis}")
     if not bool(start[opens].any()):
         return Recognised(
             "b", f"every shutter is open from slot 0 up to a stop of its own{also}, {basis}"

@@ -128,7 +128,8 @@ class _Resolver:
 
     def _learn(self, name: str, meaning: Meaning) -> None:
         self.known[name] = meaning
-        self.scope[name] = meaning
+        if name not in self.declared.refused or name == "N":
+            self.scope[name] = meaning
 
     def _cycle(self, start: str) -> list[str]:
         """A cycle among the names that are not done, found by following what each one needs."""

@@ -114,6 +114,8 @@ class _Maker:
 
     def _no_book(self, statement: CodeRow) -> None:
         name = statement.book.text
+        if name in self.declared.refused:
+            return
         what = dict(self.declared.declared()).get(name)
         if what is None:
             self.problems.unknown(

@@ -50,7 +50,8 @@ class Declarations:
     """The statements of a file by kind and name, each name once, in the order written.
 
     `pixels` holds the first `pixels FIELD = ...` for each name, whether that is a field or not;
-    `pixels_file` the one `pixels from`.
+    `pixels_file` the one `pixels from`. `refused` are names whose declaration, or second
+    declaration, was an error: what they mean is not known, and their use is no second error.
     """
 
     def __init__(self) -> None:
@@ -63,6 +64,7 @@ class Declarations:
         self.rules: list[Rule] = []
         self.pixels: dict[str, PixelsExpr | PixelsTile] = {}
         self.pixels_file: PixelsFromFile | None = None
+        self.refused: set[str] = set()
 
     @property
     def has_pixels(self) -> bool:
@@ -175,6 +177,7 @@ class _Gatherer:
     def _new(self, name: Name) -> bool:
         meaning = PREDEFINED.get(name.text)
         if meaning is not None:
+            self.found.refused.add(name.text)
             self.problems.error(
                 "NS0202",
                 f"`{name.text}` is predefined and cannot be declared",
@@ -183,7 +186,10 @@ class _Gatherer:
                 helps=("choose another name",),
             )
             return False
-        return self._unused(name, f"`{name.text}` is declared twice", name.text)
+        if self._unused(name, f"`{name.text}` is declared twice", name.text):
+            return True
+        self.found.refused.add(name.text)
+        return False
 
     def _unused(self, name: Name, message: str, key: str) -> bool:
         first = self.first_place.setdefault(key, name.span)

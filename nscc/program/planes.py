@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import assert_never
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +20,7 @@ from nscc.program.names import Declarations
 from nscc.program.problems import Problems, clipped, counted
 from nscc.program.scopes import constants_scope, pixels_scope
 from nscc.source import Span
-from nscc.syntax.tree import Int, PixelsExpr, PixelsTile
+from nscc.syntax.tree import Int, PixelsExpr, PixelsFromFile, PixelsTile
 from nscc.target.model import Target
 
 Plane = NDArray[np.int64]
@@ -73,10 +74,7 @@ class _Maker:
                 plane = self._tile(statement)
             field = self.fields.get(name)
             if plane is not None and field is not None:
-                span = statement.span
-                if isinstance(statement, PixelsExpr):
-                    span = statement.value.span
-                self._keep(planes, field, plane, span)
+                self._keep(planes, field, plane, statement)
         missing = [name for name in self.fields if name not in self.declared.pixels]
         if self.declared.pixels_file is not None:
             self._file(planes, missing)
@@ -86,6 +84,8 @@ class _Maker:
 
     def _no_field(self, statement: PixelsExpr | PixelsTile) -> None:
         name = statement.field.text
+        if name in self.declared.refused:
+            return
         what = dict(self.declared.declared()).get(name)
         if what is None:
             self.problems.unknown("a field", name, statement.field.span, list(self.fields))
@@ -231,7 +231,7 @@ class _Maker:
             except Unreadable as problem:
                 self._unreadable(problem, statement.path.span)
             else:
-                self._keep(planes, field, plane, statement.path.span, wrong)
+                self._keep(planes, field, plane, statement, wrong)
 
     def _unreadable(self, problem: Unreadable, span: Span) -> None:
         self.problems.error(problem.code, problem.message, span, helps=problem.helps)
@@ -241,7 +241,7 @@ class _Maker:
         planes: dict[str, Plane],
         field: Field,
         plane: Plane,
-        span: Span,
+        statement: PixelsExpr | PixelsTile | PixelsFromFile,
         beyond: NDArray[np.bool_] | None = None,
     ) -> None:
         """Adds a plane whose values are in range; `beyond` are places that int64 cannot hold."""
@@ -257,11 +257,24 @@ class _Maker:
         self.problems.error(
             "NS0311",
             f"the {pixel_text(x, y)} has {field.name} = {value}, outside {field.low}..{field.high}",
-            span,
+            _value_span(statement, x, y),
             f"{counted(count, 'pixel is', 'pixels are')} outside the range",
             related=(Label(field.span, f"`{field.name}` is {field.low}..{field.high}"),),
             data={"field": field.name, "x": x, "y": y, "pixels": count},
         )
+
+
+def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: int) -> Span:
+    """Where the value of pixel (x, y) comes from."""
+    match statement:
+        case PixelsExpr():
+            return statement.value.span
+        case PixelsTile():
+            row = statement.rows[y % len(statement.rows)].values
+            return row[x % len(row)].span
+        case PixelsFromFile():
+            return statement.path.span
+    assert_never(statement)
 
 
 def stored_plane(

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from nscc.program.expressions import VARIABLE, Meaning, Scope
-from nscc.program.names import Declarations
+from nscc.program.expressions import FAILED, VARIABLE, Meaning, Scope
+from nscc.program.names import PREDEFINED, Declarations
 from nscc.syntax.tree import CodeBits
 
 _SLOT = "n is the slot: it runs while the frame is exposed, and only rules may read it"
@@ -27,7 +27,7 @@ def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meani
     scope.update(dict.fromkeys(declared.codes, Meaning("misplaced", note=_FIELD)))
     scope.update(dict.fromkeys(declared.books, Meaning("misplaced", note=_BOOK)))
     scope.update(constants)
-    return scope
+    return _without_refused(scope, declared)
 
 
 def pixels_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
@@ -35,7 +35,7 @@ def pixels_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]
     scope = constants_scope(declared, constants)
     scope.update(x=VARIABLE, y=VARIABLE)
     scope.update(dict.fromkeys(declared.codes, Meaning("misplaced", note=_FIELD_IN_PIXELS)))
-    return scope
+    return _without_refused(scope, declared)
 
 
 def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
@@ -44,7 +44,7 @@ def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning
     scope.update(dict.fromkeys(("x", "y"), Meaning("misplaced", note=_PLACE_IN_RULE)))
     for name, statement in declared.codes.items():
         scope[name] = Meaning("variable", bits=isinstance(statement, CodeBits))
-    return scope
+    return _without_refused(scope, declared)
 
 
 def rule_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
@@ -52,4 +52,9 @@ def rule_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
     scope = require_scope(declared, constants)
     scope["n"] = VARIABLE
     scope.update(dict.fromkeys(declared.books, Meaning("book")))
+    return _without_refused(scope, declared)
+
+
+def _without_refused(scope: dict[str, Meaning], declared: Declarations) -> dict[str, Meaning]:
+    scope.update(dict.fromkeys(declared.refused - PREDEFINED.keys(), FAILED))
     return scope

@@ -75,7 +75,7 @@ def _frame(replay: Replay, light: NDArray[np.float64], frame: int) -> Failure | 
     for index, bucket in enumerate(container.buckets):
         if bucket not in measured:
             return Failure("no register is read out", frame, bucket)
-        expected = container.table.shutters[:, index, :] @ light
+        expected = _sums(container.table.shutters[:, index, :], light)
         wrong = ~(np.abs(measured[bucket] - expected)[:, 0] <= TOLERANCE * scale)
         if wrong.any():
             return Failure(
@@ -85,3 +85,10 @@ def _frame(replay: Replay, light: NDArray[np.float64], frame: int) -> Failure | 
     if not replay.code_kept:
         return Failure("the code registers do not hold their code when the frame ends", frame)
     return None
+
+
+def _sums(shutters: NDArray[np.bool_], light: NDArray[np.float64]) -> NDArray[np.float64]:
+    """shutters @ light, a few rows at a time: as float64 a whole table may not fit in memory."""
+    rows = max(1, (1 << 20) // max(1, shutters.shape[1]))
+    blocks = [shutters[i : i + rows] @ light for i in range(0, len(shutters), rows)]
+    return np.concatenate(blocks)

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.truth import columns, rows
+from nscc.logic.truth import columns, members
 from nscc.target.model import Target
 from nscc.words.container import Container
 from nscc.words.operations import Effect, Op, Phase
@@ -195,8 +195,7 @@ class Replay:
             if self.flag == self.everything:
                 self._where = (self.flag, slice(None))
             else:
-                bits = rows([self.flag], self.lanes)[:, 0]
-                self._where = (self.flag, np.flatnonzero(bits))
+                self._where = (self.flag, members(self.flag, self.lanes))
         return self._where[1]
 
     def _read_check(self, name: str) -> None:

@@ -7,7 +7,6 @@ have scamp5's value.
 
 from __future__ import annotations
 
-import json
 import re
 import tomllib
 from collections.abc import Mapping
@@ -125,6 +124,8 @@ def _key_line(
 
 def _toml_value(value: Any) -> str:
     if isinstance(value, str):
+        import json  # only where a table is printed: keeps start-up short
+
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, bool):
         return "true" if value else "false"

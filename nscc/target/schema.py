@@ -71,7 +71,7 @@ KEYS: tuple[Key, ...] = (
     Key("behaviour", "where_sources", "where_sources", "limit",
         'most sources of a WHERE word: "any" or a number', 2, 1000),
     Key("store", "words", "store_words", "integer", "ICWs that all stored kernels may have", 1,
-        1 << 20, public=True),
+        1 << 18, public=True),
     Key("store", "tables_count", "tables_count_against_store", "flag",
         "do constant kernel tables count against the store?"),
     Key("time", "analog_word_us", "analog_word_us", "number", "one analog word", 0, 1e6, True),

@@ -30,7 +30,7 @@ from nscc.diagnostics.suggest import closest
 from nscc.source import Source, Span
 from nscc.words.container import Container, Word
 from nscc.words.directives import DIRECTIVES
-from nscc.words.draft import Block, Draft, Faults, Instruction, KernelDraft, Token, shown
+from nscc.words.draft import Block, Draft, Faults, Instruction, Token, shown
 from nscc.words.encoding import encode
 from nscc.words.linking import check_instructions, find_target, link
 from nscc.words.macros import MNEMONICS, OperandError, expand
@@ -41,7 +41,8 @@ _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[^\s;#"]+')
 _BLANKS = re.compile(r"[ \t\r\f\v]*")
 _CODE = re.compile(r"[^;#]*")
 _INSTRUCTION = re.compile(r"\s*(\S+)\s*")
-_IMPLIED_KERNEL = "main"
+_MOST_OPERANDS = 100
+_MOST_TOKENS = 1 << 14
 
 
 def assemble(source: Source, base: Path) -> Container:
@@ -112,6 +113,10 @@ def _tokens(text: str, begin: int, faults: Faults) -> list[Token]:
     tokens: list[Token] = []
     at = 0
     while at < len(text) and text[at] not in ";#":
+        if len(tokens) == _MOST_TOKENS:
+            message = f"a line has at most {_MOST_TOKENS} pieces"
+            faults.add("NS0714", message, Span(begin + at, begin + at + 1))
+            return []
         match = _TOKEN.match(text, at)
         quoted = text[at] == '"'
         value = match[0] if match else None
@@ -152,8 +157,12 @@ def _instruction(text: str, begin: int, draft: Draft, faults: Faults) -> None:
     code = match[0].rstrip() if match else ""
     split = _INSTRUCTION.match(code)
     name, rest = (split[1], code[split.end() :]) if split else (code, "")
-    operands = _operands(rest, begin + len(code) - len(rest))
     span = Span(begin, begin + len(code))
+    if rest.count(",") >= _MOST_OPERANDS:
+        message = f"no instruction takes {rest.count(',') + 1} operands"
+        faults.add("NS0711", message, Span(begin, begin + len(name)))
+        return
+    operands = _operands(rest, begin + len(code) - len(rest))
     if name not in MNEMONICS:
         near = closest(name, MNEMONICS)
         faults.add(
@@ -175,10 +184,8 @@ def _instruction(text: str, begin: int, draft: Draft, faults: Faults) -> None:
         place = operands[error.index].span if error.index is not None else span
         faults.add("NS0711", str(error), place, helps=(f"write `{MNEMONICS[name].usage}`",))
         return
-    if not draft.kernels:
-        draft.kernels.append(KernelDraft(Token(_IMPLIED_KERNEL, span)))
     words = tuple(encode(operation) for operation in ops)
-    draft.kernels[-1].lines.append(Instruction(words, ops, span))
+    draft.add(Instruction(words, ops, span), faults)
 
 
 def _operands(text: str, begin: int) -> list[Token]:

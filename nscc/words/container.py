@@ -94,6 +94,6 @@ class Container:
         """The code planes (rows, cols) by register; empty without `pixel_codes`."""
         if self.pixel_codes is None:
             return {}
-        shutter = self.table.shutter_of_code[self.pixel_codes]
+        shutter = self.table.shutter_of_code.astype(np.intp).take(self.pixel_codes)
         column = {name: i for i, name in enumerate(self.target.digital_registers)}
-        return {name: self.encoding[:, column[name]][shutter] for name in self.code_registers}
+        return {name: self.encoding[:, column[name]].take(shutter) for name in self.code_registers}

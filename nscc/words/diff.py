@@ -94,8 +94,8 @@ def _kernels(first: Container, second: Container) -> Iterator[str]:
         before, after = old.get(name), new.get(name)
         if before is None or after is None:
             change = "added" if before is None else "removed"
-            kernel = before or after
-            yield f"{change} {name}: {len(kernel.words) if kernel else 0} words"
+            count = sum(len(kernel.words) for kernel in (before, after) if kernel)
+            yield f"{change} {name}: {count} word{'s' if count != 1 else ''}"
             yield from _listing_change(before, first, after, second)
         elif before.words != after.words:
             yield f"changed {name}: {len(before.words)} -> {len(after.words)} words"

@@ -132,10 +132,8 @@ def _word(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
             return None
         integers.append(value)
     a, b, c, d, e = integers
-    if not draft.kernels:
-        draft.kernels.append(KernelDraft(Token("main", tokens[0].span)))
     span = tokens[0].span.to(tokens[-1].span)
-    draft.kernels[-1].lines.append(Instruction(((a, b, c, d, e),), (), span))
+    draft.add(Instruction(((a, b, c, d, e),), (), span), faults)
     return None
 
 

@@ -8,6 +8,9 @@ from nscc.diagnostics.model import Diagnostic, Label, Rejected
 from nscc.source import Source, Span
 from nscc.words.container import Word
 from nscc.words.operations import Op
+from nscc.words.soundness import MOST_WORDS
+
+_IMPLIED_KERNEL = "main"
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,26 +75,6 @@ class Block:
     lines: list[tuple[str, Span]] = field(default_factory=list)
 
 
-@dataclass
-class Draft:
-    """Everything that a text says, in its order."""
-
-    target: Block | None = None
-    source: Block | None = None
-    pixels: Block | None = None
-    notes: dict[str, str] = field(default_factory=dict)
-    slot_us: list[float] = field(default_factory=list)
-    buckets: list[Token] = field(default_factory=list)
-    kernels: list[KernelDraft] = field(default_factory=list)
-    slots: list[SlotDraft] = field(default_factory=list)
-    readouts: list[ReadoutDraft] = field(default_factory=list)
-    load: list[Token] = field(default_factory=list)
-    fields: list[Token] = field(default_factory=list)
-    shutters: list[tuple[Token, ...]] = field(default_factory=list)
-    codes: list[tuple[Token, ...]] = field(default_factory=list)
-    planes: list[PlaneDraft] = field(default_factory=list)
-
-
 class Faults:
     """Collects what is wrong with one text; too many of them end the reading at once."""
 
@@ -119,3 +102,38 @@ class Faults:
 def shown(text: str) -> str:
     """A text as messages quote it: on one line and not too long."""
     return ascii(text if len(text) <= 60 else text[:57] + "...")
+
+
+@dataclass
+class Draft:
+    """Everything that a text says, in its order."""
+
+    target: Block | None = None
+    source: Block | None = None
+    pixels: Block | None = None
+    notes: dict[str, str] = field(default_factory=dict)
+    slot_us: list[float] = field(default_factory=list)
+    buckets: list[Token] = field(default_factory=list)
+    kernels: list[KernelDraft] = field(default_factory=list)
+    slots: list[SlotDraft] = field(default_factory=list)
+    readouts: list[ReadoutDraft] = field(default_factory=list)
+    load: list[Token] = field(default_factory=list)
+    fields: list[Token] = field(default_factory=list)
+    shutters: list[tuple[Token, ...]] = field(default_factory=list)
+    codes: list[tuple[Token, ...]] = field(default_factory=list)
+    planes: list[PlaneDraft] = field(default_factory=list)
+    words: int = 0
+
+    def add(self, line: Instruction, faults: Faults) -> None:
+        """Add a line to the kernel that is open; instructions before any `.kernel` open `main`.
+
+        Raises Rejected (NS0718) with all faults so far where there are too many words.
+        """
+        if not self.kernels:
+            self.kernels.append(KernelDraft(Token(_IMPLIED_KERNEL, line.span)))
+        self.kernels[-1].lines.append(line)
+        self.words += len(line.words)
+        if self.words > MOST_WORDS:
+            message = f"a text has at most {MOST_WORDS} words"
+            faults.add("NS0718", message, line.span)
+            faults.stop()

@@ -9,7 +9,7 @@ import numpy as np
 
 from nscc.words.container import Container
 
-MOST_WORDS = 1 << 20
+MOST_WORDS = 1 << 18
 MOST_SLOTS = 1 << 20
 _LONGEST_NAME = 200
 _LONGEST_SLOT_US = 1e15

@@ -19,6 +19,7 @@ _INTEGER = re.compile(r"-?[0-9]{1,19}")
 _NUMBER = re.compile(r"[+-]?(?:[0-9]{1,40}\.?[0-9]{0,40}|\.[0-9]{1,40})(?:[eE][+-]?[0-9]{1,4})?")
 _TIME = re.compile(f"({_NUMBER.pattern})(ns|us|ms|s)")
 _RANGE = re.compile(r"([0-9]{1,9})(?:\.\.([0-9]{1,9})(?:/([0-9]{1,9}))?)?")
+_FEW_TURNS = 8
 _POWER = {"ns": -3, "us": 0, "ms": 3, "s": 6}
 
 
@@ -102,9 +103,13 @@ def slots_text(slots: NDArray[np.bool_]) -> str:
     """
     if not slots.any():
         return "never"
+    turns = np.flatnonzero(np.diff(slots, prepend=False, append=False)).tolist()
     hexadecimal = 1 + 2 * ((len(slots) + 7) // 8)
-    # A range takes at least two characters, so that many changes need not be written to compare.
-    if np.count_nonzero(slots[1:] != slots[:-1]) < 4 * hexadecimal:
+    if len(turns) <= _FEW_TURNS:
+        runs = zip(turns[::2], turns[1::2], strict=True)
+        return ",".join(f"{a}..{b - 1}" if b - a > 1 else str(a) for a, b in runs)
+    # A range takes at least two characters, so that many turns need not be written to compare.
+    if len(turns) < 4 * hexadecimal:
         ranges = ranges_text(np.flatnonzero(slots).tolist())
         if len(ranges) <= max(hexadecimal, 20):
             return ranges

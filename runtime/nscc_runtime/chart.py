@@ -322,12 +322,12 @@ class _Map:
     @property
     def width(self) -> float:
         """Inches."""
-        return self.colours.shape[1] * self.zoom / _DPI
+        return int(self.colours.shape[1]) * self.zoom / _DPI
 
     @property
     def height(self) -> float:
         """Inches."""
-        return self.colours.shape[0] * self.zoom / _DPI
+        return int(self.colours.shape[0]) * self.zoom / _DPI
 
 
 def _maps(

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
+from typing import TypeVar
 
 import numpy as np
 import pytest
@@ -17,17 +19,17 @@ from nscc.target.load import builtin_target
 from nscc.words.assembly import assemble
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.disassembly import disassemble
-from nscc.words.encoding import encode
+from nscc.words.encoding import encode, matching
 from nscc.words.file import from_bytes, to_bytes
 from nscc.words.legality import decoded
 from nscc.words.operations import OPERATIONS, READ_LINES, Op, op
 
+Result = TypeVar("Result")
 SCAMP5 = builtin_target("scamp5")
 TARGETS = [
     replace(SCAMP5, rows=4, cols=6),
     replace(SCAMP5, rows=3, cols=3, name="tiny", or_sources=2, where_reads_flag=True),
     replace(builtin_target("scamp7"), rows=2, cols=5),
-    SCAMP5,
 ]
 
 
@@ -64,6 +66,14 @@ TIMES = st.one_of(
     st.sampled_from([125.0, 0.1, 1e-7, 5e5, 1 / 3]),
     st.floats(1e-300, 1e14, allow_nan=False, exclude_min=True),
 )
+
+
+def result_or_codes(call: Callable[[], Result]) -> Result | set[str]:
+    """What a call returns, or the codes of the diagnostics that it was rejected with."""
+    try:
+        return call()
+    except Rejected as rejected:
+        return {diagnostic.code for diagnostic in rejected.diagnostics}
 
 
 def names(low: int, high: int) -> st.SearchStrategy[list[str]]:
@@ -124,10 +134,9 @@ def test_bytes_and_text_give_the_same_container(container: Container) -> None:
     assert to_bytes(from_bytes(data, "x.icw")) == data
     text = disassemble(from_bytes(data, "x.icw"))
     assert to_bytes(assemble(Source("x.asm", text), Path())) == data
-    try:
-        kernels = decoded(container)
-    except Rejected as rejected:
-        assert {d.code for d in rejected.diagnostics} <= {"NS0701", "NS0703", "NS0708"}
+    kernels = result_or_codes(lambda: decoded(container))
+    if isinstance(kernels, set):
+        assert kernels <= {"NS0701", "NS0703", "NS0708"}
     else:
         assert [tuple(map(encode, ops)) for ops in kernels] == [k.words for k in container.kernels]
 
@@ -162,10 +171,9 @@ def test_a_forged_container_is_whole_or_refused(container: Container, data: st.D
         at = data.draw(st.integers(24, min(len(body), header_end + 200) - 1))
         body[at] = data.draw(st.sampled_from([*b'0123456789-[]{}",.eN', 0, 255, body[at] ^ 1]))
     forged = bytes(body) + sha256(body).digest()
-    try:
-        found = from_bytes(forged, "x.icw")
-    except Rejected as rejected:
-        assert [d.code for d in rejected.diagnostics] == ["NS0707"]
+    found = result_or_codes(lambda: from_bytes(forged, "x.icw"))
+    if isinstance(found, set):
+        assert found == {"NS0707"}
     else:
         assert to_bytes(found) == forged
 
@@ -180,8 +188,6 @@ def test_random_bytes_are_refused(data: bytes, magic: bool) -> None:
 @settings(max_examples=100, deadline=None)
 @given(st.tuples(INTEGER, INTEGER, INTEGER, INTEGER, INTEGER))
 def test_random_words_are_no_operation(word: tuple[int, int, int, int, int]) -> None:
-    """Of 2^160 words the table knows a vanishing part: hitting one by chance means a loose check."""
-    from nscc.words.encoding import matching
-
+    """Of 2^160 words the table knows few: hitting one by chance would mean a loose check."""
     found = matching(word)
     assert found is None or encode(found) == word

@@ -6,10 +6,10 @@ light of slot n falls on PIX of every pixel. After boundary N the readouts follo
 A frame starts with arbitrary values in PIX, FLAG, the analog registers and those digital registers
 that carry no code, and the reset level of PIX is a constant of each pixel that is not zero. They
 are fixed by `device_seed`. The analog ones are 1/4 to 3/4 of all the light that the pixel gets in
-the frame (between 1 and 2 where it gets none): so near the light that a program which forgets a reset
-or reads what it has not written is far off, and so near it that subtracting them again costs
-a right program no accuracy, at 1e-30 electrons as at 1e30. PIX and reset level are positive, registers of
-either sign.
+the frame (1 to 2 where it gets none). That is large enough for a program that forgets a reset, or
+reads what it has not written, to be far off, and small enough that subtracting it again costs a
+right program no accuracy, at 1e-30 electrons as at 1e30. PIX and the reset level are positive,
+registers have either sign.
 
 Not emulated, because no program of this project uses it: addresses (SELECT reads 0) and the
 global DAC (IN reads 0).
@@ -25,6 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.words.soundness import faults
 from nscc_runtime.emulator.steps import Layout, steps_of
 from nscc_runtime.interface import Exposure
 
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
     from nscc_runtime.light import Light
 
 BLOCK = 8192
-"""Pixels exposed together: their registers stay in the cache, and their light comes in long strips."""
+"""Pixels exposed together: their registers stay in the cache, their light comes in long strips."""
 
 
 @dataclass(frozen=True)
@@ -54,9 +55,10 @@ def expose(
 ) -> Exposure:
     """Run `container`'s words over `light`, slot by slot, in float64.
 
-    `block`, a multiple of 64, is how many pixels run together; it changes no bit. Raises `Rejected`
-    for a program without pixel codes (NS0760), without a readout of each bucket (NS0761), for light of
-    another size (NS0762), and for words that cannot run (`nscc_runtime.emulator.steps`).
+    `block`, a multiple of 64, is how many pixels run together; it changes no bit. Raises
+    `Rejected` for a program without pixel codes (NS0741), for light of another size (NS0734), and
+    for words that the target cannot run (`nscc.words.legality`); ValueError for a container or
+    light whose parts contradict each other.
     """
     from nscc_runtime.emulator.compiled import entry_point
 
@@ -124,7 +126,7 @@ def _light(light: Light) -> tuple[NDArray[np.generic], ...]:
     starts, index = light.row_start, light.frame_index
     if starts[0] != 0 or np.any(np.diff(starts) < 0):
         raise ValueError("the rows of the light's matrix are out of order")
-    if index.size and not (0 <= index.min() and index.max() < frames):
+    if index.size and not (index.min() >= 0 and index.max() < frames):
         raise ValueError("the light's matrix names a frame that does not exist")
     return (
         np.require(light.frames, np.float32, ["C", "A"]),
@@ -136,60 +138,32 @@ def _light(light: Light) -> tuple[NDArray[np.generic], ...]:
 
 
 def _check(container: Container, light: Light) -> None:
-    """Refuse what cannot run before anything runs."""
-    problems = []
+    """Refuse what cannot run before anything runs: the compiled loops check nothing."""
     if container.pixel_codes is None:
-        problems.append(
+        raise Rejected(
             Diagnostic(
-                "NS0760",
-                "this program says what codes mean, but not which code each pixel has",
-                helps=(
-                    "give the program `pixels` statements, or codes in a file: --pixels CODES.npz",
-                ),
+                "NS0741",
+                "the program does not say which code each pixel has",
+                helps=("give it a `pixels` statement, or codes in a file: --pixels CODES.npz",),
             )
         )
-    else:
-        shape = container.pixel_codes.shape
-        if light.shape != shape or light.slots != container.slots:
-            problems.append(
-                Diagnostic(
-                    "NS0762",
-                    f"the light is {_size(light.shape)} pixels in {light.slots} slots, "
-                    f"the program's array is {_size(shape)} pixels in {container.slots} slots",
-                    helps=("lay the scene on this program's array and slots",),
-                )
+    unsound = faults(container)
+    if unsound:
+        raise ValueError(f"unsound container: {unsound[0]}")
+    shape = container.pixel_codes.shape
+    if light.shape != shape or light.slots != container.slots:
+        raise Rejected(
+            Diagnostic(
+                "NS0734",
+                f"the light is {_size(light.shape)} pixels in {light.slots} slots, the array "
+                f"is {_size(shape)} pixels in {container.slots} slots",
+                helps=("lay the scene on the array and the slots of this program",),
             )
-    problems.extend(_readout_problems(container))
-    if problems:
-        raise Rejected(problems)
+        )
 
 
 def _size(shape: tuple[int, ...]) -> str:
     return " x ".join(str(length) for length in shape)
-
-
-def _readout_problems(container: Container) -> list[Diagnostic]:
-    problems = []
-    known = (*container.target.analog_registers, "PIX")
-    for bucket in container.buckets:
-        found = [readout.register for readout in container.readouts if readout.bucket == bucket]
-        if len(found) != 1:
-            problems.append(
-                Diagnostic(
-                    "NS0761",
-                    f"frame `{bucket}` is read out {len(found)} times, it needs one readout",
-                    helps=("name one register for each frame in the program's readouts",),
-                )
-            )
-        elif found[0] not in known:
-            problems.append(
-                Diagnostic(
-                    "NS0761",
-                    f"frame `{bucket}` is read out of `{found[0]}`, which is no analog register",
-                    helps=(f"read one of {', '.join(known)}",),
-                )
-            )
-    return problems
 
 
 def _packed(planes: Iterable[NDArray[np.bool_]], pixels: int) -> NDArray[np.uint64]:

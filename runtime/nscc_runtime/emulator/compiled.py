@@ -6,9 +6,9 @@ compiles ahead (an installer's last step): some seconds once. Afterwards a proce
 numba nor a compiler, only llvmlite's linker, which costs a twentieth of a second; importing numba
 alone would cost more than the whole capture.
 
-The file lies in `__pycache__` beside this module or, where that cannot be written, in the user's cache
-folder. Its name is a digest of all that the code depends on. Without any such folder every process
-compiles for itself.
+The file lies in `__pycache__` beside this module or, where that cannot be written, in the user's
+cache folder. Its name is a digest of all that the code depends on. Without any such folder every
+process compiles for itself.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def folders() -> tuple[Path, ...]:
 
 
 def object_code(places: Sequence[Path]) -> bytes:
-    """The object file: read from the first place that has it whole, else compiled and left there."""
+    """The object file: read from the first place that has it whole, else compiled and kept."""
     name = f"{ENTRY}-{_key()}.o"
     for place in places:
         try:
@@ -71,8 +71,8 @@ def build() -> bytes:
 
     made = numba.cfunc(loops.SIGNATURE, error_model="numpy")(loops.expose_block)
     module = llvm.parse_assembly(made.inspect_llvm().replace(made.native_name, ENTRY))
-    # With everything else private, LLVM sees that nothing here can raise, and drops numba's and Python's
-    # functions for it: what is left runs without either.
+    # With everything else private, LLVM sees that nothing here can raise, and drops the functions
+    # of numba and Python for it: what is left runs without either.
     for function in module.functions:
         if not function.is_declaration and function.name != ENTRY:
             function.linkage = "internal"

@@ -1,9 +1,9 @@
 """The loops to be compiled: a block of pixels through a whole frame, step by step.
 
 The entry point is `expose_block`; `nscc_runtime.emulator.compiled` compiles it. Only that module
-imports this one, because it imports numba. Everything here works on bare pointers, allocates nothing
-and raises nothing, so that its machine code needs nothing of numba or of Python once it is made. That
-is why arrays are flat and lengths are arguments.
+imports this one, because it imports numba. Everything here works on bare pointers, allocates
+nothing and raises nothing, so that its machine code needs nothing of numba or of Python once it is
+made. That is why arrays are flat and lengths are arguments.
 
 A block is a run of consecutive pixels that starts at a multiple of 64. Its planes are 64-bit words,
 pixel i in bit i % 64 of word i // 64; its rows are float64. Plane p starts at p * words in
@@ -18,7 +18,6 @@ from typing import TypeVar, cast
 
 import numba
 import numpy as np
-from numba import types
 from numpy.typing import NDArray
 
 from nscc_runtime.emulator.steps import COLUMNS, Step
@@ -198,7 +197,7 @@ def _run_steps(
         elif code == _COPY:
             for i in range(pixels):
                 rows[out * pixels + i] = rows[a * pixels + i]
-        elif code == _COMPARE or code == _COMPARE_MASKED:
+        elif code in (_COMPARE, _COMPARE_MASKED):
             x, y, z, u = a * pixels, b * pixels, c * pixels, d * pixels
             _compare(rows, x, y, z, u, planes, flag, words, code == _COMPARE_MASKED)
             state = _any_all(planes, flag, words)
@@ -227,8 +226,8 @@ def _start(
 ) -> None:
     """Arbitrary values, as `nscc_runtime.emulator.capture` describes them.
 
-    The row at `scale` holds the light of the whole frame, 0 beyond the array. The reset level is the
-    row after PIX; the row after that is overwritten.
+    The row at `scale` holds the light of the whole frame, 0 beyond the array. The reset level is
+    the row after PIX; the row after that is overwritten.
     """
     for p in range(flag_plane + 1):
         for g in range(words):
@@ -292,8 +291,8 @@ def expose_block(
 ) -> None:
     """Expose some pixels and write them into `exposure` (buckets, pixels of the array).
 
-    `sizes` are, in order: slots, pixels of the array, first pixel of the block (a multiple of 64), its
-    length, frames, code registers, buckets, seed, FLAG's plane, PIX's row. `frames` (frames,
+    `sizes` are, in order: slots, pixels of the array, first pixel of the block (a multiple of 64),
+    its length, frames, code registers, buckets, seed, FLAG's plane, PIX's row. `frames` (frames,
     pixels) with the matrix of `nscc_runtime.light.Light`; `frame_weight` is the weight of each
     frame in the whole frame's light. `code_planes` (code registers, words of the array) start the
     planes `code_rows`. `planes`, `rows` and `charge` (block) are working memory: planes up to two
@@ -355,13 +354,10 @@ def expose_block(
             exposure[out + i] = rows[row + i] * gain + 0.0
 
 
-_I64, _I32, _U64 = (
-    types.CPointer(types.int64),
-    types.CPointer(types.int32),
-    types.CPointer(types.uint64),
+SIGNATURE = (
+    "void(CPointer(int64), CPointer(int64), CPointer(int64), CPointer(int64), CPointer(int64), "
+    "CPointer(int64), CPointer(float32), CPointer(int64), CPointer(int32), CPointer(float64), "
+    "CPointer(float64), CPointer(uint64), CPointer(int64), CPointer(int64), CPointer(float64), "
+    "CPointer(uint64), CPointer(float64), CPointer(float32), CPointer(float64))"
 )
-_F64, _F32 = types.CPointer(types.float64), types.CPointer(types.float32)
-SIGNATURE = types.void(
-    _I64, _I64, _I64, _I64, _I64, _I64, _F32, _I64, _I32, _F64, _F64, _U64, _I64, _I64, _F64,
-    _U64, _F64, _F32, _F64,
-)  # fmt: skip
+"""The types of `expose_block`'s parameters, for numba."""

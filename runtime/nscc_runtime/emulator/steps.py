@@ -14,9 +14,10 @@ from enum import IntEnum
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
+
 from nscc.words.legality import decoded
 from nscc.words.operations import Effect, Op, Phase
-from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from nscc.target.model import Target
@@ -52,9 +53,9 @@ class Layout:
     """Which plane and which row holds what.
 
     Planes: the target's digital registers, then FLAG, the bus of half-word pairs, and a plane of
-    zeros (SELECT: no address is ever matched). Rows: the analog registers, then PIX, the reset level,
-    the sum of a word with several destinations, a row of zeros (IN: the global DAC is at 0), and
-    one for the light that is being laid on PIX.
+    zeros (SELECT: no address is ever matched). Rows: the analog registers, then PIX, the reset
+    level, the sum of a word with several destinations, a row of zeros (IN: the global DAC is at 0),
+    and one for the light that is being laid on PIX.
     """
 
     planes: dict[str, int]
@@ -88,8 +89,8 @@ class Steps:
 def steps_of(container: Container, layout: Layout) -> Steps:
     """Decode every kernel and sort the launches by boundary.
 
-    Raises `Rejected` (NS07xx of the words) for a word that is in no table or a split pair,
-    ValueError for a schedule that names a kernel or a boundary that does not exist.
+    Raises `Rejected` as `nscc.words.legality.decoded` does. The schedule must be sound
+    (`nscc.words.soundness`).
     """
     translator = _Translator(container.target, layout)
     rows: list[tuple[int, ...]] = []
@@ -105,10 +106,6 @@ def steps_of(container: Container, layout: Layout) -> Steps:
     instants = np.array([launch.instant for launch in container.launches], np.int64)
     kernels = np.array([launch.kernel for launch in container.launches], np.int64)
     boundaries = container.slots + 1
-    if instants.size and not (0 <= instants.min() and instants.max() < boundaries):
-        raise ValueError("a launch outside the frame")
-    if kernels.size and not (0 <= kernels.min() and kernels.max() < len(container.kernels)):
-        raise ValueError("a launch of no kernel")
     launch_start = np.zeros(boundaries + 1, np.int64)
     np.cumsum(np.bincount(instants, minlength=boundaries), out=launch_start[1:])
     return Steps(

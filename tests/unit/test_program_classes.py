@@ -1,0 +1,133 @@
+"""Classes are recognised from shutters, however the rule is written; advice is given once."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from program_oracle import program_of
+
+from nscc.program.printing import print_program
+
+FRAME = "nsl 1 frame 8 slots of 1ms "
+
+CLASSES = [
+    ("a", "open when true"),
+    ("a", "open when n * n >= 0"),
+    ("b", "code stop : 0..8 open when n < stop"),
+    ("b", "code stop : 0..7 open when not n > stop"),
+    ("b", "code k : 0..7 open when n * n < k"),
+    ("c", "code start : 0..5 open when start <= n < start + 3"),
+    ("c", "code start : 0..7 open when n == start"),
+    ("c", "code start : 0..6 open when (n - start) * (n - start - 1) == 0"),
+    ("c", "code start : -2..7 open when start <= n < start + 3"),
+    ("d", "code a : 0..7 code b : 1..8 require a < b open when a <= n < b"),
+    ("d", "code a : 0..7 code b : 0..8 open when a <= n < b"),
+    ("d", "code start : 0..7 open when n >= start"),
+    ("e", "code bits : bit[8] open when bits[n]"),
+    ("e", "code bits : bit[9] open when bits[N - n]"),
+    ("e", "code v : 0..255 open when v / (1 << n) % 2 == 1"),
+    ("codebook", "shutters b [10110000, 00000001] code id : row of b open when b[id]"),
+    ("general", "code a : 0..7 open when n != a"),
+    ("general", "code bits : bit[4] open when bits[n / 2]"),
+    ("general", "bucket p open when n < 3 bucket q open when n == 5"),
+    ("b", "code s : 1..7 bucket p open when n < s bucket q open when n <= s / 2"),
+]
+
+
+@pytest.mark.parametrize(("name", "text"), CLASSES)
+def test_classes(name: str, text: str) -> None:
+    program = program_of(FRAME + text)
+    assert program.class_name == name
+    assert program.class_reason
+
+
+def test_the_class_is_that_of_all_codes_not_only_those_in_use() -> None:
+    program = program_of(
+        FRAME + "code a : 0..7 code b : 1..8 require a < b open when a <= n < b "
+        "pixels a = 0 pixels b = 8"
+    )
+    assert program.class_name == "d"
+
+
+def test_the_length_of_bumps_is_named() -> None:
+    program = program_of(FRAME + "code start : 0..5 open when start <= n < start + 3")
+    assert "3 slots" in program.class_reason
+
+
+def test_the_programs_of_the_language_document() -> None:
+    found = {
+        "b": "frame 256 slots of 125us code stop : 1..256 open when n < stop "
+        "pixels stop = tile [[256, 64], [16, 4]]",
+        "c": "frame 64 slots of 500us let len = 8 code start : 0..N - len "
+        "open when start <= n < start + len pixels start = (8 * x + 16 * y) % 57",
+        "d": "frame 64 slots of 500us code start : 0..63 code stop : 1..64 require start < stop "
+        "open when start <= n < stop pixels start = (x + 4 * y) % 32 "
+        "pixels stop = 33 + (x * y) % 32",
+        "e": "frame 13 slots of 1ms code bits : bit[13] open when bits[n] "
+        "pixels bits = (2917 * x + 4421 * y) % 8192",
+        "general": "frame slots [50us, 100us, 200us, 400us, 800us, 1.6ms, 3.2ms, 6.4ms] "
+        "code longest : 0..7 code skip : 0..7 open when n <= longest and n != skip "
+        "pixels longest = (x + y) % 8 pixels skip = (3 * x + 5 * y) % 8",
+    }
+    for name, text in found.items():
+        assert program_of("nsl 1 " + text).class_name == name
+
+
+ADVICE = [
+    ("open when true", []),
+    ("open when false", ["NS0350"]),
+    ("code s : 1..8 open when n < s", []),
+    ("code s : 1..8 open when n < s - 8", ["NS0350"]),
+    ("code s : 8..9 open when n < s", ["NS0351"]),
+    ("code s : 1..8 bucket p open when n < s bucket q open when n > 7", ["NS0350"]),
+    ("code s : 1..8 code t : 0..1 open when n < s", ["NS0352"]),
+    ("code s : 1..8 open when n < s pixels s = 1 + x % 8", []),
+    ("code s : 1..8 open when n < s pixels s = 1 + x % 4", ["NS0353"]),
+    ("code s : 0..7 open when s <= n < s + 3", ["NS0354"]),
+    ("let k = 3 code s : 1..8 open when n < s", ["NS0355"]),
+    ("let k = 3 code s : 1..k open when n < s", []),
+    ("shutters b [11110000] code s : 1..8 open when n < s", ["NS0355"]),
+    ('code s : 1..8 open when n < s pixels s = 1 + x % 8 pixels from "f.npz"', ["NS0356"]),
+    (
+        "code s : 1..8 open when n < s pixels s = tile [[" + ", ".join("12345678" * 33) + "]]",
+        ["NS0357"],
+    ),
+]
+
+
+@pytest.mark.parametrize(("text", "codes"), ADVICE)
+def test_advice(text: str, codes: list[str]) -> None:
+    assert [d.code for d in program_of(FRAME + text).messages] == codes
+
+
+def test_unused_codes_are_counted() -> None:
+    program = program_of(FRAME + "code s : 1..8 open when n < s pixels s = tile [[1, 2, 3]]")
+    (note,) = program.messages
+    assert note.severity == "note"
+    assert note.data == {"in_use": 3, "legal": 8, "unused": 5}
+
+
+def test_printing() -> None:
+    text = print_program(program_of(FRAME + "code s : 6..7 open when n < s pixels s = 6 + x % 2"))
+    assert re.search(r"^field +s : 6\.\.7$", text, re.MULTILINE)
+    assert re.search(r"^ +0  11111100  1 code$", text, re.MULTILINE)
+    assert re.search(r"^ +1  11111110  1 code$", text, re.MULTILINE)
+
+
+def test_printing_cuts_long_tables() -> None:
+    text = print_program(program_of("nsl 1 frame 300 slots of 1us code s : 0..N open when n < s"))
+    assert "(44 slots more)" in text
+    assert "... 237 shutters more" in text
+    assert max(map(len, text.splitlines())) < 300
+
+
+def test_target_from_the_file_and_from_outside(tmp_path: Path) -> None:
+    seven = program_of("nsl 1 target scamp7 frame 8 slots of 1ms open when n < rows")
+    assert seven.target.name == "scamp7"
+    assert seven.target_span is not None
+    other = program_of(
+        "nsl 1 target scamp7 frame 8 slots of 1ms open when n < rows", target=seven.target
+    )
+    assert other.target is seven.target

@@ -1,0 +1,230 @@
+"""Every error has its code, its place and its words; nothing is reported twice."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from program_oracle import program_of
+
+import nscc.diagnostics
+from nscc.diagnostics.model import Diagnostic, Rejected
+
+FRAME = "nsl 1 frame 8 slots of 1ms "
+STOP = FRAME + "code stop : 0..8 "
+
+
+def errors(text: str, **more: object) -> list[Diagnostic]:
+    with pytest.raises(Rejected) as caught:
+        program_of(text, **more)
+    assert caught.value.status == 1
+    return [d for d in caught.value.diagnostics if d.severity == "error"]
+
+
+def placed(diagnostic: Diagnostic) -> str:
+    assert diagnostic.source is not None
+    assert diagnostic.label is not None
+    return diagnostic.source.text[diagnostic.label.span.start : diagnostic.label.span.end]
+
+
+ONE_ERROR = [
+    ("nsl 1 frame 4 slots of 1ms", "NS0204", "nsl 1"),
+    ("nsl 1 open when true", "NS0204", "nsl 1"),
+    (FRAME + "frame 9 slots of 1ms open when n < N", "NS0205", "frame 9 slots of 1ms"),
+    (FRAME + "open when true open when false", "NS0205", "open when false"),
+    (FRAME + "target scamp5 target scamp7 open when true", "NS0205", "target scamp7"),
+    (FRAME + "bucket a open when true open when true", "NS0206", "open when true"),
+    (FRAME + "bucket a open when true bucket a open when n < 2", "NS0201", "a"),
+    (FRAME + "let a = 1 code a : 0..3 open when n < a pixels a = 9", "NS0201", "a"),
+    (FRAME + "code x : 0..3 open when n < 2 pixels x = 9", "NS0202", "x"),
+    (FRAME + "let a = b + 1 let b = a let c = b open when n < c", "NS0203", "a"),
+    (FRAME + "let a = a open when n < 3", "NS0203", "a"),
+    ("nsl 1 let a = N frame a slots of 1ms code s : 0..a open when n < s", "NS0203", "a"),
+    (STOP + "open when n < y", "NS0208", "y"),
+    (STOP + "require n < stop open when n < stop", "NS0208", "n"),
+    (STOP + "open when n < stop pixels stop = n", "NS0208", "n"),
+    (STOP + "code a : 0..3 open when n < stop + a pixels stop = a pixels a = 3", "NS0208", "a"),
+    (FRAME + "let a = n open when n < a", "NS0208", "n"),
+    (STOP + "open when stop[n]", "NS0209", "stop"),
+    (STOP + "code id : row of stop open when n < id", "NS0209", "stop"),
+    (FRAME + "shutters b [11110000] code id : row of b open when b", "NS0209", "b"),
+    (STOP + "let a = 3 open when n < stop + a pixels a = 3 pixels stop = 2", "NS0209", "a"),
+    (STOP + "code a : 0..1 open when a < n < stop pixels stop = 3", "NS0210", "a"),
+    (STOP + "open when n < stop pixels stop = 3 pixels stop = 4", "NS0211", "stop"),
+    (STOP + "open when n < stpo or stpo == 3", "NS0214", "stpo"),
+    (STOP + "open when n < mni(stop, 3)", "NS0214", "mni"),
+    (STOP + "code id : row of book open when n < id", "NS0214", "book"),
+    (STOP + "open when n < stop pixels stop = 3 pixels pots = 3", "NS0214", "pots"),
+    (STOP + "open when stop", "NS0301", "stop"),
+    (STOP + "open when stop and true", "NS0301", "stop"),
+    (STOP + "open when not stop", "NS0301", "stop"),
+    (STOP + "open when -(n < stop) < 3", "NS0301", "n < stop"),
+    (STOP + "open when n + true < stop", "NS0301", "true"),
+    (STOP + "open when (n < stop) < 3", "NS0301", "n < stop"),
+    (STOP + "open when n < min(stop, n < 2)", "NS0301", "n < 2"),
+    (STOP + "open when (stop if n else 3) < 2", "NS0301", "n"),
+    (STOP + "open when n < stop if true else 3", "NS0301", "n < stop if true else 3"),
+    (STOP + "open when (n < stop) == 1", "NS0301", None),
+    (STOP + "require stop open when n < stop", "NS0301", "stop"),
+    (STOP + "open when n < stop pixels stop = x < 3", "NS0301", "x < 3"),
+    (FRAME + "let a = true open when n < a", "NS0301", "true"),
+    (FRAME + "code bits : bit[8] open when bits[n < 3]", "NS0301", "n < 3"),
+    (STOP + "open when n / stop > 3", "NS0302", "stop"),
+    (STOP + "open when n < stop pixels stop = 8 % x", "NS0302", "x"),
+    (FRAME + "let a = 1 / 0 let b = a open when n < b", "NS0302", "0"),
+    (FRAME + "code bits : bit[7] open when bits[n]", "NS0303", "n"),
+    (FRAME + "shutters b [11110000] code id : row of b open when b[id - 1]", "NS0303", "id - 1"),
+    (STOP + "open when 1 << 62 - n > stop", "NS0304", "62 - n"),
+    (STOP + "open when 1 << n - 1 > stop", "NS0304", "n - 1"),
+    (STOP + "open when n < stop + 4611686018427387904", "NS0305", "4611686018427387904"),
+    (STOP + "open when 4611686018427387900 + n > stop", "NS0305", "4611686018427387900 + n"),
+    (FRAME + "let a = 3 << 61 open when n < a", "NS0305", "3 << 61"),
+    (FRAME + "code a : 3..1 open when n < a pixels a = 2", "NS0306", "3..1"),
+    (FRAME + "code a : bit[0] open when a[n]", "NS0307", "0"),
+    (FRAME + "code a : bit[63] open when a[n]", "NS0307", "63"),
+    ("nsl 1 frame 0 slots of 1ms code s : 0..N open when n < s", "NS0308", "0"),
+    ("nsl 1 frame 65537 slots of 1ms open when n < N", "NS0308", "65537"),
+    ("nsl 1 frame 2 - 9 slots of 1ms open when n < N", "NS0308", "2 - 9"),
+    ("nsl 1 frame 9 slots of 0ms open when n < N", "NS0309", "0ms"),
+    ("nsl 1 frame slots [1ms, 0us] open when n < N", "NS0309", "0us"),
+    (FRAME + "shutters b [1111000] code id : row of b open when b[id]", "NS0310", "1111000"),
+    (STOP + "open when n < stop pixels stop = x % 10", "NS0311", "x % 10"),
+    (STOP + "open when n < stop pixels stop = tile [[1, 2], [3, 9]]", "NS0311", "9"),
+    (STOP + "require stop != 2 open when n < stop pixels stop = x % 3", "NS0312", None),
+    (FRAME + 'shutters b from "no.npz" code id : row of b open when b[id]', "NS0313", '"no.npz"'),
+    (STOP + 'open when n < stop pixels from "no.npz"', "NS0313", '"no.npz"'),
+    (STOP + "open when n < stop pixels stop = tile [[1, 2], [3]]", "NS0316", "[3]"),
+    (STOP + "require stop > 8 open when n < stop", "NS0317", "stop > 8"),
+    ("nsl 1 target scamp6 frame 8 slots of 1ms open when n < rows", "NS0230", "scamp6"),
+]
+
+
+@pytest.mark.parametrize(("text", "code", "place"), ONE_ERROR)
+def test_one_mistake_is_one_error_at_its_place(text: str, code: str, place: str | None) -> None:
+    (found,) = errors(text)
+    assert found.code == code
+    if place is not None:
+        assert placed(found) == place
+
+
+def test_all_errors_come_at_once_by_place() -> None:
+    found = errors(
+        "nsl 1 let a = b frame 8 slots of 1ms code c : 5..3 code d : bit[99] "
+        "require d open when n < zz pixels c = 4 pixels d = true"
+    )
+    codes = ["NS0214", "NS0306", "NS0307", "NS0301", "NS0214", "NS0301"]
+    assert [d.code for d in found] == codes
+    starts = [d.label.span.start for d in found if d.label is not None]
+    assert starts == sorted(starts)
+
+
+def test_suggestions() -> None:
+    (found,) = errors(STOP + "open when n < stpo")
+    assert found.helps == ("did you mean `stop`?",)
+    assert found.fixes[0].replacement == "stop"
+
+
+def test_the_first_pixel_and_the_count_are_named() -> None:
+    (found,) = errors(STOP + "open when n < stop pixels stop = x + y")
+    assert "x = 9, y = 0 (row 0, column 9)" in found.message
+    assert found.data == {"field": "stop", "x": 9, "y": 0, "pixels": 65536 - 45}
+
+
+def test_a_fault_names_code_and_slot() -> None:
+    (found,) = errors(FRAME + "code a : 1..3 open when 4 / (n - 2 * a) > 0")
+    assert found.notes == ("first for a = 1, in slot 2; 3 times in all",)
+
+
+def test_several_rules_are_judged_separately() -> None:
+    found = errors(FRAME + "bucket a open when 1 / n > 0 bucket b open when 1 % n > 0")
+    assert [d.code for d in found] == ["NS0302", "NS0302"]
+
+
+@pytest.mark.parametrize(
+    "rule",
+    [
+        "stop != 0 and n / stop > 1",
+        "stop == 0 or n / stop > 1",
+        "0 < stop < n / stop",
+        "(n / stop if stop > 0 else n) > 1",
+        "false and 1 / 0 == n or n < stop",
+        "(1 / 0 if N < 3 else stop) > n",
+    ],
+)
+def test_parts_that_are_not_reached_have_no_faults(rule: str) -> None:
+    assert program_of(STOP + "open when " + rule).table.codes.shape == (9, 1)
+
+
+@pytest.mark.parametrize(
+    "rule",
+    ["n / stop > 1 and stop != 0", "true xor n / stop > 1", "min(n / stop, 3) > 1"],
+)
+def test_parts_that_are_reached_have(rule: str) -> None:
+    (found,) = errors(STOP + "open when " + rule)
+    assert found.code == "NS0302"
+
+
+def test_faults_of_codes_that_no_pixel_holds_are_none_of_fixed_codes() -> None:
+    text = STOP + "open when n / stop > 1 pixels stop = 1 + x % 8"
+    assert len(program_of(text, codes="fixed").table.codes) == 8
+    assert [d.code for d in errors(text, codes="open")] == ["NS0302"]
+
+
+@pytest.mark.parametrize(
+    ("text", "codes", "required"),
+    [
+        ("frame 4096 slots of 1us code a : bit[20] open when n < a", "open", 2**32),
+        ("frame 64 slots of 1us code a : bit[30] require a > 3 open when n < a", "open", 2**30),
+        ("frame 2 slots of 1us code a : bit[62] open when n < a pixels a = x", "open", 2**63),
+        (
+            "frame 65536 slots of 1us code a : 0..65535 open when n < a pixels a = x + 256 * y",
+            "fixed",
+            2**32,
+        ),
+    ],
+)
+def test_what_cannot_be_proved_is_refused_with_the_numbers(
+    text: str, codes: str, required: int
+) -> None:
+    (found,) = errors("nsl 1 " + text, codes=codes)
+    assert found.code == "NS0450"
+    assert found.data["required"] == required
+    assert str(required) in found.message
+    assert str(found.data["available"]) in found.message
+    assert found.helps
+
+
+def test_too_many_operations_are_refused() -> None:
+    rule = " or ".join(f"n == {k} * stop" for k in range(3000))
+    text = f"nsl 1 frame 1000 slots of 1us code stop : 1..60000 open when {rule}"
+    (found,) = errors(text)
+    assert found.code == "NS0450"
+    assert "operations" in found.message
+
+
+def test_long_chains_and_many_lets_are_no_problem() -> None:
+    chain = " + ".join(["1"] * 3000)
+    lets = " ".join(f"let a{k} = a{k + 1} + 1" for k in range(3000))
+    program = program_of(f"nsl 1 frame 8 slots of 1ms {lets} let a3000 = {chain} open when n < a0")
+    assert program.table.shutters.all()
+
+
+PAGES = sorted(Path(nscc.diagnostics.__path__[0]).glob("pages/NS0[23]*.md"))
+PAGES += sorted(Path(nscc.diagnostics.__path__[0]).glob("pages/NS0450*.md"))
+
+
+@pytest.mark.parametrize(
+    "page", [p for p in PAGES if not "NS0230" <= p.name[:6] <= "NS0249"], ids=lambda p: p.name[:6]
+)
+def test_pages_show_what_they_explain(page: Path) -> None:
+    blocks = re.findall(r"```nsl\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)
+    if not blocks:
+        return
+    bad, good = blocks
+    try:
+        found = program_of(bad).messages
+    except Rejected as rejected:
+        found = rejected.diagnostics
+    assert page.name[:6] in {d.code for d in found}
+    assert page.name[:6] not in {d.code for d in program_of(good).messages}

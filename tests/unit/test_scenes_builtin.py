@@ -1,0 +1,64 @@
+"""The scenes that need no file: what their descriptions promise."""
+
+from __future__ import annotations
+
+import hashlib
+
+import numpy as np
+import pytest
+
+from nscc_runtime.scenes import Exposure, load_scene
+
+
+def test_hdr_spans_five_decades_at_any_size() -> None:
+    for shape in ((256, 256), (64, 48), (7, 300), (2, 2)):
+        light = load_scene("builtin:hdr", slot_us=(1000.0,) * 4, rows=shape[0], cols=shape[1])
+        total = light.total_e()
+        assert total.shape == shape
+        assert total.max() / total.min() >= 1e5
+        assert np.percentile(total, 99) == pytest.approx(30000.0, rel=1e-6)
+
+
+@pytest.mark.parametrize("slots", [1, 2, 8, 13, 64, 100, 256, 300, 4096])
+def test_motion_fills_any_number_of_slots(slots: int) -> None:
+    light = load_scene("builtin:motion", slot_us=(10.0,) * slots, rows=24, cols=32)
+    assert light.slots == slots
+    assert len(light.frames) <= 256
+    assert np.percentile(light.total_e(), 99) == pytest.approx(30000.0, rel=1e-5)
+
+
+def test_motion_moves_from_slot_to_slot() -> None:
+    light = load_scene("builtin:motion", slot_us=(100.0,) * 64, rows=128, cols=128)
+    np.testing.assert_array_equal(light.row_start, np.arange(65))
+    dense = light.dense()
+    change = np.abs(np.diff(dense, axis=0)).mean(axis=(1, 2)) / dense.mean()
+    assert change.min() > 0.003
+    assert change.mean() > 0.02
+
+
+def test_motion_is_as_bright_as_a_slot_is_long() -> None:
+    slot_us = tuple(50.0 * 2**k for k in range(8))
+    means = load_scene("builtin:motion", slot_us=slot_us, rows=64, cols=64).dense().mean((1, 2))
+    np.testing.assert_allclose(means / means.sum(), np.array(slot_us) / sum(slot_us), rtol=0.4)
+
+
+def test_flat_and_dark() -> None:
+    slot_us = (100.0, 300.0)
+    flat = load_scene("builtin:flat:1000", slot_us=slot_us, rows=3, cols=4)
+    np.testing.assert_allclose(flat.total_e(), 1000.0, rtol=1e-6)
+    np.testing.assert_allclose(flat.slot(1), 750.0, rtol=1e-6)
+    again = load_scene(
+        "builtin:flat:1000", slot_us=slot_us, rows=3, cols=4, exposure=Exposure(20.0)
+    )
+    np.testing.assert_allclose(again.total_e(), 20.0, rtol=1e-6)
+    for name in ("builtin:dark", "builtin:flat:0"):
+        assert not load_scene(name, slot_us=slot_us, rows=3, cols=4).dense().any()
+
+
+@pytest.mark.parametrize(
+    ("name", "digest"),
+    [("builtin:hdr", "7aac8b7b1b102320"), ("builtin:motion", "d98716609ad98c15")],
+)
+def test_pictures_are_the_same_on_every_machine(name: str, digest: str) -> None:
+    frames = load_scene(name, slot_us=(1000.0,) * 4, rows=32, cols=48).frames
+    assert hashlib.sha256(frames.tobytes()).hexdigest()[:16] == digest

@@ -1,0 +1,123 @@
+"""`nscc run` and `nscc view` from the command line, on a small target."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from nscc.cli.main import main
+
+PROGRAM = """nsl 1
+target "small.toml"
+frame 4 slots of 1ms
+code stop : 1..4
+open when n < stop
+"""
+PIXELS = "pixels stop = tile [[4, 3], [2, 1]]\n"
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    from nscc.target.load import builtin_target, target_toml
+
+    monkeypatch.chdir(tmp_path)
+    text = target_toml(builtin_target("scamp5"))
+    small = text.replace("rows = 256", "rows = 8").replace("cols = 256", "cols = 6")
+    Path("small.toml").write_text(small)
+    Path("ok.nsl").write_text(PROGRAM + PIXELS)
+    Path("open.nsl").write_text(PROGRAM)
+    return tmp_path
+
+
+def run(*arguments: str, capsys: pytest.CaptureFixture[str]) -> tuple[int, str]:
+    status = main(["run", *arguments])
+    return status, capsys.readouterr().err
+
+
+def oracle(file: str) -> np.ndarray:
+    """Sum of the light in the open slots, from the program's own text."""
+    data = np.load(file)
+    y, x = np.mgrid[:8, :6]
+    stop = np.array([[4, 3], [2, 1]])[y % 2, x % 2]
+    opened = np.arange(4)[:, None, None] < stop
+    return (data["light"].astype(np.float64) * opened).sum(axis=0)
+
+
+def test_a_frame_is_the_sum_of_open_slots(capsys: pytest.CaptureFixture[str]) -> None:
+    for scene in ("builtin:hdr", "builtin:motion", "builtin:flat:100"):
+        arguments = ("ok.nsl", "--scene", scene, "-o", "f.npz", "--png", "f.png")
+        status, err = run(*arguments, "--keep", "light,truth,shutter,codes", capsys=capsys)
+        assert status == 0, err
+        assert "wrote f.npz" in err
+        data = np.load("f.npz")
+        np.testing.assert_allclose(data["exposure_e"][0], oracle("f.npz"), rtol=1e-6)
+        lsb = json.loads(str(data["meta"]))["electrons_per_lsb"]
+        codes = np.clip(np.rint(data["exposure_e"] / lsb), 0, 255)
+        np.testing.assert_array_equal(data["frame"], codes)
+        opened = np.unpackbits(data["shutter"], axis=-1, count=4, bitorder="little")
+        np.testing.assert_array_equal(opened[0].sum(axis=-1), data["codes_stop"])
+        assert Path("f.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_containers_and_sources_give_the_same_file(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["build", "ok.nsl", "-o", "ok.icw"]) == 0
+    assert run("ok.nsl", "--scene", "builtin:hdr", capsys=capsys)[0] == 0
+    assert run("ok.icw", "--scene", "builtin:hdr", "-o", "b.npz", capsys=capsys)[0] == 0
+    assert Path("ok.frame.npz").read_bytes() == Path("b.npz").read_bytes()
+
+
+def test_codes_from_a_file(capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ("open.nsl", "--scene", "builtin:flat:100")
+    status, err = run(*arguments, capsys=capsys)
+    assert status == 2
+    assert "NS0741" in err
+    np.savez("codes.npz", stop=np.full((8, 6), 3))
+    status, err = run(*arguments, "--pixels", "codes.npz", capsys=capsys)
+    assert status == 0, err
+    np.testing.assert_allclose(np.load("open.frame.npz")["exposure_e"], 75.0, rtol=1e-6)
+
+
+def test_repeats_timings_and_a_summary_for_people_only(capsys: pytest.CaptureFixture[str]) -> None:
+    arguments = ("ok.nsl", "--scene", "builtin:dark", "--repeat", "3", "--timings", "t.json")
+    status, err = run(*arguments, "--message-format", "json", capsys=capsys)
+    assert status == 0
+    assert all(json.loads(line) for line in err.splitlines())
+    assert np.load("ok.frame.npz")["frame"].shape == (3, 1, 8, 6)
+    assert set(json.loads(Path("t.json").read_text())) >= {"compile_s", "scene_s", "expose_s"}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (["ok.nsl"], "NS0744"),
+        (["ok.nsl", "--scene", "builtin:hrd"], "NS0731"),
+        (["ok.nsl", "--scene", "builtin:hdr", "--effects", "all"], "NS0750"),
+        (["ok.nsl", "--scene", "builtin:hdr", "--effects", "none,+shot"], "NS0750"),
+        (["ok.nsl", "--scene", "builtin:hdr", "--tolerance", "5e"], "NS0750"),
+        (["ok.nsl", "--scene", "builtin:hdr", "--audit"], "NS0750"),
+        (["ok.nsl", "--scene", "builtin:hdr", "--sensor-set", "a=1"], "NS0750"),
+        (["ok.nsl", "--on", "/dev/pts/3"], "NS0750"),
+        (["ok.nsl", "--scene", "builtin:hdr", "--keep", "ligth"], "NS0739"),
+        (["ok.nsl", "--scene", "builtin:hdr", "--exposure", "x"], "NS0738"),
+        (["ok.nsl", "--scene", "builtin:hdr", "-o", "x", "--png", "x"], "NS0745"),
+    ],
+)
+def test_refusals_write_nothing(
+    arguments: list[str], code: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = sorted(folder.iterdir())
+    status, err = run(*arguments, capsys=capsys)
+    assert status == 2
+    assert code in err
+    assert sorted(folder.iterdir()) == before
+
+
+def test_view_draws_both_kinds(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["build", "ok.nsl", "-o", "ok.icw"]) == 0
+    for program in ("ok.nsl", "open.nsl", "ok.icw"):
+        assert main(["view", program, "-o", program + ".png"]) == 0
+        assert Path(program + ".png").read_bytes().startswith(b"\x89PNG")
+    assert capsys.readouterr().out == ""

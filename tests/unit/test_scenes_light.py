@@ -1,0 +1,91 @@
+"""Light on the array: the sparse form against a plain sum, and its identity."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from nscc_runtime.light import Light
+from nscc_runtime.scenes import load_scene
+
+
+def some_light(seed: int = 0, slots: int = 7, frames: int = 4) -> tuple[Light, np.ndarray]:
+    """A random light, and its slots by an independent sum in exact arithmetic."""
+    rng = np.random.default_rng(seed)
+    pictures = rng.random((frames, 3, 5), np.float32) * 1e4
+    counts = rng.integers(0, 4, slots)
+    row_start = np.concatenate(([0], np.cumsum(counts)))
+    index = rng.integers(0, frames, row_start[-1]).astype(np.int32)
+    weight = rng.random(row_start[-1])
+    light = Light(pictures, row_start, index, weight, "clip")
+    expected = np.zeros((slots, 3, 5), np.float32)
+    for n, r, c in np.ndindex(expected.shape):
+        parts = range(row_start[n], row_start[n + 1])
+        expected[n, r, c] = math.fsum(float(pictures[index[k], r, c]) * weight[k] for k in parts)
+    return light, expected
+
+
+def test_slots_are_the_weighted_sums() -> None:
+    light, expected = some_light()
+    np.testing.assert_allclose(light.dense(), expected, rtol=1e-7)
+    assert light.dense().dtype == np.float32
+    assert light.slots == 7
+    assert light.shape == (3, 5)
+
+
+def test_all_open_sum_is_the_sum_of_the_slots() -> None:
+    light, _ = some_light(1, slots=500)
+    dense = light.dense().astype(np.float64)
+    exact = np.array([[math.fsum(dense[:, r, c]) for c in range(5)] for r in range(3)])
+    np.testing.assert_allclose(light.total_e(), exact, rtol=1e-12)
+
+
+def test_many_equal_slots_of_a_still_are_summed_accurately() -> None:
+    light = Light.of_still(np.full((2, 2), 0.1, np.float32), np.full(4096, 1.0))
+    assert light.total_e()[0, 0] == pytest.approx(4096 * float(np.float32(0.1)), rel=1e-15)
+
+
+def test_a_clip_of_weight_one_is_its_own_frames_to_the_bit() -> None:
+    frames = np.random.default_rng(2).random((4, 3, 3)).astype(np.float32)
+    light = Light.of_clip(frames)
+    for n in range(4):
+        assert np.shares_memory(light.slot(n), frames)
+        np.testing.assert_array_equal(light.slot(n), frames[n])
+
+
+def test_a_slot_without_frames_is_dark() -> None:
+    nothing = np.zeros(0)
+    light = Light(
+        np.ones((1, 2, 2), np.float32), np.array([0, 0]), nothing.astype(np.int32), nothing, "clip"
+    )
+    assert not light.slot(0).any()
+
+
+def test_identity_depends_on_values_only() -> None:
+    first, second = some_light()[0], some_light()[0]
+    assert first.sha256() == second.sha256()
+    assert some_light(5)[0].sha256() != first.sha256()
+    halved = Light(first.frames, first.row_start, first.frame_index, first.weight * 0.5, first.kind)
+    assert halved.sha256() != first.sha256()
+    view = np.asfortranarray(first.frames)
+    same = Light(view, first.row_start, first.frame_index, first.weight, first.kind)
+    assert same.sha256() == first.sha256()
+
+
+def test_thousands_of_slots_of_a_still_cost_one_picture() -> None:
+    light = load_scene("builtin:hdr", slot_us=(10.0,) * 4096, rows=64, cols=64)
+    assert light.frames.nbytes == 64 * 64 * 4
+    assert light.slots == 4096
+
+
+def test_mismatched_parts_are_refused() -> None:
+    with pytest.raises(ValueError, match="entries"):
+        Light(
+            np.ones((1, 2, 2), np.float32),
+            np.array([0, 2]),
+            np.zeros(1, np.int32),
+            np.ones(1),
+            "clip",
+        )

@@ -1,0 +1,67 @@
+"""The commands asm, disasm, diff and targets through click."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from nscc.cli import asm, diff, disasm, targets
+from nscc.diagnostics.model import Rejected
+from nscc.target.load import builtin_target, load_target
+
+PROGRAM = ".wait 1ms x4\n.kernel k\nrespix A\n.slot 0..4 k\n.readout A frame\n"
+
+
+def test_assemble_list_and_compare(tmp_path: Path) -> None:
+    runner, text = CliRunner(), tmp_path / "x.asm"
+    text.write_text(PROGRAM, encoding="utf-8")
+    assert runner.invoke(asm.command, [str(text)]).exit_code == 0
+    first = tmp_path / "x.icw"
+    listing = runner.invoke(disasm.command, [str(first)])
+    assert listing.exit_code == 0
+    assert ".slot 0..4 k" in listing.stdout
+    second = tmp_path / "y.icw"
+    again = runner.invoke(asm.command, ["-", "-o", str(second)], input=listing.stdout)
+    assert again.exit_code == 0
+    assert first.read_bytes() == second.read_bytes()
+    assert runner.invoke(diff.command, [str(first), str(second)]).stdout == "identical\n"
+    text.write_text(PROGRAM.replace("x4", "x5"), encoding="utf-8")
+    assert runner.invoke(asm.command, [str(text), "-o", str(second)]).exit_code == 0
+    assert "slots: 4 -> 5" in runner.invoke(diff.command, [str(first), str(second)]).stdout
+
+
+def test_words_come_as_the_examples_write_them() -> None:
+    found = CliRunner().invoke(asm.command, ["-", "--words"], input="AND R6, R2, R3\nall")
+    assert found.stdout.split("\n")[3:] == [
+        "0x80020 0x10000 0x20800 0x3b602 0x40000",
+        "0x00800 0x11000 0x20000 0x32000 0x40000",
+        "",
+    ]
+
+
+def test_a_refused_text_leaves_no_file(tmp_path: Path) -> None:
+    text = tmp_path / "x.asm"
+    text.write_text(PROGRAM + "nope R1\n", encoding="utf-8")
+    with pytest.raises(Rejected, match="NS0710"):
+        CliRunner().invoke(asm.command, [str(text)], catch_exceptions=False)
+    text.write_bytes(b"\xff\xff")
+    with pytest.raises(Rejected, match="NS0717"):
+        CliRunner().invoke(asm.command, [str(text)], catch_exceptions=False)
+    assert [path.name for path in tmp_path.iterdir()] == ["x.asm"]
+    assert CliRunner().invoke(asm.command, ["-"], input=PROGRAM).exit_code == 2
+
+
+def test_targets_are_listed_and_printed(tmp_path: Path) -> None:
+    listed = CliRunner().invoke(targets.command).stdout
+    assert [line.split()[0] for line in listed.splitlines()] == [
+        "name", "scamp5", "scamp5-algorithm1", "scamp7",
+    ]  # fmt: skip
+    details = CliRunner().invoke(targets.command, ["scamp7"]).stdout
+    assert "R0..R22" in details
+    assert "(not public)" in details
+    (tmp_path / "t.toml").write_text(
+        CliRunner().invoke(targets.command, ["scamp7", "--toml"]).stdout, encoding="utf-8"
+    )
+    assert load_target("t.toml", tmp_path) == builtin_target("scamp7")
