@@ -87,7 +87,7 @@ def compile_source(
     if isinstance(chip, str):
         chip = load_target(chip, Path())
     tree, found = parse(source)
-    see("parse", tree)
+    see("parse", (tree, source))
     _stop_on_errors(found)
     program = analyse(source, tree, base=base, codes=options.codes, target=chip)
     see("program", program)

@@ -121,7 +121,7 @@ def _after(name: str, value: Any) -> str:
 
     match name:
         case "parse":
-            return _tree_text(value)
+            return _tree_text(*value)
         case "program":
             return _program_text(value)
         case "lower":
@@ -141,10 +141,10 @@ def _after(name: str, value: Any) -> str:
             return f"proof {verdict}: {value.codes} codes, {value.slots} slots\n"
 
 
-def _tree_text(tree: Any) -> str:
+def _tree_text(tree: Any, source: Any) -> str:
     from nscc.syntax.printing import print_tree
 
-    return print_tree(tree)
+    return print_tree(tree, source)
 
 
 def _program_text(program: Any) -> str:
@@ -160,7 +160,7 @@ def _product(kind: str, compiled: Compiled) -> bytes:
 
     match kind:
         case "ast":
-            return _tree_text(compiled.tree).encode()
+            return _tree_text(compiled.tree, compiled.program.source).encode()
         case "ir":
             return _program_text(compiled.program).encode()
         case "gates":

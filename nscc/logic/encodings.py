@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget, Cube, Encoding, cover
-from nscc.logic.problem import GaveUp, Machine, Problem
+from nscc.logic.problem import Demand, GaveUp, Machine, Problem
 from nscc.logic.truth import members, number_planes
 
 
@@ -32,10 +32,17 @@ def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Enc
     return Encoding(
         "one register for each predicate",
         tuple(distinct),
-        tuple(f"{first[i].edge} at boundary {first[i].boundary}" for i in range(len(distinct))),
+        tuple(_asked(first[i]) for i in range(len(distinct))),
         cubes,
         (False,) * len(cubes),
     )
+
+
+def _asked(demand: Demand) -> str:
+    """What a demand asks, in words."""
+    if demand.edge == "open":
+        return f"open in slot {demand.boundary - 1}"
+    return f"{demand.edge} at boundary {demand.boundary}"
 
 
 def one_hot(problem: Problem, machine: Machine, budget: Budget) -> Encoding:

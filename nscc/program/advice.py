@@ -16,9 +16,18 @@ from nscc.words.container import DecodeTable
 
 
 def judge_rules(
-    rules: Sequence[Rule], has_fields: bool, table: DecodeTable, basis: str, problems: Problems
+    rules: Sequence[Rule],
+    has_fields: bool,
+    table: DecodeTable,
+    survey: DecodeTable,
+    basis: str,
+    problems: Problems,
 ) -> None:
-    """Warns of rules that never open (NS0350) and, where there are fields, always do (NS0351)."""
+    """Warns of rules that never open (NS0350) and, where there are fields, always do (NS0351).
+
+    Never is judged by the codes compiled for (`table`, `basis` in words): the frame would stay
+    dark. Always is judged by `survey`, all codes if they are few: pixels may well be open for long.
+    """
     for k, rule in enumerate(rules):
         shutters = table.shutters[:, k, :]
         who = f"the bucket `{rule.name.text}`" if isinstance(rule, Bucket) else "the shutter"
@@ -29,12 +38,12 @@ def judge_rules(
                 rule.rule.span,
                 f"false in every slot, {basis}" if has_fields else "false in every slot",
             )
-        elif has_fields and shutters.all():
+        elif has_fields and survey.shutters[:, k, :].all():
             problems.warning(
                 "NS0351",
                 f"{who} is always open, whatever the code",
                 rule.rule.span,
-                f"true in every slot, {basis}",
+                "true in every slot",
                 helps=("`open when true` without fields is the ordinary camera",),
             )
 

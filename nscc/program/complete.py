@@ -32,6 +32,7 @@ from nscc.syntax.tree import (
     CodeRange,
     EqualSlots,
     Expr,
+    Int,
     Node,
     PixelsExpr,
     PixelsTile,
@@ -63,7 +64,7 @@ class Completion:
         self.rules = rules
         self.planes = [planes[f.name] for f in rules.fields] if declared.has_pixels else []
         self.has_data = declared.has_pixels or not rules.fields
-        self.mode: Codes = codes if declared.has_pixels else "open"
+        self.mode: Codes = codes if declared.has_pixels and rules.fields else "open"
         self.buckets = tuple(_bucket(rule) for rule in declared.rules)
 
     def run(self) -> Program:
@@ -203,7 +204,7 @@ class Completion:
     ) -> None:
         problems, declared, fields = self.problems, self.declared, self.rules.fields
         basis = "for every code in use" if self.mode == "fixed" else "for every code"
-        judge_rules(declared.rules, bool(fields), table, basis, problems)
+        judge_rules(declared.rules, bool(fields), table, survey, basis, problems)
         judge_names(
             declared, fields, self.rules.rules, _names_read(declared), self.rules.books, problems
         )
@@ -283,5 +284,6 @@ def _names_read(declared: Declarations) -> set[str]:
         if isinstance(pixels, PixelsExpr):
             exprs.append(pixels.value)
         elif isinstance(pixels, PixelsTile):
-            exprs += [value for row in pixels.rows for value in row.values]
+            values = (value for row in pixels.rows for value in row.values)
+            exprs += [value for value in values if not isinstance(value, Int)]
     return {name.text for expr in exprs for name in names_in(expr)}

@@ -14,7 +14,7 @@ from nscc.program.arrays_file import ArraysFile, Unreadable
 from nscc.program.constants import constant
 from nscc.program.evaluate import Value, array, evaluate, fault_at
 from nscc.program.expressions import Checked, Meaning, check
-from nscc.program.limits import WORK_LIMIT, work
+from nscc.program.limits import MOST_FIELDS, WORK_LIMIT, work
 from nscc.program.model import Field
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems, clipped, counted
@@ -65,6 +65,8 @@ class _Maker:
 
     def run(self) -> dict[str, Plane]:
         planes: dict[str, Plane] = {}
+        if len(self.fields) > MOST_FIELDS:
+            return planes
         for name, statement in self.declared.pixels.items():
             if name not in self.fields:
                 self._no_field(statement)

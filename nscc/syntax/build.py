@@ -210,3 +210,34 @@ class Builder(Transformer):  # type: ignore[type-arg, misc]  # lark's generics a
         return tree.PixelsFromFile(
             span_of(path), _text(path), None if sha256 is None else _text(sha256)
         )
+
+
+def plain_tile(tokens: list[Token]) -> tree.PixelsTile | None:
+    """The statement `pixels FIELD = tile [[1, 2], [3, 4]]` whose cells are plain numbers.
+
+    Big files are tiles; the grammar would climb ten levels of precedence for every number. None for
+    any other statement, right or wrong: the parser has the word then.
+    """
+    if [t.type for t in tokens[2:5]] != ["EQUAL", "TILE", "BEGIN"] or tokens[1].type != "NAME":
+        return None
+    rows: list[tree.TileRow] = []
+    position, last = 5, len(tokens) - 1
+    while position < last and tokens[position].type == "BEGIN":
+        begin = tokens[position]
+        cells: list[tree.Expr] = []
+        while tokens[position].type in ("BEGIN", "COMMA") and position + 2 <= last:
+            cell = tokens[position + 1]
+            if cell.type != "INT" or len(cell) > 18:
+                return None
+            cells.append(tree.Int(span_of(cell), int(cell)))
+            position += 2
+        if tokens[position].type != "END":
+            return None
+        rows.append(tree.TileRow(span_of(begin).to(span_of(tokens[position])), tuple(cells)))
+        position += 1
+        if position < last and tokens[position].type == "COMMA":
+            position += 1
+    if not rows or position != last or tokens[last].type != "END" or tokens[last - 1].type == "COMMA":
+        return None
+    span = span_of(tokens[0]).to(span_of(tokens[last]))
+    return tree.PixelsTile(span, _name(tokens[1]), tuple(rows))

@@ -15,7 +15,7 @@ from lark.exceptions import UnexpectedToken
 from nscc.diagnostics.model import Diagnostic, Label, Rejected
 from nscc.source import Source, Span
 from nscc.syntax import tree
-from nscc.syntax.build import Builder, Refused, span_of
+from nscc.syntax.build import Builder, Refused, plain_tile, span_of
 from nscc.syntax.words import FORMS, OTHER_WORDS, STATEMENT_WORDS, expected_words
 
 MOST_BYTES = 256 * 1024
@@ -135,6 +135,10 @@ def _statement(source: Source, tokens: list[Token], found: list[Diagnostic]) -> 
         tokens = _join_name(source, tokens)
     parser, builder = _parser()
     builder.reset()
+    if tokens[0].type == "PIXELS":
+        tile = plain_tile(tokens)
+        if tile is not None:
+            return tile
     state = parser.parse_interactive(start="statement")
     try:
         for token in tokens:

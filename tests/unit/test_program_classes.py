@@ -81,6 +81,8 @@ ADVICE = [
     ("code s : 1..8 open when n < s", []),
     ("code s : 1..8 open when n < s - 8", ["NS0350"]),
     ("code s : 8..9 open when n < s", ["NS0351"]),
+    ("code s : 1..8 open when n < s pixels s = 8", ["NS0353"]),
+    ("code s : 0..7 open when n < s pixels s = 0", ["NS0350", "NS0353"]),
     ("code s : 1..8 bucket p open when n < s bucket q open when n > 7", ["NS0350"]),
     ("code s : 1..8 code t : 0..1 open when n < s", ["NS0352"]),
     ("code s : 1..8 open when n < s pixels s = 1 + x % 8", []),

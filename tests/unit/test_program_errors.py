@@ -203,6 +203,12 @@ def test_too_many_operations_are_refused() -> None:
     assert "operations" in found.message
 
 
+def test_too_many_fields_are_refused() -> None:
+    fields = " ".join(f"code f{k} : 0..255 pixels f{k} = x" for k in range(65))
+    (found,) = errors(FRAME + fields + " open when n < f3")
+    assert found.code == "NS0450"
+
+
 def test_long_chains_and_many_lets_are_no_problem() -> None:
     chain = " + ".join(["1"] * 3000)
     lets = " ".join(f"let a{k} = a{k + 1} + 1" for k in range(3000))

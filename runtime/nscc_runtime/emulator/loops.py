@@ -234,7 +234,7 @@ def _start(
             planes[p * words + g] = _hash(seed, p, first // 64 + g)
     for i in range((flag_plane + 1) * words, (flag_plane + 3) * words):
         planes[i] = _ZERO
-    # One number a pixel, and a turn of the golden section further for each register.
+    # One random number u a pixel; the fraction of K u is as good as another for each large K.
     pixels = 64 * words
     place = (pix + 2) * pixels
     for i in range(pixels):
@@ -243,7 +243,7 @@ def _start(
     for r in range(pix + 2):
         lowest = -1.0 if r < pix else 1.0
         for i in range(pixels):
-            turn = rows[place + i] + r * _GOLDEN
+            turn = rows[place + i] * (16384.0 * (1.0 + r * _GOLDEN))
             spread = 2.0 * (turn - np.floor(turn)) - 1.0
             light = rows[scale + i]
             value = abs(spread) + 1.0

@@ -40,10 +40,11 @@ def frames(count: int, rows: int, cols: int) -> NDArray[np.float32]:
     clip = np.empty((count, rows, cols), np.float32)
     clip[:] = _wall(x, y)
     half = (cols / 2 / unit, rows / 2 / unit)
+    wheel = _Wheel(x, y, 1.0 / unit)
     for k, picture in enumerate(clip):
         phase = (k + 0.5) / count
         _train(picture, x, y, phase, half, 1.0 / unit)
-        _wheel(picture, x, y, phase, 1.0 / unit)
+        wheel.draw(picture, phase)
         _ball(picture, x, y, phase, half, 1.0 / unit)
         _spark(picture, x, y, phase, half)
     return clip
@@ -92,24 +93,33 @@ def _train(
     picture[rows] += ((body + (1.9 - body) * window + lamp) - picture[rows]) * on
 
 
-def _wheel(picture: NDArray[np.float32], x: Field, y: Field, phase: float, pixel: float) -> None:
-    """A wheel of five spokes turns one and a half times."""
-    centre, radius = (-0.2, -0.05), 0.21
-    rows = _span(y, centre[1] - radius - pixel, centre[1] + radius + pixel)
-    cols = _span(x, centre[0] - radius - pixel, centre[0] + radius + pixel)
-    dx, dy = (x[cols] - centre[0])[None, :], (y[rows] - centre[1])[:, None]
-    r = np.sqrt(dx * dx + dy * dy)
-    ring = np.minimum(radius - r, r - 0.84 * radius)
-    shape = np.maximum(ring, 0.2 * radius - r)
-    for spoke in range(5):
-        c, s = turn(phase * 1.5 + spoke / 5)
-        forward, aside = dx * c + dy * s, np.abs(dy * c - dx * s)
-        arm = np.minimum(0.014 + 0.05 * forward - aside, np.minimum(forward, 0.9 * radius - r))
-        shape = np.maximum(shape, arm)
-    cover = np.clip(shape / pixel + 0.5, 0.0, 1.0)
-    c, s = turn(phase * 1.5)
-    glint = 0.55 + 0.35 * (dx * c + dy * s) / radius
-    picture[rows, cols] += (glint - picture[rows, cols]) * cover
+class _Wheel:
+    """A wheel of five spokes that turns one and a half times; what does not turn is kept."""
+
+    def __init__(self, x: Field, y: Field, pixel: float) -> None:
+        centre, radius = (-0.2, -0.05), 0.21
+        self.rows = _span(y, centre[1] - radius - pixel, centre[1] + radius + pixel)
+        self.cols = _span(x, centre[0] - radius - pixel, centre[0] + radius + pixel)
+        self.dx = (x[self.cols] - centre[0]).astype(np.float32)[None, :]
+        self.dy = (y[self.rows] - centre[1]).astype(np.float32)[:, None]
+        r = np.sqrt(self.dx * self.dx + self.dy * self.dy)
+        self.still = np.maximum(np.minimum(radius - r, r - 0.84 * radius), 0.2 * radius - r)
+        self.reach = 0.9 * radius - r
+        self.radius, self.pixel = radius, pixel
+
+    def draw(self, picture: NDArray[np.float32], phase: float) -> None:
+        shape = self.still
+        for spoke in range(5):
+            c, s = turn(phase * 1.5 + spoke / 5)
+            forward = self.dx * c + self.dy * s
+            aside = np.abs(self.dy * c - self.dx * s)
+            arm = np.minimum(0.014 + 0.05 * forward - aside, forward)
+            shape = np.maximum(shape, np.minimum(arm, self.reach))
+        cover = np.clip(shape / self.pixel + 0.5, 0.0, 1.0)
+        c, s = turn(phase * 1.5)
+        glint = 0.55 + (self.dx * c + self.dy * s) * (0.35 / self.radius)
+        part = picture[self.rows, self.cols]
+        part += (glint - part) * cover
 
 
 def _ball(

@@ -106,7 +106,7 @@ class Census:
             "NS0736",
             f"{total} light value{'s' if total > 1 else ''} in '{name}' cannot be light: {counted}",
             notes=(
-                f"the first {words[worst]} is {value:g} at {axes(len(place))} = "
+                f"the first of them is {value:g}, at {axes(len(place))} = "
                 f"[{', '.join(map(str, place))}]",
                 "light is a count of electrons: finite (below 3.4e38) and not negative",
             ),

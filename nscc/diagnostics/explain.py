@@ -1,0 +1,45 @@
+"""The pages behind `nscc explain`: one for each code, in `nscc/diagnostics/pages`."""
+
+from __future__ import annotations
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.render import PAGES, names
+from nscc.diagnostics.suggest import closest
+
+
+def page(code_or_name: str) -> str:
+    """The page of a code (`NS0412`, any case) or of a name (`too-many-shutters`).
+
+    Raises Rejected (NS0790, status 2) where there is none.
+    """
+    known = names()
+    wanted = code_or_name.strip()
+    code = wanted.upper()
+    if code not in known:
+        code = next((c for c, name in known.items() if name == wanted.lower()), "")
+    if not code:
+        near = closest(wanted.upper(), list(known)) or closest(
+            wanted.lower(), list(known.values())
+        )
+        raise Rejected(
+            Diagnostic(
+                "NS0790",
+                f"no message has the code or name '{wanted[:60]}'",
+                helps=(
+                    *((f"did you mean {near}?",) if near else ()),
+                    "`nscc explain` lists all codes",
+                ),
+            ),
+            status=2,
+        )
+    return (PAGES / f"{code}-{known[code]}.md").read_text(encoding="utf-8")
+
+
+def index() -> str:
+    """A line for every code: code, name, title."""
+    lines = []
+    for code, name in names().items():
+        with open(PAGES / f"{code}-{name}.md", encoding="utf-8") as file:
+            title = file.readline().partition(":")[2].strip()
+        lines.append(f"{code}  {name:<28} {title}")
+    return "\n".join(lines) + "\n"
