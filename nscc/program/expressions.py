@@ -291,15 +291,6 @@ class _Checker:
         if name not in MinMax:
             self._unknown(node.function, "a function", MinMax)
             return None
-        if not node.arguments:
-            self._error(
-                "NS0318",
-                f"`{name}` needs at least one number to choose from",
-                node.span,
-                "no arguments",
-                helps=(f"write `{name}(A, B)`",),
-            )
-            return None
         self._want("integer", given, node.arguments, f"`{name}`")
         return "integer"
 

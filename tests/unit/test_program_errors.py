@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from fractions import Fraction
 from pathlib import Path
 
 import pytest
@@ -10,6 +11,9 @@ from program_oracle import program_of
 
 import nscc.diagnostics
 from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.program.analyse import analyse
+from nscc.source import Source, Span
+from nscc.syntax import tree as t
 
 FRAME = "nsl 1 frame 8 slots of 1ms "
 STOP = FRAME + "code stop : 0..8 "
@@ -53,7 +57,6 @@ ONE_ERROR = [
     (STOP + "code a : 0..1 open when a < n < stop pixels stop = 3", "NS0210", "a"),
     (STOP + "open when n < stop pixels stop = 3 pixels stop = 4", "NS0211", "stop"),
     (STOP + "open when n < stpo or stpo == 3", "NS0214", "stpo"),
-    (STOP + "open when n < mni(stop, 3)", "NS0214", "mni"),
     (STOP + "code id : row of book open when n < id", "NS0214", "book"),
     (STOP + "open when n < stop pixels stop = 3 pixels pots = 3", "NS0214", "pots"),
     (STOP + "open when stop", "NS0301", "stop"),
@@ -77,8 +80,8 @@ ONE_ERROR = [
     (FRAME + "shutters b [11110000] code id : row of b open when b[id - 1]", "NS0303", "id - 1"),
     (STOP + "open when 1 << 62 - n > stop", "NS0304", "62 - n"),
     (STOP + "open when 1 << n - 1 > stop", "NS0304", "n - 1"),
-    (STOP + "open when n < stop + 4611686018427387904", "NS0305", "4611686018427387904"),
-    (STOP + "open when 4611686018427387900 + n > stop", "NS0305", "4611686018427387900 + n"),
+    (STOP + "let a = (1 << 61) - 1 + (1 << 61) open when n - 1 < a + n", "NS0305", "a + n"),
+    (STOP + "open when 1000000000000 * n < 5000000 * stop * 1000000000000", "NS0305", None),
     (FRAME + "let a = 3 << 61 open when n < a", "NS0305", "3 << 61"),
     (FRAME + "code a : 3..1 open when n < a pixels a = 2", "NS0306", "3..1"),
     (FRAME + "code a : bit[0] open when a[n]", "NS0307", "0"),
@@ -86,8 +89,8 @@ ONE_ERROR = [
     ("nsl 1 frame 0 slots of 1ms code s : 0..N open when n < s", "NS0308", "0"),
     ("nsl 1 frame 65537 slots of 1ms open when n < N", "NS0308", "65537"),
     ("nsl 1 frame 2 - 9 slots of 1ms open when n < N", "NS0308", "2 - 9"),
-    ("nsl 1 frame 9 slots of 0ms open when n < N", "NS0309", "0ms"),
-    ("nsl 1 frame slots [1ms, 0us] open when n < N", "NS0309", "0us"),
+    ("nsl 1 frame 9 slots of 0.00000001ns open when n < N", "NS0309", "0.00000001ns"),
+    ("nsl 1 frame slots [1ms, 9999999s] open when n < N", "NS0309", "9999999s"),
     (FRAME + "shutters b [1111000] code id : row of b open when b[id]", "NS0310", "1111000"),
     (STOP + "open when n < stop pixels stop = x % 10", "NS0311", "x % 10"),
     (STOP + "open when n < stop pixels stop = tile [[1, 2], [3, 9]]", "NS0311", "9"),
@@ -196,8 +199,10 @@ def test_what_cannot_be_proved_is_refused_with_the_numbers(
 
 
 def test_too_many_operations_are_refused() -> None:
-    rule = " or ".join(f"n == {k} * stop" for k in range(3000))
-    text = f"nsl 1 frame 1000 slots of 1us code stop : 1..60000 open when {rule}"
+    rules = [f"n == {k} * stop" for k in range(3000)]
+    while len(rules) > 1:
+        rules = [f"({' or '.join(rules[k : k + 2])})" for k in range(0, len(rules), 2)]
+    text = f"nsl 1 frame 1000 slots of 1us code stop : 1..60000 open when {rules[0]}"
     (found,) = errors(text)
     assert found.code == "NS0450"
     assert "operations" in found.message
@@ -209,11 +214,21 @@ def test_too_many_fields_are_refused() -> None:
     assert found.code == "NS0450"
 
 
-def test_long_chains_and_many_lets_are_no_problem() -> None:
-    chain = " + ".join(["1"] * 3000)
+def test_many_lets_are_no_problem() -> None:
     lets = " ".join(f"let a{k} = a{k + 1} + 1" for k in range(3000))
-    program = program_of(f"nsl 1 frame 8 slots of 1ms {lets} let a3000 = {chain} open when n < a0")
+    program = program_of(f"nsl 1 frame 8 slots of 1ms {lets} let a3000 = 5 open when n < a0")
     assert program.table.shutters.all()
+
+
+def test_deep_trees_are_no_problem() -> None:
+    span = Span(0, 1)
+    deep: t.Expr = t.Int(span, 1)
+    for _ in range(20000):
+        deep = t.Binary(span, "+", deep, t.Int(span, 1))
+    rule = t.Compare(span, deep, ("==",), (t.Int(span, 20001),))
+    frame = t.EqualSlots(span, t.Int(span, 4), t.Time(span, Fraction(1)))
+    tree = t.File(span, (frame, t.Open(span, rule)))
+    assert analyse(Source("deep", "?"), tree, base=Path()).table.shutters.all()
 
 
 PAGES = sorted(Path(nscc.diagnostics.__path__[0]).glob("pages/NS0[23]*.md"))
