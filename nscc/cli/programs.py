@@ -71,8 +71,10 @@ def build_options(function: Command) -> Command:
 
 
 def compile_program(path: Path, choice: BuildChoice, **more: Any) -> Compiled:
-    """Compiles a program as `choice` says; `more` are further fields of `nscc.pipeline.Options`, and
-    `see`, an observer of its passes. Raises Rejected where it does not compile."""
+    """Compiles a program as `choice` says; Rejected where it does not compile.
+
+    `more` are further fields of `nscc.pipeline.Options`, and `see`, an observer of its passes.
+    """
     from nscc.pipeline import Options, compile_file
 
     see = more.pop("see", None)

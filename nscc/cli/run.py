@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.cli.programs import BuildChoice, build_options, load_program
-from nscc.cli.support import CommonCommand, Product, done, say, write_together
+from nscc.cli.support import CommonCommand, Product, done, progress, say, write_together
 from nscc.diagnostics.model import Diagnostic, Rejected
 
 if TYPE_CHECKING:
@@ -241,6 +241,7 @@ def _scene(
         crop=None if crop is None else parse_crop(crop),
         frames_are=options["frames_are"],
         warn=said.append,
+        progress=progress,
     )
     say(said)
     return light
@@ -269,7 +270,7 @@ def _products(
     whole = frame_file.repeated(frame, options["repeat"]) if options["repeat"] else frame
     meta = frame_file.meta(container, light, whole, origin)
     products: dict[Path, Product] = {
-        out: frame_file.FrameFile(whole, meta, kept, slots).write,
+        out: frame_file.FrameFile(whole, meta, kept, slots, progress).write,
     }
     if options["png"]:
         from nscc_runtime.pictures import frame_png, readouts

@@ -118,8 +118,8 @@ def _event_fields(problem: Problem) -> _Events:
         shutters = members(demand.predicate, problem.shutters)
         ranks = seen[kind][shutters]
         seen[kind][shutters] += 1
-        for rank in np.unique(ranks):
-            fields.setdefault((*kind, int(rank)), []).append((i, shutters[ranks == rank]))
+        for rank in sorted(set(ranks.tolist())):
+            fields.setdefault((*kind, rank), []).append((i, shutters[ranks == rank]))
     return dict(sorted(fields.items()))
 
 

@@ -27,13 +27,14 @@ _MOST_HEADER_BYTES = 2**16
 
 
 class Unreadable(Exception):
-    """A file, or an array in it, that cannot be used: code, one line, and what to do."""
+    """A file, or an array in it, that cannot be used: code, one line, facts, what to do."""
 
-    def __init__(self, code: str, message: str, *helps: str) -> None:
+    def __init__(self, code: str, message: str, *helps: str, notes: tuple[str, ...] = ()) -> None:
         super().__init__(message)
         self.code = code
         self.message = message
         self.helps = helps
+        self.notes = notes
 
 
 class ArraysFile:
@@ -71,8 +72,7 @@ class ArraysFile:
                 "NS0315",
                 f'"{self.shown}" is not the file that the program was written for: '
                 "its SHA-256 differs",
-                f"expected {wanted.lower()}",
-                f"found    {self.sha256}",
+                notes=(f"expected {wanted.lower()}", f"found    {self.sha256}"),
             )
 
     def integers(self, key: str, *, most: int, bools: bool = False) -> NDArray[Any]:
@@ -173,7 +173,7 @@ class ArraysFile:
             "NS0314",
             f'"{self.shown}" has no array `{clipped(key)}`',
             *helps,
-            f"the file has {listed}",
+            notes=(f"the file has {listed}",),
         )
 
     def _not_integers(self, key: str, dtype: np.dtype[Any]) -> Unreadable:

@@ -34,7 +34,9 @@ def _make(book: Book, slots: Meaning, base: Path, problems: Problems) -> Digits 
     try:
         return _from_file(book, slots, base)
     except Unreadable as problem:
-        problems.error(problem.code, problem.message, book.path.span, helps=problem.helps)
+        problems.error(
+            problem.code, problem.message, book.path.span, notes=problem.notes, helps=problem.helps
+        )
         return None
 
 

@@ -68,7 +68,8 @@ def codes_from_file(
             missing |= beyond
     except Unreadable as problem:
         raise Rejected(
-            Diagnostic(problem.code, problem.message, helps=problem.helps), status=2
+            Diagnostic(problem.code, problem.message, notes=problem.notes, helps=problem.helps),
+            status=2,
         ) from problem
     rows_of_table, unknown = (
         rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)

@@ -236,7 +236,9 @@ class _Maker:
                 self._keep(planes, field, plane, statement, wrong)
 
     def _unreadable(self, problem: Unreadable, span: Span) -> None:
-        self.problems.error(problem.code, problem.message, span, helps=problem.helps)
+        self.problems.error(
+            problem.code, problem.message, span, notes=problem.notes, helps=problem.helps
+        )
 
     def _keep(
         self,

@@ -15,11 +15,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.prove.noise import Noise
 from nscc.prove.replay import Faded, Replay
 from nscc.words.container import Container
 from nscc.words.operations import Op
 
 FRAMES = 2
+LIGHT_SEED = 7
 TOLERANCE = 1e-9
 """Largest error of an exposure, as a share of all the light of the frame."""
 
@@ -52,10 +54,10 @@ class Proof:
 def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
     """Replays `kernels` (the container's words, decoded) against the container's decode table."""
     replay = Replay(container, kernels, lights=1)
-    rng = np.random.default_rng(7)
+    noise = Noise(LIGHT_SEED)
     failure: Failure | None = None
     for frame in range(1, FRAMES + 1):
-        light = rng.uniform(0.25, 1.0, (container.slots, 1))
+        light = noise.levels(container.slots, 1)
         failure = _frame(replay, light, frame)
         if failure is not None:
             break

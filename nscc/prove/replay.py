@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.truth import columns, members
+from nscc.prove.noise import Noise
 from nscc.target.model import Target
 from nscc.words.container import Container
 from nscc.words.operations import Effect, Op, Phase
@@ -55,7 +56,7 @@ class Replay:
         self.target: Target = target
         self.lanes = len(container.encoding)
         self.everything = (1 << self.lanes) - 1
-        self._rng = np.random.default_rng(self.seed)
+        self._random = Noise(self.seed)
         self._reset_level = self._noise()
         self.pix = self._noise()
         self.analog = {name: self._noise() for name in target.analog_registers}
@@ -106,10 +107,10 @@ class Replay:
     def _noise(self) -> Lights:
         if self.quiet:
             return np.zeros((self.lanes, self.lights))
-        return self._rng.uniform(0.25, 1.0, (self.lanes, self.lights))
+        return self._random.levels(self.lanes, self.lights)
 
     def _bits(self) -> int:
-        return int.from_bytes(self._rng.bytes((self.lanes + 7) // 8), "little") & self.everything
+        return self._random.bits(self.lanes)
 
     def _run(self, word: Op) -> None:
         row = word.operation

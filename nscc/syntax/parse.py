@@ -156,7 +156,7 @@ def _statement(source: Source, tokens: list[Token], found: list[Diagnostic]) -> 
         )
         return None
     span = span_of(tokens[0]).to(span_of(tokens[-1]))
-    return type(node)(span, *(getattr(node, name) for name in node.__slots__))
+    return type(node)(span, *(getattr(node, name) for name in node.fields[1:]))
 
 
 def _join_name(source: Source, tokens: list[Token]) -> list[Token]:

@@ -29,6 +29,7 @@ from nscc.target.model import Target
 from nscc.words.container import Container
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
+from nscc_runtime.progress import Progress, unseen
 
 SCHEMA = "nscc-frame-1"
 KEEP = ("light", "truth", "shutter", "codes")
@@ -159,6 +160,7 @@ class FrameFile:
     meta: Mapping[str, Any]
     kept: Mapping[str, NDArray[Any]]
     slots: Mapping[str, Light]
+    progress: Progress = unseen
 
     def write(self, file: IO[bytes]) -> None:
         """Write the archive; light goes slot by slot and repeats block by block, never whole."""
@@ -168,7 +170,8 @@ class FrameFile:
             _put_array(archive, "meta", np.array(json.dumps(self.meta, allow_nan=False)))
             for key, light in self.slots.items():
                 shape = (light.slots, *light.shape)
-                blocks = (light.slot(n) for n in range(light.slots))
+                numbers = self.progress(range(light.slots), f"writing {key}", light.slots)
+                blocks = (light.slot(n) for n in numbers)
                 _put(archive, key, shape, np.dtype("<f4"), blocks)
             for key, values in self.kept.items():
                 _put_array(archive, key, values)

@@ -32,7 +32,7 @@ def programs(slots: int) -> Iterator[tuple[str, str]]:
     """Names and texts of the programs, classes a to d and a coarse exposure pattern."""
     head = f"nsl 1\ntarget scamp5\nframe {slots} slots of {300 if slots > 64 else 100}us\n"
     spread = f"1 + (x * 37 + y * 101) % {slots}"
-    yield "a", head + "open always\n"
+    yield "a", head + "open when true\n"
     yield "b", head + f"code stop : 1..{slots}\nopen when n < stop\npixels stop = {spread}\n"
     stops = ", ".join(str(max(1, slots // part)) for part in (1024, 256, 64, 16))
     pattern = f"[[{', '.join(stops.split(', ')[:2])}], [{', '.join(stops.split(', ')[2:])}]]"

@@ -103,7 +103,9 @@ def test_words(data):
     target = target_of(shape, **behaviour)
     planes = {name: random.random(shape) < 0.5 for name in DIGITAL}
     light = Light.of_clip(random.uniform(0, 100, (slots, *shape)).astype(np.float32))
-    readouts = [Readout(name, name) for name in ANALOG]
+    # Registers that are not read out may be treated with less care.
+    shown = ["A", *data.draw(_some(ANALOG[1:], 0, 6))]
+    readouts = [Readout(name, name) for name in shown]
     container = container_of(
         target, planes, [[op("all")], *kernels], [(0, 0)], slots, readouts=readouts
     )
@@ -138,7 +140,7 @@ def test_words(data):
     chip.expose(words, light.dense())
 
     found = expose(container, light, device_seed=device_seed)
-    for k, name in enumerate(ANALOG):
+    for k, name in enumerate(shown):
         np.testing.assert_array_equal(found.exposure_e[k], chip.analog[name], err_msg=name)
 
     # Digital registers show themselves through FLAG: 1 where the bit is set, 0 elsewhere.

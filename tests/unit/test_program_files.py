@@ -84,7 +84,8 @@ def test_a_missing_array_is_named(tmp_path: Path) -> None:
         program_of(PIXELS + 'pixels from "f.npz"', base=tmp_path)
     (found,) = caught.value.diagnostics
     assert "`a`" in found.message
-    assert found.helps == ("did you mean `A`?", "the file has `A`, `b`")
+    assert found.helps == ("did you mean `A`?",)
+    assert found.notes == ("the file has `A`, `b`",)
 
 
 @pytest.mark.parametrize("digest", ["0" * 64, "", "12", "x" * 64])

@@ -131,6 +131,23 @@ def test_sixteen_bits_survive(tmp_path: Path) -> None:
         np.testing.assert_allclose(light.total_e(), expected, rtol=1e-6)
 
 
+def test_progress_sees_every_frame(tmp_path: Path) -> None:
+    from PIL import Image
+
+    seen: list[tuple[str, int | None]] = []
+
+    def watch(items: Any, label: str, total: int | None) -> Any:
+        seen.append((label, total))
+        return items
+
+    for k in range(3):
+        Image.fromarray(np.full((ROWS, COLS), 50 + k, np.uint8)).save(tmp_path / f"{k}.png")
+    load(tmp_path, exposure=Exposure(1.0), progress=watch)
+    np.save(tmp_path / "light.npy", np.ones((3, ROWS, COLS)))
+    load(tmp_path / "light.npy", progress=watch)
+    assert seen == [("reading frames", 3), ("reading light", 1)]
+
+
 def test_gif_frames_and_folders(tmp_path: Path) -> None:
     from PIL import Image
 

@@ -7,7 +7,7 @@ block into float32, so that a long clip costs its own float32 size and little mo
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import IO, Any
 
@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.model import Rejected
+from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes.errors import Census, damaged, rejected, size
 
 KEY = "light"
@@ -38,7 +39,7 @@ def check_type(name: Path, key: str, dtype: np.dtype[Any]) -> None:
     )
 
 
-def read_light(path: Path, check: Check) -> NDArray[np.float32]:
+def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray[np.float32]:
     """The array `light` of an .npz, .npy or .mat file, float32, (T, rows, cols) or (rows, cols).
 
     NS0732 where the file is damaged, NS0733 for a missing key or another kind of numbers, whatever
@@ -47,9 +48,9 @@ def read_light(path: Path, check: Check) -> NDArray[np.float32]:
     try:
         if path.suffix.lower() == ".npy":
             with open(path, "rb") as file:
-                return _read_npy(file, path, check)
+                return _read_npy(file, path, check, progress)
         with zipfile.ZipFile(path) as archive, archive.open(_member(path, archive)) as entry:
-            return _read_npy(entry, path, check)
+            return _read_npy(entry, path, check, progress)
     except Rejected:
         raise
     except Exception as error:  # zipfile and numpy raise a dozen types for damaged files
@@ -79,7 +80,7 @@ def missing_key(path: Path, have: list[str], wanted: tuple[str, ...]) -> Rejecte
     )
 
 
-def _read_npy(file: IO[bytes], path: Path, check: Check) -> NDArray[np.float32]:
+def _read_npy(file: IO[bytes], path: Path, check: Check, progress: Progress) -> NDArray[np.float32]:
     version = np.lib.format.read_magic(file)
     if version == (1, 0):
         shape, fortran, dtype = np.lib.format.read_array_header_1_0(file)
@@ -90,9 +91,10 @@ def _read_npy(file: IO[bytes], path: Path, check: Check) -> NDArray[np.float32]:
     check_type(path, KEY, dtype)
     check(shape)
     if fortran and len(shape) > 1:
-        blocks: Iterator[NDArray[Any]] = iter(_read_all(file, shape, dtype))
+        blocks: Iterable[NDArray[Any]] = _read_all(file, shape, dtype)
     else:
-        blocks = _read_blocks(file, shape, dtype)
+        count = -(-shape[0] // _frames_a_block(shape, dtype))
+        blocks = progress(_read_blocks(file, shape, dtype), "reading light", count)
     return _gather(path, shape, blocks)
 
 
@@ -102,10 +104,14 @@ def _read_blocks(
     """Parts of the array along its first axis, each of some megabytes."""
     inner = shape[1:]
     each = dtype.itemsize * int(np.prod(inner))
-    step = max(1, _BLOCK_BYTES // max(each, 1))
+    step = _frames_a_block(shape, dtype)
     for start in range(0, shape[0], step):
         count = min(step, shape[0] - start)
         yield np.frombuffer(_exactly(file, count * each), dtype).reshape(count, *inner)
+
+
+def _frames_a_block(shape: tuple[int, ...], dtype: np.dtype[Any]) -> int:
+    return max(1, _BLOCK_BYTES // max(dtype.itemsize * int(np.prod(shape[1:])), 1))
 
 
 def _read_all(file: IO[bytes], shape: tuple[int, ...], dtype: np.dtype[Any]) -> list[NDArray[Any]]:
@@ -122,7 +128,7 @@ def _exactly(file: IO[bytes], count: int) -> bytes:
 
 
 def _gather(
-    path: Path, shape: tuple[int, ...], blocks: Iterator[NDArray[Any]]
+    path: Path, shape: tuple[int, ...], blocks: Iterable[NDArray[Any]]
 ) -> NDArray[np.float32]:
     """The blocks as one float32 array, every value of it light."""
     out = np.empty(shape, np.float32)
@@ -162,7 +168,7 @@ def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
     check_type(path, key, found.dtype)
     if key == KEY:
         check(found.shape)
-        return key, _gather(path, found.shape, iter([found]))
+        return key, _gather(path, found.shape, [found])
     if found.ndim != 3 or 0 in found.shape:
         raise rejected(
             "NS0733",

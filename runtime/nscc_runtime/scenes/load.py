@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.model import Diagnostic, Severity
 from nscc_runtime.light import Light
+from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import arrays, exposure, timing
 from nscc_runtime.scenes.colour import Transfer, linear, luminance
 from nscc_runtime.scenes.crop import Window
@@ -49,6 +50,7 @@ class _Request:
     window: Window
     options: Options
     warn: Callable[[Diagnostic], None]
+    progress: Progress
 
     @property
     def slots(self) -> int:
@@ -71,14 +73,16 @@ def load_scene(
     crop: tuple[int, int] | None = None,
     frames_are: FramesAre = "integrals",
     warn: Callable[[Diagnostic], None] = lambda _: None,
+    progress: Progress = unseen,
 ) -> Light:
     """The light of scene `spec` in slots of `slot_us` on an array of rows x cols.
 
     `spec` is a file, a folder of pictures or `builtin:NAME`. Raises Rejected with status 2
-    (NS0730..NS0739); `warn` is handed what was changed in the scene (NS0740).
+    (NS0730..NS0739); `warn` is handed what was changed in the scene (NS0740), `progress` the
+    frames as they are read.
     """
     options = Options(exposure, transfer, fps, crop, frames_are)
-    request = _Request(spec, tuple(slot_us), Window(rows, cols, crop), options, warn)
+    request = _Request(spec, tuple(slot_us), Window(rows, cols, crop), options, warn, progress)
     if spec.startswith("builtin:"):
         from nscc_runtime.scenes.builtin import load_builtin
 
@@ -152,7 +156,7 @@ def _array(request: _Request, path: Path) -> Light:
             frames = (found[:, :, k] for k in range(found.shape[2]))
             return _clip(request, frames, request.options.transfer or "linear")
     else:
-        found = arrays.read_light(path, check)
+        found = arrays.read_light(path, check, request.progress)
     _refuse(request, "`light` arrays hold electrons, slot by slot, for every pixel", "fps", "crop")
     if request.options.transfer == "srgb":
         _refuse(request, "`light` arrays hold electrons, which are linear", "transfer")
@@ -234,7 +238,7 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
     need = request.slots if fps is None else timing.frames_needed(request.slot_us, fps)
     frames = np.empty((0, request.window.rows, request.window.cols), np.float32)
     have = 0
-    for picture in stored:
+    for picture in request.progress(stored, "reading frames", need):
         frame = _luminance(request, picture, transfer, f"{request.name}, frame {have}")
         if have == len(frames):
             # realloc grows a large block without a copy; the final size is exactly `need`
