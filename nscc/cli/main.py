@@ -6,7 +6,6 @@ failure; 70 a fault of nscc itself; 130 interrupted.
 
 from __future__ import annotations
 
-import errno
 import os
 import sys
 from collections.abc import Sequence
@@ -15,14 +14,10 @@ from typing import TYPE_CHECKING
 from nscc import __version__
 
 if TYPE_CHECKING:
-    import click
-
     from nscc.cli.support import Session
-    from nscc.diagnostics.model import Diagnostic
 
 DONE = 0
 WRONG_USAGE = 2
-FAULT = 70
 INTERRUPTED = 130
 
 
@@ -35,59 +30,57 @@ def main(argv: Sequence[str] | None = None) -> int:
     try:
         return _run(arguments)
     except KeyboardInterrupt:
-        _quiet(lambda: sys.stderr.write("\ninterrupted\n"))
+        sys.stderr.write("\ninterrupted\n")
         return INTERRUPTED
     except BrokenPipeError:
-        # The reader of our output has seen enough (`nscc disasm x.icw | head`).
-        _silence_output()
+        # The reader of our output has seen enough (`nscc disasm x.icw | head`): no fault, and
+        # no second complaint when the interpreter flushes what is left.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         return DONE
 
 
 def _run(arguments: list[str]) -> int:
     import click
 
-    from nscc.cli.group import group
     from nscc.cli.support import Session, show
     from nscc.diagnostics.model import Rejected
 
     session = Session()
     _preset_format(arguments, session)
-    if "_NSCC_COMPLETE" in os.environ:
-        from click.shell_completion import shell_complete
-
-        return shell_complete(group, {}, "nscc", "_NSCC_COMPLETE", os.environ["_NSCC_COMPLETE"])
     try:
         try:
-            status = _invoke(group, arguments, session)
+            return _invoke(arguments, session)
         finally:
             sys.stdout.flush()
     except Rejected as rejected:
-        show(rejected.diagnostics, session.message_format)
-        return rejected.status
-    except click.exceptions.NoArgsIsHelpError as error:
-        click.echo(error.ctx.get_help() if error.ctx else "", err=True)
-        return WRONG_USAGE
+        diagnostics, status = rejected.diagnostics, rejected.status
     except click.ClickException as error:
         from nscc.cli.usage import usage_diagnostic
 
-        show([usage_diagnostic(error)], session.message_format)
-        return WRONG_USAGE
-    except click.Abort as error:
-        raise KeyboardInterrupt from error
+        diagnostics, status = (usage_diagnostic(error),), WRONG_USAGE
     except BrokenPipeError:
         raise
+    except click.Abort as error:
+        raise KeyboardInterrupt from error
     except Exception as error:
         from nscc.cli.fault import explain_exception
 
         diagnostic, status = explain_exception(error, arguments)
-        show([diagnostic], session.message_format)
+        diagnostics = (diagnostic,)
+    show(diagnostics, session.message_format)
     return status
 
 
-def _invoke(group: click.Group, arguments: list[str], session: Session) -> int:
+def _invoke(arguments: list[str], session: Session) -> int:
     """Run the command; it may return its exit status, or nothing for 0."""
     import click
 
+    from nscc.cli.group import group
+
+    if "_NSCC_COMPLETE" in os.environ:  # set by the shell's completion script
+        from click.shell_completion import shell_complete
+
+        return shell_complete(group, {}, "nscc", "_NSCC_COMPLETE", os.environ["_NSCC_COMPLETE"])
     try:
         with group.make_context("nscc", list(arguments), obj=session) as context:
             result = group.invoke(context)

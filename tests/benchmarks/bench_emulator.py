@@ -2,10 +2,10 @@
 
     python tests/benchmarks/bench_emulator.py [--slots 64|4096]
 
-For each program: milliseconds of `np.add(E, L[n], out=E, where=S[n])` over all slots (f64 E, f32 L), of
-one capture (warm; decoding words and planes included), and their ratio; the goal is at most 4 for 64
-slots, 2 for 4096. The best of several rounds, the two taken in turn. 4096 slots take some 1.4 GB of
-memory, nearly all of it the loop's own arrays.
+Per program: milliseconds of `np.add(E, L[n], out=E, where=S[n])` over all slots (f64 E, f32 L),
+of one capture (warm; decoding words and planes included), and their ratio. The goal is at most 4
+for 64 slots, 2 for 4096. The best of several rounds, the two taken in turn. 4096 slots take some
+1.4 GB of memory, nearly all of it the loop's own arrays.
 """
 
 from __future__ import annotations
