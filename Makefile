@@ -1,75 +1,89 @@
-# make demo    set up, build every example, run an HDR still and a high-speed clip
-# make test    set up and test: lint, types, everything not marked slow
-# make bench   speed and memory, as ratios measured side by side
-#
-# PYTHON names the interpreter to start from (3.11 or newer).
+# make demo    set up, compile every example, expose a still and a clip, say where the pictures are
+# make test    set up the test environment, then lint, types and tests
+# All further targets are below; PYTHON chooses the interpreter (3.11 or newer), VENV the folder.
 
 PYTHON ?= python3
-VENV := .venv
-PY := $(VENV)/bin/python
-NSCC := $(VENV)/bin/nscc
-PIP := $(PY) -m pip install --quiet --disable-pip-version-check -c constraints.txt
-OUT := build
-EXAMPLES := $(wildcard examples/*.nsl)
+VENV ?= .venv
+OUT ?= build
 
+SHELL := /bin/bash
+.SHELLFLAGS := -eu -o pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help demo test test-slow bench lint format grammar clean
+.DELETE_ON_ERROR:
+
+BIN := $(VENV)/bin
+PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
+LOOPS := $(BIN)/python -m nscc_runtime.emulator.compiled
+EXAMPLES := $(wildcard examples/*.nsl)
+BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
+SOURCES := $(shell find nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
+
+.PHONY: help demo test test-slow bench lint format types clean
 
 help:
-	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
+	@sed -n 's/^# //p' Makefile
 
-$(PY):
-	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || \
-	    { echo "nscc needs Python 3.11 or newer; try: make $(MAKECMDGOALS) PYTHON=python3.12"; exit 1; }
+$(VENV)/.made:
+	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
+	  echo "nscc needs Python 3.11 or newer; '$(PYTHON)' is $$($(PYTHON) --version 2>&1)." >&2; \
+	  echo "Name another one: make PYTHON=python3.12" >&2; exit 1; }
+	@echo "making $(VENV)"
 	$(PYTHON) -m venv $(VENV)
-
-# The emulator's loops and the modules are compiled here, so that no first run waits for them.
-$(VENV)/.installed: pyproject.toml constraints.txt | $(PY)
-	$(PIP) -e .
-	$(PY) -m compileall -q nscc runtime training
-	$(PY) -m nscc_runtime.emulator.compiled
 	@touch $@
 
-$(VENV)/.testing: $(VENV)/.installed
-	$(PIP) -e '.[test,train]'
+# The build backend comes first, so that the environment needs no network once it stands.
+$(VENV)/.installed: $(VENV)/.made pyproject.toml constraints.txt
+	@echo "installing nscc"
+	$(PIP) hatchling
+	$(PIP) --no-build-isolation --editable .
 	@touch $@
 
-demo: $(VENV)/.installed
+$(VENV)/.test-installed: $(VENV)/.installed
+	@echo "installing the test environment, torch included: this takes some minutes, once"
+	$(PIP) --no-build-isolation --editable '.[device,test,train]'
+	@touch $@
+
+# Compiled ahead, so that no command has to wait for the compiler.
+$(VENV)/.compiled: $(VENV)/.installed $(wildcard runtime/nscc_runtime/emulator/*.py)
+	@echo "compiling the emulator's loops"
+	$(LOOPS)
+	@touch $@
+
+$(OUT)/%.icw: examples/%.nsl $(VENV)/.compiled $(SOURCES)
 	@mkdir -p $(OUT)
-	@for file in $(EXAMPLES); do \
-	    $(NSCC) build $$file -o $(OUT)/$$(basename $$file .nsl).icw --message-format short || exit 1; \
-	done
-	$(NSCC) run $(OUT)/hdr_2x2.icw --scene builtin:hdr -o $(OUT)/hdr.npz --png $(OUT)/hdr.png
-	$(NSCC) run $(OUT)/video_16.icw --scene builtin:motion -o $(OUT)/video.npz --png $(OUT)/video.png
-	$(NSCC) view examples/hdr_2x2.nsl -o $(OUT)/hdr_shutters.png --message-format short
-	$(NSCC) view examples/video_16.nsl -o $(OUT)/video_shutters.png --message-format short
+	$(BIN)/nscc build $< -o $@
+
+demo: $(BUILT)
+	$(BIN)/nscc run $(OUT)/hdr_2x2.icw --scene builtin:hdr -o $(OUT)/hdr.npz --png $(OUT)/hdr.png
+	$(BIN)/nscc run $(OUT)/flutter.icw --scene builtin:motion -o $(OUT)/motion.npz --png $(OUT)/motion.png
+	$(BIN)/nscc view examples/hdr_2x2.nsl -o $(OUT)/hdr_shutters.png
+	$(BIN)/nscc view examples/flutter.nsl -o $(OUT)/motion_shutters.png
 	@echo
-	@echo "An HDR still and a high-speed clip, each from one exposure:"
-	@ls $(OUT)/hdr.png $(OUT)/video.png
-	@echo "and the shutters that exposed them:"
-	@ls $(OUT)/hdr_shutters.png $(OUT)/video_shutters.png
+	@echo "pictures in $(CURDIR)/$(OUT):"
+	@echo "  hdr.png              a still of five decades of light, through a 2 x 2 tile of exposures"
+	@echo "  hdr_shutters.png     when its pixels are open, and where"
+	@echo "  motion.png           a fast scene in one frame, every pixel with its own moments"
+	@echo "  motion_shutters.png  when its pixels are open, and where"
 
-lint: $(VENV)/.testing
-	$(PY) -m ruff check .
-	$(PY) -m ruff format --check .
-	$(PY) -m mypy
+lint: $(VENV)/.test-installed
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
 
-test: lint
-	$(PY) -m pytest -q -m "not slow"
+types: $(VENV)/.test-installed
+	$(BIN)/mypy
 
-test-slow: $(VENV)/.testing
-	$(PY) -m pytest -q -m slow
+format: $(VENV)/.test-installed
+	$(BIN)/ruff check --fix .
+	$(BIN)/ruff format .
 
-bench: $(VENV)/.testing
-	@for file in tests/benchmarks/bench_*.py; do $(PY) $$file || exit 1; done
+test: lint types $(VENV)/.compiled
+	$(BIN)/pytest --numprocesses auto
 
-format: $(VENV)/.testing
-	$(PY) -m ruff check --fix .
-	$(PY) -m ruff format .
+test-slow: $(VENV)/.test-installed $(VENV)/.compiled
+	$(BIN)/pytest --numprocesses auto -m slow
 
-# The parser's tables are made from the grammar; a test keeps the two in step.
-grammar: $(VENV)/.installed
-	$(PY) -m nscc.syntax.generate
+bench: $(VENV)/.test-installed $(VENV)/.compiled
+	for file in tests/benchmarks/bench_*.py; do $(BIN)/python $$file; done
 
 clean:
-	rm -rf $(VENV) $(OUT) dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(OUT) dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
