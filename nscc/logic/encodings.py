@@ -76,7 +76,8 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     planes: list[int] = []
     holders: list[str] = []
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
-    for (edge, bucket, rank), events in _event_fields(problem).items():
+    fields = _event_fields(problem)
+    for (edge, bucket, rank), events in fields.items():
         # Shutters without such an event keep the number after the last: it never comes.
         numbers = np.full(problem.shutters, len(events), dtype=np.int64)
         for number, (_, shutters) in enumerate(events):
@@ -86,7 +87,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
         if base + width > machine.registers - 1:
             raise GaveUp(f"event times need {base + width} registers and one of scratch")
         planes += number_planes(numbers ^ (numbers >> 1), width)
-        label = f"{edge} time {rank + 1} of bucket {bucket}"
+        label = _event_name(edge, bucket, rank, fields)
         holders += [f"{label}, Gray bit {bit}" for bit in range(width)]
         for number, (demand, _) in enumerate(events):
             cubes[demand].append(_equality(gray(number), base, width))
@@ -97,6 +98,13 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
         tuple(tuple(each) for each in cubes),
         (False,) * len(cubes),
     )
+
+
+def _event_name(edge: str, bucket: int, rank: int, fields: _Events) -> str:
+    """`fall time`, with its rank and bucket where there are several."""
+    which = f" {rank + 1}" if (edge, bucket, 1) in fields else ""
+    where = f" of bucket {bucket}" if len({b for _, b, _ in fields}) > 1 else ""
+    return f"{edge} time{which}{where}"
 
 
 def _equality(code: int, base: int, width: int) -> Cube:
@@ -189,6 +197,16 @@ def _twice(cube: Cube) -> Cube:
         (plane, value) = cube[0]
         return ((2 * plane + 1 - value, 1),)
     return tuple((2 * plane + value, 0) for plane, value in cube)
+
+
+def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
+    """The open shutters of every slot stored: an edge is one cube of two neighbours."""
+    distinct = dict.fromkeys(level for bucket in problem.opens for level in bucket)
+    planes = [level for level in distinct if level not in (0, problem.everything)]
+    if len(planes) > machine.registers - 1:
+        raise GaveUp(f"{len(planes)} different levels leave no register to compute with")
+    holders = [f"level {i}" for i in range(len(planes))]
+    return _covered(problem, "open slots, edges made from them", planes, holders, budget)
 
 
 def covered_stored(problem: Problem, machine: Machine, budget: Budget) -> Encoding:

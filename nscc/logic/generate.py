@@ -39,6 +39,7 @@ EQUALITIES: tuple[Generator, ...] = (
 )
 # Covers: any predicates at all, at a price that grows with them.
 COVERS: tuple[Generator, ...] = (
+    _emitted(encodings.covered_levels),
     _emitted(encodings.covered_both_polarities),
     _emitted(encodings.covered_stored),
     _emitted(encodings.covered_gray_index),

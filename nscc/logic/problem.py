@@ -58,15 +58,14 @@ class Demand:
 class Problem:
     """Demands in the order in which they come, over `shutters` distinct shutters.
 
-    `opens[bucket][slot]` are the truth vectors of the open shutters; `flag_persists`: FLAG is 1
-    everywhere before the solution's opening, nothing but its gates writes FLAG from there to the
-    last demand, it does not decay, and where the opening changes it nobody counts on the ones.
+    `opens[bucket][slot]` are the truth vectors of the open shutters; `flag_lasts`: FLAG does not
+    decay within the frame, so a solution may keep state in it (`Solution.state_in_flag`).
     """
 
     demands: tuple[Demand, ...]
     shutters: int
     opens: tuple[tuple[int, ...], ...]
-    flag_persists: bool
+    flag_lasts: bool
 
     @property
     def everything(self) -> int:
@@ -106,7 +105,9 @@ class Solution:
 
     `planes` are the truth vectors of p0, p1, .. at the start of a frame, `holders` says in words what
     each one carries. `answers` has one entry for each demand; `opening` runs at boundary 0 before
-    any demand and `closing` at boundary N after the last.
+    any demand and `closing` at boundary N after the last. With `state_in_flag`, FLAG is 1 everywhere
+    before the opening and keeps the solution's state until the frame ends: whoever needs it for
+    something else meanwhile puts it back, and may use t0 to do so.
     """
 
     generator: str
@@ -118,6 +119,7 @@ class Solution:
     opening: tuple[Segment, ...]
     answers: tuple[tuple[Segment, ...], ...]
     closing: tuple[Segment, ...]
+    state_in_flag: bool = False
 
     def segments(self) -> Sequence[Segment]:
         """All segments in the order in which they run."""

@@ -3,7 +3,7 @@
 An open shutter is one that has risen and not yet fallen. Where shutters have few edges, their
 times are held in Gray code (`nscc.logic.encodings.gray_times`), and each equality sets or clears
 the state, so that every slot costs the same few words whatever the times are. The state is a
-register, or FLAG itself where nothing else writes FLAG.
+register, or FLAG itself.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ def state_register(problem: Problem, machine: Machine, budget: Budget) -> Soluti
 
 
 def state_in_flag(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """The state in FLAG: one bucket, and nothing else may write FLAG inside the frame."""
-    if not problem.flag_persists or len(problem.opens) != 1:
-        raise GaveUp("FLAG does not keep its value from slot to slot")
+    """The state in FLAG, for one bucket in a frame that FLAG outlasts."""
+    if not problem.flag_lasts or len(problem.opens) != 1:
+        raise GaveUp("FLAG cannot keep the state")
     return _solve(problem, machine, budget, in_flag=True)
 
 
@@ -56,7 +56,7 @@ def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool)
     return Solution(
         "states", encoding.name + (", state in FLAG" if in_flag else ", state in a register"),
         encoding.planes, encoding.holders, states, walker.scratch, opening, tuple(answers),
-        walker.restore(),
+        walker.restore(), in_flag,
     )  # fmt: skip
 
 

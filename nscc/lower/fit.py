@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 from nscc.diagnostics.model import Diagnostic, Label, Severity
 from nscc.lower.choose import Choice
+from nscc.lower.ledger import ledger
 from nscc.lower.lowered import Lowered
 from nscc.lower.plan import Misfit
 from nscc.program.model import Program
@@ -133,12 +134,12 @@ def _retention(lowered: Lowered) -> Diagnostic:
     keep_us = lowered.time.keep_us
     return Diagnostic(
         "NS0602",
-        f"digital registers forget within this frame: slot {longest} lasts {_time(slot_us)}, and "
-        f"the readout {_time(lowered.time.between_us)}; {program.target.name} keeps a bit for "
-        f"{_time(program.target.digital_retention_us)}",
+        f"digital registers forget within this frame: slot {longest} lasts {time_text(slot_us)}, and "
+        f"the readout {time_text(lowered.time.between_us)}; {program.target.name} keeps a bit for "
+        f"{time_text(program.target.digital_retention_us)}",
         source=program.source,
         label=Label(program.frame.span, "registers are refreshed between slots, not inside them"),
-        notes=(f"nothing is left untouched for more than {_time(keep_us)}, with a margin of 10 %",),
+        notes=(f"nothing is left untouched for more than {time_text(keep_us)}, with a margin of 10 %",),
         helps=("split the slot into several: the rule may treat them alike",),
         data=_resource("retention_us", slot_us, keep_us, proved=True),
     )
@@ -154,11 +155,11 @@ def _late(lowered: Lowered, level: int) -> Diagnostic:
     needed_us = floor_us if proved else lowered.busy_us[worst]
     return Diagnostic(
         "NS0601",
-        f"slot {worst} is shorter than its own instructions: it lasts {_time(slots_us[worst])}, "
+        f"slot {worst} is shorter than its own instructions: it lasts {time_text(slots_us[worst])}, "
         + (
-            f"and the analog words alone take {_time(floor_us)}"
+            f"and the analog words alone take {time_text(floor_us)}"
             if proved
-            else f"and its {words} words take {_time(needed_us)} at -O{level}"
+            else f"and its {words} words take {time_text(needed_us)} at -O{level}"
         ),
         source=program.source,
         label=Label(program.frame.span, f"{len(lowered.late)} of {len(slots_us)} slots too short"),
@@ -169,7 +170,7 @@ def _late(lowered: Lowered, level: int) -> Diagnostic:
             if proved
             else "not proved: fewer words may be found",
         ),
-        helps=(f"slots of {_time(lowered.shortest_slot_us)} or longer fit the words found",),
+        helps=(f"slots of {time_text(lowered.shortest_slot_us)} or longer fit the words found",),
         data=_resource("slot_us", needed_us, slots_us[worst], proved=proved),
     )
 
@@ -196,7 +197,7 @@ def _store(lowered: Lowered, level: int) -> Diagnostic:
         notes=(
             f"{len(lowered.schedule.kernels)} kernels, lowered as {lowered.plan.lowering}, "
             f"encoding: {lowered.solution.encoding}",
-            "registers: " + ", ".join(f"{r} {what}" for r, what in holders.items()),
+            "registers: " + ledger(holders),
             "not proved: other gates or another encoding may be shorter",
         ),
         helps=("use fewer codes, fewer slots, or shutters with fewer edges",),
@@ -218,7 +219,8 @@ def _resource(
     return {"resource": name, "required": required, "available": available, "proved": proved}
 
 
-def _time(us: float) -> str:
+def time_text(us: float) -> str:
+    """A time in the unit that suits it."""
     for unit, size in (("s", 1e6), ("ms", 1e3), ("us", 1.0)):
         if us >= size:
             return f"{us / size:.4g} {unit}"

@@ -143,20 +143,13 @@ def problem_of(
     """What the gates must compute for a plan, and what every step does to FLAG."""
     actions = flag_actions(plan, time, program.target)
     demands = []
-    ones_needed = False
-    persists = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
     for step, action in zip(plan.steps, actions, strict=True):
         if step.predicate is not None:
             kept = action == "keep" and bool(demands)
             demands.append(Demand(step.boundary, step.role, step.bucket, step.predicate, kept))
-        elif action == "all" and step.boundary > 0:
-            persists = False
-        elif action == "keep" and step.bucket >= 0:
-            ones_needed = True
-    if ones_needed:
-        persists = persists and all(bucket[0] == plan.everywhere for bucket in opens)
+    lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
     levels = tuple(tuple(bucket) for bucket in opens)
-    return Problem(tuple(demands), plan.shutters, levels, persists), actions
+    return Problem(tuple(demands), plan.shutters, levels, lasts), actions
 
 
 def lower(

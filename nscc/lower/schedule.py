@@ -119,11 +119,16 @@ def _segments(
     setup: list[Op] = []
     opened = False
     for step, action in zip(plan.steps, actions, strict=True):
-        if action == "all":
-            analog: Words = (op("all"), *step.words)
-        else:
-            analog = step.words
-        if step.boundary == 0 and step.bucket < 0:
+        in_setup = step.boundary == 0 and step.bucket < 0
+        analog: Words = step.words
+        if solution.state_in_flag and step.predicate is None and not in_setup:
+            if action != "nothing":
+                saved = allocation.places["t0"]
+                save, restore = op("MOV", (saved,), ("FLAG",)), op("WHERE", (), (saved,))
+                analog = (save, op("all"), *step.words, restore)
+        elif action == "all":
+            analog = (op("all"), *step.words)
+        if in_setup:
             setup.extend(analog)
             boundaries[0] = [tuple(setup)]
             continue
