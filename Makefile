@@ -1,6 +1,11 @@
-# make demo    set up, compile every example, expose a still and a clip, say where the pictures are
-# make test    set up the test environment, then lint, types and tests
-# All further targets are below; PYTHON chooses the interpreter (3.11 or newer), VENV the folder.
+# make demo       set up, compile every example, expose a still and a clip, say where the pictures are
+# make test       set up the test environment (torch included); lint, types and tests
+# make test-slow  the tests that take minutes
+# make bench      measure, side by side with numpy
+# make lint       ruff; make types: mypy; make format: put right what ruff can
+# make clean      remove what was built; the environment stays
+#
+# PYTHON=python3.12 chooses the interpreter (3.11 or newer), VENV=.. and OUT=.. the folders.
 
 PYTHON ?= python3
 VENV ?= .venv
@@ -21,7 +26,7 @@ SOURCES := $(shell find nscc runtime training grammars -name '*.py' -o -name '*.
 .PHONY: help demo test test-slow bench lint format types clean
 
 help:
-	@sed -n 's/^# //p' Makefile
+	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
 
 $(VENV)/.made:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { \
@@ -53,16 +58,19 @@ $(OUT)/%.icw: examples/%.nsl $(VENV)/.compiled $(SOURCES)
 	@mkdir -p $(OUT)
 	$(BIN)/nscc build $< -o $@
 
+# A million electrons over the frame: 33 full wells, which only the short exposures survive.
 demo: $(BUILT)
-	$(BIN)/nscc run $(OUT)/hdr_2x2.icw --scene builtin:hdr -o $(OUT)/hdr.npz --png $(OUT)/hdr.png
-	$(BIN)/nscc run $(OUT)/flutter.icw --scene builtin:motion -o $(OUT)/motion.npz --png $(OUT)/motion.png
-	$(BIN)/nscc view examples/hdr_2x2.nsl -o $(OUT)/hdr_shutters.png
-	$(BIN)/nscc view examples/flutter.nsl -o $(OUT)/motion_shutters.png
+	$(BIN)/nscc run $(OUT)/hdr_2x2.icw --scene builtin:hdr --exposure 1000000 \
+	  -o $(OUT)/hdr.npz --png $(OUT)/hdr.png
+	$(BIN)/nscc run $(OUT)/flutter.icw --scene builtin:motion --exposure 400000 \
+	  -o $(OUT)/motion.npz --png $(OUT)/motion.png
+	$(BIN)/nscc view $(OUT)/hdr_2x2.icw -o $(OUT)/hdr_shutters.png
+	$(BIN)/nscc view $(OUT)/flutter.icw -o $(OUT)/motion_shutters.png
 	@echo
-	@echo "pictures in $(CURDIR)/$(OUT):"
+	@echo "pictures in $(abspath $(OUT)):"
 	@echo "  hdr.png              a still of five decades of light, through a 2 x 2 tile of exposures"
 	@echo "  hdr_shutters.png     when its pixels are open, and where"
-	@echo "  motion.png           a fast scene in one frame, every pixel with its own moments"
+	@echo "  motion.png           a fast scene in one frame, every pixel with its own moment"
 	@echo "  motion_shutters.png  when its pixels are open, and where"
 
 lint: $(VENV)/.test-installed

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -37,7 +38,9 @@ SUFFIXES = {
     "--emit", "kinds", default="", metavar="KINDS",
     help=f"Also write any of {', '.join(SUFFIXES)}, separated by commas; KIND=- prints it.",
 )  # fmt: skip
-@click.option("--print-after", "after", metavar="PASS", help="Show what a pass of the compiler made.")
+@click.option(
+    "--print-after", "after", metavar="PASS", help="Show what a pass of the compiler made."
+)
 @build_options
 def command(
     file: Path,
@@ -184,6 +187,5 @@ def _product(kind: str, compiled: Compiled) -> bytes:
 
 
 def _print(data: bytes) -> None:
-    stream = click.get_binary_stream("stdout")
-    stream.write(data)
-    stream.flush()
+    sys.stdout.buffer.write(data)
+    sys.stdout.buffer.flush()

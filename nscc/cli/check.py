@@ -10,13 +10,18 @@ import click
 from nscc.cli.programs import BuildChoice, build_options, compile_program
 from nscc.cli.support import CommonCommand, say
 from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.lower.fit import time_text
+from nscc.lower.ledger import ledger
+from nscc.program.problems import counted
 
 if TYPE_CHECKING:
     from nscc.pipeline import Compiled
 
 
 @click.command("check", cls=CommonCommand)
-@click.argument("files", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path))
+@click.argument(
+    "files", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path)
+)
 @build_options
 def command(
     files: tuple[Path, ...],
@@ -52,24 +57,23 @@ def summary(name: str, compiled: Compiled) -> str:
     table = program.table
     lines = [f"class      {program.class_name}: {program.class_reason}"]
     lines.append(
-        f"codes      {len(table.codes)} "
-        f"{'in use' if program.mode == 'fixed' else 'legal'}, {len(table.shutters)} shutters, "
-        f"{len(program.frame.slot_us)} slots"
+        f"codes      {len(table.codes)} {'in use' if program.mode == 'fixed' else 'legal'}, "
+        f"{counted(len(table.shutters), 'shutter')}, {counted(len(program.frame.slot_us), 'slot')}"
     )
     if lowered is None or proof is None:
         return "\n  ".join([f"{name}: passes, unless its words do not fit", *lines])
     schedule = lowered.schedule
-    digital = ", ".join(f"{r} {what}" for r, what in schedule.allocation.holders.items())
-    analog = ", ".join(f"{r} {what}" for r, what in lowered.plan.registers.items())
+    digital = ledger(schedule.allocation.holders)
     shortest = min(program.frame.slot_us)
     lines += [
         f"lowering   {lowered.plan.lowering}; encoding: {lowered.solution.encoding}",
         f"digital    {digital or 'no register needed'}",
-        f"analog     {analog}",
+        f"analog     {ledger(lowered.plan.registers)}",
         f"words      {schedule.words_stored} stored of {program.target.store_words}, "
         f"{schedule.words_total} a frame",
-        f"time       shortest slot {shortest:g} us, longest instructions "
-        f"{lowered.shortest_slot_us:.4g} us",
-        f"proved     {proof.codes} codes x {proof.slots} slots, {proof.frames} frames",
+        f"time       shortest slot {time_text(shortest)}, longest instructions "
+        f"{time_text(lowered.shortest_slot_us)}",
+        f"proved     {counted(proof.codes, 'code')} x {counted(proof.slots, 'slot')}, "
+        f"{counted(proof.frames, 'frame')}",
     ]
     return "\n  ".join([f"{name}: fits {program.target.name}", *lines])

@@ -13,53 +13,95 @@ from nscc import __version__
 from nscc.cli.support import CommonCommand
 
 NEEDED = (
-    "click", "lark", "llvmlite", "matplotlib", "numba", "numpy", "opencv-python-headless",
-    "OpenEXR", "pillow", "scipy",
-)  # fmt: skip
-OPTIONAL = (
-    ("torch", "torch", "training, which is not in this version"),
-    ("pyserial", "serial", "the device link, which is not in this version"),
+    ("click", "the command line"),
+    ("lark", "the grammar"),
+    ("llvmlite", "the emulator"),
+    ("matplotlib", "nscc view"),
+    ("numba", "the emulator"),
+    ("numpy", "everything"),
+    ("opencv-python-headless", "pictures and films"),
+    ("OpenEXR", ".exr"),
+    ("pillow", "pictures"),
+    ("scipy", ".mat"),
 )
+OPTIONAL = (
+    ("torch", "training, which is not in this version"),
+    ("pyserial", "the device link, which is not in this version"),
+)
+
+GOOD, ABSENT, WRONG = "ok", "absent", "WRONG"
+Finding = tuple[str, str]
+"""GOOD, ABSENT (and not needed) or WRONG, and what was looked at."""
 
 
 @click.command("doctor", cls=CommonCommand)
 def command() -> int:
-    """Report versions, compiled loops and serial ports. Exit status 3 if something is missing."""
-    lines = list(_lines())
-    for good, text in lines:
-        click.echo(f"{'ok     ' if good else 'MISSING'} {text}")
-    return 0 if all(good for good, _ in lines) else 3
+    """Report versions, readers, compiled loops and serial ports.
+
+    Exits with status 3 if something that nscc needs is missing or broken.
+    """
+    status = 0
+    for state, text in findings():
+        click.echo(f"{state:8}{text}")
+        status = 3 if state == WRONG else status
+    return status
 
 
-def _lines() -> Iterator[tuple[bool, str]]:
-    """(Whether all is well, what was looked at)."""
-    yield True, f"nscc {__version__}, Python {platform.python_version()}, {platform.system()}"
-    for name in NEEDED:
+def findings() -> Iterator[Finding]:
+    """Everything that is looked at, one after the other: the last ones take a moment."""
+    yield GOOD, f"nscc {__version__}"
+    yield GOOD, f"Python {platform.python_version()} on {platform.system()} {platform.machine()}"
+    for name, purpose in NEEDED:
         try:
-            yield True, f"{name} {metadata.version(name)}"
+            yield GOOD, f"{name} {metadata.version(name)}"
         except metadata.PackageNotFoundError:
-            yield False, f"{name}: install it with `pip install {name}`"
-    for package, module, purpose in OPTIONAL:
-        present = find_spec(module) is not None
-        yield True, f"{package} {'is there' if present else 'is not installed'} (for {purpose})"
+            yield WRONG, f"{name} ({purpose}): install it with `pip install {name}`"
+    for name, purpose in OPTIONAL:
+        try:
+            yield GOOD, f"{name} {metadata.version(name)} ({purpose})"
+        except metadata.PackageNotFoundError:
+            yield ABSENT, f"{name} ({purpose})"
+    yield _grammar()
+    yield _targets()
     yield _loops()
-    yield True, _ports()
+    yield _ports()
 
 
-def _loops() -> tuple[bool, str]:
+def _grammar() -> Finding:
+    from nscc.source import Source
+    from nscc.syntax.parse import parse
+
+    _tree, wrong = parse(Source("doctor.nsl", "nsl 1\nframe 2 slots of 1ms\nopen when n < 1\n"))
+    return (WRONG, "the grammar's tables do not work") if wrong else (GOOD, "grammar")
+
+
+def _targets() -> Finding:
+    from pathlib import Path
+
+    from nscc.diagnostics.model import Rejected
+    from nscc.target.load import builtin_names, load_target
+
+    try:
+        names = [load_target(name, Path()).name for name in builtin_names()]
+    except Rejected as rejected:
+        return WRONG, f"targets: {rejected}"
+    return GOOD, f"targets: {', '.join(names)}"
+
+
+def _loops() -> Finding:
     from nscc_runtime.emulator import compiled
 
     try:
         compiled.entry_point()
     except (ImportError, OSError, RuntimeError) as error:
-        return False, f"the emulator's loops do not compile: {error}"
-    return True, "the emulator's loops are compiled for this processor"
+        return WRONG, f"the emulator's loops do not compile: {error}"
+    return GOOD, "the emulator's loops are compiled for this processor"
 
 
-def _ports() -> str:
+def _ports() -> Finding:
     if find_spec("serial") is None:
-        return "serial ports: pyserial is needed to list them"
+        return ABSENT, "serial ports: pyserial lists them"
     from serial.tools.list_ports import comports  # type: ignore[import-untyped,unused-ignore]
 
     names = sorted(port.device for port in comports())
-    return "serial ports: " + (", ".join(names) or "none")
+    return GOOD, f"serial ports: {', '.join(names) or 'none'}"

@@ -1,9 +1,11 @@
-"""What happens when nscc itself fails: a diagnostic, and a reproducer that can be sent to us."""
+"""Exceptions that no command meant to raise: trouble with files or memory, and faults of nscc."""
 
 from __future__ import annotations
 
 import io
+import os
 import platform
+import re
 import sys
 import traceback
 import zipfile
@@ -14,54 +16,127 @@ from pathlib import Path
 from nscc import __version__
 from nscc.diagnostics.model import Diagnostic, Rejected
 
-FAULT = 70
+REJECTED = 1
+WRONG_USAGE = 2
 FAILED = 3
+FAULT = 70
+
 _MOST_BYTES = 4 << 20
+"""Inputs above this size are named in a reproducer, not copied into it."""
 
 
-def explain_exception(error: BaseException, arguments: Sequence[str]) -> tuple[Diagnostic, int]:
+def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagnostic, int]:
     """The diagnostic and exit status of an exception that no command expects.
 
-    NS0902 (status 3) where the machine ran out of memory or disk, else NS0901 (status 70) with a
-    reproducer: the command line, versions, the traceback and the input files under 4 MiB.
+    NS0784 (status 2) where a file or stream fails, NS0902 (3) where memory runs out, NS0903 (1)
+    where the input is nested too deeply, else NS0901 (70) with a reproducer.
     """
     if isinstance(error, MemoryError):
-        return Diagnostic(
-            "NS0902",
-            "there is not enough memory for this",
-            helps=("use fewer slots or codes, a smaller array, or a machine with more memory",),
-        ), FAILED
-    text = "".join(traceback.format_exception(error))
-    saved = _save(text, arguments)
-    where = f"saved as '{saved}'" if saved else "could not be saved in this folder"
+        return _out_of_memory(error), FAILED
+    if isinstance(error, RecursionError):
+        return _too_deep(), REJECTED
+    if isinstance(error, OSError) and error.errno is not None and not _of_nscc(error.filename):
+        where = f" '{error.filename}'" if error.filename else ""
+        reason = error.strerror or str(error)
+        return Diagnostic("NS0784", f"cannot read or write{where}: {reason}"), WRONG_USAGE
+    return _fault(error, arguments), FAULT
+
+
+def _out_of_memory(error: MemoryError) -> Diagnostic:
+    said = " ".join(str(error).split())
     return Diagnostic(
-        "NS0901",
-        f"nscc itself failed: {type(error).__name__}: {str(error)[:200]}",
-        notes=(f"this is a fault of nscc, not of your input; a reproducer {where}",),
-        helps=("please report it with the reproducer (it holds the input files)",),
-    ), FAULT
+        "NS0902",
+        "there is not enough memory for this",
+        notes=(said,) if said else (),
+        helps=("use fewer slots, codes or repeats, a smaller array, or leave `--keep` out",),
+    )
 
 
-def _save(text: str, arguments: Sequence[str]) -> str | None:
-    """Writes the reproducer into the current folder; its name, or None where that fails."""
+def _too_deep() -> Diagnostic:
+    return Diagnostic(
+        "NS0903",
+        "this input is nested more deeply than nscc can follow",
+        helps=("use fewer parentheses, or name parts of an expression with `let`",),
+    )
+
+
+def _of_nscc(filename: object) -> bool:
+    """A file of nscc's own that fails is a broken installation, not the user's file."""
+    root = os.path.realpath(Path(__file__).parents[1]) + os.sep
+    return isinstance(filename, str) and os.path.realpath(filename).startswith(root)
+
+
+def _fault(error: Exception, arguments: Sequence[str]) -> Diagnostic:
+    trace = "".join(traceback.format_exception(error))
+    said = " ".join(str(error).split())[:200]
+    saved = _save(_packed(trace, arguments))
+    if saved is None:
+        notes = ("no reproducer could be saved: neither here nor in the temporary folder", trace)
+        helps = ("please report it with the text above and your input",)
+    else:
+        notes = (f"this is a fault of nscc, not of your input; a reproducer saved as '{saved}'",)
+        helps = ("please report it with the reproducer (it holds the input files)",)
+    return Diagnostic(
+        "NS0901", f"nscc itself failed: {type(error).__name__}: {said}", notes=notes, helps=helps
+    )
+
+
+def _save(data: bytes) -> str | None:
+    """Writes the reproducer into the current or the temporary folder; where, None where neither."""
+    import tempfile
+
     from nscc.cli.support import write_whole
 
-    name = f"nscc-fault-{sha256(text.encode()).hexdigest()[:12]}.zip"
-    buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w") as archive:
-        archive.writestr("command.txt", "nscc " + " ".join(arguments) + "\n")
-        archive.writestr("traceback.txt", text)
-        versions = f"nscc {__version__}\nPython {sys.version}\n{platform.platform()}\n"
-        archive.writestr("versions.txt", versions)
-        for index, argument in enumerate(arguments):
-            path = Path(argument)
-            try:
-                if path.is_file() and path.stat().st_size <= _MOST_BYTES:
-                    archive.writestr(f"input{index}-{path.name}", path.read_bytes())
-            except (OSError, ValueError):
-                continue
+    name = f"nscc-fault-{sha256(data).hexdigest()[:12]}.zip"
+    for path in (Path(name), Path(tempfile.gettempdir()) / name):
+        try:
+            write_whole(path, data)
+        except Rejected:
+            continue
+        return str(path)
+    return None
+
+
+def _packed(trace: str, arguments: Sequence[str]) -> bytes:
+    """Command line, versions, traceback and input files, as a zip."""
+    versions = f"nscc {__version__}\nPython {sys.version}\n{platform.platform()}\n"
+    members = {
+        "command.txt": "\n".join(["nscc", *arguments, ""]).encode(errors="replace"),
+        "traceback.txt": trace.encode(errors="replace"),
+        "versions.txt": versions.encode(),
+    }
+    for number, path in enumerate(_inputs(arguments)):
+        members[f"inputs/{number}-{path.name}"] = _content(path)
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in members.items():
+            archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), content)
+    return packed.getvalue()
+
+
+def _inputs(arguments: Sequence[str]) -> list[Path]:
+    """The files that the command line names, and those that programs among them read."""
+    named = [Path(argument) for argument in arguments if _is_file(Path(argument))]
+    found = list(named)
+    for program in named:
+        if program.suffix == ".nsl":
+            quoted = re.findall(r'"([^"\n]{1,255})"', _content(program).decode(errors="replace"))
+            found.extend(path for name in quoted if _is_file(path := program.parent / name))
+    return list(dict.fromkeys(found))
+
+
+def _is_file(path: Path) -> bool:
     try:
-        write_whole(Path(name), buffer.getvalue())
-    except Rejected:
-        return None
-    return name
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def _content(path: Path) -> bytes:
+    try:
+        size = path.stat().st_size
+        if size > _MOST_BYTES:
+            return f"{path}: {size} bytes, not copied\n".encode(errors="replace")
+        return path.read_bytes()
+    except OSError as error:
+        return f"{path}: {error}\n".encode(errors="replace")

@@ -18,6 +18,7 @@ def command(file: Path) -> None:
     Proves that every code opens the shutter of the decode table, equation (7), and that each
     bucket gathers the light of its open slots and nothing else, equation (3).
     """
+    from nscc.program.problems import counted
     from nscc.prove.proof import prove
     from nscc.words.file import read_container
     from nscc.words.legality import decoded
@@ -40,6 +41,7 @@ def command(file: Path) -> None:
             )
         )
     click.echo(
-        f"{file.as_posix()}: proved: {proof.codes} codes x {proof.slots} slots x "
-        f"{len(container.buckets)} buckets, {proof.frames} frames"
+        f"{file.as_posix()}: proved: {counted(proof.codes, 'code')} x "
+        f"{counted(proof.slots, 'slot')} x {counted(len(container.buckets), 'bucket')}, "
+        f"{counted(proof.frames, 'frame')}"
     )

@@ -18,9 +18,7 @@ def page(code_or_name: str) -> str:
     if code not in known:
         code = next((c for c, name in known.items() if name == wanted.lower()), "")
     if not code:
-        near = closest(wanted.upper(), list(known)) or closest(
-            wanted.lower(), list(known.values())
-        )
+        near = closest(wanted.upper(), list(known)) or closest(wanted.lower(), list(known.values()))
         raise Rejected(
             Diagnostic(
                 "NS0790",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Literal
@@ -43,10 +43,11 @@ def _place(diagnostic: Diagnostic) -> str:
     source = diagnostic.source
     if source is None:
         return ""
+    name = _one_line(source.name)
     if diagnostic.label is None:
-        return source.name
+        return name
     row, column = source.row_column(diagnostic.label.span.start)
-    return f"{source.name}:{row}:{column}"
+    return f"{name}:{row}:{column}"
 
 
 def _short(diagnostic: Diagnostic) -> str:
@@ -93,11 +94,9 @@ def _row_column(source: Source, offset: int) -> dict[str, int]:
 
 
 def _human(diagnostic: Diagnostic, color: bool) -> str:
-    def paint(code: str, text: str) -> str:
-        return f"{code}{text}{_PLAIN}" if color else text
-
+    paint = _painted if color else _unpainted
     head = paint(_PAINT[diagnostic.severity], f"{diagnostic.severity}[{diagnostic.code}]")
-    lines = [head + paint(_BOLD, f": {diagnostic.message}")]
+    lines = [head + paint(_BOLD, f": {_one_line(diagnostic.message)}")]
     source = diagnostic.source
     margin = 2
     if source is not None:
@@ -107,24 +106,48 @@ def _human(diagnostic: Diagnostic, color: bool) -> str:
         margin = max((len(str(row)) for row in rows), default=1) + 1
         lines.append(paint(_BLUE, " " * margin + "--> ") + _place(diagnostic))
         if labels:
-            bar = paint(_BLUE, " " * (margin + 1) + "|")
-            lines.append(bar)
-            for i, (label, row) in enumerate(zip(labels, rows, strict=True)):
-                mark = "^" if i == 0 and diagnostic.label is not None else "-"
-                text, pointer = _excerpt(source, label, row, mark)
-                lines.append(paint(_BLUE, f"{row:>{margin}} |") + f" {text}".rstrip())
-                tone = _PAINT[diagnostic.severity] if mark == "^" else _BLUE
-                lines.append(f"{bar} {paint(tone, pointer)}".rstrip())
-            if diagnostic.notes:
-                lines.append(bar)
+            lines += _labelled(diagnostic, source, labels, rows, margin, paint)
     for note in diagnostic.notes:
-        lines.append(paint(_BLUE, " " * (margin + 1) + "= ") + note)
-    lines += _helps(diagnostic)
+        lines.append(paint(_BLUE, " " * (margin + 1) + "= ") + _printable(note))
+    lines += map(_printable, _helps(diagnostic))
     return "\n".join(lines) + "\n"
 
 
+def _painted(code: str, text: str) -> str:
+    return f"{code}{text}{_PLAIN}"
+
+
+def _unpainted(_code: str, text: str) -> str:
+    return text
+
+
+def _labelled(
+    diagnostic: Diagnostic,
+    source: Source,
+    labels: Sequence[Label],
+    rows: Sequence[int],
+    margin: int,
+    paint: Callable[[str, str], str],
+) -> list[str]:
+    """The labels' lines with marks under them; a line with several labels is written once."""
+    bar = paint(_BLUE, " " * (margin + 1) + "|")
+    lines = [bar]
+    above = (0, "")
+    for label, row in zip(labels, rows, strict=True):
+        primary = label is diagnostic.label
+        text, pointer = _excerpt(source, label, row, "^" if primary else "-")
+        if (row, text) != above:
+            lines.append(paint(_BLUE, f"{row:>{margin}} |") + f" {text}".rstrip())
+            above = row, text
+        tone = _PAINT[diagnostic.severity] if primary else _BLUE
+        lines.append(f"{bar} {paint(tone, pointer)}".rstrip())
+    return [*lines, bar] if diagnostic.notes else lines
+
+
 def _helps(diagnostic: Diagnostic) -> list[str]:
-    helps = [*diagnostic.helps, *(fix.title for fix in diagnostic.fixes)]
+    said = "".join(diagnostic.helps)
+    fixes = [fix.title for fix in diagnostic.fixes if f"`{fix.replacement}`" not in said]
+    helps = [*diagnostic.helps, *fixes]
     if diagnostic.code == "NS0412" and helps:
         lines = ["help: each of these was compiled and fits"]
         lines += [f"   {i}. {text}" for i, text in enumerate(helps, 1)]
@@ -148,7 +171,7 @@ def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, st
     tail = "..." if first + _WIDEST < len(line) else ""
     text = head + _visible(before) + _visible(marked) + _visible(after) + tail
     pad = " " * (len(head) + _width(_visible(before)))
-    words = f" {label.text}" if label.text else ""
+    words = f" {_one_line(label.text)}" if label.text else ""
     return text, pad + mark * max(1, _width(_visible(marked))) + words
 
 
@@ -156,9 +179,7 @@ def _visible(text: str) -> str:
     """Text with tabs as blanks and what does not print as `?`, so that columns can be counted."""
     if text.isascii() and text.isprintable():
         return text
-    return "".join(
-        " " * _TAB if ch == "\t" else ch if ch.isprintable() else "?" for ch in text
-    )
+    return "".join(" " * _TAB if ch == "\t" else ch if ch.isprintable() else "?" for ch in text)
 
 
 def _width(text: str) -> int:
@@ -167,10 +188,14 @@ def _width(text: str) -> int:
         return len(text)
     from unicodedata import combining, east_asian_width
 
-    return sum(
-        0 if combining(ch) else 2 if east_asian_width(ch) in "WF" else 1 for ch in text
-    )
+    return sum(0 if combining(ch) else 2 if east_asian_width(ch) in "WF" else 1 for ch in text)
 
 
 def _one_line(text: str) -> str:
-    return " ".join(text.split())
+    """Words of a message on one line, with nothing in them that a terminal would act on."""
+    return _visible(" ".join(text.split()))
+
+
+def _printable(text: str) -> str:
+    """Text of one or more lines, with nothing in it that a terminal would act on."""
+    return "\n".join(map(_visible, text.split("\n")))

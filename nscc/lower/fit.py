@@ -58,7 +58,10 @@ def capacity_fault(program: Program, ways_out: Sequence[str]) -> Diagnostic | No
 
 def misfit_fault(program: Program, choice: Choice, *, level: int) -> Diagnostic:
     """Why no lowering at all could be laid out: NS0413, NS0414 (certain) or NS0502 (not)."""
-    reasons = [f"{name}: {misfit.reason}" for name, misfit in choice.misfits.items()]
+    reasons = [
+        misfit.reason if misfit.reason.startswith(name) else f"{name}: {misfit.reason}"
+        for name, misfit in choice.misfits.items()
+    ]
     short = [m for m in choice.misfits.values() if m.resource is not None]
     if len(short) == len(choice.misfits):
         least: Misfit = min(short, key=lambda m: m.required)
@@ -89,7 +92,7 @@ def misfit_fault(program: Program, choice: Choice, *, level: int) -> Diagnostic:
         source=program.source,
         label=Label(_field_span(program)),
         notes=(*reasons, "not proved: another encoding or more search may find some"),
-        helps=("use fewer codes: `--codes fixed` compiles only those that the pixels use",),
+        helps=(_fewer_codes(program),),
         data=_resource(
             "digital registers", len(program.target.digital_registers) + 1,
             len(program.target.digital_registers), proved=False,
@@ -139,7 +142,9 @@ def _retention(lowered: Lowered) -> Diagnostic:
         f"{time_text(program.target.digital_retention_us)}",
         source=program.source,
         label=Label(program.frame.span, "registers are refreshed between slots, not inside them"),
-        notes=(f"nothing is left untouched for more than {time_text(keep_us)}, with a margin of 10 %",),
+        notes=(
+            f"nothing is left untouched for more than {time_text(keep_us)}, with a margin of 10 %",
+        ),
         helps=("split the slot into several: the rule may treat them alike",),
         data=_resource("retention_us", slot_us, keep_us, proved=True),
     )
@@ -203,6 +208,15 @@ def _store(lowered: Lowered, level: int) -> Diagnostic:
         helps=("use fewer codes, fewer slots, or shutters with fewer edges",),
         data=_resource("store_words", stored, target.store_words, proved=False),
     )
+
+
+def _fewer_codes(program: Program) -> str:
+    """How to have fewer codes: by compiling for those in use, where that is not so already."""
+    if program.mode == "fixed":
+        return "use fewer different codes, or shutters with fewer edges"
+    if program.pixel_codes is None:
+        return "give the pixels: then only the codes in use are compiled"
+    return "`--codes fixed` compiles only the codes that the pixels use"
 
 
 def _field_span(program: Program) -> Span:

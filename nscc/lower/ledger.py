@@ -17,30 +17,36 @@ def ledger(holders: Mapping[str, str]) -> str:
         groups.setdefault(key, []).append((register, int(found[2]) if found else None))
     entries = []
     for (before, after), members in groups.items():
-        registers = _runs([register for register, _ in members])
+        registers = _registers([register for register, _ in members])
         numbers = _numbers([number for _, number in members if number is not None])
         entries.append(f"{registers} {before}{numbers}{after}")
     return "; ".join(entries)
 
 
 def _numbers(values: Sequence[int]) -> str:
-    """`0-5` for a run of three and more, else the numbers as they come."""
-    if len(values) > 2 and list(values) == list(range(values[0], values[0] + len(values))):
-        return f"{values[0]}-{values[-1]}"
-    return ", ".join(map(str, values))
+    """`4, 16, 64`, and `0-5` for runs of three and more."""
+    runs: list[list[int]] = []
+    for value in values:
+        if runs and value == runs[-1][-1] + 1:
+            runs[-1].append(value)
+        else:
+            runs.append([value])
+    return _shortened([[str(value) for value in run] for run in runs])
 
 
-def _runs(registers: Sequence[str]) -> str:
+def _registers(names: Sequence[str]) -> str:
     """`R0-R3, R7`: registers with runs of three and more shortened."""
     runs: list[list[str]] = []
-    for register in registers:
-        if runs and _follows(runs[-1][-1], register):
-            runs[-1].append(register)
+    for name in names:
+        if runs and _follows(runs[-1][-1], name):
+            runs[-1].append(name)
         else:
-            runs.append([register])
-    return ", ".join(
-        f"{run[0]}-{run[-1]}" if len(run) > 2 else ", ".join(run) for run in runs
-    )
+            runs.append([name])
+    return _shortened(runs)
+
+
+def _shortened(runs: Sequence[Sequence[str]]) -> str:
+    return ", ".join(f"{run[0]}-{run[-1]}" if len(run) > 2 else ", ".join(run) for run in runs)
 
 
 def _follows(one: str, other: str) -> bool:

@@ -44,7 +44,9 @@ def judge_rules(
                 f"{who} is always open, whatever the code",
                 rule.rule.span,
                 "true in every slot",
-                helps=("`open when true` without fields is the ordinary camera",),
+                helps=()
+                if isinstance(rule, Bucket)
+                else ("`open when true` without fields is the ordinary camera",),
             )
 
 
@@ -101,7 +103,8 @@ def judge_codes(in_use: int, legal: int | None, place: Span, problems: Problems)
     unused = legal - in_use
     problems.note(
         "NS0353",
-        f"the pixels use {in_use} of {counted(legal, 'code')}; {unused} are never used",
+        f"the pixels use {in_use} of {counted(legal, 'code')}; {unused} "
+        f"{'is' if unused == 1 else 'are'} never used",
         place,
         f"{counted(in_use, 'code')} in use",
         data={"in_use": in_use, "legal": legal, "unused": unused},

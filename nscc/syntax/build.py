@@ -1,21 +1,17 @@
-"""From the parser's reductions to nodes of the tree, bottom up, so that nothing recurses.
-
-A node's depth is known when it is built; too deep a tree is refused at once, so every later pass
-may recurse.
-"""
+"""From the parser's reductions to nodes of the tree, bottom up, so that nothing recurses."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
-from lark import Token, Transformer, v_args
-
 from nscc.source import Span
 from nscc.syntax import tree
+from nscc.syntax.lexer import Tokens
 
-MOST_DEPTH = 100
 MOST_INTEGER = 10**18
+_MOST_DECIMALS = 18
 _UNIT_US = {"ns": Fraction(1, 1000), "us": Fraction(1), "ms": Fraction(1000), "s": Fraction(10**6)}
 
 
@@ -30,214 +26,153 @@ class Refused(Exception):
         self.help_text = help_text
 
 
-def span_of(token: Token) -> Span:
-    """The place of a token."""
-    assert token.start_pos is not None and token.end_pos is not None
-    return Span(token.start_pos, token.end_pos)
+class Builder:
+    """Makes the nodes of one text's rules (an `automaton.Build`).
 
-
-def _name(token: Token) -> tree.Name:
-    return tree.Name(span_of(token), str(token))
-
-
-def _text(token: Token) -> tree.Text:
-    return tree.Text(span_of(token), str(token)[1:-1])
-
-
-@v_args(inline=True)
-class Builder(Transformer):  # type: ignore[type-arg, misc]  # lark's generics are runtime only
-    """Callbacks by rule name. Statements get the span of their parts; the parser widens it to the
-    statement's first word."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self._depth: dict[int, int] = {}
-        self._alive: list[Any] = []
-
-    def reset(self) -> None:
-        """Forgets the nodes of the last statement."""
-        self._depth.clear()
-        self._alive.clear()
-
-    def _deep(self, node: Any, *parts: Any) -> Any:
-        depth = 1 + max((self._depth.get(id(part), 0) for part in parts), default=0)
-        if depth > MOST_DEPTH:
-            raise Refused(
-                "NS0110",
-                f"this expression is nested more than {MOST_DEPTH} deep",
-                node.span,
-                "name parts of it with `let`, or use `tile` or a file for data",
-            )
-        self._depth[id(node)] = depth
-        self._alive.append(node)
-        return node
-
-    # Expressions.
-
-    def int(self, token: Token) -> tree.Int:
-        if len(token) > 19 or int(token) > MOST_INTEGER:
-            raise Refused(
-                "NS0111",
-                "this number is larger than 10^18",
-                span_of(token),
-                "numbers of a program count slots, codes and pixels",
-            )
-        return tree.Int(span_of(token), int(token))
-
-    def true(self, token: Token) -> tree.Bool:
-        return tree.Bool(span_of(token), True)
-
-    def false(self, token: Token) -> tree.Bool:
-        return tree.Bool(span_of(token), False)
-
-    def name(self, token: Token) -> tree.Name:
-        return _name(token)
-
-    def grouped(self, inner: Any, _close: Token) -> Any:
-        return self._deep(inner, inner)
-
-    def unary(self, operator: Token, operand: Any) -> Any:
-        span = span_of(operator).to(operand.span)
-        return self._deep(tree.Unary(span, str(operator), operand), operand)
-
-    def binary(self, left: Any, operator: Token, right: Any) -> Any:
-        span = left.span.to(right.span)
-        return self._deep(tree.Binary(span, str(operator), left, right), left, right)
-
-    def compare(self, first: Any, *rest: Any) -> Any:
-        operators = tuple(str(token) for token in rest[::2])
-        operands = tuple(rest[1::2])
-        span = first.span.to(operands[-1].span)
-        return self._deep(tree.Compare(span, first, operators, operands), first, *operands)
-
-    def if_else(self, then: Any, condition: Any, otherwise: Any) -> Any:
-        span = then.span.to(otherwise.span)
-        return self._deep(
-            tree.IfElse(span, then, condition, otherwise), then, condition, otherwise
-        )
-
-    def index(self, base: Token, _begin: Token, index: Any, end: Token) -> Any:
-        return self._deep(tree.Index(span_of(base).to(span_of(end)), _name(base), index), index)
-
-    def call(self, function: Token, *rest: Any) -> Any:
-        arguments = rest[:-1]
-        span = span_of(function).to(span_of(rest[-1]))
-        return self._deep(tree.Call(span, _name(function), tuple(arguments)), *arguments)
-
-    # Pieces of statements.
-
-    def time(self, token: Token) -> tree.Time:
-        text = str(token)
-        digits = text.rstrip("num" + "s")
-        if len(digits) > 30:
-            raise Refused(
-                "NS0111", "this time has too many digits", span_of(token), "write it in s or ns"
-            )
-        us = Fraction(digits) * _UNIT_US[text[len(digits) :]]
-        if us <= 0:
-            raise Refused(
-                "NS0112", "a slot lasts longer than nothing", span_of(token), "give a positive time"
-            )
-        return tree.Time(span_of(token), us)
-
-    def row(self, token: Token) -> tree.BookRow:
-        return tree.BookRow(span_of(token), str(token).replace("_", ""))
-
-    def tile_row(self, begin: Token, *rest: Any) -> tree.TileRow:
-        return tree.TileRow(span_of(begin).to(span_of(rest[-1])), tuple(rest[:-1]))
-
-    # Statements.
-
-    def version(self, number: tree.Int) -> tree.Version:
-        return tree.Version(number.span, number)
-
-    def target_by_name(self, name: Token) -> tree.TargetByName:
-        return tree.TargetByName(span_of(name), _name(name))
-
-    def target_from_file(self, path: Token) -> tree.TargetFromFile:
-        return tree.TargetFromFile(span_of(path), _text(path))
-
-    def equal_slots(self, count: Any, length: tree.Time) -> tree.EqualSlots:
-        return tree.EqualSlots(length.span, count, length)
-
-    def listed_slots(self, begin: Token, *rest: Any) -> tree.ListedSlots:
-        return tree.ListedSlots(span_of(begin).to(span_of(rest[-1])), tuple(rest[:-1]))
-
-    def let(self, name: Token, value: Any) -> tree.Let:
-        return tree.Let(span_of(name), _name(name), value)
-
-    def code_range(self, name: Token, low: Any, high: Any) -> tree.CodeRange:
-        return tree.CodeRange(span_of(name), _name(name), low, high)
-
-    def code_bits(self, name: Token, _begin: Token, count: Any, end: Token) -> tree.CodeBits:
-        return tree.CodeBits(span_of(name).to(span_of(end)), _name(name), count)
-
-    def code_row(self, name: Token, book: Token) -> tree.CodeRow:
-        return tree.CodeRow(span_of(name), _name(name), _name(book))
-
-    def require(self, condition: Any) -> tree.Require:
-        return tree.Require(condition.span, condition)
-
-    def book_inline(self, name: Token, begin: Token, *rest: Any) -> tree.BookInline:
-        return tree.BookInline(span_of(name).to(span_of(rest[-1])), _name(name), tuple(rest[:-1]))
-
-    def book_from_file(
-        self, name: Token, path: Token, key: Token | None, sha256: Token | None
-    ) -> tree.BookFromFile:
-        return tree.BookFromFile(
-            span_of(name).to(span_of(path)),
-            _name(name),
-            _text(path),
-            None if key is None else _name(key),
-            None if sha256 is None else _text(sha256),
-        )
-
-    def open(self, rule: Any) -> tree.Open:
-        return tree.Open(rule.span, rule)
-
-    def bucket(self, name: Token, rule: Any) -> tree.Bucket:
-        return tree.Bucket(span_of(name), _name(name), rule)
-
-    def pixels_expr(self, field: Token, value: Any) -> tree.PixelsExpr:
-        return tree.PixelsExpr(span_of(field), _name(field), value)
-
-    def pixels_tile(self, field: Token, begin: Token, *rest: Any) -> tree.PixelsTile:
-        return tree.PixelsTile(
-            span_of(field).to(span_of(rest[-1])), _name(field), tuple(rest[:-1])
-        )
-
-    def pixels_from_file(self, path: Token, sha256: Token | None) -> tree.PixelsFromFile:
-        return tree.PixelsFromFile(
-            span_of(path), _text(path), None if sha256 is None else _text(sha256)
-        )
-
-
-def plain_tile(tokens: list[Token]) -> tree.PixelsTile | None:
-    """The statement `pixels FIELD = tile [[1, 2], [3, 4]]` whose cells are plain numbers.
-
-    Big files are tiles; the grammar would climb ten levels of precedence for every number. None for
-    any other statement, right or wrong: the parser has the word then.
+    Raises Refused: NS0111 for a number beyond 10^18, NS0112 for a time of zero.
     """
-    if [t.type for t in tokens[2:5]] != ["EQUAL", "TILE", "BEGIN"] or tokens[1].type != "NAME":
-        return None
-    rows: list[tree.TileRow] = []
-    position, last = 5, len(tokens) - 1
-    while position < last and tokens[position].type == "BEGIN":
-        begin = tokens[position]
-        cells: list[tree.Expr] = []
-        while tokens[position].type in ("BEGIN", "COMMA") and position + 2 <= last:
-            cell = tokens[position + 1]
-            if cell.type != "INT" or len(cell) > 18:
-                return None
-            cells.append(tree.Int(span_of(cell), int(cell)))
-            position += 2
-        if tokens[position].type != "END":
-            return None
-        rows.append(tree.TileRow(span_of(begin).to(span_of(tokens[position])), tuple(cells)))
-        position += 1
-        if position < last and tokens[position].type == "COMMA":
-            position += 1
-    if not rows or position != last or tokens[last].type != "END" or tokens[last - 1].type == "COMMA":
-        return None
-    span = span_of(tokens[0]).to(span_of(tokens[last]))
-    return tree.PixelsTile(span, _name(tokens[1]), tuple(rows))
+
+    def __init__(self, tokens: Tokens) -> None:
+        self._tokens = tokens
+        self._integers: dict[str, int] = {}
+
+    def __call__(self, action: str, span: Span, parts: list[Any]) -> Any:
+        """The node of a rule; a part that is an int is a token's index."""
+        plain = _PLAIN.get(action)
+        if plain is not None:
+            return plain(span, *parts)
+        method: Callable[[Span, list[Any]], Any] = getattr(self, f"_{action}")
+        return method(span, parts)
+
+    # Leaves: their only part is a token.
+
+    def _integer(self, span: Span, parts: list[Any]) -> tree.Int:
+        text = self._tokens.text(parts[0])
+        value = self._integers.get(text)
+        if value is None:
+            value = self._integers[text] = _integer(text, span)
+        return tree.Int(span, value)
+
+    def _name(self, span: Span, parts: list[Any]) -> tree.Name:
+        return tree.Name(span, self._tokens.text(parts[0]))
+
+    def _text(self, span: Span, parts: list[Any]) -> tree.Text:
+        return tree.Text(span, self._tokens.text(parts[0])[1:-1])
+
+    def _row(self, span: Span, parts: list[Any]) -> tree.BookRow:
+        return tree.BookRow(span, self._tokens.text(parts[0]).replace("_", ""))
+
+    def _time(self, span: Span, parts: list[Any]) -> tree.Time:
+        return tree.Time(span, _microseconds(self._tokens.text(parts[0]), span))
+
+    # Expressions with tokens among their parts.
+
+    def _unary(self, span: Span, parts: list[Any]) -> tree.Unary:
+        operator, operand = parts
+        return tree.Unary(span, self._tokens.text(operator), operand)
+
+    def _binary(self, span: Span, parts: list[Any]) -> tree.Binary:
+        left, operator, right = parts
+        return tree.Binary(span, self._tokens.text(operator), left, right)
+
+    def _compare(self, span: Span, parts: list[Any]) -> tree.Compare:
+        operators = tuple(map(self._tokens.text, parts[1::2]))
+        return tree.Compare(span, parts[0], operators, tuple(parts[2::2]))
+
+    def _call(self, span: Span, parts: list[Any]) -> tree.Call:
+        token, *arguments = parts
+        function = tree.Name(self._tokens.span(token), self._tokens.text(token))
+        return tree.Call(span, function, tuple(arguments))
+
+    # Statements with a token or an unknown number of parts.
+
+    def _target_by_name(self, span: Span, parts: list[Any]) -> tree.TargetByName:
+        token = parts[0]
+        return tree.TargetByName(
+            span, tree.Name(self._tokens.span(token), self._tokens.text(token))
+        )
+
+
+def _true(span: Span) -> tree.Bool:
+    return tree.Bool(span, True)
+
+
+def _false(span: Span) -> tree.Bool:
+    return tree.Bool(span, False)
+
+
+def _optional(_span: Span, part: Any = None) -> Any:
+    return part
+
+
+def _tile_row(span: Span, *values: Any) -> tree.TileRow:
+    return tree.TileRow(span, values)
+
+
+def _listed_slots(span: Span, *lengths: Any) -> tree.ListedSlots:
+    return tree.ListedSlots(span, lengths)
+
+
+def _book_inline(span: Span, name: Any, *rows: Any) -> tree.BookInline:
+    return tree.BookInline(span, name, rows)
+
+
+def _pixels_tile(span: Span, field: Any, *rows: Any) -> tree.PixelsTile:
+    return tree.PixelsTile(span, field, rows)
+
+
+_PLAIN: dict[str, Callable[..., Any]] = {
+    "true": _true,
+    "false": _false,
+    "key": _optional,
+    "sha256": _optional,
+    "index": tree.Index,
+    "if_else": tree.IfElse,
+    "tile_row": _tile_row,
+    "version": tree.Version,
+    "target_from_file": tree.TargetFromFile,
+    "equal_slots": tree.EqualSlots,
+    "listed_slots": _listed_slots,
+    "let": tree.Let,
+    "code_range": tree.CodeRange,
+    "code_bits": tree.CodeBits,
+    "code_row": tree.CodeRow,
+    "require": tree.Require,
+    "book_inline": _book_inline,
+    "book_from_file": tree.BookFromFile,
+    "open": tree.Open,
+    "bucket": tree.Bucket,
+    "pixels_expr": tree.PixelsExpr,
+    "pixels_tile": _pixels_tile,
+    "pixels_from_file": tree.PixelsFromFile,
+}
+"""The rules whose parts are nodes already, in the order of the node's fields."""
+
+
+def _integer(text: str, span: Span) -> int:
+    digits = text.lstrip("0")
+    value = int(digits or "0") if len(digits) <= 19 else MOST_INTEGER + 1
+    if value > MOST_INTEGER:
+        raise Refused(
+            "NS0111",
+            "this number is larger than 10^18",
+            span,
+            "numbers count slots, codes and pixels: none of them comes near that",
+        )
+    return value
+
+
+def _microseconds(text: str, span: Span) -> Fraction:
+    number = text.rstrip("nums")
+    whole, _, decimals = number.partition(".")
+    if len(decimals) > _MOST_DECIMALS:
+        raise Refused(
+            "NS0111",
+            f"this time has {len(decimals)} decimals",
+            span,
+            f"at most {_MOST_DECIMALS} decimals are read",
+        )
+    us = (_integer(whole, span) + Fraction(f"0.{decimals or 0}")) * _UNIT_US[text[len(number) :]]
+    if us == 0:
+        raise Refused("NS0112", "this slot takes no time", span, "give it a time above zero")
+    return us

@@ -1,315 +1,207 @@
-"""From text to tree. All errors of a file are found in one go: a file is split at the words that
-begin statements, and each statement is parsed by itself."""
+"""From text to tree. All errors of a file are found in one go: its tokens are split at the words
+that begin statements, and each statement is parsed by itself."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
-from functools import cache
-from pathlib import Path
-from typing import Any
+from collections.abc import Callable, Iterator
+from functools import partial
+from itertools import pairwise
 
-from lark import Lark, Token
-from lark.exceptions import UnexpectedToken
-
-from nscc.diagnostics.model import Diagnostic, Label, Rejected
+from nscc.diagnostics.model import Diagnostic, Fix, Label
 from nscc.source import Source, Span
 from nscc.syntax import tree
-from nscc.syntax.build import Builder, Refused, plain_tile, span_of
-from nscc.syntax.words import FORMS, OTHER_WORDS, STATEMENT_WORDS, expected_words
+from nscc.syntax.automaton import TooDeep, run
+from nscc.syntax.build import Builder, Refused
+from nscc.syntax.lexer import Tokens, lex
+from nscc.syntax.mistakes import mistake, too_deep
+from nscc.syntax.reading import MOST_BYTES, read_source, too_large
+from nscc.syntax.words import STATEMENT_WORDS
 
-MOST_BYTES = 256 * 1024
+__all__ = ["MOST_BYTES", "MOST_ERRORS", "parse", "read_source"]
+
 MOST_ERRORS = 20
+VERSION = 1
 
-_OTHER_LANGUAGE = re.compile(r"\s*(?:/[/*]|(?:module|declare|struct)\b[^\n]*\{)")
-
-
-def read_source(path: Path) -> Source:
-    """Reads a program's text.
-
-    Raises Rejected: NS0101 (status 2) where the file cannot be read, NS0103 over 256 KiB, NS0102 where
-    the bytes are not UTF-8 text.
-    """
-    name = path.as_posix()
-    try:
-        with open(path, "rb") as file:
-            data = file.read(MOST_BYTES + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise Rejected(
-            Diagnostic(
-                "NS0101",
-                f"cannot read '{name}': {reason}",
-                helps=("name a shutter program, a text file that ends in .nsl",),
-            ),
-            status=2,
-        ) from None
-    if len(data) > MOST_BYTES:
-        raise Rejected(_too_large(name))
-    try:
-        text = data.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise Rejected(_no_text(name, f"byte {error.start} is not UTF-8")) from None
-    if "\0" in text:
-        raise Rejected(_no_text(name, f"character {text.index(chr(0))} is NUL"))
-    return Source(name, text)
-
-
-def _too_large(name: str) -> Diagnostic:
-    return Diagnostic(
-        "NS0103",
-        f"'{name}' is larger than {MOST_BYTES // 1024} KiB",
-        helps=('data belongs in a file of its own: `pixels from "codes.npz"`',),
-    )
-
-
-def _no_text(name: str, reason: str) -> Diagnostic:
-    return Diagnostic(
-        "NS0102",
-        f"'{name}' is not a text in UTF-8: {reason}",
-        helps=("save it as UTF-8 text",),
-    )
+_OTHER_LANGUAGE = re.compile(
+    r"""\s*(?:\#[^\n]*\n\s*)*              # its directives look like our comments
+        (?: //|/\*
+          | (?:module|declare|struct|component|package|library|entity|import)\b )""",
+    re.VERBOSE,
+)
+_BEFORE_A_NAME = ("let", "code", "pixels", "shutters", "bucket")
+_AFTER_A_NAME = ("=", ":", "[", "from", "open")
 
 
 def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
-    """The tree of what could be read, and every error in the text, in its order."""
-    if len(source.text) > MOST_BYTES:
-        return tree.File(Span(0, 0), ()), (_too_large(source.name),)
-    found: list[Diagnostic] = []
-    statements: list[Any] = []
-    for tokens in _split(source, found):
-        statement = _statement(source, tokens, found)
-        if statement is not None:
-            statements.append(statement)
+    """The tree of the statements that could be read, and every error in the text, in its order.
+
+    Of a statement with an error the part before is kept if it is whole. After MOST_ERRORS errors
+    one more, NS0190, counts the rest. Never raises for bad text.
+    """
     whole = Span(0, len(source.text))
-    if not found or not _is_other_language(source, statements):
-        _check_version(source, statements, found)
-    else:
-        found = [_other_language(source)]
-    found.sort(key=lambda d: d.label.span.start if d.label else 0)
-    if len(found) > MOST_ERRORS:
-        more = len(found) - MOST_ERRORS
-        found = found[:MOST_ERRORS]
-        found.append(
-            Diagnostic("NS0190", f"and {more} more errors in the text", source=source)
-        )
-    return tree.File(whole, tuple(statements)), tuple(found)
-
-
-@cache
-def _parser() -> tuple[Lark, Builder]:
-    from nscc.syntax.tables import DATA, MEMO
-
-    builder = Builder()
-    return Lark._load_from_dict(DATA, MEMO, transformer=builder), builder
-
-
-def _split(source: Source, found: list[Diagnostic]) -> Iterator[list[Token]]:
-    """Tokens by statement; what comes before the first statement's word is reported."""
-    parser, _ = _parser()
-    words = {word.upper() for word in STATEMENT_WORDS}
-    current: list[Token] = []
-    before: list[Token] = []
-    for token in parser.lex(source.text):
-        begins = token.type in words and not (
-            token.type == "OPEN" and 0 < len(current) < 3 and current[0].type == "BUCKET"
-        )
-        if begins:
-            if current:
-                yield current
-            current = [token]
-        elif current:
-            current.append(token)
-        else:
-            before.append(token)
-    if current:
-        yield current
-    if before:
-        span = span_of(before[0]).to(span_of(before[-1]))
-        found.append(_unknown_statement(source, before[0], span))
-
-
-def _statement(source: Source, tokens: list[Token], found: list[Diagnostic]) -> Any:
-    """The node of one statement, or None with a diagnostic added."""
-    if tokens[0].type == "TARGET":
-        tokens = _join_name(source, tokens)
-    parser, builder = _parser()
-    builder.reset()
-    if tokens[0].type == "PIXELS":
-        tile = plain_tile(tokens)
-        if tile is not None:
-            return tile
-    state = parser.parse_interactive(start="statement")
-    try:
-        for token in tokens:
-            state.feed_token(token)
-        node = state.feed_eof(tokens[-1])
-    except UnexpectedToken as error:
-        found.append(_unexpected(source, tokens, error))
-        return None
-    except Refused as refused:
-        found.append(
-            Diagnostic(
-                refused.code, refused.message, source=source, label=Label(refused.span),
-                helps=(refused.help_text,),
-            )  # fmt: skip
-        )
-        return None
-    span = span_of(tokens[0]).to(span_of(tokens[-1]))
-    return type(node)(span, *(getattr(node, name) for name in node.fields[1:]))
-
-
-def _join_name(source: Source, tokens: list[Token]) -> list[Token]:
-    """A target's name may hold `-`: tokens that touch are one name."""
-    joined = tokens[:1]
-    rest = tokens[1:]
-    if rest and rest[0].type == "NAME":
-        end = rest[0].end_pos
-        count = 1
-        while count < len(rest) and rest[count].start_pos == end:
-            end = rest[count].end_pos
-            count += 1
-        assert end is not None
-        text = source.text[rest[0].start_pos : end]
-        if re.fullmatch(r"[A-Za-z0-9_-]+", text):
-            joined.append(Token("NAME", text, rest[0].start_pos, end_pos=end))
-            rest = rest[count:]
-    return joined + rest
-
-
-def _unexpected(source: Source, tokens: list[Token], error: UnexpectedToken) -> Diagnostic:
-    token = error.token
-    word = str(tokens[0])
-    forms = tuple(f"written as: {form}" for form in FORMS[word])
-    if token.type == "$END":
-        end = tokens[-1].end_pos or 0
-        following = _next_word(source, end)
-        place, seen = Span(max(end - 1, 0), end), f"the statement ends here{following}"
-    else:
-        place, seen = span_of(token), f"found `{_shown(str(token))}`"
-    if token.type == "STRAY":
-        return _stray(source, token)
-    expected = expected_words(set(error.accepts or error.expected))
-    notes: list[str] = []
-    text = str(token)
-    index = next((i for i, t in enumerate(tokens) if t is token), 0)
-    if token.type == "DECIMAL":
-        notes.append("decimals stand only in times, with a unit and no blank: 1.6ms")
-    elif text in ("ns", "us", "ms", "s") and index and tokens[index - 1].type == "INT":
-        notes.append(f"a time has no blank: {tokens[index - 1]}{text}")
-    elif text in OTHER_WORDS and "NAME" in error.expected:
-        notes.append(f"`{text}` is a reserved word and cannot be a name")
-    elif text == "=" and "COMPARE" in error.expected:
-        notes.append("equality is written `==`")
-    return Diagnostic(
-        "NS0107",
-        f"in this `{word}` statement: expected {expected}, {seen}",
-        source=source,
-        label=Label(place, f"expected {expected}"),
-        notes=tuple(notes),
-        helps=forms,
-    )
-
-
-def _next_word(source: Source, end: int) -> str:
-    rest = source.text[end:].split(None, 1)
-    return f", before `{_shown(rest[0])}`" if rest else ", with the file"
-
-
-_STRAY_HELPS = {
-    ";": "statements need no semicolon",
-    "&": "conjunction is written `and`",
-    "|": "disjunction is written `or`",
-    "!": "negation is written `not`",
-    "^": "exclusive or is written `xor`",
-    "'": 'paths stand in double quotes, "like this"',
-    '"': "close the quotes on the same line",
-    ".": "a range is written with two dots: 0..7",
-}
-
-
-def _stray(source: Source, token: Token) -> Diagnostic:
-    first = str(token)[0]
-    what = "these quotes are never closed" if first == '"' else f"`{_shown(first)}` means nothing here"
-    hint = _STRAY_HELPS.get(first, "take it out; a comment begins with #")
-    code = "NS0114" if first == '"' else "NS0108"
-    return Diagnostic(code, what, source=source, label=Label(span_of(token)), helps=(hint,))
-
-
-def _unknown_statement(source: Source, token: Token, span: Span) -> Diagnostic:
-    if token.type == "STRAY":
-        return _stray(source, token)
-    from nscc.diagnostics.suggest import closest
-
-    near = closest(str(token), STATEMENT_WORDS)
-    helps = [f"did you mean `{near}`?"] if near else []
-    return Diagnostic(
-        "NS0109",
-        f"no statement begins with `{_shown(str(token))}`",
-        source=source,
-        label=Label(span),
-        notes=("statements begin with " + ", ".join(STATEMENT_WORDS),),
-        helps=tuple(helps),
-    )
-
-
-def _check_version(source: Source, statements: list[Any], found: list[Diagnostic]) -> None:
+    if len(source.text) > MOST_BYTES or len(source.text.encode("utf-8", "replace")) > MOST_BYTES:
+        return tree.File(whole, ()), (too_large(source.name),)
+    tokens = lex(source)
+    starts = _statement_starts(tokens)
+    errors = _Errors(source)
+    if tokens.kinds[:1] != ["nsl"]:
+        if "nsl" not in tokens.kinds and _OTHER_LANGUAGE.match(source.text):
+            return tree.File(whole, ()), (_other_language(tokens),)
+        errors.add(lambda: _no_language_line(tokens, starts))
+    statements = tuple(_statements(tokens, starts, errors))
     versions = [s for s in statements if isinstance(s, tree.Version)]
     for version in versions:
-        if version.number.value != 1:
+        if version.number.value != VERSION:
+            return tree.File(whole, statements), (_unknown_version(source, version),)
+    if len(versions) > 1 and tokens.kinds[0] == "nsl":
+        errors.add(lambda: _said_twice(source, versions))
+    return tree.File(whole, statements), errors.in_order()
+
+
+class _Errors:
+    """The errors of a text: the first MOST_ERRORS of them and the number of the rest."""
+
+    def __init__(self, source: Source) -> None:
+        self._source = source
+        self._first: list[Diagnostic] = []
+        self._more = 0
+
+    def add(self, make: Callable[[], Diagnostic]) -> None:
+        if len(self._first) < MOST_ERRORS:
+            self._first.append(make())
+        else:
+            self._more += 1
+
+    def in_order(self) -> tuple[Diagnostic, ...]:
+        found = sorted(self._first, key=lambda d: d.label.span.start if d.label else 0)
+        if self._more:
+            errors = "error" if self._more == 1 else "errors"
             found.append(
                 Diagnostic(
-                    "NS0106",
-                    f"this file asks for version {version.number.value} of the language; "
-                    "this nscc reads version 1",
-                    source=source,
-                    label=Label(version.number.span),
-                    helps=("write `nsl 1`, or use a newer nscc",),
+                    "NS0190", f"and {self._more} more {errors} in the text", source=self._source
                 )
             )
-    first = re.match(r"(?:\s|#[^\n]*)*nsl\b", source.text)
-    if first is None:
-        found.insert(
-            0,
-            Diagnostic(
-                "NS0104",
-                "a shutter program begins with `nsl 1`",
-                source=source,
-                label=Label(Span(0, min(1, len(source.text)))),
-                helps=("make `nsl 1` the first statement",),
-            ),
-        )
-    elif len(versions) > 1:
-        found.append(
-            Diagnostic(
-                "NS0104",
-                "`nsl 1` is said once, at the start",
-                source=source,
-                label=Label(versions[1].span),
-                helps=("take this one out",),
-            )
-        )
+        return tuple(found)
 
 
-def _is_other_language(source: Source, statements: list[Any]) -> bool:
-    if any(isinstance(s, tree.Version) for s in statements):
-        return False
-    return bool(_OTHER_LANGUAGE.match(source.text)) or bool(
-        re.search(r"^\s*(?:module|declare)\s+\w+\s*(?:interface\s*)?\{", source.text, re.MULTILINE)
+def _statement_starts(tokens: Tokens) -> list[int]:
+    """The tokens that begin statements.
+
+    `open` belongs to the `bucket` before it, and a statement's word that stands where a name
+    should (`let open = 1`) to the statement that it is in.
+    """
+    words = frozenset(STATEMENT_WORDS)
+    kinds = tokens.kinds
+    starts: list[int] = []
+    awaits_open = False
+    for index, kind in enumerate(kinds):
+        if kind not in words:
+            continue
+        if (
+            starts
+            and starts[-1] == index - 1
+            and kinds[index - 1] in _BEFORE_A_NAME
+            and kinds[index + 1 : index + 2] in [[after] for after in _AFTER_A_NAME]
+            and kinds[index : index + 2] != ["pixels", "from"]
+        ):
+            continue
+        if kind == "open" and awaits_open:
+            awaits_open = False
+            continue
+        awaits_open = kind == "bucket"
+        starts.append(index)
+    return starts
+
+
+def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[tree.Statement]:
+    build = Builder(tokens)
+    for first, last in pairwise([*starts, len(tokens.kinds)]):
+        try:
+            statement, stuck = run(tokens, first, last, build)
+        except Refused as refused:
+            errors.add(partial(_refusal, tokens.source, refused))
+        except TooDeep as refused:
+            errors.add(partial(too_deep, tokens, refused.token))
+        else:
+            if stuck is not None:
+                errors.add(partial(mistake, tokens, first, last, stuck))
+            if statement is not None:
+                yield statement
+
+
+def _refusal(source: Source, refused: Refused) -> Diagnostic:
+    return Diagnostic(
+        refused.code,
+        refused.message,
+        source=source,
+        label=Label(refused.span),
+        helps=(refused.help_text,),
     )
 
 
-def _other_language(source: Source) -> Diagnostic:
+def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
+    """NS0104, at the first token, which is not `nsl`."""
+    source = tokens.source
+    if not tokens.kinds:
+        return Diagnostic(
+            "NS0104",
+            "this file is empty; a shutter program begins with `nsl 1`",
+            source=source,
+            label=Label(Span(0, 0)),
+        )
+    place = tokens.span(0)
+    word = tokens.text(0)
+    later = next((index for index in starts if tokens.kinds[index] == "nsl"), None)
+    helps: tuple[str, ...] = ()
+    fixes: tuple[Fix, ...] = ()
+    if later is not None:
+        helps = ("move it to the start; only comments may come before it",)
+        if source.text.startswith(("//", "/*"), place.start):
+            helps = ("comments begin with `#`",)
+    elif word.isalpha() and sorted(word.lower()) == sorted("nsl"):
+        fixes = (Fix("did you mean `nsl`?", place, "nsl"),)
+    else:
+        fixes = (Fix("begin with `nsl 1`", Span(place.start, place.start), "nsl 1\n"),)
+    return Diagnostic(
+        "NS0104",
+        "a shutter program begins with `nsl 1`: the language and its version",
+        source=source,
+        label=Label(place, "this comes first"),
+        related=() if later is None else (Label(tokens.span(later), "too late"),),
+        helps=helps,
+        fixes=fixes,
+    )
+
+
+def _said_twice(source: Source, versions: list[tree.Version]) -> Diagnostic:
+    return Diagnostic(
+        "NS0104",
+        "`nsl 1` is said once, at the start",
+        source=source,
+        label=Label(versions[1].span, "said again"),
+        related=(Label(versions[0].span, "said here"),),
+        fixes=(Fix("take it out", versions[1].span, ""),),
+    )
+
+
+def _unknown_version(source: Source, version: tree.Version) -> Diagnostic:
+    return Diagnostic(
+        "NS0106",
+        f"this program is in version {version.number.value} of the language; "
+        f"this nscc reads version {VERSION}",
+        source=source,
+        label=Label(version.number.span),
+        helps=(f"write `nsl {VERSION}`, or use the nscc that the program was written for",),
+    )
+
+
+def _other_language(tokens: Tokens) -> Diagnostic:
     return Diagnostic(
         "NS0105",
-        "this looks like the hardware description language NSL, not like a shutter program",
-        source=source,
-        label=Label(Span(0, min(1, len(source.text)))),
-        notes=("both kinds of file end in .nsl; a shutter program begins with `nsl 1`",),
-        helps=("name a shutter program; the examples folder has some",),
+        "this looks like a hardware description, not like a shutter program",
+        source=tokens.source,
+        label=Label(tokens.span(0)),
+        notes=("the hardware description language NSL has files that end in .nsl, too",),
+        helps=("name a shutter program; its first statement is `nsl 1`",),
     )
-
-
-def _shown(text: str) -> str:
-    cut = text if len(text) <= 40 else text[:37] + "..."
-    return "".join(ch if ch.isprintable() else "?" for ch in cut)

@@ -12,20 +12,16 @@ from nscc.source import Span
 
 
 @dataclass_transform(frozen_default=True)
-class Node:
-    """Anything with a place in the source.
+class Record:
+    """A subclass lists its fields as a frozen dataclass does, and behaves like one.
 
-    A subclass lists its fields as a frozen dataclass does, and behaves like one; making thirty real
-    ones would take a tenth of the time that `nscc check` may take.
+    Making thirty real ones would take a tenth of the time that `nscc check` may take.
     """
 
-    span: Span
-
-    fields: ClassVar[tuple[str, ...]] = ("span",)
+    fields: ClassVar[tuple[str, ...]] = ()
 
     def __init_subclass__(cls) -> None:
-        own = cls.__dict__.get("__annotations__", {})
-        cls.fields = (*cls.fields, *own)
+        cls.fields = (*cls.fields, *cls.__annotations__)
         cls.__match_args__ = cls.fields  # type: ignore[attr-defined]
 
     def __init__(self, *values: Any) -> None:
@@ -45,6 +41,12 @@ class Node:
     def __repr__(self) -> str:
         values = ", ".join(f"{name}={value!r}" for name, value in self.__dict__.items())
         return f"{type(self).__name__}({values})"
+
+
+class Node(Record):
+    """Anything with a place in the source."""
+
+    span: Span
 
 
 # --- expressions --------------------------------------------------------------------------------

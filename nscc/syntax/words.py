@@ -1,14 +1,13 @@
-"""The reserved words, and how messages speak of the pieces of a statement."""
+"""The words of the language, and how messages speak of the pieces of a statement."""
 
 from __future__ import annotations
 
+from collections.abc import Set
+
+from nscc.syntax.tables import END
+
 STATEMENT_WORDS = (
     "nsl", "target", "frame", "let", "code", "require", "shutters", "open", "bucket", "pixels",
-)  # fmt: skip
-
-OTHER_WORDS = (
-    "slots", "of", "when", "tile", "from", "bit", "row", "key", "sha256",
-    "if", "else", "and", "or", "xor", "not", "true", "false", "min", "max",
 )  # fmt: skip
 
 FORMS = {
@@ -32,39 +31,45 @@ FORMS = {
 }
 """How each statement is written."""
 
-OPERATORS = {"OR", "XOR", "AND", "COMPARE", "SHIFT", "PLUS", "MINUS", "STAR", "SLASH", "PERCENT"}
-OPERAND_STARTS = {"INT", "NAME", "TRUE", "FALSE", "FUNCTION", "LPAR", "NOT", "MINUS"}
-
+_OPERATORS = {"or", "xor", "and", "COMPARISON", "<<", "+", "-", "*", "/", "%", "if"}
+_OPERANDS = {"INTEGER", "NAME", "(", "-", "not", "true", "false", "min", "max"}
 _PIECES = {
     "NAME": "a name",
-    "INT": "a number",
-    "GROUPED": "digits",
+    "TARGET_NAME": "a target's name",
+    "INTEGER": "a number",
+    "GROUPED": "a row of digits such as 1111_0000",
     "TIME": "a time such as 125us",
-    "STRING": 'a path in quotes, "like this"',
-    "BEGIN": "`[`",
-    "END": "`]`",
-    "CLOSE": "`)`",
-    "LPAR": "`(`",
-    "COMMA": "`,`",
-    "COLON": "`:`",
-    "EQUAL": "`=`",
-    "__ANON_0": "`..`",
-    "$END": "the end of the statement",
+    "TEXT": 'a path in quotes, "like this"',
+    "COMPARISON": "a comparison",
 }
 
 
-def expected_words(terminals: set[str]) -> str:
-    """A set of the parser's terminals in plain words: "a name, a number or `[`"."""
+def expected_words(terminals: Set[str]) -> str:
+    """What could come next, in plain words: "`slots`", "a number or a name".
+
+    Operators go without saying where something else has to come; a comma does where a list may
+    end.
+    """
     rest = set(terminals)
     parts: list[str] = []
-    if {"INT", "NAME", "MINUS"} <= rest:
-        parts.append("an expression")
-        rest -= OPERAND_STARTS
-    if len(rest & OPERATORS) > 2:
-        parts.append("an operator")
-        rest -= OPERATORS
-        rest.discard("IF")
-    parts += [_PIECES.get(name, f"`{name.lower()}`") for name in sorted(rest)]
-    if len(parts) < 2:
-        return "".join(parts) or "nothing more"
-    return ", ".join(parts[:-1]) + " or " + parts[-1]
+    if {"INTEGER", "NAME", "-"} <= rest:
+        parts.append("a number, a name or another expression")
+        rest -= _OPERANDS
+    if {"*", "COMPARISON"} <= rest:
+        rest -= {*_OPERATORS, "["}
+        if rest == {END}:
+            parts.append("an operator")
+    if "GROUPED" in rest:
+        rest.discard("INTEGER")
+    over = END in rest
+    rest.discard(END)
+    parts += [_PIECES.get(kind, f"`{kind}`") for kind in sorted(rest)]
+    if over:
+        parts.append("the next statement")
+    return ", ".join(parts[:-1]) + " or " + parts[-1] if len(parts) > 1 else parts[0]
+
+
+def shown(text: str) -> str:
+    """A piece of the user's text, quoted, cut short and with nothing that does not print."""
+    cut = text if len(text) <= 40 else text[:37] + "..."
+    return "`" + "".join(ch if ch.isprintable() else "?" for ch in cut) + "`"

@@ -1,0 +1,224 @@
+"""Mistakes in a statement's text, in plain words: what was expected, what was found, and where the
+mistake is a common one, what was probably meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from nscc.diagnostics.model import Diagnostic, Fix, Label
+from nscc.source import Span
+from nscc.syntax.automaton import MOST_DEPTH, Stuck
+from nscc.syntax.lexer import MALFORMED, STRAY, UNCLOSED, Tokens
+from nscc.syntax.tables import END, tables
+from nscc.syntax.words import FORMS, STATEMENT_WORDS, expected_words, shown
+
+_UNITS = ("ns", "us", "ms", "s")
+_STATEMENT_LIST = "statements begin with " + ", ".join(STATEMENT_WORDS)
+_SIGNS = {
+    ";": ("statements need no semicolon", ""),
+    "&": ("`and` joins conditions", "and"),
+    "&&": ("`and` joins conditions", "and"),
+    "|": ("`or` joins conditions", "or"),
+    "||": ("`or` joins conditions", "or"),
+    "!": ("`not` turns a condition round", "not "),
+    "^": ("`xor` means one or the other; there are no powers", None),
+    "\u2264": ("it is written `<=`", "<="),
+    "\u2265": ("it is written `>=`", ">="),
+    "\u2260": ("it is written `!=`", "!="),
+    "\u00d7": ("it is written `*`", "*"),
+    "\u2212": ("it is written `-`", "-"),
+    "\u2026": ("it is written `..`", ".."),
+    "\u00a0": ("this is not an ordinary blank", " "),
+    ".": ("a range has two dots, `0..7`; decimals stand only in times", None),
+    "'": ('paths stand in double quotes, "like this"', None),
+    "\u201c": ('paths stand in straight quotes, "like this"', '"'),
+    "\u201d": ('paths stand in straight quotes, "like this"', '"'),
+    "{": ("the language has no braces", None),
+    "}": ("the language has no braces", None),
+}
+"""Signs that other languages have: what to do, and what to write instead where that is sure."""
+
+
+def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
+    """The error for a statement of the tokens `first` up to `last` that got stuck."""
+    if stuck.token < last:
+        kind = tokens.kinds[stuck.token]
+        if kind == UNCLOSED:
+            return _unclosed(tokens, stuck.token)
+        if kind == STRAY:
+            return _stray(tokens, stuck.token)
+        if END in stuck.expected and kind == "NAME":
+            return unknown_statement(tokens, stuck.token)
+        if _is_word(kind) and stuck.expected <= {"NAME", "TARGET_NAME", "TEXT", "from"}:
+            return _reserved(tokens, first, stuck.token)
+    return _unexpected(tokens, first, last, stuck)
+
+
+def too_deep(tokens: Tokens, token: int) -> Diagnostic:
+    """NS0110: the statement nests too deeply; `token` is the last one that was read."""
+    return Diagnostic(
+        "NS0110",
+        f"this expression is nested more than {MOST_DEPTH} deep",
+        source=tokens.source,
+        label=Label(tokens.span(token), "too deep from here on"),
+        notes=("brackets in brackets count, and so does every operator of a chain",),
+        helps=("name parts of it with `let`, or put data into a `tile` or a file",),
+    )
+
+
+def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
+    """NS0109: a word stands where a statement should begin."""
+    from nscc.diagnostics.suggest import closest
+
+    word = tokens.text(token)
+    near = closest(word, STATEMENT_WORDS)
+    span = tokens.span(token)
+    return Diagnostic(
+        "NS0109",
+        f"no statement begins with {shown(word)}",
+        source=tokens.source,
+        label=Label(span, "a statement should begin here, or the last one go on"),
+        notes=(_STATEMENT_LIST,),
+        fixes=(Fix(f"did you mean `{near}`?", span, near),) if near else (),
+    )
+
+
+def _is_word(kind: str) -> bool:
+    return kind in tables().literals and kind.isalnum()
+
+
+def _unclosed(tokens: Tokens, token: int) -> Diagnostic:
+    return Diagnostic(
+        "NS0114",
+        "these quotes are never closed",
+        source=tokens.source,
+        label=Label(tokens.span(token)),
+        helps=("close the quotes on the same line",),
+    )
+
+
+def _stray(tokens: Tokens, token: int) -> Diagnostic:
+    text, span = tokens.text(token), tokens.span(token)
+    doubled = text + tokens.text(token + 1) if token + 1 < len(tokens.kinds) else ""
+    if doubled in _SIGNS and tokens.starts[token + 1] == span.end:
+        text, span = doubled, Span(span.start, span.end + 1)
+    if text.isidentifier():
+        return Diagnostic(
+            "NS0108",
+            f"{shown(text)} is not a name of this language",
+            source=tokens.source,
+            label=Label(span),
+            helps=("names are made of the letters a-z and A-Z, digits and `_`",),
+        )
+    hint, instead = _SIGNS.get(text, ("take it out; comments begin with `#`", None))
+    return Diagnostic(
+        "NS0108",
+        f"the sign {shown(text)} means nothing here",
+        source=tokens.source,
+        label=Label(span),
+        helps=() if instead is not None else (hint,),
+        fixes=() if instead is None else (Fix(hint, span, instead),),
+    )
+
+
+def _reserved(tokens: Tokens, first: int, token: int) -> Diagnostic:
+    word, statement = tokens.text(token), tokens.text(first)
+    return Diagnostic(
+        "NS0113",
+        f"`{word}` is a reserved word and cannot be a name",
+        source=tokens.source,
+        label=Label(tokens.span(token), "a name belongs here"),
+        notes=_forms(statement),
+        helps=(f"choose another name, `{word}_` for example",),
+    )
+
+
+def _unexpected(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
+    statement = tokens.text(first)
+    expected = expected_words(stuck.expected)
+    if stuck.token < last:
+        place, found = tokens.span(stuck.token), shown(tokens.text(stuck.token))
+    else:
+        end = tokens.ends[last - 1]
+        place, found = Span(end, end), "the end of the file"
+        if last < len(tokens.kinds):
+            found = f"the next statement, {shown(tokens.text(last))}"
+    return Diagnostic(
+        "NS0107",
+        f"in this `{statement}` statement: expected {expected}, found {found}",
+        source=tokens.source,
+        label=Label(place, f"expected {expected}"),
+        related=_left_open(tokens, first, stuck),
+        notes=_forms(statement),
+        helps=tuple(_hints(tokens, first, last, stuck)),
+        fixes=tuple(_fixes(tokens, first, last, stuck)),
+    )
+
+
+def _forms(statement: str) -> tuple[str, ...]:
+    return tuple(f"written as: {form}" for form in FORMS[statement])
+
+
+def _left_open(tokens: Tokens, first: int, stuck: Stuck) -> tuple[Label, ...]:
+    """The innermost bracket that is open where the statement got stuck, if closing it would do."""
+    if not stuck.expected & {"]", ")"}:
+        return ()
+    opened: list[int] = []
+    for index in range(first, stuck.token):
+        if tokens.kinds[index] in "[(":
+            opened.append(index)
+        elif tokens.kinds[index] in "])" and opened:
+            opened.pop()
+    return (Label(tokens.span(opened[-1]), "opened here"),) if opened else ()
+
+
+def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
+    """What a statement that got stuck like this usually lacks."""
+    if stuck.token >= last:
+        return
+    kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
+    if kind == MALFORMED:
+        yield from _number_hints(text)
+    elif kind == "GROUPED":
+        yield "only the rows of `shutters` have digits in groups"
+    elif kind == "TIME":
+        yield "a time stands only in `frame`; elsewhere numbers have no unit"
+    elif kind == "not" and "(" in stuck.expected:
+        yield "`not` is looser than comparisons and arithmetic: put brackets around it"
+    elif kind == "/" and tokens.source.text.startswith(("//", "/*"), tokens.starts[stuck.token]):
+        yield "comments begin with `#`"
+    elif kind == "INTEGER" and "]" in stuck.expected and tokens.kinds[first] == "shutters":
+        yield "rows are parted by commas; groups of digits are joined by `_`: 1111_0000"
+    elif kind in ("]", ")") and not stuck.expected & {"]", ")"}:
+        yield f"no bracket is open that this {shown(text)} could close"
+
+
+def _number_hints(text: str) -> Iterator[str]:
+    if text.endswith(_UNITS) or "." in text:
+        yield "decimals stand only in times, with the unit ns, us, ms or s: 1.6ms"
+    elif "_" in text:
+        yield "only the rows of `shutters` have digits in groups: 1111_0000"
+    else:
+        yield "numbers are digits, names begin with a letter, times end in ns, us, ms or s"
+
+
+def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]:
+    """Changes that would surely put right what the statement got stuck on."""
+    if stuck.token >= last:
+        return
+    kind, text, span = tokens.kinds[stuck.token], tokens.text(stuck.token), tokens.span(stuck.token)
+    after = tokens.text(stuck.token + 1) if stuck.token + 1 < last else ""
+    if kind == "=" and "COMPARISON" in stuck.expected:
+        yield Fix("equality is written `==`", span, "==")
+    elif kind == "INTEGER" and "TIME" in stuck.expected and after in _UNITS:
+        yield Fix(
+            f"no blank before the unit: `{text}{after}`",
+            span.to(tokens.span(stuck.token + 1)),
+            text + after,
+        )
+    elif kind == "NAME":
+        from nscc.diagnostics.suggest import closest
+
+        near = closest(text, (word for word in stuck.expected if _is_word(word)))
+        if near is not None:
+            yield Fix(f"did you mean `{near}`?", span, near)

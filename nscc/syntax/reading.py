@@ -1,0 +1,59 @@
+"""A program's file as text."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.source import Source
+
+MOST_BYTES = 256 * 1024
+
+
+def read_source(path: Path) -> Source:
+    """The text of a program, without a byte order mark.
+
+    Raises Rejected: NS0101 (status 2) where the file cannot be read; NS0103 where it is over
+    256 KiB, NS0102 where it is not UTF-8 text (status 1). The size is checked before anything else.
+    """
+    name = path.as_posix()
+    try:
+        with open(path, "rb") as file:
+            data = file.read(MOST_BYTES + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise Rejected(
+            Diagnostic(
+                "NS0101",
+                f"cannot read '{name}': {reason}",
+                helps=("name a shutter program, a text file that ends in .nsl",),
+            ),
+            status=2,
+        ) from None
+    if len(data) > MOST_BYTES:
+        raise Rejected(too_large(name))
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        place = f"byte {error.start} (0x{data[error.start]:02x})"
+        raise Rejected(_not_text(name, f"{place} is not UTF-8")) from None
+    if "\0" in text:
+        raise Rejected(_not_text(name, f"byte {data.index(0)} is zero"))
+    return Source(name, text)
+
+
+def too_large(name: str) -> Diagnostic:
+    """NS0103: a program's text is over the limit."""
+    return Diagnostic(
+        "NS0103",
+        f"'{name}' is larger than {MOST_BYTES // 1024} KiB, the most that a program may have",
+        helps=('data belongs in a file of its own: `pixels from "codes.npz"`',),
+    )
+
+
+def _not_text(name: str, reason: str) -> Diagnostic:
+    return Diagnostic(
+        "NS0102",
+        f"'{name}' is not a text in UTF-8: {reason}",
+        helps=("save the program as UTF-8 text; a compiled program ends in .icw",),
+    )

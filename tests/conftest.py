@@ -1,0 +1,53 @@
+"""What all tests share: options of pytest, hypothesis profiles, and `nscc` without a new process."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, settings
+from nscc_command import Outcome, invoke
+
+ROOT = Path(__file__).resolve().parent.parent
+
+# The same examples on every run: a test that fails here fails everywhere.
+settings.register_profile(
+    "ci",
+    max_examples=60,
+    deadline=None,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture],
+)
+settings.register_profile("search", parent=settings.get_profile("ci"), max_examples=2000,
+                          derandomize=False)  # fmt: skip
+settings.load_profile("ci")
+
+RunNscc = Callable[[Sequence[str], Path], Outcome]
+"""`run_nscc(arguments, folder)`: status, standard output, standard error."""
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption(
+        "--update-cases",
+        action="store_true",
+        help="Rewrite the expected texts in tests/cases with what nscc says now.",
+    )
+
+
+@pytest.fixture
+def update_cases(request: pytest.FixtureRequest) -> bool:
+    """Whether expected texts are to be rewritten instead of compared."""
+    return bool(request.config.getoption("--update-cases"))
+
+
+@pytest.fixture(scope="session")
+def root() -> Path:
+    """The checkout."""
+    return ROOT
+
+
+@pytest.fixture(scope="session")
+def run_nscc() -> RunNscc:
+    """Runs one `nscc` command in this process, as if started in `folder`."""
+    return invoke

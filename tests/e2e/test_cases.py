@@ -1,0 +1,57 @@
+"""Programs beside what `nscc check` says of them: tests/cases/pass and tests/cases/fail.
+
+`pytest tests/e2e/test_cases.py --update-cases` rewrites the texts; read the difference.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from nscc_command import Outcome, invoke
+
+CASES = Path(__file__).resolve().parent.parent / "cases"
+PASS, FAIL = (sorted((CASES / kind).glob("*.nsl")) for kind in ("pass", "fail"))
+
+
+def named(paths: list[Path]) -> list[object]:
+    """The cases as parameters, under the names of their files."""
+    return [pytest.param(path, id=path.stem) for path in paths]
+
+
+@pytest.mark.parametrize("path", named(PASS))
+def test_passes(path: Path, update_cases: bool) -> None:
+    found = said_as_expected(path, update_cases)
+    assert found.status == 0
+    assert not [line for line in found.err.splitlines() if line.startswith("error")]
+
+
+@pytest.mark.parametrize("path", named(FAIL))
+def test_fails(path: Path, update_cases: bool) -> None:
+    found = said_as_expected(path, update_cases)
+    assert found.status in (1, 2)
+    assert found.out == ""
+
+
+def test_every_text_belongs_to_a_program() -> None:
+    texts = {path.with_suffix("") for path in CASES.glob("*/*.txt")}
+    assert texts == {path.with_suffix("") for path in PASS + FAIL}
+
+
+def test_every_family_of_the_checker_speaks_somewhere() -> None:
+    text = "".join(path.with_suffix(".txt").read_text() for path in PASS + FAIL)
+    for family in ("NS01", "NS02", "NS03", "NS04", "NS06"):
+        assert f"error[{family}" in text, family
+    assert "note[NS05" in text, "what only a search can tell is a note of check, an error of build"
+
+
+def said_as_expected(path: Path, update: bool) -> Outcome:
+    """What `nscc check` says of a case, after comparing it with the text beside it."""
+    found = invoke(["check", path.name], path.parent)
+    said = found.err + found.out
+    beside = path.with_suffix(".txt")
+    if update:
+        beside.write_text(said)
+    assert beside.exists(), f"{path.name} has no text beside it: run with --update-cases"
+    assert said == beside.read_text(), f"{path.name}: run with --update-cases if this is meant"
+    return found

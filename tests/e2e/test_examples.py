@@ -1,0 +1,104 @@
+"""Every example: built in every way, proved, disassembled and back, and run against an oracle."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from example_shutters import RULES, shutters_of
+from nscc_command import Outcome, invoke
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+EXAMPLES = sorted((ROOT / "examples").glob("*.nsl"))
+LONG = {"class_b_4096"}
+"""Too long for light, frame and shutters of every pixel and slot in a test's memory."""
+
+# Thirteen free bits leave no register to make edges with.
+NO_EDGES = {"class_e"}
+LATCH_SERVES = {"class_a", "class_b", "class_b_4096", "foveated", "hdr_2x2", "hdr_doubling"}
+REFUSALS = {"latch": "NS0414", "edges": "NS0502"}
+
+examples = pytest.mark.parametrize("path", [pytest.param(p, id=p.stem) for p in EXAMPLES])
+
+
+def test_every_example_has_an_oracle_and_a_line_in_the_gallery() -> None:
+    assert set(RULES) == {path.stem for path in EXAMPLES}
+    gallery = (ROOT / "examples" / "README.md").read_text()
+    assert [path.name for path in EXAMPLES if f"({path.name})" not in gallery] == []
+
+
+@examples
+def test_an_example_begins_with_its_purpose(path: Path) -> None:
+    assert path.read_text().startswith("# ")
+    assert max(map(len, path.read_text().splitlines())) <= 100
+
+
+@examples
+@pytest.mark.parametrize("level", ["0", "1"])
+def test_builds_and_proves(path: Path, level: str, tmp_path: Path) -> None:
+    fine(["build", path, "-O", level, "-o", "a.icw", "--emit", "report"], tmp_path)
+    report = json.loads((tmp_path / "a.report.json").read_text())
+    assert report["proof"]["holds"]
+    assert report["words_stored"] <= 1024
+    fine(["prove", "a.icw"], tmp_path)
+
+
+@examples
+def test_assembly_text_is_the_whole_container(path: Path, tmp_path: Path) -> None:
+    fine(["build", path, "-o", "a.icw"], tmp_path)
+    (tmp_path / "a.asm").write_text(fine(["disasm", "a.icw"], tmp_path).out)
+    fine(["asm", "a.asm", "-o", "b.icw"], tmp_path)
+    assert (tmp_path / "a.icw").read_bytes() == (tmp_path / "b.icw").read_bytes()
+
+
+@examples
+def test_builds_for_every_legal_code(path: Path, tmp_path: Path) -> None:
+    fine(["build", path, "--codes", "open", "-o", "a.icw"], tmp_path)
+    fine(["prove", "a.icw"], tmp_path)
+
+
+@examples
+def test_words_open_the_shutters_that_are_meant(path: Path, tmp_path: Path) -> None:
+    fine(["shutters", path, "-o", "s.npz"], tmp_path)
+    with np.load(tmp_path / "s.npz") as data:
+        buckets, rows, cols, slots = shape = tuple(data["shutter_shape"].tolist())
+        found = np.unpackbits(data["shutter"], axis=-1, count=slots, bitorder="little")
+    assert (rows, cols) == (256, 256)
+    expected = shutters_of(path.stem, slots, rows, cols)
+    assert expected.shape == shape
+    assert np.array_equal(found, expected)
+
+
+@examples
+@pytest.mark.parametrize("lowering", ["accumulate", "latch", "edges"])
+def test_frames_are_the_light_of_open_slots(path: Path, lowering: str, tmp_path: Path) -> None:
+    if path.stem in LONG:
+        pytest.skip("a gigabyte of light; tests/benchmarks runs it")
+    arguments = ["run", path, "--lowering", lowering, "-o", "f.npz", "--keep", "light,shutter"]
+    arguments += ["--scene", "builtin:motion"]
+    served = {"accumulate": set(RULES), "latch": LATCH_SERVES, "edges": set(RULES) - NO_EDGES}
+    if path.stem not in served[lowering]:
+        refused = invoke(arguments, tmp_path)
+        assert (refused.status, refused.codes[-1:]) == (1, [REFUSALS[lowering]])
+        return
+    fine(arguments, tmp_path)
+    with np.load(tmp_path / "f.npz") as data:
+        light = data["light"].astype(np.float64)
+        shutter = shutters_of(path.stem, len(light), *light.shape[1:])
+        kept = np.unpackbits(data["shutter"], axis=-1, count=len(light), bitorder="little")
+        assert np.array_equal(kept, shutter)
+        oracle = np.einsum("nyx,byxn->byx", light, shutter, optimize=False)
+        slack = 1e-6 * oracle + 1e-9 * light.sum(axis=0)
+        assert np.all(np.abs(data["exposure_e"] - oracle) <= slack)
+        lsb = json.loads(str(data["meta"]))["electrons_per_lsb"]
+        assert np.array_equal(data["frame"], np.clip(np.rint(data["exposure_e"] / lsb), 0, 255))
+
+
+def fine(arguments: list[str | Path], folder: Path) -> Outcome:
+    """A command that must succeed, without a warning."""
+    outcome = invoke(arguments, folder)
+    assert outcome.status == 0, outcome.err
+    assert "warning[" not in outcome.err
+    return outcome

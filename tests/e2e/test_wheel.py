@@ -1,0 +1,143 @@
+"""The wheel by itself: built, installed into a bare environment elsewhere, and used from there.
+
+The environment sees the distributions that the wheel asks for, and no others: each is linked
+from the environment that runs the tests, so that nothing is downloaded. `make test-slow` lets pip
+resolve and install them for real.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tarfile
+from collections.abc import Iterator, Sequence
+from importlib import metadata
+from pathlib import Path
+
+import pytest
+from packaging.requirements import Requirement
+
+OWN = {"nscc", "nscc_runtime", "nscc_training"}
+
+pytestmark = pytest.mark.xdist_group("wheel")
+
+
+@pytest.fixture(scope="session")
+def dist(root: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with the sdist and the wheel that was built from that sdist."""
+    folder = tmp_path_factory.mktemp("dist")
+    build = [sys.executable, "-m", "build", "--no-isolation", "--outdir", folder, root]
+    done(build, folder)
+    return folder
+
+
+@pytest.fixture(scope="session")
+def elsewhere(dist: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A bare environment, outside the checkout, with the wheel in it and what it asks for."""
+    home = tmp_path_factory.mktemp("elsewhere")
+    done([sys.executable, "-m", "venv", "--without-pip", home / "venv"], home)
+    site = site_packages(home / "venv")
+    [wheel] = dist.glob("*.whl")
+    pip = [sys.executable, "-m", "pip", "--python", home / "venv"]
+    done([*pip, "install", "--no-deps", "--no-index", "--quiet", wheel], home)
+    links = home / "needed"
+    links.mkdir()
+    for name in needed_by(site):
+        link_distribution(name, links)
+    (site / "needed.pth").write_text(f"{links}\n")
+    return home
+
+
+def test_only_own_names_in_site_packages(elsewhere: Path) -> None:
+    found = {path.name for path in site_packages(elsewhere / "venv").iterdir()}
+    assert {name for name in found if not name.endswith((".dist-info", ".pth"))} == OWN
+
+
+def test_wheel_holds_grammar_targets_pages_and_types(elsewhere: Path) -> None:
+    site = site_packages(elsewhere / "venv")
+    assert (site / "nscc/syntax/nsl.lark").is_file()
+    assert (site / "nscc/target/tables/scamp5.toml").is_file()
+    assert len(list((site / "nscc/diagnostics/pages").glob("NS*.md"))) > 50
+    for name in OWN:
+        assert (site / name / "py.typed").is_file()
+
+
+def test_sdist_is_whole(dist: Path, root: Path) -> None:
+    [sdist] = dist.glob("*.tar.gz")
+    with tarfile.open(sdist) as archive:
+        packed = {Path(*Path(name).parts[1:]) for name in archive.getnames()}
+    for kind in ("examples/*.nsl", "grammars/*", "tests/**/*.py", "tests/cases/*/*", "docs/*.md"):
+        missing = {path.relative_to(root) for path in root.glob(kind)} - packed
+        assert not missing
+    assert {Path("Makefile"), Path("constraints.txt"), Path("LICENSE"), Path(".ci/run")} <= packed
+
+
+def test_compiles_and_runs_an_example(elsewhere: Path, root: Path) -> None:
+    nscc = elsewhere / "venv" / "bin" / "nscc"
+    program = elsewhere / "hdr_2x2.nsl"
+    program.write_bytes((root / "examples" / program.name).read_bytes())
+    done([nscc, "build", program.name], elsewhere)
+    done([nscc, "prove", "hdr_2x2.icw"], elsewhere)
+    done([nscc, "run", "hdr_2x2.icw", "--scene", "builtin:hdr", "-o", "frame.npz"], elsewhere)
+    assert (elsewhere / "frame.npz").stat().st_size > 1000
+    place = "import nscc, nscc_runtime, nscc_training; print(nscc.__file__)"
+    python = elsewhere / "venv" / "bin" / "python"
+    assert done([python, "-c", place], elsewhere).startswith(str(elsewhere))
+
+
+@pytest.mark.slow
+def test_pip_installs_all_that_is_needed(dist: Path, root: Path, tmp_path: Path) -> None:
+    done([sys.executable, "-m", "venv", tmp_path / "venv"], tmp_path)
+    [wheel] = dist.glob("*.whl")
+    python = tmp_path / "venv" / "bin" / "python"
+    constraints = root / "constraints.txt"
+    done([python, "-m", "pip", "install", "--quiet", "-c", constraints, wheel], tmp_path)
+    done([tmp_path / "venv" / "bin" / "nscc", "doctor"], tmp_path)
+    assert not (site_packages(tmp_path / "venv") / "torch").exists()
+
+
+def done(command: Sequence[str | Path], folder: Path) -> str:
+    """Standard output of a command that must succeed, in an environment without the checkout."""
+    bare = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "PYTHONHOME")}
+    outcome = subprocess.run(
+        [str(part) for part in command], cwd=folder, env=bare, capture_output=True, text=True
+    )
+    assert outcome.returncode == 0, outcome.stdout + outcome.stderr
+    return outcome.stdout
+
+
+def site_packages(environment: Path) -> Path:
+    """Where the environment's distributions lie."""
+    [site] = environment.glob("lib/python*/site-packages")
+    return site
+
+
+def needed_by(site: Path) -> list[str]:
+    """The names of all distributions that nscc as installed in `site` asks for, directly or not."""
+    [own] = metadata.distributions(name="nscc", path=[str(site)])
+    waiting, found = list(requirements(own)), set[str]()
+    while waiting:
+        name = waiting.pop()
+        if name not in found:
+            found.add(name)
+            waiting.extend(requirements(metadata.distribution(name)))
+    return sorted(found)
+
+
+def requirements(distribution: metadata.Distribution) -> Iterator[str]:
+    """What a distribution asks for here, without extras."""
+    for text in distribution.requires or ():
+        requirement = Requirement(text)
+        if requirement.marker is None or requirement.marker.evaluate({"extra": ""}):
+            yield requirement.name
+
+
+def link_distribution(name: str, links: Path) -> None:
+    """Make what a distribution put into site-packages visible in the folder `links`."""
+    distribution = metadata.distribution(name)
+    tops = {file.parts[0] for file in distribution.files or () if file.parts[0] != ".."}
+    for top in sorted(tops - {"__pycache__"}):
+        link = links / top
+        if not link.exists():
+            link.symlink_to(Path(str(distribution.locate_file(top))).resolve())
