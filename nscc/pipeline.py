@@ -71,7 +71,9 @@ Observer = Callable[[str, Any], None]
 """Sees (pass name, value) after each pass."""
 
 
-def compile_file(path: Path, options: Options | None = None, see: Observer | None = None) -> Compiled:
+def compile_file(
+    path: Path, options: Options | None = None, see: Observer | None = None
+) -> Compiled:
     """Compiles a `.nsl` file. Raises Rejected with everything that is wrong with it."""
     return compile_source(read_source(path), path.parent, options or Options(), see)
 

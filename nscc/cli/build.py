@@ -158,7 +158,9 @@ def _program_text(program: Any) -> str:
 
 def _product(kind: str, compiled: Compiled) -> bytes:
     lowered, container, proof = compiled.lowered, compiled.container, compiled.proof
-    assert lowered is not None and container is not None and proof is not None
+    assert lowered is not None
+    assert container is not None
+    assert proof is not None
     from nscc.emit import listing
 
     match kind:

@@ -26,8 +26,8 @@ def command(
 ) -> None:
     """Write the shutters of all pixels of FILE (.nsl or .icw) as the words open them.
 
-    `shutter` holds (buckets, rows, cols, N) packed along N in little bit order, `shutter_shape` that
-    shape, `codes_FIELD` the pixels' codes.
+    `shutter` holds (buckets, rows, cols, N) packed along N in little bit order, `shutter_shape`
+    that shape, `codes_FIELD` the pixels' codes.
     """
     import numpy as np
 

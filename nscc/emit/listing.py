@@ -1,4 +1,4 @@
-"""Plain text of what lies between the passes: plans, gates, schedules (`--print-after`, `--emit`)."""
+"""Plain text of what lies between the passes, for `--print-after` and `--emit`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ def plan_text(plan: ExposurePlan) -> str:
     lines = [f"lowering {plan.lowering}, {plan.slots} slots, {plan.shutters} shutters"]
     lines += [f"  {register:<5} {holder}" for register, holder in plan.registers.items()]
     for step in plan.steps:
-        where = "every pixel" if step.predicate is None else f"{step.predicate.bit_count()} shutters"
+        asked = step.predicate
+        where = "every pixel" if asked is None else f"{asked.bit_count()} shutters"
         bucket = "" if step.bucket < 0 else f" bucket {step.bucket}"
         words = "; ".join(str(word) for word in step.words)
         lines.append(f"boundary {step.boundary:>4} {step.role:<5}{bucket} [{where}]  {words}")
@@ -73,7 +74,8 @@ def choice_text(choice: Choice) -> str:
         least, most = lowered.analog_writes
         lines.append(
             f"{lowered.plan.lowering:<11}{'fits' if lowered.fits else 'does not fit':<13}"
-            f"{lowered.schedule.words_total:>7} words a frame, {lowered.schedule.words_stored} stored, "
+            f"{lowered.schedule.words_total:>7} words a frame, "
+            f"{lowered.schedule.words_stored} stored, "
             f"largest boundary {max(lowered.words_per_boundary)}, analog writes {least}..{most}"
         )
     lines += [f"{name:<11}{misfit.reason}" for name, misfit in choice.misfits.items()]

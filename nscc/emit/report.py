@@ -129,7 +129,9 @@ def _digital(kernel: tuple[Op, ...]) -> tuple[int, int]:
     words = pairs = 0
     for word in kernel:
         row = word.operation
-        if row.effect not in (Effect.DIGITAL, Effect.FLAG_DIGITAL) or row.name.startswith("REFRESH"):
+        if row.effect not in (Effect.DIGITAL, Effect.FLAG_DIGITAL):
+            continue
+        if row.name.startswith("REFRESH"):
             continue
         words += 1
         pairs += row.phase is Phase.READ

@@ -1,7 +1,7 @@
 """Lower bounds on digital operations a frame: what no encoding and no program can beat.
 
-Proved for the level lowering with one FLAG load a slot and no code bit in analog registers: at slot n
-the loaded registers are contained in the open set, some code needs a register that no other slot
+Proved for the level lowering with one FLAG load a slot and no code bit in analog registers: at slot
+n the loaded registers are contained in the open set, some code needs a register that no other slot
 can use, a content serves one slot, and only M contents exist at the start.
 """
 

@@ -186,9 +186,7 @@ def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) 
     # the literal (i, value) is (2i + value, 0), and alone it is the plane that equals it.
     planes = [v for p in half for v in (p, problem.everything & ~p)]
     holders = [text for b in bits for text in (b, f"{b}, inverted")]
-    cubes = tuple(
-        tuple(_twice(cube) for cube in predicate) for predicate in encoding.cubes
-    )
+    cubes = tuple(tuple(_twice(cube) for cube in predicate) for predicate in encoding.cubes)
     return Encoding(encoding.name, tuple(planes), tuple(holders), cubes, encoding.inverted)
 
 

@@ -9,6 +9,7 @@ register, or FLAG itself.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 from nscc.logic.cubes import Budget, Encoding
 from nscc.logic.encodings import gray_index, gray_times
@@ -61,7 +62,7 @@ def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool)
 
 
 def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Encoding:
-    """Event times as fields of their own, or all in one number where `room` planes cannot hold them."""
+    """Event times as fields of their own, or in one number where `room` cannot hold those."""
     try:
         encoding = gray_times(problem, machine, budget)
         if len(encoding.planes) <= room:
@@ -73,7 +74,7 @@ def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Enc
 
 def _closes_only(levels: Sequence[int]) -> bool:
     """Whether no shutter opens later than slot 0: then all start open, the never-open ones too."""
-    return not any(after & ~before for before, after in zip(levels, levels[1:], strict=False))
+    return not any(after & ~before for before, after in pairwise(levels))
 
 
 def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], list[int]]:
@@ -121,9 +122,7 @@ class _Walker:
         self._gates.set([f"s{b}" for b, is_open in enumerate(from_open) if is_open])
         return (self._gates.take(),)
 
-    def event(
-        self, event: Demand, cubes: Sequence[Sequence[tuple[int, int]]]
-    ) -> list[Segment]:
+    def event(self, event: Demand, cubes: Sequence[Sequence[tuple[int, int]]]) -> list[Segment]:
         """Segments that let the shutters of one event rise or fall."""
         segments = []
         for cube in cubes:

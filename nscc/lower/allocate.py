@@ -57,8 +57,8 @@ def allocate(solution: Solution, target: Target) -> Allocation:
     places.update(zip(names, free, strict=False))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),
-        **{name: "state: open" for name in states},
-        **{name: "scratch" for name in scratch},
+        **dict.fromkeys(states, "state: open"),
+        **dict.fromkeys(scratch, "scratch"),
     }
     order = {register: i for i, register in enumerate(target.digital_registers)}
     by_place = {places[name]: holders[name] for name in (*planes, *states, *scratch)}

@@ -137,8 +137,8 @@ def _retention(lowered: Lowered) -> Diagnostic:
     keep_us = lowered.time.keep_us
     return Diagnostic(
         "NS0602",
-        f"digital registers forget within this frame: slot {longest} lasts {time_text(slot_us)}, and "
-        f"the readout {time_text(lowered.time.between_us)}; {program.target.name} keeps a bit for "
+        f"digital registers forget within this frame: slot {longest} lasts "
+        f"{time_text(slot_us)}, and the readout {time_text(lowered.time.between_us)}; {program.target.name} keeps a bit for "
         f"{time_text(program.target.digital_retention_us)}",
         source=program.source,
         label=Label(program.frame.span, "registers are refreshed between slots, not inside them"),
@@ -160,7 +160,8 @@ def _late(lowered: Lowered, level: int) -> Diagnostic:
     needed_us = floor_us if proved else lowered.busy_us[worst]
     return Diagnostic(
         "NS0601",
-        f"slot {worst} is shorter than its own instructions: it lasts {time_text(slots_us[worst])}, "
+        f"slot {worst} is shorter than its own instructions: it lasts "
+        f"{time_text(slots_us[worst])}, "
         + (
             f"and the analog words alone take {time_text(floor_us)}"
             if proved

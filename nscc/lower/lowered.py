@@ -89,7 +89,7 @@ class Lowered:
 
 
 def analog_writes(program: Program, plan: ExposurePlan) -> tuple[int, int]:
-    """Fewest and most analog words (`bus`) that a pixel which ever opens executes after the setup."""
+    """Fewest and most analog words (`bus`) that an ever-open pixel executes after the setup."""
     counts = np.zeros(plan.shutters, dtype=np.int64)
     for step in plan.steps:
         if step.bucket < 0:
@@ -142,7 +142,7 @@ def problem_of(
 ) -> tuple[Problem, list[Before]]:
     """What the gates must compute for a plan, and what every step does to FLAG."""
     actions = flag_actions(plan, time, program.target)
-    demands = []
+    demands: list[Demand] = []
     for step, action in zip(plan.steps, actions, strict=True):
         if step.predicate is not None:
             kept = action == "keep" and bool(demands)

@@ -77,9 +77,9 @@ def levels(program: Program) -> list[list[int]]:
     return [columns(shutters[:, bucket, :]) for bucket in range(shutters.shape[1])]
 
 
-def plan_exposure(program: Program, lowering: Lowering, opens: list[list[int]]) -> (
-    ExposurePlan | Misfit
-):
+def plan_exposure(
+    program: Program, lowering: Lowering, opens: list[list[int]]
+) -> ExposurePlan | Misfit:
     """The plan of `lowering` for `program`, or why there is none. `opens` is `levels(program)`."""
     buckets = len(program.buckets)
     free = program.target.analog_available

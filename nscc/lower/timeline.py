@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from typing import Literal
 
 from nscc.lower.plan import ExposurePlan, Step
@@ -19,8 +19,8 @@ class Timeline:
     """The frame's time in microseconds.
 
     `boundary_us[n]` is the time of boundary n; `between_us` lies between boundary N and the next
-    frame's boundary 0 (readout). `refresh_at` are the boundaries inside the frame at which registers must be
-    written again; None where even that cannot keep them.
+    frame's boundary 0 (readout). `refresh_at` are the boundaries inside the frame at which
+    registers must be written again; None where even that cannot keep them.
     """
 
     boundary_us: tuple[float, ...]
@@ -47,7 +47,7 @@ def timeline(slot_us: tuple[float, ...], buckets: int, target: Target) -> Timeli
 def _refresh_boundaries(
     boundary_us: tuple[float, ...], between_us: float, keep_us: float
 ) -> tuple[int, ...] | None:
-    """As few boundaries as keep every gap, from one frame's end to the next one's, within keep_us."""
+    """As few boundaries as keep every gap within keep_us, from one frame's end to the next's."""
     at: list[int] = []
     last = -between_us
     for n in range(1, len(boundary_us)):
@@ -65,7 +65,7 @@ def fades(written_at: tuple[int, ...], time: Timeline) -> bool:
         return True
     times = [time.boundary_us[n] for n in sorted(written_at)]
     wrap = time.boundary_us[-1] - times[-1] + time.between_us + times[0]
-    gaps = [b - a for a, b in zip(times, times[1:], strict=False)]
+    gaps = [b - a for a, b in pairwise(times)]
     return max([wrap, *gaps]) > time.keep_us
 
 

@@ -82,7 +82,7 @@ class Completion:
         return Program(
             source=self.problems.source,
             target=self.target,
-            target_span=self.declared.target.span if self.declared.target else None,
+            target_span=_named_at(self.declared.target),
             frame=self.frame,
             fields=self.rules.fields,
             buckets=self.buckets,
@@ -287,3 +287,13 @@ def _names_read(declared: Declarations) -> set[str]:
             values = (value for row in pixels.rows for value in row.values)
             exprs += [value for value in values if not isinstance(value, Int)]
     return {name.text for expr in exprs for name in names_in(expr)}
+
+
+def _named_at(target: TargetByName | TargetFromFile | None) -> Span | None:
+    """Where the target statement names the chip."""
+    match target:
+        case TargetByName(name=name):
+            return name.span
+        case TargetFromFile(path=path):
+            return path.span
+    return None

@@ -61,8 +61,8 @@ class Program:
     `table.codes` at each pixel: None for a file without `pixels`, unless it has no fields and so
     one code. `class_name` is a, b, c, d, e, codebook or general, `class_reason` a sentence saying
     how it was recognised. `legal_codes` is the number of codes that fields and `require` allow,
-    None where they are too many to count. `target_span` is the place of the target statement, None
-    if there is none. `messages` are warnings and notes.
+    None where they are too many to count. `target_span` is where the target statement names the
+    chip, None if there is none. `messages` are warnings and notes.
     """
 
     source: Source

@@ -27,7 +27,7 @@ class Noise:
 
     def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
         """Values between 1/4 and 1, none like another: (rows, columns)."""
-        unit = (self.words(rows * columns) >> np.uint64(11)) * 2.0**-53
+        unit = (self.words(rows * columns) >> np.uint64(11)).astype(np.float64) * 2.0**-53
         return (0.25 + 0.75 * unit).reshape(rows, columns)
 
     def bits(self, count: int) -> int:

@@ -28,7 +28,7 @@ TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class Failure:
-    """What a proof found wrong first; `shutter` is the distinct shutter, None if it is all codes."""
+    """What a proof found wrong first; `shutter` is None where all codes are concerned."""
 
     what: str
     frame: int

@@ -4,8 +4,8 @@ Digital registers are truth vectors over the lanes (one lane a distinct code), a
 float64 arrays (lanes, lights): several lights are carried side by side. Meaning comes from
 `nscc.words.operations`, as it does for the emulator, but no line of code is shared with it.
 
-What a real pixel leaves open is filled with noise from a fixed seed: what registers, FLAG and PIX hold
-when the first frame starts, the reset level, what SELECT and IN read. A program whose result hangs
+What a real pixel leaves open is filled with noise from a fixed seed: what registers, FLAG and PIX
+hold when the first frame starts, the reset level, what SELECT and IN read. A program whose result hangs
 on any of it does not prove.
 """
 
@@ -70,7 +70,7 @@ class Replay:
         self.flag = self._bits()
         self._bus = 0
         self._where: tuple[int, NDArray[np.intp] | slice] = (0, slice(0, 0))
-        self._written_us = {name: 0.0 for name in target.digital_registers}
+        self._written_us = dict.fromkeys(target.digital_registers, 0.0)
         self._written_us["FLAG"] = 0.0
         self._now_us = 0.0
         self._place = (0, 0)

@@ -55,14 +55,12 @@ def run(tokens: Tokens, first: int, last: int, build: Build) -> tuple[Any, Stuck
     the part before if it is a whole statement, else None. Raises TooDeep, and what `build` raises.
     """
     machine = _Machine(tokens, build)
-    for index in range(first, last):
-        if not machine.feed(tokens.kinds[index], index):
-            stuck = Stuck(index, tuple(machine.states))
-            whole = _could_take(stuck.states, END) and machine.feed(END, index)
-            return machine.values[0] if whole else None, stuck
-    if machine.feed(END, last):
-        return machine.values[0], None
-    return None, Stuck(last, tuple(machine.states))
+    for index in range(first, last + 1):
+        before = machine.states[:]  # a token taken in vain may still reduce what stands before it
+        if not machine.feed(tokens.kinds[index] if index < last else END, index):
+            whole = index < last and machine.feed(END, index)
+            return machine.values[0] if whole else None, Stuck(index, tuple(before))
+    return machine.values[0], None
 
 
 def _could_take(stack: Sequence[int], kind: str) -> bool:

@@ -54,6 +54,32 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
     return _unexpected(tokens, first, last, stuck)
 
 
+def misspelt_statement(
+    tokens: Tokens, first: int, last: int, stuck: Stuck
+) -> tuple[int, str] | None:
+    """The name, and the statement's word that it was meant to be, that likely begins a statement of
+    its own where the one from `first` got stuck.
+
+    It stands where a statement may begin, or first on its line; the statement before may have taken
+    it for an operand, and have got stuck on what follows.
+    """
+    from nscc.diagnostics.suggest import closest
+
+    for index in (stuck.token, stuck.token - 1):
+        if not first < index < last or tokens.kinds[index] != "NAME":
+            continue
+        if _first_on_line(tokens, index) or (index == stuck.token and END in stuck.expected):
+            near = closest(tokens.text(index), STATEMENT_WORDS)
+            if near is not None:
+                return index, near
+    return None
+
+
+def _first_on_line(tokens: Tokens, index: int) -> bool:
+    text = tokens.source.text
+    return "\n" in text[tokens.ends[index - 1] : tokens.starts[index]]
+
+
 def too_deep(tokens: Tokens, token: int) -> Diagnostic:
     """NS0110: the statement nests too deeply; `token` is the last one that was read."""
     return Diagnostic(
@@ -122,7 +148,7 @@ def _stray(tokens: Tokens, token: int) -> Diagnostic:
 
 
 def _reserved(tokens: Tokens, first: int, token: int) -> Diagnostic:
-    word, statement = tokens.text(token), tokens.text(first)
+    word, statement = tokens.text(token), tokens.kinds[first]
     return Diagnostic(
         "NS0113",
         f"`{word}` is a reserved word and cannot be a name",
@@ -134,7 +160,7 @@ def _reserved(tokens: Tokens, first: int, token: int) -> Diagnostic:
 
 
 def _unexpected(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
-    statement = tokens.text(first)
+    statement = tokens.kinds[first]
     expected = expected_words(stuck.expected)
     if stuck.token < last:
         place, found = tokens.span(stuck.token), shown(tokens.text(stuck.token))
@@ -161,15 +187,20 @@ def _forms(statement: str) -> tuple[str, ...]:
 
 def _left_open(tokens: Tokens, first: int, stuck: Stuck) -> tuple[Label, ...]:
     """The innermost bracket that is open where the statement got stuck, if closing it would do."""
-    if not stuck.expected & {"]", ")"}:
+    opened = _open_brackets(tokens, first, stuck)
+    if not opened or not stuck.expected & {"]", ")"}:
         return ()
+    return (Label(tokens.span(opened[-1]), "opened here"),)
+
+
+def _open_brackets(tokens: Tokens, first: int, stuck: Stuck) -> list[int]:
     opened: list[int] = []
     for index in range(first, stuck.token):
         if tokens.kinds[index] in "[(":
             opened.append(index)
         elif tokens.kinds[index] in "])" and opened:
             opened.pop()
-    return (Label(tokens.span(opened[-1]), "opened here"),) if opened else ()
+    return opened
 
 
 def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
@@ -181,15 +212,19 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
         yield from _number_hints(text)
     elif kind == "GROUPED":
         yield "only the rows of `shutters` have digits in groups"
-    elif kind == "TIME":
+    elif kind == "TIME" and tokens.kinds[first] != "frame":
         yield "a time stands only in `frame`; elsewhere numbers have no unit"
     elif kind == "not" and "(" in stuck.expected:
         yield "`not` is looser than comparisons and arithmetic: put brackets around it"
-    elif kind == "/" and tokens.source.text.startswith(("//", "/*"), tokens.starts[stuck.token]):
-        yield "comments begin with `#`"
+    elif kind in ("/", "*") and tokens.kinds[stuck.token - 1] in ("/", "*"):
+        pair = tokens.text(stuck.token - 1) + text
+        yield "there are no powers" if pair == "**" else "comments begin with `#`"
+    elif kind == "(" and tokens.kinds[stuck.token - 1] == "NAME":
+        name = tokens.text(stuck.token - 1)
+        yield f"functions are `min` and `max`; a bit of a field, or a digit of a row, is {name}[..]"
     elif kind == "INTEGER" and "]" in stuck.expected and tokens.kinds[first] == "shutters":
         yield "rows are parted by commas; groups of digits are joined by `_`: 1111_0000"
-    elif kind in ("]", ")") and not stuck.expected & {"]", ")"}:
+    elif kind in ("]", ")") and not _open_brackets(tokens, first, stuck):
         yield f"no bracket is open that this {shown(text)} could close"
 
 

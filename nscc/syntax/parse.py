@@ -11,10 +11,10 @@ from itertools import pairwise
 from nscc.diagnostics.model import Diagnostic, Fix, Label
 from nscc.source import Source, Span
 from nscc.syntax import tree
-from nscc.syntax.automaton import TooDeep, run
+from nscc.syntax.automaton import Stuck, TooDeep, run
 from nscc.syntax.build import Builder, Refused
 from nscc.syntax.lexer import Tokens, lex
-from nscc.syntax.mistakes import mistake, too_deep
+from nscc.syntax.mistakes import mistake, misspelt_statement, too_deep, unknown_statement
 from nscc.syntax.reading import MOST_BYTES, read_source, too_large
 from nscc.syntax.words import STATEMENT_WORDS
 
@@ -67,11 +67,16 @@ class _Errors:
         self._first: list[Diagnostic] = []
         self._more = 0
 
+    @property
+    def are_many(self) -> bool:
+        """Whether further errors are only counted."""
+        return len(self._first) >= MOST_ERRORS
+
     def add(self, make: Callable[[], Diagnostic]) -> None:
-        if len(self._first) < MOST_ERRORS:
-            self._first.append(make())
-        else:
+        if self.are_many:
             self._more += 1
+        else:
+            self._first.append(make())
 
     def in_order(self) -> tuple[Diagnostic, ...]:
         found = sorted(self._first, key=lambda d: d.label.span.start if d.label else 0)
@@ -116,18 +121,38 @@ def _statement_starts(tokens: Tokens) -> list[int]:
 
 def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[tree.Statement]:
     build = Builder(tokens)
-    for first, last in pairwise([*starts, len(tokens.kinds)]):
-        try:
-            statement, stuck = run(tokens, first, last, build)
-        except Refused as refused:
-            errors.add(partial(_refusal, tokens.source, refused))
-        except TooDeep as refused:
-            errors.add(partial(too_deep, tokens, refused.token))
-        else:
-            if stuck is not None:
-                errors.add(partial(mistake, tokens, first, last, stuck))
-            if statement is not None:
-                yield statement
+    for begin, last in pairwise([*starts, len(tokens.kinds)]):
+        first: int | None = begin
+        while first is not None:
+            at, first = first, None
+            try:
+                statement, stuck = run(tokens, at, last, build)
+                if stuck is not None and not errors.are_many:
+                    first = _misspelt(tokens, at, last, stuck, errors)
+                    if first is not None and first < stuck.token:
+                        statement, stuck = run(tokens, at, first, build)
+            except Refused as refused:
+                errors.add(partial(_refusal, tokens.source, refused))
+            except TooDeep as refused:
+                errors.add(partial(too_deep, tokens, refused.token))
+            else:
+                if stuck is not None and stuck.token != first:
+                    errors.add(
+                        partial(mistake, tokens, at, last if first is None else first, stuck)
+                    )
+                if statement is not None:
+                    yield statement
+
+
+def _misspelt(tokens: Tokens, first: int, last: int, stuck: Stuck, errors: _Errors) -> int | None:
+    """The token from which to go on, as the word that it was meant to be, or None."""
+    found = misspelt_statement(tokens, first, last, stuck)
+    if found is None:
+        return None
+    index, word = found
+    errors.add(partial(unknown_statement, tokens, index))
+    tokens.kinds[index] = word
+    return index
 
 
 def _refusal(source: Source, refused: Refused) -> Diagnostic:
