@@ -14,9 +14,10 @@ from nscc.syntax.parse import parse
 
 NOWHERE = Span(0, 0)
 RESERVED = frozenset(
-    "nsl target frame let code require shutters open bucket pixels slots of when tile from bit row "
-    "key sha256 if else and or xor not true false min max".split()
-)
+    ("nsl", "target", "frame", "let", "code", "require", "shutters", "open", "bucket", "pixels",
+     "slots", "of", "when", "tile", "from", "bit", "row", "key", "sha256", "if", "else", "and",
+     "or", "xor", "not", "true", "false", "min", "max")
+)  # fmt: skip
 _LEVEL = {"or": 1, "xor": 2, "and": 3, "<<": 6, "+": 7, "-": 7, "*": 8, "/": 8, "%": 8}
 _COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
 _NOT, _COMPARE, _SHIFT, _NEGATION, _ATOM = 4, 5, 6, 9, 10
@@ -143,7 +144,7 @@ def _digest(node: Any) -> str:
 
 
 def _time_text(time: t.Time) -> str:
-    return f"{time.us.numerator // time.us.denominator}us" if time.us >= 1 else f"{time.us * 1000}ns"
+    return f"{time.us}us" if time.us.denominator == 1 else f"{time.us * 1000}ns"
 
 
 NAMES = st.from_regex(r"[A-Za-z_][A-Za-z0-9_]{0,6}", fullmatch=True).filter(

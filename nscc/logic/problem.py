@@ -104,10 +104,10 @@ class Solution:
     """Gates and encoding that meet a problem.
 
     `planes` are the truth vectors of p0, p1, .. at the start of a frame, `holders` says in words
-    what each one carries. `answers` has one entry for each demand; `opening` runs at boundary 0 before
-    any demand and `closing` at boundary N after the last. With `state_in_flag`, FLAG is 1
-    everywhere before the opening and keeps the solution's state until the frame ends: whoever needs it for
-    something else meanwhile puts it back, and may use t0 to do so.
+    what each one carries. `answers` has one entry for each demand; `opening` runs at boundary 0
+    before any demand and `closing` at boundary N after the last. With `state_in_flag`, FLAG is 1
+    everywhere before the opening and keeps the solution's state until the frame ends: whoever
+    needs it for something else meanwhile puts it back, and may use t0 to do so.
     """
 
     generator: str

@@ -138,8 +138,8 @@ def _retention(lowered: Lowered) -> Diagnostic:
     return Diagnostic(
         "NS0602",
         f"digital registers forget within this frame: slot {longest} lasts "
-        f"{time_text(slot_us)}, and the readout {time_text(lowered.time.between_us)}; {program.target.name} keeps a bit for "
-        f"{time_text(program.target.digital_retention_us)}",
+        f"{time_text(slot_us)}, and the readout {time_text(lowered.time.between_us)}; "
+        f"{program.target.name} keeps a bit for {time_text(program.target.digital_retention_us)}",
         source=program.source,
         label=Label(program.frame.span, "registers are refreshed between slots, not inside them"),
         notes=(

@@ -36,6 +36,8 @@ from nscc.syntax.tree import (
     Node,
     PixelsExpr,
     PixelsTile,
+    TargetByName,
+    TargetFromFile,
 )
 from nscc.target.model import Target
 from nscc.words.container import DecodeTable

@@ -5,8 +5,8 @@ float64 arrays (lanes, lights): several lights are carried side by side. Meaning
 `nscc.words.operations`, as it does for the emulator, but no line of code is shared with it.
 
 What a real pixel leaves open is filled with noise from a fixed seed: what registers, FLAG and PIX
-hold when the first frame starts, the reset level, what SELECT and IN read. A program whose result hangs
-on any of it does not prove.
+hold when the first frame starts, the reset level, what SELECT and IN read. A program whose result
+hangs on any of it does not prove.
 """
 
 from __future__ import annotations

@@ -53,9 +53,7 @@ def test_commands_work(page: str, tmp_path: Path) -> None:
             assert outcome.status == 0, outcome.err
 
 
-def test_python_works_after_the_commands(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_python_works_after_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     test_commands_work("README.md", tmp_path)
     monkeypatch.chdir(tmp_path)
     names: dict[str, object] = {}

@@ -65,7 +65,9 @@ def test_a_right_program_with_one_change(program: list[object], data: st.DataObj
     text = "\n".join(["nsl 1", *map(statement_text, program)])
     start = data.draw(st.integers(0, len(text)))
     end = data.draw(st.integers(start, min(len(text), start + 6)))
-    put = data.draw(st.sampled_from(["", " ", ",", ")", "]", "(", "let", "=", '"', "1", "if", "\0"]))
+    put = data.draw(
+        st.sampled_from(["", " ", ",", ")", "]", "(", "let", "=", '"', "1", "if", "\0"])
+    )
     check(text[:start] + put + text[end:])
 
 
@@ -73,7 +75,9 @@ def test_a_right_program_with_one_change(program: list[object], data: st.DataObj
 def test_an_error_hides_no_other_statement(program: list[object], data: st.DataObject) -> None:
     texts = list(map(statement_text, program))
     wrong = data.draw(st.integers(0, len(texts)))
-    broken = data.draw(st.sampled_from(["let = 1", "code c : 0..", "open when (n", "frame 8 slots"]))
+    broken = data.draw(
+        st.sampled_from(["let = 1", "code c : 0..", "open when (n", "frame 8 slots"])
+    )
     file, errors = read("\n".join(["nsl 1", *texts[:wrong], broken, *texts[wrong:]]))
     assert len(errors) == 1
     assert len(file.statements) == 1 + len(texts)

@@ -81,13 +81,14 @@ def test_places_are_those_of_the_text() -> None:
 
 
 def test_newlines_blanks_and_comments_mean_nothing() -> None:
-    words = "nsl 1 frame 8 slots of 1ms bucket a open when n < 3 open when true".split()
+    words = "nsl 1 frame 8 slots of 1ms bucket a open when n < 3 open when true".split(" ")
     plain, _ = read(" ".join(words))
-    for blank in ("\n", "\r\n", "\t", " # nsl 2 \"\n", "\f"):
+    for blank in ("\n", "\r\n", "\t", ' # nsl 2 "\n', "\f"):
         other, errors = read(blank.join(words) + blank)
         assert not errors
         assert bare(other) == bare(plain)
-    assert [type(s).__name__ for s in plain.statements] == ["Version", "EqualSlots", "Bucket", "Open"]
+    kinds = [type(s) for s in plain.statements]
+    assert kinds == [t.Version, t.EqualSlots, t.Bucket, t.Open]
 
 
 def test_signs_need_no_blanks() -> None:

@@ -1,0 +1,168 @@
+"""The command line as such: exit statuses, formats of messages, faults, help."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+from nscc_command import invoke
+
+from nscc import __version__
+from nscc.cli.table import COMMANDS, PLANNED
+
+GOOD = (
+    "nsl 1\nframe 4 slots of 1ms\ncode stop : 1..4\nopen when n < stop\npixels stop = 1 + x % 4\n"
+)
+WARNS = GOOD.replace("1 + x % 4", "4").replace("1..4", "4..4")
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder with a good program and a bad one."""
+    (tmp_path / "ok.nsl").write_text(GOOD)
+    (tmp_path / "bad.nsl").write_text(GOOD.replace("n < stop", "n < stopp"))
+    return tmp_path
+
+
+def test_version_and_help(folder: Path) -> None:
+    assert invoke(["--version"], folder).out == f"nscc {__version__}\n"
+    listed = invoke(["--help"], folder)
+    assert listed.status == 0
+    assert [e.name for e in COMMANDS if e.help not in listed.out] == []
+    assert [name for name in PLANNED if name not in listed.out] == []
+
+
+@pytest.mark.parametrize("entry", COMMANDS, ids=lambda entry: entry.name)
+def test_every_command_has_help_and_common_options(folder: Path, entry: object) -> None:
+    outcome = invoke([entry.name, "--help"], folder)  # type: ignore[attr-defined]
+    assert outcome.status == 0
+    assert "--message-format" in outcome.out
+    assert "--deny-warnings" in outcome.out
+
+
+@pytest.mark.parametrize("name", PLANNED)
+def test_commands_to_come_say_so(folder: Path, name: str) -> None:
+    outcome = invoke([name, "x", "--json"], folder)
+    assert (outcome.status, outcome.codes) == (2, ["NS0786"])
+
+
+@pytest.mark.parametrize(
+    ("arguments", "status", "code", "part"),
+    [
+        (["check", "ok.nsl"], 0, None, ""),
+        (["check", "bad.nsl"], 1, "NS0214", "did you mean"),
+        (["check", "none.nsl"], 2, None, "none.nsl"),
+        (["check", "ok.nsl", "bad.nsl", "none.nsl"], 2, None, "none.nsl"),
+        (["chek", "ok.nsl"], 2, "NS0781", "nscc check"),
+        (["ok.nsl"], 2, "NS0781", "nscc check ok.nsl"),
+        (["check"], 2, "NS0780", "FILE"),
+        (["check", "--deny-warning", "ok.nsl"], 2, "NS0782", "--deny-warnings"),
+        (["build", "ok.nsl", "-O", "fast"], 2, "NS0783", "-O"),
+        (["build", "ok.nsl", "-o", "no/ok.icw"], 2, "NS0784", "no/ok.icw"),
+        (["--frobnicate"], 2, "NS0782", "--frobnicate"),
+        ([], 2, "NS0780", "--help"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else None,
+)
+def test_exit_status_and_message(
+    folder: Path, arguments: list[str], status: int, code: str | None, part: str
+) -> None:
+    outcome = invoke(arguments, folder)
+    assert outcome.status == status
+    assert part in outcome.err
+    assert code is None or code in outcome.codes
+
+
+@pytest.mark.parametrize("arguments", [["check", "bad.nsl"], ["chek"], ["check", "--what"]])
+def test_json_is_one_object_a_line_even_for_wrong_usage(folder: Path, arguments: list[str]) -> None:
+    outcome = invoke([*arguments, "--message-format", "json"], folder)
+    found = [json.loads(line) for line in outcome.err.splitlines()]
+    assert found
+    assert {"code", "name", "severity", "message", "filename", "location", "end_location",
+            "data", "fixes", "rendered"} <= set(found[0])  # fmt: skip
+
+
+def test_denied_warnings_are_errors_and_nothing_is_written(folder: Path) -> None:
+    (folder / "warns.nsl").write_text(WARNS)
+    plain = invoke(["build", "warns.nsl", "-o", "a.icw"], folder)
+    assert plain.status == 0
+    if "warning[" not in plain.err:
+        pytest.fail("the program no longer warns: choose another one")
+    denied = invoke(["build", "warns.nsl", "-o", "b.icw", "--deny-warnings"], folder)
+    assert denied.status == 1
+    assert "error[" in denied.err
+    assert not (folder / "b.icw").exists()
+
+
+def test_no_colour_without_a_terminal(folder: Path) -> None:
+    assert "\x1b" not in invoke(["check", "bad.nsl"], folder).err
+
+
+@pytest.mark.parametrize(
+    ("error", "status", "code"),
+    [
+        (ZeroDivisionError("here"), 70, "NS0901"),
+        (MemoryError(), 3, "NS0902"),
+        (RecursionError(), 1, "NS0903"),
+        (PermissionError(13, "Permission denied", "some/file"), 2, "NS0784"),
+        (KeyboardInterrupt(), 130, None),
+        (BrokenPipeError(32, "Broken pipe"), 0, None),
+    ],
+    ids=lambda value: type(value).__name__ if isinstance(value, BaseException) else None,
+)
+def test_exceptions(
+    folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    error: BaseException,
+    status: int,
+    code: str | None,
+) -> None:
+    def fail(*_arguments: object) -> None:
+        raise error
+
+    monkeypatch.setattr("nscc.pipeline.compile_file", fail)
+    monkeypatch.setattr("os.dup2", lambda *_: None)
+    outcome = invoke(["check", "ok.nsl"], folder)
+    assert outcome.status == status
+    assert outcome.codes == ([code] if code else [])
+    assert "Traceback" not in outcome.err
+
+
+def test_a_fault_leaves_a_reproducer(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (folder / "book.npz").write_bytes(b"data")
+    (folder / "uses.nsl").write_text('nsl 1\nshutters b from "book.npz"\n')
+    monkeypatch.setattr("nscc.pipeline.compile_file", lambda *_: 1 // 0)
+    outcome = invoke(["check", "uses.nsl"], folder)
+    [saved] = folder.glob("nscc-fault-*.zip")
+    assert saved.name in outcome.err
+    with zipfile.ZipFile(saved) as archive:
+        names = set(archive.namelist())
+        assert archive.read("command.txt") == b"nscc\ncheck\nuses.nsl\n"
+        assert b"ZeroDivisionError" in archive.read("traceback.txt")
+    assert {"versions.txt", "inputs/0-uses.nsl", "inputs/1-book.npz"} <= names
+
+
+def test_output_may_be_cut_off(folder: Path) -> None:
+    command = f"{sys.executable} -m nscc explain | head -n 1"
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    outcome = subprocess.run(
+        ["bash", "-o", "pipefail", "-c", command],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
+    )
+    assert outcome.stderr == ""
+    assert outcome.returncode == 0
+
+
+def test_doctor_finds_nothing_wrong(folder: Path) -> None:
+    outcome = invoke(["doctor"], folder)
+    assert outcome.status == 0, outcome.out
+    assert f"nscc {__version__}" in outcome.out
+    assert "WRONG" not in outcome.out

@@ -1,0 +1,70 @@
+"""What commands share: files written whole, progress, and messages."""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+from nscc.cli.support import bar_line, progress, write_together, write_whole
+from nscc.diagnostics.model import Rejected
+
+
+def test_writes_and_replaces(tmp_path: Path) -> None:
+    for data in (b"one", b"", b"three"):
+        write_whole(tmp_path / "file", data)
+        assert (tmp_path / "file").read_bytes() == data
+    assert os.listdir(tmp_path) == ["file"]
+
+
+def test_new_files_have_the_usual_rights(tmp_path: Path) -> None:
+    write_whole(tmp_path / "product", b"")
+    (tmp_path / "usual").write_bytes(b"")
+    assert (tmp_path / "product").stat().st_mode == (tmp_path / "usual").stat().st_mode
+
+
+def test_follows_a_link_and_leaves_a_device_alone(tmp_path: Path) -> None:
+    (tmp_path / "link").symlink_to(tmp_path / "real")
+    write_whole(tmp_path / "link", b"x")
+    assert (tmp_path / "link").is_symlink()
+    assert (tmp_path / "real").read_bytes() == b"x"
+    write_whole(Path(os.devnull), b"x")
+    assert Path(os.devnull).is_char_device()
+
+
+@pytest.mark.parametrize("name", [".", "no/such", "file/under", "n" * 300])
+def test_refuses_in_one_sentence_and_leaves_nothing(tmp_path: Path, name: str) -> None:
+    (tmp_path / "file").write_bytes(b"old")
+    with pytest.raises(Rejected) as raised:
+        write_whole(tmp_path / name, b"new")
+    assert raised.value.status == 2
+    assert [d.code for d in raised.value.diagnostics] == ["NS0784"]
+    assert os.listdir(tmp_path) == ["file"]
+
+
+def test_several_files_or_none(tmp_path: Path) -> None:
+    with pytest.raises(Rejected):
+        write_together({tmp_path / "a": b"a", tmp_path / "no" / "b": b"b"})
+    assert os.listdir(tmp_path) == []
+    write_together({tmp_path / "a": b"a", tmp_path / "b": b"b"})
+    assert sorted(os.listdir(tmp_path)) == ["a", "b"]
+
+
+def test_progress_hands_on_what_it_gets(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Terminal(io.StringIO):
+        def isatty(self) -> bool:
+            return True
+
+    for stream in (io.StringIO(), Terminal()):
+        monkeypatch.setattr(sys, "stderr", stream)
+        assert list(progress(range(5), "counting")) == [0, 1, 2, 3, 4]
+        assert stream.getvalue() == ""  # far less than a second
+
+
+def test_the_bar_shows_share_and_time_left() -> None:
+    assert bar_line("light", 25, 100, 3.0) == f"light [{'#' * 8}{'.' * 22}]  25%, 9 s left"
+    assert bar_line("light", 7, None, 2.0) == "light: 7, 2 s"
+    assert "100%" in bar_line("light", 300, 100, 1.0)

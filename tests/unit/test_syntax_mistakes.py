@@ -1,0 +1,177 @@
+"""What is said of the mistakes that people make: the code, the place, and what to do."""
+
+from __future__ import annotations
+
+import pytest
+from syntax_text import codes, read
+
+from nscc.diagnostics.model import Diagnostic
+from nscc.source import Source
+from nscc.syntax.parse import MOST_ERRORS, parse
+
+
+def the_error(text: str) -> Diagnostic:
+    _, errors = read(text)
+    assert len(errors) == 1, [e.message for e in errors]
+    return errors[0]
+
+
+def words_of(error: Diagnostic) -> str:
+    fixes = [fix.title for fix in error.fixes]
+    return "\n".join([error.message, *error.notes, *error.helps, *fixes])
+
+
+MISTAKES = [
+    # text after `nsl 1`, code, the marked text, words of the message, replacement or None
+    ("frame 8 slots of 500 us", "NS0107", "500", "no blank", "500us"),
+    ("frame 8 slots of 500", "NS0107", "500", "a time such as", None),
+    ("frame 8 slots 1ms", "NS0107", "1ms", "expected `of`", None),
+    ("frame 8 slot of 1ms", "NS0107", "slot", "did you mean `slots`", "slots"),
+    ("frame 8.5 slots of 1ms", "NS0107", "8.5", "decimals stand only in times", None),
+    ("frame 1_000 slots of 1ms", "NS0107", "1_000", "digits in groups", None),
+    ("frame 8 slots of 5msec", "NS0107", "5msec", "ns, us, ms or s", None),
+    ("open when n = 3", "NS0107", "=", "equality is written `==`", "=="),
+    ("open when n < 3;", "NS0108", ";", "no semicolon", ""),
+    ("open when n < 3 && n > 1", "NS0108", "&&", "`and`", "and"),
+    ("open when n < 3 || n > 1", "NS0108", "||", "`or`", "or"),
+    ("open when !true", "NS0108", "!", "`not`", "not"),
+    ("open when n \u2264 3", "NS0108", "\u2264", "`<=`", "<="),
+    ("open when n < 3)", "NS0107", ")", "no bracket is open", None),
+    ("open when n < 3 // always", "NS0107", "/", "comments begin with `#`", None),
+    ("open when 1 + not true", "NS0107", "not", "put brackets around it", None),
+    ("code a : 0 . 7", "NS0108", ".", "two dots", None),
+    ("code a = 0..7", "NS0107", "=", "expected `:`", None),
+    ("code of : 0..7", "NS0113", "of", "reserved word", None),
+    ("let frame = 3", "NS0113", "frame", "reserved word", None),
+    ("let open = 3", "NS0113", "open", "reserved word", None),
+    ("let min = 3", "NS0113", "min", "reserved word", None),
+    ("shutters tile [1]", "NS0113", "tile", "reserved word", None),
+    ("bucket open open when true", "NS0113", "open", "reserved word", None),
+    ("let caf\u00e9 = 3", "NS0108", "caf\u00e9", "letters a-z", None),
+    ('target "chip.toml', "NS0114", '"chip.toml', "never closed", None),
+    ("pixels a = tile [[1 2]]", "NS0107", "2", "expected `,` or `]`", None),
+    ("pixels a = tile [[1], 2]", "NS0107", "2", "expected `[`", None),
+    ("shutters b [1100 0011]", "NS0107", "0011", "commas", None),
+    ("pixels a = 3ms", "NS0107", "3ms", "only in `frame`", None),
+    ("let a = 12abc", "NS0107", "12abc", "a name begins with a letter", None),
+    ("fram 8 slots of 1ms", "NS0109", "fram", "did you mean `frame`", "frame"),
+    ("let a = 1\nhello", "NS0109", "hello", "statements begin with nsl, target", None),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "marked", "words", "replacement"), MISTAKES, ids=[m[0] for m in MISTAKES]
+)
+def test_a_mistake(text: str, code: str, marked: str, words: str, replacement: str | None) -> None:
+    whole = f"nsl 1\n{text}\n"
+    error = the_error(whole)
+    assert error.code == code
+    assert error.label is not None
+    assert whole[error.label.span.start : error.label.span.end] == marked
+    assert words in words_of(error)
+    assert [fix.replacement for fix in error.fixes] == (
+        [] if replacement is None else [replacement]
+    )
+    for fix in error.fixes:
+        mended = whole[: fix.span.start] + fix.replacement + whole[fix.span.end :]
+        assert codes(mended) == []
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["let", "let a", "let a =", "let a = 1 +", "code a : 1..", "code a : bit[3", "open when (n < 3",
+     "open", "bucket", "bucket a open", "frame", "frame 8 slots of", "frame slots [1ms,", "target",
+     "pixels a = tile [[1, 2],[3,4]", "pixels from", 'shutters b from "x" key', "require"],
+)  # fmt: skip
+def test_a_statement_that_ends_too_soon(text: str) -> None:
+    at_the_end = the_error(f"nsl 1\n{text}")
+    assert at_the_end.code == "NS0107"
+    assert "the end of the file" in at_the_end.message
+    before_another = the_error(f"nsl 1\n{text} # no more\nrequire true")
+    assert "`require`" in before_another.message
+    for error in (at_the_end, before_another):
+        assert error.label is not None
+        assert error.label.span.end == 6 + len(text)
+
+
+def test_the_bracket_left_open_is_shown() -> None:
+    text = "nsl 1\nopen when (n < min(2, 3)"
+    (related,) = the_error(text).related
+    assert related.span.start == text.index("(")
+
+
+def test_all_errors_come_at_once_and_in_order() -> None:
+    text = (
+        "nsl 1\nfram 8 slots of 500 us\ncode a = 0..7\nlet b = 1;\n"
+        "open when n <\npixles a = tile [[1 2]]\nlet c = 1\n"
+    )
+    file, errors = read(text)
+    rows = [Source("", text).row_column(e.label.span.start)[0] for e in errors if e.label]
+    assert rows == [2, 2, 3, 4, 5, 6, 6]
+    assert [e.code for e in errors] == [
+        "NS0109", "NS0107", "NS0107", "NS0108", "NS0107", "NS0109", "NS0107",
+    ]  # fmt: skip
+    assert [type(s).__name__ for s in file.statements] == ["Version", "Let", "Let"]
+
+
+def test_a_misspelt_statement_is_read_on_as_what_it_was_meant_to_be() -> None:
+    file, errors = read("nsl 1\nFrame 8 slots of 1ms\nopne when true")
+    assert [e.code for e in errors] == ["NS0109", "NS0109"]
+    assert [type(s).__name__ for s in file.statements] == ["Version", "EqualSlots", "Open"]
+
+
+@pytest.mark.parametrize("count", [MOST_ERRORS - 1, MOST_ERRORS, MOST_ERRORS + 1, 500])
+def test_many_errors_are_counted(count: int) -> None:
+    _, errors = read("nsl 1\n" + "let = 1\n" * count)
+    assert [e.code for e in errors[:MOST_ERRORS]] == ["NS0107"] * min(count, MOST_ERRORS)
+    rest = [e.message for e in errors[MOST_ERRORS:]]
+    more = count - MOST_ERRORS
+    if more <= 0:
+        assert rest == []
+    else:
+        assert rest == [f"and {more} more error{'s' if more > 1 else ''} in the text"]
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("", ["NS0104"]),
+        ("# only a comment\n", ["NS0104"]),
+        ("open when true", ["NS0104"]),
+        ("open when true nsl 1", ["NS0104"]),
+        ("nls 1\nopen when true", ["NS0104"]),
+        ("nsl 1 nsl 1", ["NS0104"]),
+        ("nsl 1 open when true nsl 1", ["NS0104"]),
+        ("nsl 2 open when true", ["NS0106"]),
+        ("nsl 0", ["NS0106"]),
+        ("nsl", ["NS0107"]),
+        ("nsl one", ["NS0107"]),
+        ("# comment\n\n  nsl 1\n", []),
+    ],
+)
+def test_the_language_line(text: str, expected: list[str]) -> None:
+    assert codes(text) == expected
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "module counter {\n input a;\n}\n",
+        "declare counter interface {\n input a[8];\n}\nmodule counter { reg r[8] = 0; }\n",
+        "/* a counter */\ndeclare counter { output q; }",
+        "// a counter\nmodule counter { func_in go; }",
+        '#include "defs.h"\n#define WIDTH 8\nmodule counter { }',
+        "struct pair { a[4]; b[4]; };",
+    ],
+)
+def test_files_of_the_hardware_language_get_one_friendly_error(text: str) -> None:
+    error = the_error(text)
+    assert error.code == "NS0105"
+    assert "nsl 1" in words_of(error)
+
+
+def test_too_long_a_text() -> None:
+    _, errors = parse(Source("long.nsl", "nsl 1 #" + "x" * 300_000))
+    assert [e.code for e in errors] == ["NS0103"]
+    _, errors = parse(Source("long.nsl", "nsl 1 #" + "\u4e2d" * 90_000))
+    assert [e.code for e in errors] == ["NS0103"]

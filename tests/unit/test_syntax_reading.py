@@ -1,0 +1,58 @@
+"""A program's file as text: what is taken, and what is refused before a word of it is read."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from nscc.diagnostics.model import Rejected
+from nscc.syntax.parse import MOST_BYTES, parse, read_source
+
+
+def refusal(path: Path) -> tuple[str, int]:
+    with pytest.raises(Rejected) as caught:
+        read_source(path)
+    (diagnostic,) = caught.value.diagnostics
+    return diagnostic.code, caught.value.status
+
+
+def test_text_is_taken_as_it_is(tmp_path: Path) -> None:
+    path = tmp_path / "a.nsl"
+    path.write_bytes("nsl 1\r\n# \u00fc \u4e2d\n".encode())
+    source = read_source(path)
+    assert source.text == "nsl 1\r\n# \u00fc \u4e2d\n"
+    assert source.name == path.as_posix()
+
+
+def test_a_byte_order_mark_is_no_text(tmp_path: Path) -> None:
+    path = tmp_path / "a.nsl"
+    path.write_bytes(b"\xef\xbb\xbfnsl 1")
+    assert read_source(path).text == "nsl 1"
+
+
+@pytest.mark.parametrize("data", [b"nsl 1\xff", "nsl 1".encode("utf-16"), b"nsl 1\0", bytes(9)])
+def test_what_is_no_text(tmp_path: Path, data: bytes) -> None:
+    path = tmp_path / "a.nsl"
+    path.write_bytes(data)
+    assert refusal(path) == ("NS0102", 1)
+
+
+def test_the_limit_is_in_bytes(tmp_path: Path) -> None:
+    path = tmp_path / "a.nsl"
+    path.write_bytes(b"nsl 1\n" + b"#" * (MOST_BYTES - 6))
+    assert parse(read_source(path))[1] == ()
+    path.write_bytes(b"nsl 1\n" + b"#" * (MOST_BYTES - 5))
+    assert refusal(path) == ("NS0103", 1)
+    path.write_bytes(b"\xff" * (10 * MOST_BYTES))
+    assert refusal(path) == ("NS0103", 1)
+
+
+def test_what_cannot_be_read(tmp_path: Path) -> None:
+    assert refusal(tmp_path / "missing.nsl") == ("NS0101", 2)
+    assert refusal(tmp_path) == ("NS0101", 2)
+    assert refusal(tmp_path / "a\0b.nsl") == ("NS0101", 2)
+    assert refusal(tmp_path / ("a" * 5000)) == ("NS0101", 2)
+    loop = tmp_path / "loop.nsl"
+    loop.symlink_to(loop)
+    assert refusal(loop) == ("NS0101", 2)
