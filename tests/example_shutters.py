@@ -30,7 +30,6 @@ def _picked(rows: list[list[int]], y: Grid, x: Grid) -> Grid:
     return tile[y % tile.shape[0], x % tile.shape[1]]
 
 
-
 def class_a(n: Grid, y: Grid, x: Grid) -> tuple[Shutter, ...]:
     return (n >= 0,)
 

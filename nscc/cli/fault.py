@@ -70,6 +70,7 @@ def _fault(error: Exception, arguments: Sequence[str]) -> Diagnostic:
     trace = "".join(traceback.format_exception(error))
     said = " ".join(str(error).split())[:200]
     saved = _save(_packed(trace, arguments))
+    notes: tuple[str, ...]
     if saved is None:
         notes = ("no reproducer could be saved: neither here nor in the temporary folder", trace)
         helps = ("please report it with the text above and your input",)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import stat
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Sized
 from dataclasses import dataclass, replace
 from pathlib import Path
 from time import monotonic
@@ -202,7 +202,7 @@ def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> 
     if not sys.stderr.isatty() or session().message_format != "human":
         yield from iterable
         return
-    if total is None and hasattr(iterable, "__len__"):
+    if total is None and isinstance(iterable, Sized):
         total = len(iterable)
     begin = monotonic()
     next_draw = begin + _BAR_DELAY_S

@@ -16,7 +16,7 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
     """
     context = getattr(error, "ctx", None)
     name = context.command_path if context is not None else "nscc"
-    helps = (f"`{name} --help` lists what it takes",)
+    helps: tuple[str, ...] = (f"`{name} --help` lists what it takes",)
     notes = (context.get_usage(),) if context is not None else ()
     if isinstance(error, click.exceptions.NoArgsIsHelpError):
         code, message = "NS0780", f"`{name}` needs a command"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any, Protocol
@@ -34,18 +33,25 @@ class Build(Protocol):
 class Stuck:
     """Where a statement stopped making sense: no statement goes on with this token.
 
-    `token` is its index, one past the statement's last where that ends too soon; `states` is the
-    automaton's stack before it.
+    `token` is its index, one past the statement's last where that ends too soon; `before` are the
+    kinds of the statement's tokens before it.
     """
 
     token: int
-    states: tuple[int, ...]
+    before: tuple[str, ...]
 
     @cached_property
     def expected(self) -> frozenset[str]:
-        """The terminals that could stand there instead (END: the statement could be over)."""
-        possible = tables().actions[self.states[-1]]
-        return frozenset(kind for kind in possible if _could_take(self.states, kind))
+        """The terminals that could stand there instead (END: the statement could be over).
+
+        They are found from `before` alone: a token taken in vain may already have reduced what
+        stands before it, and then less seems possible than is.
+        """
+        states = [0]
+        for kind in self.before:
+            _take(states, kind)
+        possible = tables().actions[states[-1]]
+        return frozenset(kind for kind in possible if _take(states[:], kind))
 
 
 def run(tokens: Tokens, first: int, last: int, build: Build) -> tuple[Any, Stuck | None]:
@@ -56,22 +62,23 @@ def run(tokens: Tokens, first: int, last: int, build: Build) -> tuple[Any, Stuck
     """
     machine = _Machine(tokens, build)
     for index in range(first, last + 1):
-        before = machine.states[:]  # a token taken in vain may still reduce what stands before it
         if not machine.feed(tokens.kinds[index] if index < last else END, index):
             whole = index < last and machine.feed(END, index)
-            return machine.values[0] if whole else None, Stuck(index, tuple(before))
+            stuck = Stuck(index, tuple(tokens.kinds[first:index]))
+            return machine.values[0] if whole else None, stuck
     return machine.values[0], None
 
 
-def _could_take(stack: Sequence[int], kind: str) -> bool:
-    """Whether a machine with these states would take a token of this kind."""
+def _take(states: list[int], kind: str) -> bool:
+    """Takes a token without building anything, or reports False where none of that kind may
+    follow."""
     language = tables()
-    states = list(stack)
     while True:
         step = language.actions[states[-1]].get(kind)
         if step is None:
             return False
         if step >= 0:
+            states.append(step)
             return True
         rule = language.rules[-1 - step]
         if rule.size:

@@ -14,7 +14,7 @@ from nscc.syntax import tree
 from nscc.syntax.automaton import Stuck, TooDeep, run
 from nscc.syntax.build import Builder, Refused
 from nscc.syntax.lexer import Tokens, lex
-from nscc.syntax.mistakes import mistake, misspelt_statement, too_deep, unknown_statement
+from nscc.syntax.mistakes import misspelt_statement, mistake, too_deep, unknown_statement
 from nscc.syntax.reading import MOST_BYTES, read_source, too_large
 from nscc.syntax.words import STATEMENT_WORDS
 
@@ -129,17 +129,15 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
                 statement, stuck = run(tokens, at, last, build)
                 if stuck is not None and not errors.are_many:
                     first = _misspelt(tokens, at, last, stuck, errors)
-                    if first is not None and first < stuck.token:
-                        statement, stuck = run(tokens, at, first, build)
+                if first is not None:
+                    statement, stuck = run(tokens, at, first, build)
             except Refused as refused:
                 errors.add(partial(_refusal, tokens.source, refused))
             except TooDeep as refused:
                 errors.add(partial(too_deep, tokens, refused.token))
             else:
-                if stuck is not None and stuck.token != first:
-                    errors.add(
-                        partial(mistake, tokens, at, last if first is None else first, stuck)
-                    )
+                if stuck is not None:
+                    errors.add(partial(mistake, tokens, at, first or last, stuck))
                 if statement is not None:
                     yield statement
 

@@ -121,10 +121,11 @@ def test_any_bytes_as_program(noise: bytes, tmp_path_factory: pytest.TempPathFac
     settled(["check", "bad.nsl"], folder)
 
 
-WORDS = st.sampled_from(
-    "nsl 1 frame slots of 4 1ms code a b : .. ( ) [ ] , = == < <= + - * / % << not and or if else "
-    "open when bucket pixels tile require let shutters book row bit true n x N 0 9999999999".split()
-)
+VOCABULARY = """
+    nsl 1 frame slots of 4 1ms code a b : .. ( ) [ ] , = == < <= + - * / % << not and or if else
+    open when bucket pixels tile require let shutters book row bit true n x N 0 9999999999
+"""
+WORDS = st.sampled_from(VOCABULARY.split())
 
 
 @settings(max_examples=60)

@@ -47,8 +47,8 @@ def test_more_brackets_change_nothing(expression: t.Expr) -> None:
 def test_the_printed_tree_names_every_statement(program: list[t.Statement]) -> None:
     text = "\n".join(["nsl 1", *map(statement_text, program)])
     file, _ = read(text)
-    lines = print_tree(file, Source("test.nsl", text)).splitlines()
-    heads = [line.split()[0] for line in lines if not line.startswith(" ")]
+    lines = print_tree(file, Source("test.nsl", text)).split("\n")
+    heads = [line.split()[0] for line in lines if line and line[0] != " "]
     assert heads == ["Version", *(type(s).__name__ for s in program)]
 
 

@@ -34,7 +34,7 @@ MISTAKES = [
     ("open when n < 3;", "NS0108", ";", "no semicolon", ""),
     ("open when n < 3 && n > 1", "NS0108", "&&", "`and`", "and"),
     ("open when n < 3 || n > 1", "NS0108", "||", "`or`", "or"),
-    ("open when !true", "NS0108", "!", "`not`", "not"),
+    ("open when !true", "NS0108", "!", "`not`", "not "),
     ("open when n \u2264 3", "NS0108", "\u2264", "`<=`", "<="),
     ("open when n < 3)", "NS0107", ")", "no bracket is open", None),
     ("open when n < 3 // always", "NS0107", "/", "comments begin with `#`", None),
@@ -53,7 +53,7 @@ MISTAKES = [
     ("pixels a = tile [[1], 2]", "NS0107", "2", "expected `[`", None),
     ("shutters b [1100 0011]", "NS0107", "0011", "commas", None),
     ("pixels a = 3ms", "NS0107", "3ms", "only in `frame`", None),
-    ("let a = 12abc", "NS0107", "12abc", "a name begins with a letter", None),
+    ("let a = 12abc", "NS0107", "12abc", "names begin with a letter", None),
     ("fram 8 slots of 1ms", "NS0109", "fram", "did you mean `frame`", "frame"),
     ("let a = 1\nhello", "NS0109", "hello", "statements begin with nsl, target", None),
 ]  # fmt: skip

@@ -81,10 +81,10 @@ def test_places_are_those_of_the_text() -> None:
 
 
 def test_newlines_blanks_and_comments_mean_nothing() -> None:
-    words = "nsl 1 frame 8 slots of 1ms bucket a open when n < 3 open when true".split(" ")
-    plain, _ = read(" ".join(words))
+    text = "nsl 1 frame 8 slots of 1ms bucket a open when n < 3 open when true"
+    plain, _ = read(text)
     for blank in ("\n", "\r\n", "\t", ' # nsl 2 "\n', "\f"):
-        other, errors = read(blank.join(words) + blank)
+        other, errors = read(text.replace(" ", blank) + blank)
         assert not errors
         assert bare(other) == bare(plain)
     kinds = [type(s) for s in plain.statements]
