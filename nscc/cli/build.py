@@ -55,7 +55,10 @@ def command(
     """Compile FILE, prove the words, and write them."""
     wanted = _kinds(kinds)
     compiled = compile_program(
-        file, BuildChoice(level, codes, lowering, target), price_all=True, see=_printer(after)
+        file,
+        BuildChoice(level, codes, lowering, target),
+        price_all="report" in wanted,  # only the report lists the other lowerings
+        see=_printer(after),
     )
     say(compiled.diagnostics)
     container = out if out is not None else file.with_suffix(".icw")

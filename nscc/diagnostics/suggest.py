@@ -24,8 +24,13 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     if folded in by_folded:
         return by_folded[folded]
 
-    from difflib import get_close_matches  # only where a name is wrong: keeps start-up short
+    from difflib import SequenceMatcher  # only where a name is wrong: keeps start-up short
 
-    cutoff = 0.5 if len(folded) <= 3 else 0.65
-    found = get_close_matches(folded, by_folded, n=1, cutoff=cutoff)
-    return by_folded[found[0]] if found else None
+    matcher = SequenceMatcher(None, "", folded, autojunk=False)
+    best, least = None, 0.5 if len(folded) <= 3 else 0.65
+    for candidate, original in by_folded.items():
+        matcher.set_seq1(candidate)
+        ratio = matcher.ratio()
+        if ratio > least or (best is None and ratio == least):
+            best, least = original, ratio
+    return best

@@ -1,10 +1,12 @@
 """The proof that goes with every build: words against decode table, all codes, two frames.
 
 For a program that satisfies g(f(S), n) = S[n], equation (7), and E = sum of L[n] S[n], equation
-(3), the exposure of every code is a known linear form in the light of the slots. Two frames under
-independent random light, with random values in everything that a program may not rely on, tell it
-from any other linear form with certainty for every practical purpose: a wrong coefficient would
-have to meet a hyperplane of measure zero to within 1e-9.
+(3), the exposure of every code is a known linear form in the light of the slots. Random light and
+random values in everything that a program may not rely on tell it from any other linear form with
+certainty for every practical purpose: a wrong coefficient would have to meet a hyperplane of
+measure zero to within 1e-9. Nothing but FLAG could make it other than linear, and a FLAG that hangs
+on analog values counts as unknown. The second frame shows what decays from frame to frame; as the
+first one started from nothing but the code and leaves the code behind, all others are like it.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.prove.noise import Noise
-from nscc.prove.replay import Faded, Replay
+from nscc.prove.replay import Replay
 from nscc.words.container import Container
 from nscc.words.operations import Op
 
@@ -28,12 +30,16 @@ TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class Failure:
-    """What a proof found wrong first; `shutter` is None where all codes are concerned."""
+    """What a proof found wrong first; `shutter` is None where all codes are concerned.
+
+    `doubts` are places where bits became unknown, and so perhaps the cause.
+    """
 
     what: str
     frame: int
     bucket: str | None = None
     shutter: int | None = None
+    doubts: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -66,13 +72,7 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
 
 def _frame(replay: Replay, light: NDArray[np.float64], frame: int) -> Failure | None:
     container = replay.container
-    try:
-        measured = replay.exposures(light)
-    except Faded as faded:
-        return Failure(
-            f"{faded.register} is read at boundary {faded.boundary} after its bit has decayed",
-            faded.frame,
-        )
+    measured = replay.exposures(light)
     scale = float(light.sum())
     for index, bucket in enumerate(container.buckets):
         if bucket not in measured:
@@ -82,10 +82,11 @@ def _frame(replay: Replay, light: NDArray[np.float64], frame: int) -> Failure | 
         if wrong.any():
             return Failure(
                 "exposure differs from the sum of light over the open slots", frame, bucket,
-                int(np.flatnonzero(wrong)[0]),
+                int(np.flatnonzero(wrong)[0]), tuple(replay.doubts),
             )  # fmt: skip
     if not replay.code_kept:
-        return Failure("the code registers do not hold their code when the frame ends", frame)
+        what = "the code registers do not hold their code when the frame ends"
+        return Failure(what, frame, doubts=tuple(replay.doubts))
     return None
 
 

@@ -1,18 +1,20 @@
 """Replays words over every code at once, exactly as a pixel of each code would run them.
 
-Digital registers are truth vectors over the lanes (one lane a distinct code), analog registers
-float64 arrays (lanes, lights): several lights are carried side by side. Meaning comes from
-`nscc.words.operations`, as it does for the emulator, but no line of code is shared with it.
+Digital registers are pairs of truth vectors over the lanes (one lane a distinct code), analog
+registers float64 arrays (lanes, lights): several lights are carried side by side. Meaning comes
+from `nscc.words.operations`, as it does for the emulator, but no line of code is shared with it.
 
-What a real pixel leaves open is filled with noise from a fixed seed: what registers, FLAG and PIX
-hold when the first frame starts, the reset level, what SELECT and IN read. A program whose result
-hangs on any of it does not prove.
+What a real pixel leaves open stays open. A bit is unknown that nobody wrote, that SELECT reads,
+that has decayed, or that `where` took from analog values, for it hangs on the light. An analog
+value that nobody wrote is noise from a fixed seed, and so is whatever a word leaves where FLAG is
+unknown. A program whose result hangs on any of it does not prove.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,15 +27,12 @@ from nscc.words.operations import Effect, Op, Phase
 
 Lights = NDArray[np.float64]
 
+Bits = tuple[int, int]
+"""A bit of every lane: the lanes where it is known to be 1, and those where it is known to be 0."""
 
-class Faded(Exception):
-    """A digital register was read after its bit had decayed: the register and where."""
+UNKNOWN: Bits = (0, 0)
 
-    def __init__(self, register: str, frame: int, boundary: int) -> None:
-        super().__init__(register, frame, boundary)
-        self.register = register
-        self.frame = frame
-        self.boundary = boundary
+_Lanes = NDArray[np.intp] | slice
 
 
 @dataclass
@@ -41,7 +40,9 @@ class Replay:
     """The pixels of all codes, and the words that they run, over consecutive frames.
 
     `kernels` are decoded words. `exposures` runs one frame and leaves the state for the next.
-    `quiet` starts analog state at zero instead of noise.
+    With `quiet`, analog values that nobody wrote are zero, and what a word leaves where FLAG is
+    unknown is NaN. `doubts` collects in words why bits became unknown that once were known, and
+    which analog word first found FLAG unknown.
     """
 
     container: Container
@@ -49,6 +50,7 @@ class Replay:
     lights: int
     seed: int = 20201
     quiet: bool = False
+    doubts: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         container = self.container
@@ -57,29 +59,31 @@ class Replay:
         self.lanes = len(container.encoding)
         self.everything = (1 << self.lanes) - 1
         self._random = Noise(self.seed)
-        self._reset_level = self._noise()
-        self.pix = self._noise()
-        self.analog = {name: self._noise() for name in target.analog_registers}
-        self.digital = {name: self._bits() for name in target.digital_registers}
+        self._reset_level = self._noise(self.lanes)
+        self.pix = self._noise(self.lanes)
+        self.analog = {name: self._noise(self.lanes) for name in target.analog_registers}
+        self._inputs = {"IN": self._noise(self.lanes)}
         encoded = columns(container.encoding)
         column = {name: i for i, name in enumerate(target.digital_registers)}
-        self.code = {name: encoded[column[name]] for name in container.code_registers}
-        self.digital.update(self.code)
-        self._sources = {"SELECT": self._bits()}
-        self._inputs = {"IN": self._noise()}
-        self.flag = self._bits()
-        self._bus = 0
-        self._where: tuple[int, NDArray[np.intp] | slice] = (0, slice(0, 0))
-        self._written_us = dict.fromkeys(target.digital_registers, 0.0)
-        self._written_us["FLAG"] = 0.0
+        self.code: dict[str, Bits] = {}
+        for name in container.code_registers:
+            ones = encoded[column[name]]
+            self.code[name] = (ones, self.everything & ~ones)
+        self.digital: dict[str, Bits] = {
+            **dict.fromkeys((*target.digital_registers, "FLAG", "SELECT"), UNKNOWN),
+            **self.code,
+        }
+        self._bus = UNKNOWN
+        self._split: tuple[Bits, _Lanes, _Lanes | None] = (UNKNOWN, slice(0, 0), slice(None))
         self._now_us = 0.0
+        self._written_us = dict.fromkeys(self.digital, 0.0)
+        self._only_loaded = set(self.digital)
         self._place = (0, 0)
 
     def exposures(self, light: Lights) -> dict[str, Lights]:
         """Runs one frame; light (N, lights) is in electrons a slot.
 
-        Returns, by bucket, the exposure in electrons (lanes, lights). Raises Faded where a register
-        is read later than the target's retention after its last write.
+        Returns, by bucket, the exposure in electrons (lanes, lights).
         """
         container = self.container
         frame_start_us = self._now_us
@@ -87,6 +91,9 @@ class Replay:
         launches = iter([*container.launches, None])
         launch = next(launches)
         frame = self._place[0] + 1
+        if frame > 1:
+            # Frames follow each other for as long as the chip runs: what none of them writes fades.
+            self._written_us.update(dict.fromkeys(self._only_loaded, -inf))
         for boundary in range(container.slots + 1):
             self._now_us = frame_start_us + float(boundary_us[boundary])
             self._place = (frame, boundary)
@@ -102,15 +109,12 @@ class Replay:
     @property
     def code_kept(self) -> bool:
         """Whether the code registers hold what they held when the first frame started."""
-        return all(self.digital[name] == vector for name, vector in self.code.items())
+        return all(self.digital[name] == bits for name, bits in self.code.items())
 
-    def _noise(self) -> Lights:
+    def _noise(self, lanes: int) -> Lights:
         if self.quiet:
-            return np.zeros((self.lanes, self.lights))
-        return self._random.levels(self.lanes, self.lights)
-
-    def _bits(self) -> int:
-        return self._random.bits(self.lanes)
+            return np.zeros((lanes, self.lights))
+        return self._random.levels(lanes, self.lights)
 
     def _run(self, word: Op) -> None:
         row = word.operation
@@ -118,27 +122,39 @@ class Replay:
             case Effect.NONE:
                 pass
             case Effect.RESET_PIX:
-                if self.target.reset_honours_flag == "no":
-                    self.pix[:] = self._reset_level
-                else:
-                    where = self._flagged()
-                    self.pix[where] = self._reset_level[where]
+                self._reset(word)
             case Effect.BUS:
-                where = self._flagged()
+                where, unsure = self._flagged(word)
                 value = self._total(word, where)
                 for name in word.destinations:
                     self.analog[name][where] = value / -row.divisor
+                    if unsure is not None:
+                        self._spoil(self.analog[name], unsure)
             case Effect.FLAG_ALL:
-                self._set_flag(self.everything)
+                self._write("FLAG", (self.everything, 0))
             case Effect.FLAG_ANALOG:
-                positive = self._total(word, slice(None))[:, :1] > 0
-                chosen = columns(positive)[0]
                 # Where `where` obeys FLAG, pixels that were masked stay masked.
-                self._set_flag(chosen & self.flag if self.target.where_obeys_flag else chosen)
+                masked = self._read("FLAG")[1] if self.target.where_obeys_flag else 0
+                self._write("FLAG", (0, masked))
+                self._doubt(f"`{word}` makes FLAG hang on the light")
             case Effect.FLAG_DIGITAL:
-                self._set_flag(self._some(word))
+                self._write("FLAG", self._some(word))
             case Effect.DIGITAL:
                 self._digital(word)
+
+    def _reset(self, word: Op) -> None:
+        if self.target.reset_honours_flag == "no":
+            self.pix[:] = self._reset_level
+            return
+        where, unsure = self._flagged(word)
+        if self.target.reset_honours_flag == "unknown":
+            ones = self._split[0][0]
+            unsure = (
+                members(self.everything & ~ones, self.lanes) if ones != self.everything else None
+            )
+        self.pix[where] = self._reset_level[where]
+        if unsure is not None:
+            self._spoil(self.pix, unsure)
 
     def _digital(self, word: Op) -> None:
         row = word.operation
@@ -147,35 +163,51 @@ class Replay:
         else:
             value = self._some(word)
             if row.inverted:
-                value ^= self.everything
+                value = (value[1], value[0])
             if row.phase is Phase.READ:
                 self._bus = value
                 return
-        mask = self.digital.get(self.target.mask_register or "", self.everything)
         for name in word.destinations:
-            if name != self.target.masked_register:
-                self.digital[name] = value
-                self._written_us[name] = self._now_us
+            if name == self.target.masked_register:
+                self._write_masked(name, value)
             else:
-                self._read_check(self.target.mask_register or name)
-                self.digital[name] = (self.digital[name] & ~mask) | (value & mask)
-                if mask == self.everything:
-                    self._written_us[name] = self._now_us
+                self._write(name, value)
 
-    def _some(self, word: Op) -> int:
-        value = 0
+    def _write(self, name: str, value: Bits) -> None:
+        self.digital[name] = value
+        self._written_us[name] = self._now_us
+        self._only_loaded.discard(name)
+
+    def _write_masked(self, name: str, value: Bits) -> None:
+        """Where the mask is 1 the register takes the value, where it is 0 it keeps its own."""
+        on, off = self._read(self.target.mask_register or name)
+        if on == self.everything:
+            self._write(name, value)
+            return
+        old = self._read(name)
+        one, zero = (
+            (on & new) | (off & kept) | (new & kept) for new, kept in zip(value, old, strict=True)
+        )
+        self.digital[name] = (one, zero)
+
+    def _read(self, name: str) -> Bits:
+        """What a digital source gives; nothing that is known once its bit has decayed."""
+        value = self.digital[name]
+        if self._now_us - self._written_us[name] <= self.target.digital_retention_us:
+            return value
+        if value != UNKNOWN:
+            self._doubt(f"{name} is read after its bit has decayed")
+        return UNKNOWN
+
+    def _some(self, word: Op) -> Bits:
+        one, zero = 0, self.everything
         for name in word.sources:
-            if name == "FLAG":
-                self._read_check(name)
-                value |= self.flag
-            elif name in self._sources:
-                value |= self._sources[name]
-            else:
-                self._read_check(name)
-                value |= self.digital[name]
-        return value
+            ones, zeros = self._read(name)
+            one |= ones
+            zero &= zeros
+        return one, zero
 
-    def _total(self, word: Op, where: NDArray[np.intp] | slice) -> Lights:
+    def _total(self, word: Op, where: _Lanes) -> Lights:
         total: Lights | None = None
         for name in word.sources:
             if name == "PIX":
@@ -185,24 +217,29 @@ class Replay:
             total = source[where] if total is None else total + source[where]
         return np.zeros((1, self.lights)) if total is None else total
 
-    def _set_flag(self, vector: int) -> None:
-        self.flag = vector
-        self._written_us["FLAG"] = self._now_us
+    def _flagged(self, word: Op) -> tuple[_Lanes, _Lanes | None]:
+        """Lanes whose FLAG is 1 and, if there are any, those whose FLAG is unknown."""
+        flag = self._read("FLAG")
+        if flag != self._split[0]:
+            one, zero = flag
+            ones = slice(None) if one == self.everything else members(one, self.lanes)
+            rest = self.everything & ~(one | zero)
+            self._split = flag, ones, members(rest, self.lanes) if rest else None
+        if self._split[2] is not None:
+            self._doubt(f"FLAG is unknown to `{word}` in some pixels")
+        return self._split[1:]
 
-    def _flagged(self) -> NDArray[np.intp] | slice:
-        """Lanes whose FLAG is 1, as an index; cached while FLAG does not change."""
-        self._read_check("FLAG")
-        if self._where[0] != self.flag or self._where[0] == 0:
-            if self.flag == self.everything:
-                self._where = (self.flag, slice(None))
-            else:
-                self._where = (self.flag, members(self.flag, self.lanes))
-        return self._where[1]
+    def _spoil(self, values: Lights, lanes: _Lanes) -> None:
+        rows = len(values[lanes])
+        values[lanes] = np.nan if self.quiet else self._noise(rows)
 
-    def _read_check(self, name: str) -> None:
-        if self._now_us - self._written_us[name] > self.target.digital_retention_us:
-            raise Faded(name, *self._place)
+    def _doubt(self, what: str) -> None:
+        if len(self.doubts) < _MOST_DOUBTS:
+            frame, boundary = self._place
+            self.doubts.append(f"{what}, at boundary {boundary} of frame {frame}")
 
+
+_MOST_DOUBTS = 4
 
 # Slots whose light is told apart in one float64: powers of four from 1 to 4^23, so that weights of
 # -1, 0, 1 and 2 a slot are exact.
@@ -226,6 +263,8 @@ def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[n
     found = np.zeros((replay.lanes, len(container.buckets), slots), dtype=np.bool_)
     for index, bucket in enumerate(container.buckets):
         value = measured[bucket]
+        if not np.isfinite(value).all():
+            return None
         for digit in range(_SLOTS_A_LIGHT):
             weight = np.rint(value) % 4
             if not np.isin(weight, (0, 1)).all():

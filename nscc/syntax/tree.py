@@ -22,7 +22,7 @@ class Record:
 
     def __init_subclass__(cls) -> None:
         cls.fields = (*cls.fields, *cls.__annotations__)
-        cls.__match_args__ = cls.fields  # type: ignore  # mypy names two codes for it, by turns
+        type.__setattr__(cls, "__match_args__", cls.fields)
 
     def __init__(self, *values: Any) -> None:
         if len(values) != len(self.fields):

@@ -38,6 +38,11 @@ def test_first_program_is_the_example() -> None:
     assert (ROOT / "examples" / "hdr_2x2.nsl").read_text().endswith(shown)
 
 
+def test_what_check_says_is_shown() -> None:
+    [shown] = blocks("README.md", "text")
+    assert invoke(["check", "examples/hdr_2x2.nsl"], ROOT).out == shown
+
+
 @pytest.mark.parametrize("page", PAGES)
 def test_commands_work(page: str, tmp_path: Path) -> None:
     shutil.copytree(ROOT / "examples", tmp_path / "examples")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import unicodedata
 
 import pytest
@@ -106,15 +107,13 @@ def test_colour_adds_nothing_but_colour() -> None:
     )  # fmt: skip
     plain, painted = render([error], "human"), render([error], "human", True)
     assert "\x1b" not in plain
-    import re
-
     assert re.sub(r"\x1b\[[0-9;]*m", "", painted) == plain
 
 
 def test_nothing_of_the_users_text_reaches_the_terminal_raw() -> None:
     error = Diagnostic(
-        "NS0107", "a\nb\x1b[2J", source=Source("x\x1b\n.nsl", "\x1b"), label=Label(Span(0, 1), "\x07"),
-        notes=("\x1b[2J",), helps=("\x9b",),
+        "NS0107", "a\nb\x1b[2J", source=Source("x\x1b\n.nsl", "\x1b"),
+        label=Label(Span(0, 1), "\x07"), notes=("\x1b[2J",), helps=("\x9b",),
     )  # fmt: skip
     for form in ("human", "short"):
         assert all(line.isprintable() for line in render([error], form).splitlines())
