@@ -85,10 +85,10 @@ format: $(VENV)/.test-installed
 	$(BIN)/ruff format .
 
 test: lint types $(VENV)/.compiled
-	$(BIN)/pytest --numprocesses auto
+	$(BIN)/pytest --numprocesses auto --dist loadgroup
 
 test-slow: $(VENV)/.test-installed $(VENV)/.compiled
-	$(BIN)/pytest --numprocesses auto -m slow
+	$(BIN)/pytest --numprocesses auto --dist loadgroup -m slow
 
 bench: $(VENV)/.test-installed $(VENV)/.compiled
 	for file in tests/benchmarks/bench_*.py; do $(BIN)/python $$file; done

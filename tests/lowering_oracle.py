@@ -12,10 +12,9 @@ from pathlib import Path
 import numpy as np
 from emulator_oracle import Chip
 
-from nscc.logic.problem import Machine
 from nscc.lower.assemble import assemble
 from nscc.lower.lowered import Lowered, lower
-from nscc.lower.plan import LOWERINGS, Misfit, levels, plan_exposure
+from nscc.lower.plan import Misfit, levels, plan_exposure
 from nscc.program.model import BucketRule, Frame, Program
 from nscc.source import Source, Span
 from nscc.target.load import load_target
@@ -27,7 +26,44 @@ from nscc.words.operations import Op
 FRAMES = 2
 REPLICAS = 6
 
-__all__ = ["LOWERINGS", "Machine", "Misfit"]
+
+class FadingChip(Chip):
+    """A chip whose bits are random once nobody has written them for the retention time.
+
+    `now_us` is set from outside. A register is written when a word stores to it in every pixel.
+    """
+
+    def __init__(self, random, target: Target, *state, **more) -> None:
+        super().__init__(*state, **more)
+        self.random, self.target = random, target
+        self.now_us = 0.0
+        self.written_us = dict.fromkeys((*target.digital_registers, "FLAG"), 0.0)
+
+    def run(self, name: str, destinations: tuple, sources: tuple) -> None:
+        """One word."""
+        for register, at in self.written_us.items():
+            if self.now_us - at > self.target.digital_retention_us:
+                self._forget(register)
+        enabled = bool(self.digital[self.target.mask_register].all())
+        super().run(name, destinations, sources)
+        if name in ("all", "where", "WHERE"):
+            self.written_us["FLAG"] = self.now_us
+        for register in destinations:
+            if register in self.digital and (enabled or register != self.target.masked_register):
+                self.written_us[register] = self.now_us
+
+    def end_frame(self, start_us: float) -> None:
+        """Bits that a whole frame left alone go the way of all that many frames leave alone."""
+        for register, at in self.written_us.items():
+            if at < start_us:
+                self.written_us[register] = -np.inf
+
+    def _forget(self, register: str) -> None:
+        noise = self.random.random(self.flag.shape) < 0.5
+        if register == "FLAG":
+            self.flag = noise
+        else:
+            self.digital[register] = noise
 
 
 def program_from(shutters, slot_us=None, target: Target | str = "scamp5") -> Program:
@@ -102,11 +138,19 @@ def expose(container: Container, seed: int, kernels=None, resets: bool | None = 
         digital[name] = code[name].copy()
     honours = target.reset_honours_flag == "yes" if resets is None else resets
     analog = {name: noise() for name in (*target.analog_registers, "PIX", "IN")}
-    chip = Chip(analog, digital, bits(), noise(), honours, target.where_obeys_flag)
+    chip = FadingChip(
+        random, target, analog, digital, bits(), noise(), honours, target.where_obeys_flag
+    )
     words = words_at(container, kernels)
+    end_us = 1.0  # loading ended before
     for _ in range(FRAMES):
         light = 10 ** random.uniform(0, 3, (container.slots, *shape))
-        chip.expose(words, light)
+        start_us = chip.now_us = end_us
+        for n, here in enumerate(words):
+            chip.expose([here], light[n : n + 1])
+            chip.now_us += container.slot_us[n] if n < container.slots else 0.0
+        end_us = chip.now_us + target.readout_us * len(container.readouts)
+        chip.end_frame(start_us)
         found = np.stack([chip.analog[r.register] * r.gain for r in container.readouts])
         kept = all((chip.digital[name] == held).all() for name, held in code.items())
         yield found, light, kept
