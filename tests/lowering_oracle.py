@@ -13,7 +13,7 @@ import numpy as np
 from emulator_oracle import Chip
 
 from nscc.lower.assemble import assemble
-from nscc.lower.lowered import Lowered, lower
+from nscc.lower.lowered import Lowered, analog_writes, lower
 from nscc.lower.plan import Misfit, levels, plan_exposure
 from nscc.program.model import BucketRule, Frame, Program
 from nscc.source import Source, Span
@@ -96,7 +96,9 @@ def lowered_as(program: Program, lowering: str, level: int = 1) -> Lowered | Mis
     """`program` lowered in one way, or why it cannot be."""
     opens = levels(program)
     plan = plan_exposure(program, lowering, opens)
-    return plan if isinstance(plan, Misfit) else lower(program, plan, level, opens)
+    return plan if isinstance(plan, Misfit) else lower(
+        program, plan, level, opens, analog_writes(program, plan)
+    )
 
 
 def container_of(lowered: Lowered, level: int = 1) -> Container:
@@ -115,8 +117,8 @@ def words_at(container: Container, kernels: tuple[tuple[Op, ...], ...] | None = 
 
 
 def expose(container: Container, seed: int, kernels=None, resets: bool | None = None):
-    """Runs two frames; yields (exposures, light) of each: (buckets, replicas, shutters) in electrons
-    and (slots, replicas, shutters). Asserts after each that the code is as it was.
+    """Runs two frames; yields exposures (buckets, replicas, shutters), light (slots, replicas,
+    shutters) and whether the code is as it was, after each.
 
     `resets` says whether rpix honours FLAG where the target does not know.
     """

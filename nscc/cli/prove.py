@@ -25,6 +25,18 @@ def command(file: Path) -> None:
 
     container = read_container(file)
     kernels = decoded(container)
+    if not container.has_table:
+        raise Rejected(
+            Diagnostic(
+                "NS0443",
+                f"'{file.as_posix()}' has no decode table: it says what its words are, but not "
+                "which shutters they should open",
+                helps=(
+                    "`nscc shutters` finds what they open",
+                    "`.shutter` and `.code` lines in the assembly text are a decode table",
+                ),
+            )
+        )
     proof = prove(container, kernels)
     if proof.failure is not None:
         failure = proof.failure
@@ -36,6 +48,7 @@ def command(file: Path) -> None:
                 "NS0440",
                 f"the words of '{file.as_posix()}' do not do what its decode table says: "
                 f"{failure.what} (frame {failure.frame}{where})",
+                notes=failure.doubts,
                 helps=("build the program again; `nscc diff` shows which words changed",),
                 data={"frame": failure.frame, "bucket": failure.bucket, "shutter": failure.shutter},
             )

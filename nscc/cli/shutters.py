@@ -36,7 +36,10 @@ def command(
 
     container, messages = load_program(file, BuildChoice(level, codes, lowering, target))
     say(messages)
-    if container.pixel_codes is None:
+    pixels = container.pixel_codes
+    if pixels is None and len(container.table.codes) == 1:
+        pixels = np.zeros((container.target.rows, container.target.cols), dtype=np.int32)
+    if pixels is None:
         raise Rejected(
             Diagnostic(
                 "NS0441",
@@ -54,14 +57,14 @@ def command(
                 helps=("`nscc prove` says what the words do wrong",),
             )
         )
-    lanes = container.table.shutter_of_code[container.pixel_codes]
+    lanes = container.table.shutter_of_code[pixels]
     packed = np.packbits(found, axis=2, bitorder="little").transpose(1, 0, 2)[:, lanes, :]
     arrays = {
         "shutter": packed,
         "shutter_shape": np.array([len(container.buckets), *lanes.shape, container.slots]),
     }
     for index, field in enumerate(container.table.fields):
-        arrays[f"codes_{field}"] = container.table.codes[:, index][container.pixel_codes]
+        arrays[f"codes_{field}"] = container.table.codes[:, index][pixels]
 
     def save(stream: BinaryIO) -> None:
         np.savez(stream, **arrays)  # type: ignore[arg-type]  # numpy types keywords as one kind

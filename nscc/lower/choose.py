@@ -35,19 +35,19 @@ def choose(program: Program, wanted: LoweringOption, level: int, *, price_all: b
     """Lowers `program` as wanted; without `price_all`, only until no better choice can follow."""
     opens = levels(program)
     misfits: dict[Lowering, Misfit] = {}
-    plans: list[tuple[int, ExposurePlan]] = []
+    plans: list[tuple[tuple[int, int], ExposurePlan]] = []
     for name in LOWERINGS if wanted == "auto" else (wanted,):
         plan = plan_exposure(program, name, opens)
         if isinstance(plan, Misfit):
             misfits[name] = plan
         else:
-            plans.append((analog_writes(program, plan)[1], plan))
-    plans.sort(key=lambda entry: (entry[0], LOWERINGS.index(entry[1].lowering)))
+            plans.append((analog_writes(program, plan), plan))
+    plans.sort(key=lambda entry: (entry[0][1], LOWERINGS.index(entry[1].lowering)))
     tried: list[Lowered] = []
     for writes, plan in plans:
-        if not price_all and any(t.fits and t.analog_writes[1] < writes for t in tried):
+        if not price_all and any(t.fits and t.analog_writes[1] < writes[1] for t in tried):
             break
-        result = lower(program, plan, level, opens)
+        result = lower(program, plan, level, opens, writes)
         if isinstance(result, Misfit):
             misfits[plan.lowering] = result
         else:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from nscc.logic.generate import solutions
 from nscc.logic.problem import Demand, Machine, Problem, Solution
-from nscc.logic.truth import rows
+from nscc.logic.truth import members
 from nscc.lower.plan import ExposurePlan, Misfit, Step
 from nscc.lower.schedule import Schedule, schedule
 from nscc.lower.timeline import Before, Timeline, flag_actions, timeline
@@ -26,6 +27,7 @@ class Lowered:
     solution: Solution
     schedule: Schedule
     time: Timeline
+    analog_writes: tuple[int, int]
 
     @cached_property
     def words_per_boundary(self) -> list[int]:
@@ -74,11 +76,6 @@ class Lowered:
         """Sort key among solutions of one lowering: fits, words a frame, largest boundary."""
         return not self.fits, self.schedule.words_total, max(self.words_per_boundary)
 
-    @cached_property
-    def analog_writes(self) -> tuple[int, int]:
-        """Fewest and most analog words that an ever-open pixel's registers take in a frame."""
-        return analog_writes(self.program, self.plan)
-
     @property
     def headroom_e(self) -> float:
         """Most electrons a frame, at constant light with the shutter always open, for every code.
@@ -90,15 +87,14 @@ class Lowered:
 
 def analog_writes(program: Program, plan: ExposurePlan) -> tuple[int, int]:
     """Fewest and most analog words (`bus`) that an ever-open pixel executes after the setup."""
+    steps = Counter((s.predicate, s.words) for s in plan.steps if s.bucket >= 0)
     counts = np.zeros(plan.shutters, dtype=np.int64)
-    for step in plan.steps:
-        if step.bucket < 0:
-            continue
-        buses = sum(word.operation.effect is Effect.BUS for word in step.words)
-        if step.predicate is None:
+    for (predicate, words), times in steps.items():
+        buses = times * sum(word.operation.effect is Effect.BUS for word in words)
+        if predicate is None:
             counts += buses
         else:
-            counts[rows([step.predicate], plan.shutters)[:, 0]] += buses
+            counts[members(predicate, plan.shutters)] += buses
     opening = program.table.shutters.any(axis=(1, 2))
     used = counts[opening]
     return (int(used.min()), int(used.max())) if used.size else (0, 0)
@@ -153,20 +149,27 @@ def problem_of(
 
 
 def lower(
-    program: Program, plan: ExposurePlan, level: int, opens: list[list[int]]
+    program: Program,
+    plan: ExposurePlan,
+    level: int,
+    opens: list[list[int]],
+    writes: tuple[int, int],
 ) -> Lowered | Misfit:
-    """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found."""
+    """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found.
+
+    `opens` is `levels(program)` and `writes` is `analog_writes(program, plan)`.
+    """
     time = timeline(program.frame.slot_us, len(program.buckets), program.target)
     problem, actions = problem_of(program, plan, time, opens)
     best: Lowered | None = None
     for solution in solutions(problem, Machine.of(program.target), level):
         laid = schedule(plan, solution, actions, time, program.target)
-        candidate = Lowered(program, plan, solution, laid, time)
+        candidate = Lowered(program, plan, solution, laid, time, writes)
         if best is None or candidate.price < best.price:
             best = candidate
     if best is None:
         return Misfit(
-            f"no generator found gates for {plan.lowering} in "
+            "no generator found gates in "
             f"{len(program.target.digital_registers)} digital registers"
         )
     return best
