@@ -3,6 +3,7 @@
 # make test-slow  the tests that take minutes
 # make bench      measure, side by side with numpy
 # make lint       ruff; make types: mypy; make format: put right what ruff can
+# make grammar    the parser's tables, from grammars/nsl.lark
 # make clean      remove what was built; the environment stays
 #
 # PYTHON=python3.12 chooses the interpreter (3.11 or newer), VENV=.. and OUT=.. the folders.
@@ -23,7 +24,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test test-slow bench lint format types clean
+.PHONY: help demo test test-slow bench lint format types grammar clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -48,10 +49,11 @@ $(VENV)/.test-installed: $(VENV)/.installed
 	$(PIP) --no-build-isolation --editable '.[device,test,train]'
 	@touch $@
 
-# Compiled ahead, so that no command has to wait for the compiler.
+# Compiled ahead, so that no command has to wait for a compiler, even where Python may not cache.
 $(VENV)/.compiled: $(VENV)/.installed $(wildcard runtime/nscc_runtime/emulator/*.py)
 	@echo "compiling the emulator's loops"
 	$(LOOPS)
+	$(BIN)/python -m compileall -q nscc runtime/nscc_runtime training/nscc_training
 	@touch $@
 
 $(OUT)/%.icw: examples/%.nsl $(VENV)/.compiled $(SOURCES)
@@ -92,6 +94,9 @@ test-slow: $(VENV)/.test-installed $(VENV)/.compiled
 
 bench: $(VENV)/.test-installed $(VENV)/.compiled
 	for file in tests/benchmarks/bench_*.py; do $(BIN)/python $$file; done
+
+grammar: $(VENV)/.test-installed
+	$(BIN)/python -m nscc.syntax.generate
 
 clean:
 	rm -rf $(OUT) dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

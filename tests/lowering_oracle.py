@@ -44,7 +44,8 @@ class FadingChip(Chip):
         for register, at in self.written_us.items():
             if self.now_us - at > self.target.digital_retention_us:
                 self._forget(register)
-        enabled = bool(self.digital[self.target.mask_register].all())
+        mask = self.target.mask_register
+        enabled = mask is None or bool(self.digital[mask].all())
         super().run(name, destinations, sources)
         if name in ("all", "where", "WHERE"):
             self.written_us["FLAG"] = self.now_us

@@ -14,7 +14,6 @@ from nscc.cli.support import CommonCommand
 
 NEEDED = (
     ("click", "the command line"),
-    ("lark", "the grammar"),
     ("llvmlite", "the emulator"),
     ("matplotlib", "nscc view"),
     ("numba", "the emulator"),

@@ -29,17 +29,27 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     """The diagnostic and exit status of an exception that no command expects.
 
     NS0784 (status 2) where a file or stream fails, NS0902 (3) where memory runs out, NS0903 (1)
-    where the input is nested too deeply, else NS0901 (70) with a reproducer.
+    where the input is nested too deeply, NS0904 (2) where a package is missing, else NS0901 (70) with a reproducer.
     """
     if isinstance(error, MemoryError):
         return _out_of_memory(error), FAILED
     if isinstance(error, RecursionError):
         return _too_deep(), REJECTED
+    if isinstance(error, ModuleNotFoundError) and not (error.name or "nscc").startswith("nscc"):
+        return _missing_package(error), WRONG_USAGE
     if isinstance(error, OSError) and error.errno is not None and not _of_nscc(error.filename):
         where = f" '{error.filename}'" if error.filename else ""
         reason = error.strerror or str(error)
         return Diagnostic("NS0784", f"cannot read or write{where}: {reason}"), WRONG_USAGE
     return _fault(error, arguments), FAULT
+
+
+def _missing_package(error: ModuleNotFoundError) -> Diagnostic:
+    return Diagnostic(
+        "NS0904",
+        f"the Python package '{error.name}', which this needs, is not installed",
+        helps=("install nscc with its dependencies: pip install nscc", "`nscc doctor` lists them"),
+    )
 
 
 def _out_of_memory(error: MemoryError) -> Diagnostic:

@@ -41,13 +41,12 @@ def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: s
         return found[0]
     cut = sum(f.cut for f in found)
     names = {f.name for f in found}
-    parts = "; ".join(
-        f"bucket {bucket} is {_class_text(f.name)}: {f.reason}"
-        for bucket, f in zip(buckets[:8], found[:8], strict=True)
+    parts = ", ".join(
+        f"{bucket} {_class_text(f.name)}" for bucket, f in zip(buckets, found, strict=True)
     )
     if len(names) == 1:
-        return Recognised(found[0].name, parts, cut)
-    return Recognised("general", parts, cut)
+        return Recognised(found[0].name, f"by bucket: {parts}", cut)
+    return Recognised("general", f"buckets of different classes: {parts}", cut)
 
 
 def _class_text(name: str) -> str:

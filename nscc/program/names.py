@@ -150,7 +150,7 @@ class _Gatherer:
                 "NS0204",
                 "the program has no rule: no `open when`, and no `bucket`",
                 place,
-                "when a shutter is open is missing",
+                "the rule is missing",
                 helps=("say when a pixel's shutter is open: `open when n < stop`",),
             )
         if len(self.found.codes) > MOST_FIELDS:
