@@ -1,4 +1,4 @@
-"""What all tests share: options of pytest, hypothesis profiles, and `nscc` without a new process."""
+"""What all tests share: options, hypothesis profiles, and `nscc` without a new process."""
 
 from __future__ import annotations
 

@@ -97,8 +97,10 @@ def lowered_as(program: Program, lowering: str, level: int = 1) -> Lowered | Mis
     """`program` lowered in one way, or why it cannot be."""
     opens = levels(program)
     plan = plan_exposure(program, lowering, opens)
-    return plan if isinstance(plan, Misfit) else lower(
-        program, plan, level, opens, analog_writes(program, plan)
+    return (
+        plan
+        if isinstance(plan, Misfit)
+        else lower(program, plan, level, opens, analog_writes(program, plan))
     )
 
 

@@ -29,7 +29,8 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     """The diagnostic and exit status of an exception that no command expects.
 
     NS0784 (status 2) where a file or stream fails, NS0902 (3) where memory runs out, NS0903 (1)
-    where the input is nested too deeply, NS0904 (2) where a package is missing, else NS0901 (70) with a reproducer.
+    where the input is nested too deeply, NS0904 (2) where a package is missing, else NS0901 (70)
+    with a reproducer.
     """
     if isinstance(error, MemoryError):
         return _out_of_memory(error), FAILED

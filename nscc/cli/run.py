@@ -107,8 +107,11 @@ def command(program: Path, **options: Any) -> None:
         light = _scene(container, options, messages)
     with timings.part("expose_s"):
         from nscc_runtime.emulator import expose
+        from nscc_runtime.emulator.compiled import is_compiled
         from nscc_runtime.frame_file import read_out
 
+        if not is_compiled():
+            done("compiling the emulator's loops for this processor: once, some seconds")
         exposure = expose(container, light, device_seed=options["device_seed"])
         frame = read_out(exposure, container.target)
     # Not NAME.npz: that may well be the program's own data.

@@ -153,7 +153,7 @@ class _Walker:
         if event.edge == "rise":
             self._gates.nor("t0", equal)
             if self._machine.where_reads_flag:
-                self._gates.where(["FLAG", "t0"], None)
+                self._gates.where(["FLAG", "t0"], "t0")
                 return
             self._gates.or_("t0", ["t0", "FLAG"])
         else:

@@ -169,7 +169,6 @@ def lower(
             best = candidate
     if best is None:
         return Misfit(
-            "no generator found gates in "
-            f"{len(program.target.digital_registers)} digital registers"
+            f"no generator found gates in {len(program.target.digital_registers)} digital registers"
         )
     return best

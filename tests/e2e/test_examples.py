@@ -63,7 +63,7 @@ def test_builds_for_every_legal_code(path: Path, tmp_path: Path) -> None:
 def test_words_open_the_shutters_that_are_meant(path: Path, tmp_path: Path) -> None:
     fine(["shutters", path, "-o", "s.npz"], tmp_path)
     with np.load(tmp_path / "s.npz") as data:
-        buckets, rows, cols, slots = shape = tuple(data["shutter_shape"].tolist())
+        _, rows, cols, slots = shape = tuple(data["shutter_shape"].tolist())
         found = np.unpackbits(data["shutter"], axis=-1, count=slots, bitorder="little")
     assert (rows, cols) == (256, 256)
     expected = shutters_of(path.stem, slots, rows, cols)

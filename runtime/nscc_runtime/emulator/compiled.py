@@ -42,24 +42,39 @@ def folders() -> tuple[Path, ...]:
     return Path(__file__).parent / "__pycache__", Path(user) / "nscc"
 
 
+def is_compiled() -> bool:
+    """Whether the machine code is there: if not, its first use takes some seconds."""
+    return _kept(folders()) is not None
+
+
 def object_code(places: Sequence[Path]) -> bytes:
     """The object file: read from the first place that has it whole, else compiled and kept."""
-    name = f"{ENTRY}-{_key()}.o"
-    for place in places:
-        try:
-            data = (place / name).read_bytes()
-        except OSError:
-            continue
-        if hashlib.sha256(data[_DIGEST_BYTES:]).digest() == data[:_DIGEST_BYTES]:
-            return data[_DIGEST_BYTES:]
+    kept = _kept(places)
+    if kept is not None:
+        return kept
     code = build()
     for place in places:
         try:
-            _write(place / name, hashlib.sha256(code).digest() + code)
+            _write(place / _name(), hashlib.sha256(code).digest() + code)
         except OSError:
             continue
         break
     return code
+
+
+def _name() -> str:
+    return f"{ENTRY}-{_key()}.o"
+
+
+def _kept(places: Sequence[Path]) -> bytes | None:
+    for place in places:
+        try:
+            data = (place / _name()).read_bytes()
+        except OSError:
+            continue
+        if hashlib.sha256(data[_DIGEST_BYTES:]).digest() == data[:_DIGEST_BYTES]:
+            return data[_DIGEST_BYTES:]
+    return None
 
 
 def build() -> bytes:
