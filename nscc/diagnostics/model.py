@@ -41,7 +41,8 @@ class Diagnostic:
 
     `code` is NSxxxx and has a page of that name in `nscc/diagnostics/pages` (`nscc explain`).
     `message` is one line. `label` is the place the user can change; `related` are further
-    places (where a limit comes from). `notes` are printed after `=`, `helps` after `help:`.
+    places (where a limit comes from). `notes` are printed after `=`, `helps` after `help:`;
+    `ways_out` describe nearby programs that were compiled and fit, and are printed as a list.
     `data` is for programs (JSON values only); a resource error's holds `resource`, `required`,
     `available` and `proved`. `source` is None for messages about no text.
     """
@@ -54,6 +55,7 @@ class Diagnostic:
     related: tuple[Label, ...] = ()
     notes: tuple[str, ...] = ()
     helps: tuple[str, ...] = ()
+    ways_out: tuple[str, ...] = ()
     fixes: tuple[Fix, ...] = ()
     data: Mapping[str, Any] = field(default_factory=dict)
 

@@ -148,11 +148,12 @@ def _helps(diagnostic: Diagnostic) -> list[str]:
     said = "".join(diagnostic.helps)
     fixes = [fix.title for fix in diagnostic.fixes if f"`{fix.replacement}`" not in said]
     helps = [*diagnostic.helps, *fixes]
-    if diagnostic.code == "NS0412" and helps:
-        lines = ["help: each of these was compiled and fits"]
-        lines += [f"   {i}. {text}" for i, text in enumerate(helps, 1)]
-        return [*lines, f"   = more: nscc explain {diagnostic.code}"]
-    return [f"help: {text}" for text in helps]
+    lines = [f"help: {text}" for text in helps]
+    if diagnostic.ways_out:
+        lines.append("help: each of these was compiled and fits")
+        lines += [f"   {i}. {text}" for i, text in enumerate(diagnostic.ways_out, 1)]
+        lines.append(f"   = more: nscc explain {diagnostic.code}")
+    return lines
 
 
 def _excerpt(source: Source, label: Label, row: int, mark: str) -> tuple[str, str]:

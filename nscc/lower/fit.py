@@ -51,7 +51,7 @@ def capacity_fault(program: Program, ways_out: Sequence[str]) -> Diagnostic | No
             f"bits by holder: {', '.join(ledger)}; scratch 0" if len(ledger) > 1 else
             f"bits by holder: {', '.join(ledger)}",
         ),
-        helps=tuple(ways_out),
+        ways_out=tuple(ways_out),
         data=_resource("digital registers", required, available, proved=True),
     )  # fmt: skip
 
