@@ -196,7 +196,8 @@ class Replay:
         if self._now_us - self._written_us[name] <= self.target.digital_retention_us:
             return value
         if value != UNKNOWN:
-            why = "no frame writes it anew" if name in self._only_loaded else "its bit has decayed"
+            never = self._written_us[name] == -inf
+            why = "no frame writes it anew" if never else "its bit has decayed"
             self._doubt(f"{name} is read although {why}")
         return UNKNOWN
 
