@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget, Cube, Encoding, cover
 from nscc.logic.problem import Demand, GaveUp, Machine, Problem
-from nscc.logic.truth import members, number_planes
+from nscc.truth import members, number_planes
 
 
 def gray(number: int) -> int:

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc.logic.truth import rows
 from nscc.lower.lowered import Lowered
+from nscc.truth import rows
 from nscc.words.container import Container, Kernel, Launch, Readout
 from nscc.words.encoding import encode
 

@@ -10,11 +10,11 @@ import numpy as np
 
 from nscc.logic.generate import solutions
 from nscc.logic.problem import Demand, Machine, Problem, Solution
-from nscc.logic.truth import members
 from nscc.lower.plan import ExposurePlan, Misfit, Step
 from nscc.lower.schedule import Schedule, schedule
 from nscc.lower.timeline import Before, Timeline, flag_actions, timeline
 from nscc.program.model import Program
+from nscc.truth import members
 from nscc.words.operations import Effect
 
 

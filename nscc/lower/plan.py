@@ -19,8 +19,8 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from nscc.logic.truth import columns
 from nscc.program.model import Program
+from nscc.truth import columns
 from nscc.words.operations import Op, op
 
 Lowering = Literal["accumulate", "latch", "edges"]

@@ -19,9 +19,9 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.truth import columns, members
 from nscc.prove.noise import Noise
 from nscc.target.model import Target
+from nscc.truth import columns, members
 from nscc.words.container import Container
 from nscc.words.operations import Effect, Op, Phase
 

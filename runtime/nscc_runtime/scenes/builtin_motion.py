@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import timing
 from nscc_runtime.scenes.exposure import Exposure
-from nscc_runtime.scenes.load import spread
 from nscc_runtime.scenes.shapes import Field, fractal, hashed, turn
+from nscc_runtime.scenes.spread import spread
 
 _FEWEST, _MOST = 64, 256
 """Pictures of the clip: fewer would jump, more would cost a gigabyte for thousands of slots."""

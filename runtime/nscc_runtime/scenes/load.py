@@ -18,6 +18,7 @@ from nscc_runtime.scenes.colour import Transfer, linear, luminance
 from nscc_runtime.scenes.crop import Window
 from nscc_runtime.scenes.errors import Census, rejected, size
 from nscc_runtime.scenes.exposure import Exposure
+from nscc_runtime.scenes.spread import spread
 
 FramesAre = Literal["integrals", "samples"]
 
@@ -253,25 +254,6 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
         factor = exposure.scale(frames.sum(axis=0, dtype=np.float64), wanted, request.name)
         return Light.of_clip(frames, factor)
     return spread(frames, timing.overlaps(request.slot_us, fps), wanted, request.name)
-
-
-def spread(
-    frames: NDArray[np.float32], seconds: timing.Overlaps, wanted: Exposure, name: str
-) -> Light:
-    """A clip of electrons a second, up to a factor, that slots integrate piecewise constant."""
-    share = np.bincount(seconds.frame_index, seconds.seconds, len(frames))
-    open_sum = np.zeros(frames.shape[1:], np.float64)
-    for frame, time_s in zip(frames, share, strict=True):
-        open_sum += frame * time_s
-    factor = exposure.scale(open_sum, wanted, name)
-    return Light(
-        frames=frames,
-        row_start=seconds.row_start,
-        frame_index=seconds.frame_index,
-        weight=seconds.seconds * factor,
-        kind="clip",
-        exposure_scale_e=factor,
-    )
 
 
 def _luminance(
