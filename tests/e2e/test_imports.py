@@ -16,7 +16,20 @@ HEAVY = ("cv2", "matplotlib", "numba", "PIL", "scipy", "serial", "torch")
 # (a package, what nothing in it may import)
 ORDER = (
     ("nscc", ("nscc_training",)),
-    ("runtime/nscc_runtime", ("nscc_training", "nscc.cli", "nscc.logic", "nscc.lower")),
+    (
+        "runtime/nscc_runtime",
+        (
+            "nscc_training",
+            "nscc.cli",
+            "nscc.pipeline",
+            "nscc.emit",
+            "nscc.prove",
+            "nscc.logic",
+            "nscc.lower",
+            "nscc.program",
+            "nscc.syntax",
+        ),
+    ),
     ("nscc/diagnostics", ("nscc.syntax", "nscc.program", "nscc.cli", "nscc.pipeline")),
     ("nscc/syntax", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc.cli")),
     ("nscc/target", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc.cli")),
@@ -24,7 +37,7 @@ ORDER = (
     ("nscc/program", ("nscc.lower", "nscc.logic", "nscc.prove", "nscc.pipeline", "nscc.cli")),
     ("nscc/logic", ("nscc.syntax", "nscc.program", "nscc.prove", "nscc.pipeline", "nscc.cli")),
     ("nscc/lower", ("nscc.syntax", "nscc.prove", "nscc.pipeline", "nscc.cli")),
-    ("nscc/prove", ("nscc.syntax", "nscc.program", "nscc.logic.generate", "nscc.logic.encodings")),
+    ("nscc/prove", ("nscc.syntax", "nscc.program", "nscc.logic", "nscc.lower", "nscc.cli")),
 )
 
 
