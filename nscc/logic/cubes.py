@@ -114,15 +114,8 @@ def _emit_with(
 ) -> tuple[_Emitter, tuple[tuple[Segment, ...], ...], tuple[Segment, ...]]:
     emitter = _Emitter(machine, len(encoding.planes), scratch)
     answers: list[tuple[Segment, ...]] = []
-    last: int | None = None
-    for demand, cubes, inverted in zip(
-        problem.demands, encoding.cubes, encoding.inverted, strict=True
-    ):
-        if demand.flag_kept and demand.predicate == last:
-            answers.append(())
-        else:
-            answers.append(emitter.answer(cubes, inverted))
-        last = demand.predicate
+    for i, (cubes, inverted) in enumerate(zip(encoding.cubes, encoding.inverted, strict=True)):
+        answers.append(() if problem.answered(i) else emitter.answer(cubes, inverted))
     return emitter, tuple(answers), emitter.restore()
 
 

@@ -116,10 +116,15 @@ _Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
 
 
 def _event_fields(problem: Problem) -> _Events:
-    """For each kind of event and its rank: (demand, shutters) in time order."""
+    """For each kind of event and its rank: (demand, shutters) in time order.
+
+    Demands that find FLAG as they want it are nobody's event.
+    """
     seen: dict[tuple[str, int], NDArray[np.int64]] = {}
     fields: _Events = {}
     for i, demand in enumerate(problem.demands):
+        if problem.answered(i):
+            continue
         kind = (demand.edge, demand.bucket)
         if kind not in seen:
             seen[kind] = np.zeros(problem.shutters, dtype=np.int64)
@@ -188,6 +193,26 @@ def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) 
     holders = [text for b in bits for text in (b, f"{b}, inverted")]
     cubes = tuple(tuple(_twice(cube) for cube in predicate) for predicate in encoding.cubes)
     return Encoding(encoding.name, tuple(planes), tuple(holders), cubes, encoding.inverted)
+
+
+def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
+    """The values of the code's fields, each in Gray code, a cover of cubes for each predicate.
+
+    Rules are written in fields, so events of one field are equalities again, and what sets a few
+    shutters apart (those that never open) costs a few cubes at a few boundaries.
+    """
+    if len(problem.values) < 2:
+        raise GaveUp("one field is as good as the shutters' numbers")
+    planes: list[int] = []
+    holders: list[str] = []
+    for name, values in problem.values.items():
+        rank = np.searchsorted(np.unique(values), values)
+        width = int(rank.max()).bit_length()
+        planes += number_planes(rank ^ (rank >> 1), width)
+        holders += [f"{name}, Gray bit {bit}" for bit in range(width)]
+    if len(planes) > machine.registers - 1:
+        raise GaveUp(f"{len(planes)} bits of fields leave no register to compute with")
+    return _covered(problem, "fields in Gray code", planes, holders, budget)
 
 
 def _twice(cube: Cube) -> Cube:

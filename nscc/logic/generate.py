@@ -39,6 +39,7 @@ EQUALITIES: tuple[Generator, ...] = (
 )
 # Covers: any predicates at all, at a price that grows with them.
 COVERS: tuple[Generator, ...] = (
+    _emitted(encodings.covered_fields),
     _emitted(encodings.covered_levels),
     _emitted(encodings.covered_both_polarities),
     _emitted(encodings.covered_stored),
@@ -49,8 +50,8 @@ COVERS: tuple[Generator, ...] = (
 def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Solution]:
     """Solutions of a problem, each from another generator; none where every one gives up.
 
-    Level 0 stops at the first that works, level 1 offers all that its steps allow. The caller
-    prices them: what a solution costs depends on the words around it.
+    They are made as they are asked for, those first that tend to be cheapest. The caller prices
+    them: what a solution costs depends on the words around it.
     """
     if not problem.demands:
         yield Solution("none", "no code is needed", (), (), 0, 0, (), (), ())
@@ -63,14 +64,9 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
     for solution in _tries(EQUALITIES, problem, machine, level):
         yield solution
         found = True
-        if level == 0:
-            return
     if found and problem.shutters > MOST_COVERED:
         return
-    for solution in _tries(COVERS, problem, machine, level):
-        yield solution
-        if level == 0:
-            return
+    yield from _tries(COVERS, problem, machine, level)
 
 
 def _tries(

@@ -11,8 +11,11 @@ are scratch. `nscc.lower.allocate` gives them places.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nscc.target.model import Target
 
@@ -60,17 +63,25 @@ class Problem:
 
     `opens[bucket][slot]` are the truth vectors of the open shutters; `flag_lasts`: FLAG does not
     decay within the frame, so a solution may keep state in it (`Solution.state_in_flag`).
+    `values` names each field of the code and, for every shutter, its value (shutters,) in one of
+    the codes that mean that shutter: predicates tend to be simple in them.
     """
 
     demands: tuple[Demand, ...]
     shutters: int
     opens: tuple[tuple[int, ...], ...]
     flag_lasts: bool
+    values: Mapping[str, NDArray[np.int64]]
 
     @property
     def everything(self) -> int:
         """The truth vector of all shutters."""
         return (1 << self.shutters) - 1
+
+    def answered(self, index: int) -> bool:
+        """Whether FLAG already holds what demand `index` asks for."""
+        demand = self.demands[index]
+        return demand.flag_kept and demand.predicate == self.demands[index - 1].predicate
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,11 @@ register, or FLAG itself.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from nscc.logic.cubes import Budget, Encoding
-from nscc.logic.encodings import gray_index, gray_times
+from nscc.logic.encodings import covered_fields, gray_index, gray_times
 from nscc.logic.gates import Gates
 from nscc.logic.problem import Demand, GaveUp, Machine, Problem, Segment, Solution
 
@@ -34,7 +35,7 @@ def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool)
         raise GaveUp("the demands are events already")
     from_open = [_closes_only(levels) for levels in problem.opens]
     events, needed_before = _events(problem, from_open)
-    inner = Problem(tuple(events), problem.shutters, problem.opens, False)
+    inner = replace(problem, demands=tuple(events), flag_lasts=False)
     states = 0 if in_flag else len(problem.opens)
     encoding = _times(inner, machine, budget, machine.registers - 1 - states)
     planes = len(encoding.planes)
@@ -62,13 +63,14 @@ def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool)
 
 
 def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Encoding:
-    """Event times as fields of their own, or in one number where `room` cannot hold those."""
-    try:
-        encoding = gray_times(problem, machine, budget)
-        if len(encoding.planes) <= room:
+    """Events in planes of which there is `room` for: times, fields' values or shutter numbers."""
+    for encode in (gray_times, covered_fields):
+        try:
+            encoding = encode(problem, machine, budget)
+        except GaveUp:
+            continue
+        if len(encoding.planes) <= room and not any(encoding.inverted):
             return encoding
-    except GaveUp:
-        pass
     return gray_index(problem, machine, budget)
 
 

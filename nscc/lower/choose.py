@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from heapq import heapify, heappop, heappush
 from typing import Literal
 
 from nscc.lower.lowered import Lowered, analog_writes, lower
@@ -32,24 +33,42 @@ def rank(lowered: Lowered) -> tuple[bool, int, int, int]:
 
 
 def choose(program: Program, wanted: LoweringOption, level: int, *, price_all: bool) -> Choice:
-    """Lowers `program` as wanted; without `price_all`, only until no better choice can follow."""
+    """Lowers `program` as wanted; without `price_all`, only until no better choice can follow.
+
+    Lowerings wait in the order of their analog writes, or of a bound until they are planned.
+    """
     opens = levels(program)
     misfits: dict[Lowering, Misfit] = {}
-    plans: list[tuple[tuple[int, int], ExposurePlan]] = []
-    for name in LOWERINGS if wanted == "auto" else (wanted,):
-        plan = plan_exposure(program, name, opens)
-        if isinstance(plan, Misfit):
-            misfits[name] = plan
-        else:
-            plans.append((analog_writes(program, plan), plan))
-    plans.sort(key=lambda entry: (entry[0][1], LOWERINGS.index(entry[1].lowering)))
     tried: list[Lowered] = []
-    for writes, plan in plans:
-        if not price_all and any(t.fits and t.analog_writes[1] < writes[1] for t in tried):
+    plans: dict[Lowering, tuple[ExposurePlan, tuple[int, int]]] = {}
+    waiting = [
+        (_fewest_writes(program, name), LOWERINGS.index(name), name)
+        for name in (LOWERINGS if wanted == "auto" else (wanted,))
+    ]
+    heapify(waiting)
+    while waiting:
+        writes, order, name = heappop(waiting)
+        if not price_all and any(t.fits and t.analog_writes[1] < writes for t in tried):
             break
-        result = lower(program, plan, level, opens, writes)
+        if name not in plans:
+            plan = plan_exposure(program, name, opens)
+            if isinstance(plan, Misfit):
+                misfits[name] = plan
+            else:
+                plans[name] = plan, analog_writes(program, plan)
+                heappush(waiting, (plans[name][1][1], order, name))
+            continue
+        result = lower(program, plans[name][0], level, opens, plans[name][1])
         if isinstance(result, Misfit):
-            misfits[plan.lowering] = result
+            misfits[name] = result
         else:
             tried.append(result)
-    return Choice(tuple(sorted(tried, key=rank)), misfits)
+    in_order = {name: misfits[name] for name in LOWERINGS if name in misfits}
+    return Choice(tuple(sorted(tried, key=rank)), in_order)
+
+
+def _fewest_writes(program: Program, lowering: Lowering) -> int:
+    """A bound, found without a plan, on the most analog words that a pixel executes."""
+    if lowering == "accumulate":
+        return 2 * int(program.table.shutters.sum(axis=(1, 2)).max(initial=0))
+    return 0

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nscc.logic.generate import solutions
 from nscc.logic.problem import Demand, Machine, Problem, Solution
@@ -145,7 +146,32 @@ def problem_of(
             demands.append(Demand(step.boundary, step.role, step.bucket, step.predicate, kept))
     lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
     levels = tuple(tuple(bucket) for bucket in opens)
-    return Problem(tuple(demands), plan.shutters, levels, lasts), actions
+    values = _field_values(program)
+    return Problem(tuple(demands), plan.shutters, levels, lasts, values), actions
+
+
+def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
+    """Every field's value in one code of each shutter; free bits are fields of their own.
+
+    Of several codes one is taken whose values other shutters need anyway.
+    """
+    table = program.table
+    meant = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
+    only = table.codes[meant[table.shutter_of_code] == 1]
+    needed = np.ones(len(table.codes), dtype=np.bool_)
+    for field in range(len(table.fields)):
+        needed &= np.isin(table.codes[:, field], only[:, field])
+    order = np.argsort(~needed, kind="stable")
+    _, first = np.unique(table.shutter_of_code[order], return_index=True)
+    codes = table.codes[order[first]]
+    values: dict[str, NDArray[np.int64]] = {}
+    for index, field in enumerate(program.fields):
+        if field.bits is None:
+            values[field.name] = codes[:, index]
+        else:
+            bits = {f"{field.name}[{k}]": codes[:, index] >> k & 1 for k in range(field.bits)}
+            values.update(bits)
+    return values
 
 
 def lower(

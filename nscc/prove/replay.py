@@ -88,28 +88,31 @@ class Replay:
         container = self.container
         frame_start_us = self._now_us
         boundary_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
-        launches = iter([*container.launches, None])
-        launch = next(launches)
+        gathered = np.zeros((container.slots + 1, light.shape[1]))
+        np.cumsum(light, axis=0, out=gathered[1:])
         frame = self._place[0] + 1
         if frame > 1:
             # Frames follow each other for as long as the chip runs: what none of them writes fades.
             self._written_us.update(dict.fromkeys(self._only_loaded, -inf))
-        for boundary in range(container.slots + 1):
+        boundary = 0
+        for launch in container.launches:
+            if launch.instant > boundary:
+                self.pix += gathered[launch.instant] - gathered[boundary]
+                boundary = launch.instant
             self._now_us = frame_start_us + float(boundary_us[boundary])
             self._place = (frame, boundary)
-            while launch is not None and launch.instant == boundary:
-                for word in self.kernels[launch.kernel]:
-                    self._run(word)
-                launch = next(launches)
-            if boundary < container.slots:
-                self.pix += light[boundary]
+            for word in self.kernels[launch.kernel]:
+                self._run(word)
+        self.pix += gathered[-1] - gathered[boundary]
+        self._place = (frame, container.slots)
+        self._now_us = frame_start_us + float(boundary_us[-1])
         self._now_us += self.target.readout_us * len(container.readouts)
         return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
 
     @property
     def code_kept(self) -> bool:
         """Whether the code registers hold what they held when the first frame started."""
-        return all(self.digital[name] == bits for name, bits in self.code.items())
+        return all(self._read(name) == bits for name, bits in self.code.items())
 
     def _noise(self, lanes: int) -> Lights:
         if self.quiet:
@@ -197,8 +200,7 @@ class Replay:
             return value
         if value != UNKNOWN:
             never = self._written_us[name] == -inf
-            why = "no frame writes it anew" if never else "its bit has decayed"
-            self._doubt(f"{name} is read although {why}")
+            self._doubt(f"{name} has decayed{': no frame writes it anew' if never else ''}")
         return UNKNOWN
 
     def _some(self, word: Op) -> Bits:

@@ -185,7 +185,7 @@ def test_bits_that_decay_inside_a_frame_are_not_relied_on():
     proof = prove(slow, kernels)
     assert proof.failure is not None
     assert proof.failure.frame == 1
-    assert "its bit has decayed" in proof.failure.doubts[0]
+    assert "has decayed, at" in proof.failure.doubts[0]
 
 
 def test_the_third_frame_is_like_the_second():
