@@ -32,6 +32,10 @@ class Encoding:
     inverted: tuple[bool, ...]
 
 
+# More cubes of one predicate than this are taken as they come: sorting them takes too long.
+_MOST_SORTED = 128
+
+
 class Budget:
     """Steps that a search may still take; the same input always takes the same steps."""
 
@@ -142,7 +146,8 @@ class _Emitter:
         wide = [cube for cube in cubes if len(cube) != 1]
         terms: list[str] = []
         while wide:
-            wide.sort(key=self._mismatches)
+            if len(wide) <= _MOST_SORTED:
+                wide.sort(key=self._mismatches)
             cube = wide.pop(0)
             # Room first: turning the plane of the masked register overwrites its mask, which is
             # scratch and may hold a term.

@@ -21,11 +21,11 @@ class Gates:
         return taken
 
     def nor(self, destination: str, sources: Sequence[str]) -> None:
-        """destination := NOR(sources). The destination may be among them."""
+        """destination := NOR(sources), 1 if there are none. The destination may be among them."""
         self._gather("NOR", "NOT", destination, sources)
 
     def or_(self, destination: str, sources: Sequence[str]) -> None:
-        """destination := OR(sources). The destination may be among them."""
+        """destination := OR(sources), 0 if there are none. The destination may be among them."""
         self._gather("OR", "MOV", destination, sources)
 
     def clear(self, registers: Sequence[str]) -> None:
@@ -54,6 +54,9 @@ class Gates:
         self._gates.append(Gate("WHERE", "FLAG", tuple(sources)))
 
     def _gather(self, many: str, single: str, destination: str, sources: Sequence[str]) -> None:
+        if not sources:
+            (self.set if many == "NOR" else self.clear)([destination])
+            return
         limit = self._machine.or_sources
         rest = [name for name in sources if name != destination]
         in_place = len(rest) < len(sources)

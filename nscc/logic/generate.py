@@ -12,6 +12,9 @@ from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 # of up to 512 shutters.
 SEARCH_STEPS = {0: 50_000, 1: 400_000}
 
+# Where all of them gave up, they are tried again with this many: seconds instead of none at all.
+PATIENT_STEPS = 4_000_000
+
 # Covers of more shutters than this are tried only where nothing else works: they would not win.
 MOST_COVERED = 512
 
@@ -45,6 +48,8 @@ COVERS: tuple[Generator, ...] = (
     _emitted(encodings.covered_stored),
     _emitted(encodings.covered_gray_index),
 )
+# The dearest: every shutter of every predicate by itself. Few kernels serve all of them.
+LAST: tuple[Generator, ...] = (_emitted(encodings.gray_index_wide),)
 
 
 def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Solution]:
@@ -56,24 +61,26 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
     if not problem.demands:
         yield Solution("none", "no code is needed", (), (), 0, 0, (), (), ())
         return
-    direct = list(_tries(DIRECT, problem, machine, level))
+    steps = SEARCH_STEPS[level]
+    direct = list(_tries(DIRECT, problem, machine, steps))
     if direct:
         yield min(direct, key=lambda s: len(s.planes))
         return
+    groups = [(EQUALITIES, steps), (COVERS, steps), ((*COVERS, *LAST), PATIENT_STEPS)]
     found = False
-    for solution in _tries(EQUALITIES, problem, machine, level):
-        yield solution
-        found = True
-    if found and problem.shutters > MOST_COVERED:
-        return
-    yield from _tries(COVERS, problem, machine, level)
+    for group, allowed in groups:
+        for solution in _tries(group, problem, machine, allowed):
+            yield solution
+            found = True
+        if found and (group is COVERS or problem.shutters > MOST_COVERED):
+            return
 
 
 def _tries(
-    group: tuple[Generator, ...], problem: Problem, machine: Machine, level: int
+    group: tuple[Generator, ...], problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
     for generate in group:
         try:
-            yield generate(problem, machine, Budget(SEARCH_STEPS[level]))
+            yield generate(problem, machine, Budget(steps))
         except GaveUp:
             continue

@@ -16,6 +16,7 @@ from nscc.lower.schedule import Schedule, schedule
 from nscc.lower.timeline import Before, Timeline, flag_actions, timeline
 from nscc.program.model import Program
 from nscc.truth import members
+from nscc.words.container import DecodeTable
 from nscc.words.operations import Effect
 
 
@@ -155,15 +156,7 @@ def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
 
     Of several codes one is taken whose values other shutters need anyway.
     """
-    table = program.table
-    meant = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
-    only = table.codes[meant[table.shutter_of_code] == 1]
-    needed = np.ones(len(table.codes), dtype=np.bool_)
-    for field in range(len(table.fields)):
-        needed &= np.isin(table.codes[:, field], only[:, field])
-    order = np.argsort(~needed, kind="stable")
-    _, first = np.unique(table.shutter_of_code[order], return_index=True)
-    codes = table.codes[order[first]]
+    codes = _code_of_shutter(program.table)
     values: dict[str, NDArray[np.int64]] = {}
     for index, field in enumerate(program.fields):
         if field.bits is None:
@@ -172,6 +165,20 @@ def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
             bits = {f"{field.name}[{k}]": codes[:, index] >> k & 1 for k in range(field.bits)}
             values.update(bits)
     return values
+
+
+def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
+    """A row of `table.codes` for each shutter."""
+    if len(table.codes) == len(table.shutters):
+        return table.codes[np.argsort(table.shutter_of_code)]
+    meant = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
+    only = table.codes[meant[table.shutter_of_code] == 1]
+    needed = np.ones(len(table.codes), dtype=np.bool_)
+    for column, used in zip(table.codes.T, only.T, strict=True):
+        needed &= np.isin(column, used)
+    order = np.argsort(~needed, kind="stable")
+    _, first = np.unique(table.shutter_of_code[order], return_index=True)
+    return table.codes[order[first]]
 
 
 def lower(
