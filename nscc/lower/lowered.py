@@ -114,7 +114,7 @@ def headroom_e(program: Program, plan: ExposurePlan) -> float:
         read_slots = [n - 1 for n in reads]
         pix_share = float(share[read_slots].max(initial=0.0)) if read_slots else 0.0
     elif any(s.role == "rise" and not _reads_pix(s) for s in plan.steps):
-        pix_share = register_share
+        pix_share = _longest_bump_share(program.table.shutters, share)
     else:
         pix_share = float(share[: max(reads, default=0)].sum())
         if plan.lowering == "edges":
@@ -127,6 +127,16 @@ def headroom_e(program: Program, plan: ExposurePlan) -> float:
 
 def _reads_pix(step: Step) -> bool:
     return any("PIX" in word.sources for word in step.words)
+
+
+def _longest_bump_share(shutters: NDArray[np.bool_], share: NDArray[np.float64]) -> float:
+    """The largest light between a rise and its fall, as a share of the frame's."""
+    bump = np.zeros(shutters.shape[:2])
+    longest = 0.0
+    for slot, part in enumerate(share):
+        bump = np.where(shutters[:, :, slot], bump + part, 0.0)
+        longest = max(longest, float(bump.max(initial=0.0)))
+    return longest
 
 
 def _deepest_share(plan: ExposurePlan, share: np.ndarray) -> float:

@@ -30,6 +30,8 @@ TEXTS = {
     "e": "frame 9 slots of 1ms\ncode bits : bit[9]\nopen when bits[n]",
     "buckets": "frame 21 slots of 1ms\ncode split : 1..20\n"
     "bucket early open when n < split\nbucket late open when n >= split",
+    "book": "frame 10 slots of 1ms\nshutters book [1100111000, 0011101111, 0101010101]\n"
+    "code id : row of book\nopen when book[id]",
     "late": "frame 9 slots of 1ms\ncode s : 4..6\nopen when s <= n < 8",
     "long": "frame 12 slots of 0.5s\ncode stop : 1..12\nopen when n < stop",
 }
@@ -167,13 +169,14 @@ def exposed(container, light_e):
     return chip
 
 
-@pytest.mark.parametrize("chip", CHIPS)
+@pytest.mark.parametrize("full_well_e", [10_000.0, 30_000.0])
+@pytest.mark.parametrize("chip", CHIPS[:2])
 @pytest.mark.parametrize("lowering", ["accumulate", "latch", "edges"])
 @pytest.mark.parametrize("name", [name for name in TEXTS if name != "b_many"])
-def test_analog_writes_and_headroom(name, lowering, chip):
+def test_analog_writes_and_headroom(name, lowering, chip, full_well_e):
     if lowering == "latch" and name not in ("a", "b", "b_unequal", "long"):
         return
-    compiled, values = built(TEXTS[name], lowering, chip)
+    compiled, values = built(TEXTS[name], lowering, chip, full_well_e=full_well_e)
     container, target = compiled.container, compiled.program.target
     assert values["lowering"] == lowering
     headroom_e = values["headroom_e"]
