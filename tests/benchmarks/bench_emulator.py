@@ -62,7 +62,7 @@ def compiled(text: str, lowering: str) -> Container | None:
         try:
             return compile_file(path, Options(lowering=lowering)).container
         except Rejected as rejected:
-            print(f"  {lowering}: {rejected.diagnostics[0].code}")
+            print(f"  {lowering}: {rejected.diagnostics[-1].code}")
             return None
 
 
