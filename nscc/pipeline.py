@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 from nscc.diagnostics.model import Diagnostic, Rejected, Severity
 from nscc.lower.assemble import assemble
 from nscc.lower.choose import Choice, LoweringOption, choose
-from nscc.lower.fit import as_note, capacity_fault, faults, misfit_fault, only_search_can_tell
+from nscc.lower.fit import (
+    as_note,
+    capacity_fault,
+    faults,
+    has_ways_out,
+    misfit_fault,
+    only_search_can_tell,
+)
 from nscc.lower.lowered import Lowered
 from nscc.lower.ways_out import ways_out
 from nscc.program.analyse import analyse
@@ -35,7 +42,8 @@ class Options:
 
     `target` (a value, or a name or file as `--target` takes it) overrides the program's own.
     `price_all` lowers in every way, for the report's alternatives. Without `unproved_is_error`,
-    what only a search can tell is a note.
+    what only a search can tell is a note. With `suggest`, nearby programs that fit are looked for
+    when one does not.
     """
 
     level: int = 1
@@ -44,6 +52,7 @@ class Options:
     target: Target | str | None = None
     price_all: bool = False
     unproved_is_error: bool = True
+    suggest: bool = True
 
 
 @dataclass(frozen=True)
@@ -94,22 +103,21 @@ def compile_source(
     program = analyse(source, tree, base=base, codes=options.codes, target=chip)
     see("program", program)
     messages = [*found, *program.messages]
-    fault = capacity_fault(program, ())
+    fault = capacity_fault(program)
     if fault is not None:
-        nearby = ways_out(program, lambda text: _attempt(text, program.target))
-        raise Rejected([d for d in (*messages, capacity_fault(program, nearby)) if d is not None])
+        raise Rejected([*messages, *_with_ways_out([fault], program, base, options)])
     choice = choose(program, options.lowering, options.level, price_all=options.price_all)
     see("lower", choice)
     lowered = choice.best
     if lowered is None:
         fault = misfit_fault(program, choice, level=options.level)
-        return _unfit(tree, program, choice, [fault], messages, options)
+        return _unfit(tree, program, choice, [fault], messages, base, options)
     see("plan", lowered.plan)
     see("gates", lowered)
     see("schedule", lowered)
-    wrong = faults(lowered, level=options.level)
+    wrong = faults(choice, lowered, level=options.level)
     if wrong:
-        return _unfit(tree, program, choice, wrong, messages, options)
+        return _unfit(tree, program, choice, wrong, messages, base, options)
     container = assemble(lowered, options.level)
     see("words", container)
     proof = prove(container, lowered.schedule.kernels)
@@ -125,23 +133,32 @@ def _unfit(
     choice: Choice,
     wrong: list[Diagnostic],
     messages: list[Diagnostic],
+    base: Path,
     options: Options,
 ) -> Compiled:
     """Rejects what does not fit; what only a search can tell may pass as a note."""
     if options.unproved_is_error or not all(only_search_can_tell(d) for d in wrong):
-        raise Rejected([*messages, *wrong])
+        raise Rejected([*messages, *_with_ways_out(wrong, program, base, options)])
     notes = [as_note(d) for d in wrong]
     return Compiled(tree, program, choice, None, None, None, (*messages, *notes))
 
 
-def _attempt(text: str, target: Target) -> Lowered | None:
-    """Compiles a nearby program for `ways_out`."""
-    source = Source("way-out.nsl", text)
-    try:
-        compiled = compile_source(source, Path(), Options(codes="open", target=target))
-    except Rejected:
-        return None
-    return compiled.lowered
+def _with_ways_out(
+    wrong: list[Diagnostic], program: Program, base: Path, options: Options
+) -> list[Diagnostic]:
+    """The same diagnostics; nearby programs are compiled for those that ask for less."""
+    if not options.suggest or not any(has_ways_out(d) for d in wrong):
+        return wrong
+
+    def attempt(source: Source, codes: Codes) -> Lowered | None:
+        tried = Options(codes=codes, target=program.target, suggest=False)
+        try:
+            return compile_source(source, base, tried).lowered
+        except Rejected:
+            return None
+
+    found = tuple(ways_out(program, attempt))
+    return [replace(d, ways_out=found) if has_ways_out(d) else d for d in wrong]
 
 
 def _no_such_level(level: int) -> Diagnostic:

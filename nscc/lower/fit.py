@@ -6,7 +6,7 @@ seen; gates that this compiler did not find prove nothing, so `nscc check` only 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from math import ceil, floor, log10
 
 from nscc.diagnostics.model import Diagnostic, Label, Severity
 from nscc.lower.choose import Choice
@@ -15,9 +15,10 @@ from nscc.lower.lowered import Lowered
 from nscc.lower.plan import Misfit
 from nscc.program.model import Program
 from nscc.source import Span
+from nscc.target.model import Target
 
 
-def capacity_fault(program: Program, ways_out: Sequence[str]) -> Diagnostic | None:
+def capacity_fault(program: Program) -> Diagnostic | None:
     """NS0412: more shutters than the registers of a pixel have states. Certain."""
     target = program.target
     shutters = len(program.table.shutters)
@@ -28,9 +29,16 @@ def capacity_fault(program: Program, ways_out: Sequence[str]) -> Diagnostic | No
     if program.mode == "fixed":
         what = f"{shutters} different shutters in use"
     elif program.class_name == "e":
-        what = f"{len(program.frame.slot_us)} slots, each free: {shutters} shutters"
+        free = f"{len(program.frame.slot_us)} slots"
+        if len(program.buckets) > 1:
+            free += f" in {len(program.buckets)} buckets"
+        what = f"{free}, each free: {shutters} shutters"
     else:
         what = f"{shutters} different shutters"
+    registers = (
+        f"{available} one-bit registers a pixel "
+        f"({target.digital_registers[0]}-{target.digital_registers[-1]})"
+    )
     ledger = [
         f"{field.name} {max(1, (field.high - field.low).bit_length())}" for field in program.fields
     ]
@@ -40,18 +48,14 @@ def capacity_fault(program: Program, ways_out: Sequence[str]) -> Diagnostic | No
         f"the chip has {available}",
         source=program.source,
         label=Label(_field_span(program), what),
-        related=_chip(
-            program,
-            f"{available} one-bit registers a pixel "
-            f"({target.digital_registers[0]}-{target.digital_registers[-1]})",
-        ),
+        related=_chip(program, registers),
         notes=(
+            *_default_chip(program, registers),
             f"certain for codes held in digital registers: {shutters} shutters need {required} "
             "of them, whatever the encoding",
             f"bits by holder: {', '.join(ledger)}; scratch 0" if len(ledger) > 1 else
             f"bits by holder: {', '.join(ledger)}",
         ),
-        ways_out=tuple(ways_out),
         data=_resource("digital registers", required, available, proved=True),
     )  # fmt: skip
 
@@ -65,18 +69,28 @@ def misfit_fault(program: Program, choice: Choice, *, level: int) -> Diagnostic:
     short = [m for m in choice.misfits.values() if m.resource is not None]
     if len(short) == len(choice.misfits):
         least: Misfit = min(short, key=lambda m: m.required)
+        registers = f"{least.available} analog registers that keep a value"
+        buckets = len(program.buckets)
+        most = least.available - (least.required - buckets)
+        helps = [f"keep at most {most} buckets"]
+        if len(choice.misfits) == 1:
+            helps.append("leave --lowering at auto: lowerings differ in what they need")
         return Diagnostic(
             "NS0413",
-            f"{len(program.buckets)} buckets do not fit {program.target.name}: "
+            f"{buckets} buckets do not fit {program.target.name}: "
             f"they need {least.required} {least.resource}, the chip has {least.available}",
             source=program.source,
-            label=Label(program.buckets[-1].span, f"bucket {len(program.buckets)}"),
-            related=_chip(program, f"{least.available} analog registers that keep a value"),
-            notes=("certain: every bucket is a frame in a register of its own", *reasons),
-            helps=(f"keep at most {least.available} buckets",),
+            label=Label(program.buckets[-1].span, f"bucket {buckets}"),
+            related=_chip(program, registers),
+            notes=(
+                "certain: every bucket is a frame in a register of its own",
+                *_default_chip(program, registers),
+                *reasons,
+            ),
+            helps=tuple(helps),
             data=_resource("analog registers", least.required, least.available, proved=True),
         )
-    if all(m.resource is not None or "serves only" in m.reason for m in choice.misfits.values()):
+    if not any(misfit.searched for misfit in choice.misfits.values()):
         return Diagnostic(
             "NS0414",
             "this program cannot be lowered as asked: " + "; ".join(reasons),
@@ -92,7 +106,7 @@ def misfit_fault(program: Program, choice: Choice, *, level: int) -> Diagnostic:
         source=program.source,
         label=Label(_field_span(program)),
         notes=(*reasons, "not proved: another encoding or more search may find some"),
-        helps=(_fewer_codes(program),),
+        helps=(*_another_lowering(choice), _fewer_codes(program)),
         data=_resource(
             "digital registers", len(program.target.digital_registers) + 1,
             len(program.target.digital_registers), proved=False,
@@ -100,16 +114,24 @@ def misfit_fault(program: Program, choice: Choice, *, level: int) -> Diagnostic:
     )  # fmt: skip
 
 
-def faults(lowered: Lowered, *, level: int) -> list[Diagnostic]:
-    """Everything that keeps the best lowering from fitting; empty if it fits."""
+def faults(choice: Choice, lowered: Lowered, *, level: int) -> list[Diagnostic]:
+    """Everything that keeps `lowered`, the best of `choice`, from fitting; empty if it fits."""
     found = []
     if not lowered.retained:
         found.append(_retention(lowered))
     if lowered.late:
-        found.append(_late(lowered, level))
+        certain = all(_too_short(tried) for tried in choice.tried) and not any(
+            misfit.searched for misfit in choice.misfits.values()
+        )
+        found.append(_late(lowered, level, certain=certain))
     if not lowered.stored_ok:
         found.append(_store(lowered, level))
     return found
+
+
+def has_ways_out(diagnostic: Diagnostic) -> bool:
+    """Whether nearby programs may have what this one lacks: store or registers."""
+    return diagnostic.data.get("resource") in ("store_words", "digital registers")
 
 
 def only_search_can_tell(diagnostic: Diagnostic) -> bool:
@@ -150,35 +172,48 @@ def _retention(lowered: Lowered) -> Diagnostic:
     )
 
 
-def _late(lowered: Lowered, level: int) -> Diagnostic:
+def _late(lowered: Lowered, level: int, *, certain: bool) -> Diagnostic:
     program, target = lowered.program, lowered.program.target
     slots_us = program.frame.slot_us
-    worst = max(lowered.late, key=lambda n: lowered.busy_us[n] - slots_us[n])
-    floor_us = _least_us(lowered, worst)
-    proved = floor_us > slots_us[worst]
-    words = lowered.words_per_boundary[worst]
-    needed_us = floor_us if proved else lowered.busy_us[worst]
+    if certain:
+        worst = _too_short(lowered)[0]
+        needed_us = _least_us(lowered, worst)
+        why = f"its analog words and one launch take {time_text(needed_us)}"
+    else:
+        worst = max(lowered.late, key=lambda n: lowered.busy_us[n] - slots_us[n])
+        needed_us = lowered.busy_us[worst]
+        words = lowered.words_per_boundary[worst]
+        why = f"its {words} words take {time_text(needed_us)} at -O{level}"
     return Diagnostic(
         "NS0601",
         f"slot {worst} is shorter than its own instructions: it lasts "
-        f"{time_text(slots_us[worst])}, "
-        + (
-            f"and the analog words alone take {time_text(floor_us)}"
-            if proved
-            else f"and its {words} words take {time_text(needed_us)} at -O{level}"
-        ),
+        f"{time_text(slots_us[worst])}, and {why}",
         source=program.source,
         label=Label(program.frame.span, f"{len(lowered.late)} of {len(slots_us)} slots too short"),
+        related=_chip(program, _times(target)),
         notes=(
-            f"{target.name}: {target.digital_word_us:g} us a digital word, "
-            f"{target.analog_word_us:g} us an analog one, {target.launch_us:g} us a launch",
+            *_default_chip(program, _times(target)),
             "certain: the light must be read and a kernel launched"
-            if proved
+            if certain
             else "not proved: fewer words may be found",
         ),
-        helps=(f"slots of {time_text(lowered.shortest_slot_us)} or longer fit the words found",),
-        data=_resource("slot_us", needed_us, slots_us[worst], proved=proved),
+        helps=(f"slots of {_at_least(lowered.shortest_slot_us)} or longer fit the words found",),
+        data=_resource("slot_us", needed_us, slots_us[worst], proved=certain),
     )
+
+
+def _times(target: Target) -> str:
+    return (
+        f"{target.digital_word_us:g} us a digital word, {target.analog_word_us:g} us an analog "
+        f"one, {target.launch_us:g} us a launch"
+    )
+
+
+def _too_short(lowered: Lowered) -> list[int]:
+    """Slots in which no gates at all would leave time enough; the worst one first."""
+    slots_us = lowered.program.frame.slot_us
+    lacking = {n: _least_us(lowered, n) - slots_us[n] for n in lowered.late}
+    return sorted((n for n in lacking if lacking[n] > 0), key=lambda n: (-lacking[n], n))
 
 
 def _least_us(lowered: Lowered, boundary: int) -> float:
@@ -192,6 +227,7 @@ def _least_us(lowered: Lowered, boundary: int) -> float:
 def _store(lowered: Lowered, level: int) -> Diagnostic:
     program, target = lowered.program, lowered.program.target
     stored = lowered.schedule.words_stored
+    store = f"all kernels together: {target.store_words} words"
     holders = lowered.schedule.allocation.holders
     return Diagnostic(
         "NS0501",
@@ -199,8 +235,9 @@ def _store(lowered: Lowered, level: int) -> Diagnostic:
         f"{target.store_words}",
         source=program.source,
         label=Label(_field_span(program), f"{len(program.table.shutters)} different shutters"),
-        related=_chip(program, f"all kernels together: {target.store_words} words"),
+        related=_chip(program, store),
         notes=(
+            *_default_chip(program, store),
             f"{len(lowered.schedule.kernels)} kernels, lowered as {lowered.plan.lowering}, "
             f"encoding: {lowered.solution.encoding}",
             "registers: " + ledger(holders),
@@ -224,14 +261,32 @@ def _field_span(program: Program) -> Span:
     return program.fields[0].span if program.fields else program.buckets[0].span
 
 
+def _another_lowering(choice: Choice) -> tuple[str, ...]:
+    if len(choice.misfits) > 1:
+        return ()
+    return ("leave --lowering at auto: another one may need other gates",)
+
+
 def _chip(program: Program, text: str) -> tuple[Label, ...]:
+    """The second place of a resource error: where the program names its chip."""
     return (Label(program.target_span, text),) if program.target_span is not None else ()
+
+
+def _default_chip(program: Program, text: str) -> tuple[str, ...]:
+    """What `_chip` says, for a program that does not name its chip."""
+    return () if program.target_span is not None else (f"{program.target.name}: {text}",)
 
 
 def _resource(
     name: str, required: float, available: float, *, proved: bool
 ) -> dict[str, str | float | bool]:
     return {"resource": name, "required": required, "available": available, "proved": proved}
+
+
+def _at_least(us: float) -> str:
+    """A time rounded up, in words; never less than `us`."""
+    digit_us = 10.0 ** (floor(log10(us)) - 2)
+    return time_text(ceil(us / digit_us - 1e-9) * digit_us)
 
 
 def time_text(us: float) -> str:

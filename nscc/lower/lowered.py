@@ -19,6 +19,9 @@ from nscc.truth import members
 from nscc.words.container import DecodeTable
 from nscc.words.operations import Effect
 
+# Times are sums of decimal fractions: a slot just as long as its words is long enough.
+_ROUNDING = 1 + 1e-9
+
 
 @dataclass(frozen=True)
 class Lowered:
@@ -55,7 +58,7 @@ class Lowered:
     def late(self) -> list[int]:
         """Slots that are shorter than the words at their start."""
         slots = self.program.frame.slot_us
-        return [n for n, slot_us in enumerate(slots) if self.busy_us[n] > slot_us]
+        return [n for n, slot_us in enumerate(slots) if self.busy_us[n] > slot_us * _ROUNDING]
 
     @property
     def stored_ok(self) -> bool:
@@ -200,7 +203,8 @@ def lower(
 ) -> Lowered | Misfit:
     """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found.
 
-    `opens` is `levels(program)` and `writes` is `analog_writes(program, plan)`.
+    `opens` is `levels(program)` and `writes` is `analog_writes(program, plan)`. Level 0 takes the
+    first solution that fits.
     """
     time = timeline(program.frame.slot_us, len(program.buckets), program.target)
     problem, actions = problem_of(program, plan, time, opens)
@@ -210,8 +214,12 @@ def lower(
         candidate = Lowered(program, plan, solution, laid, time, writes)
         if best is None or candidate.price < best.price:
             best = candidate
+        if level == 0 and best.fits:
+            break
     if best is None:
         return Misfit(
-            f"no generator found gates in {len(program.target.digital_registers)} digital registers"
+            "no generator found gates in "
+            f"{len(program.target.digital_registers)} digital registers",
+            searched=True,
         )
     return best

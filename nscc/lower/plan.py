@@ -63,12 +63,16 @@ class ExposurePlan:
 
 @dataclass(frozen=True)
 class Misfit:
-    """Why a lowering cannot serve a program: an unmet condition or a register too few."""
+    """Why a lowering cannot serve a program: an unmet condition or a register too few.
+
+    With `searched` it is only that no gates were found, which proves nothing.
+    """
 
     reason: str
     resource: str | None = None
     required: int = 0
     available: int = 0
+    searched: bool = False
 
 
 def levels(program: Program) -> list[list[int]]:

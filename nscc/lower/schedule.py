@@ -15,6 +15,7 @@ from nscc.lower.allocate import Allocation, allocate, refresh_words, words
 from nscc.lower.plan import ExposurePlan
 from nscc.lower.timeline import Before, Timeline, fades
 from nscc.target.model import Target
+from nscc.words.cost import words_us
 from nscc.words.operations import Effect, Op, op
 
 Words = tuple[Op, ...]
@@ -56,7 +57,7 @@ class Schedule:
 
         At boundary 0 only what runs after the exposure has started counts.
         """
-        kernel_us = [words_us(kernel, target) + target.launch_us for kernel in self.kernels]
+        kernel_us = [_time_us(kernel, target) + target.launch_us for kernel in self.kernels]
         busy = [0.0] * (slots + 1)
         for boundary, kernel in self.launches:
             busy[boundary] += kernel_us[kernel]
@@ -64,10 +65,10 @@ class Schedule:
         return busy
 
 
-def words_us(kernel: Sequence[Op], target: Target) -> float:
+def _time_us(kernel: Sequence[Op], target: Target) -> float:
     """Time that the words of a kernel take, without its launch."""
     analog = sum(1 for word in kernel if word.analog)
-    return analog * target.analog_word_us + (len(kernel) - analog) * target.digital_word_us
+    return words_us(analog, len(kernel) - analog, target)
 
 
 def schedule(
@@ -84,7 +85,7 @@ def schedule(
     exposed = max(
         i for i, w in enumerate(boundaries[0][0]) if w.operation.effect is Effect.RESET_PIX
     )
-    setup_us = words_us(boundaries[0][0][: exposed + 1], target) + target.launch_us
+    setup_us = _time_us(boundaries[0][0][: exposed + 1], target) + target.launch_us
     held = (*refreshed, *allocation.state_registers)
     if held:
         for n in time.refresh_at or ():

@@ -45,8 +45,12 @@ def words_cost(words: Iterable[Word], target: Target) -> Cost:
             digital += 1
         else:
             analog += 1
-    us = analog * target.analog_word_us + digital * target.digital_word_us
-    return Cost(analog + digital, us)
+    return Cost(analog + digital, words_us(analog, digital, target))
+
+
+def words_us(analog: int, digital: int, target: Target) -> float:
+    """Time that so many words of either clock take, without a launch."""
+    return analog * target.analog_word_us + digital * target.digital_word_us
 
 
 def kernel_cost(kernel: Kernel, target: Target) -> Cost:

@@ -1,0 +1,215 @@
+"""Every generator by itself: its gates answer each demand and leave the planes as they were."""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from lowering_oracle import program_from
+
+from nscc.logic.bound import level_bound
+from nscc.logic.cubes import Budget, cover
+from nscc.logic.gates import Gates
+from nscc.logic.generate import COVERS, DIRECT, EQUALITIES, LAST, solutions
+from nscc.logic.problem import GaveUp, Machine
+from nscc.lower.lowered import problem_of
+from nscc.lower.plan import levels, plan_exposure
+from nscc.lower.timeline import timeline
+
+N = np.arange(12)
+TABLES = {
+    "stops": [stop > N for stop in range(13)],
+    "windows": [(start <= N) & (start + 3 > N) for start in range(10)],
+    "bumps": [(a <= N) & (b > N) for a in range(12) for b in range(a + 1, 13)],
+    "bits": [[i >> k & 1 for k in range(6)] for i in range(64)],
+    "book": np.random.default_rng(2).integers(0, 2, (16, 9)),
+    "sparse": np.random.default_rng(3).random((30, 12)) < 0.1,
+    "buckets": [[stop > N, stop <= N] for stop in range(1, 12)],
+    "two": [[1, 1, 0, 1], [0, 1, 1, 0]],
+}
+MACHINES = {
+    "scamp5": Machine(13, True, None, None, False),
+    "calls": Machine(13, True, 4, 3, False),
+    "narrow": Machine(13, True, 2, 2, True),
+    "small": Machine(6, False, None, None, True),
+    "tiny": Machine(3, True, None, None, False),
+}
+GENERATORS = [*DIRECT, *EQUALITIES, *COVERS, *LAST]
+
+
+def problem(table, lowering):
+    """The demands of a table in one lowering, with the bits of each shutter as its fields."""
+    program = program_from(TABLES[table])
+    opens = levels(program)
+    plan = plan_exposure(program, lowering, opens)
+    time = timeline(program.frame.slot_us, len(program.buckets), program.target)
+    asked, _ = problem_of(program, plan, time, opens)
+    rows = program.table.shutters.reshape(asked.shutters, -1)
+    first = rows.argmax(axis=1)
+    return replace(asked, values={"first": first, "count": rows.sum(axis=1)})
+
+
+class Pixels:
+    """Virtual registers as truth vectors over all shutters; those that nobody wrote are random."""
+
+    def __init__(self, asked, machine, solution, seed):
+        self.all = asked.everything
+        self.machine = machine
+        self.solution = solution
+        self.choose = random.Random(seed)
+        self.held = {f"p{i}": plane for i, plane in enumerate(solution.planes)}
+        self.held |= {f"s{i}": self.noise() for i in range(solution.states)}
+        self.held |= {f"t{i}": self.noise() for i in range(solution.scratch)}
+        self.held["FLAG"] = self.all if solution.state_in_flag else self.noise()
+
+    def noise(self):
+        """A random truth vector."""
+        return self.choose.getrandbits(max(1, self.all.bit_length())) & self.all
+
+    def run(self, segments):
+        """Gates, within the fan-in of the machine."""
+        for segment in segments:
+            for gate in segment:
+                some = 0
+                for name in gate.sources:
+                    some |= self.held[name]
+                if gate.name == "WHERE":
+                    assert gate.destination == "FLAG"
+                    assert len(gate.sources) <= (self.machine.where_sources or 99)
+                    assert self.machine.where_reads_flag or "FLAG" not in gate.sources
+                elif gate.name in ("NOR", "OR"):
+                    assert 2 <= len(gate.sources) <= (self.machine.or_sources or 99)
+                else:
+                    assert len(gate.sources) == (gate.name in ("NOT", "MOV"))
+                inverted = gate.name in ("NOR", "NOT", "SET")
+                self.held[gate.destination] = some ^ (self.all if inverted else 0)
+
+
+def check(asked, machine, solution, seed):
+    """Two frames: every demand answered, every plane back."""
+    assert len(solution.planes) + solution.states + solution.scratch <= machine.registers
+    assert len(solution.holders) == len(solution.planes)
+    pixels = Pixels(asked, machine, solution, seed)
+    code = {f"p{i}": plane for i, plane in enumerate(solution.planes)}
+    for _ in range(2):
+        if solution.state_in_flag:
+            pixels.held["FLAG"] = pixels.all
+        pixels.run(solution.opening)
+        for demand, answer in zip(asked.demands, solution.answers, strict=True):
+            if not demand.flag_kept and not solution.state_in_flag:
+                pixels.held["FLAG"] = pixels.noise()
+            pixels.run(answer)
+            assert pixels.held["FLAG"] == demand.predicate
+        pixels.run(solution.closing)
+        assert all(pixels.held[name] == plane for name, plane in code.items())
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+@pytest.mark.parametrize("lowering", ["accumulate", "edges"])
+@pytest.mark.parametrize("table", TABLES)
+def test_generators(table, lowering, machine):
+    asked = problem(table, lowering)
+    for number, generate in enumerate(GENERATORS):
+        try:
+            solution = generate(asked, MACHINES[machine], Budget(400_000))
+        except GaveUp:
+            continue
+        check(asked, MACHINES[machine], solution, number)
+
+
+def test_every_generator_serves_something():
+    served = set()
+    for table in TABLES:
+        for lowering in ("accumulate", "edges"):
+            for number, generate in enumerate(GENERATORS):
+                try:
+                    generate(problem(table, lowering), MACHINES["scamp5"], Budget(400_000))
+                except GaveUp:
+                    continue
+                served.add(number)
+    assert served == set(range(len(GENERATORS)))
+
+
+@pytest.mark.parametrize("level", [0, 1])
+def test_solutions_are_the_same_every_time(level):
+    asked = problem("book", "edges")
+    first = list(solutions(asked, MACHINES["scamp5"], level))
+    assert first
+    assert first == list(solutions(asked, MACHINES["scamp5"], level))
+
+
+def test_nothing_is_asked_where_all_shutters_are_alike():
+    asked = replace(problem("two", "edges"), demands=())
+    (solution,) = solutions(asked, MACHINES["tiny"], 1)
+    assert solution.planes == ()
+
+
+def test_patience_where_few_steps_do_not_do():
+    """Random rows over many slots: covers that take more steps than a first try allows."""
+    TABLES["many"] = np.random.default_rng(5).integers(0, 2, (150, 40))
+    asked = problem("many", "accumulate")
+    del TABLES["many"]
+    assert len(list(solutions(asked, MACHINES["scamp5"], 0))) >= 1
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_covers_hold_and_avoid(seed):
+    choose = random.Random(seed)
+    everything = (1 << 64) - 1
+    planes = [sum((i >> k & 1) << i for i in range(64)) for k in range(6)]
+    on = choose.getrandbits(64)
+    off = choose.getrandbits(64) & ~on
+    covered = 0
+    for cube in cover(on, off, planes, everything, Budget(100_000)):
+        where = everything
+        for plane, value in cube:
+            where &= planes[plane] if value else everything & ~planes[plane]
+        assert where & on
+        covered |= where
+    assert on & ~covered == 0
+    assert off & covered == 0
+
+
+def test_planes_that_do_not_tell_shutters_apart():
+    with pytest.raises(GaveUp, match="same code"):
+        cover(0b01, 0b10, [0b11, 0b00], 0b11, Budget(1000))
+    with pytest.raises(GaveUp, match="steps"):
+        cover(0b01, 0b10, [0b01] * 9, 0b11, Budget(5))
+
+
+@pytest.mark.parametrize("limit", [2, 3, 4, None])
+@pytest.mark.parametrize("count", range(9))
+@pytest.mark.parametrize("inside", [False, True])
+def test_gates_keep_the_fan_in(limit, count, inside):
+    """NOR, OR and WHERE of any number of sources, the destination among them or not."""
+    machine = Machine(13, True, limit, limit, False)
+    choose = random.Random(count)
+    sources = [f"p{i}" for i in range(count)] + ["t0"] * inside
+    for kind in ("nor", "or_", "where"):
+        if kind == "where" and not sources:
+            continue
+        gates = Gates(machine)
+        held = {name: choose.random() < 0.3 for name in [*sources, "t0"]}
+        truth = any(held[name] for name in sources)
+        if kind == "where":
+            gates.where(sources, "t0")
+        else:
+            getattr(gates, kind)("t0", sources)
+        for gate in gates.take():
+            some = any(held[name] for name in gate.sources)
+            assert limit is None or len(gate.sources) <= limit
+            held[gate.destination] = some ^ (gate.name in ("NOR", "NOT", "SET"))
+        result = held["FLAG" if kind == "where" else "t0"]
+        assert result == (truth ^ (kind == "nor"))
+
+
+@pytest.mark.parametrize(
+    ("name", "shutters", "slots", "bound"),
+    [("b", 8, 8, 2), ("b", 9, 8, 3), ("b", 64, 64, 114), ("b", 256, 256, 498),
+     ("c", 64, 64, 115), ("c", 57, 64, 108), ("d", 36, 8, 3), ("d", 2080, 64, 115),
+     ("d", 2081, 64, 115), ("d", 5, 64, None), ("e", 64, 6, None)],
+)  # fmt: skip
+def test_bounds(name, shutters, slots, bound):
+    assert level_bound(name, shutters, slots, 13) == bound

@@ -1,0 +1,215 @@
+"""Programs that do not fit: the numbers, the places, what is proved, and ways out that hold."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from nscc.diagnostics.model import Rejected, Severity
+from nscc.pipeline import Options, compile_source
+from nscc.source import Source
+from nscc.target.load import load_target
+
+BUMPS = "code a : 0..N - 1\ncode b : 1..N\nrequire a < b\nopen when a <= n < b"
+E16 = "frame 16 slots of 1ms\ncode bits : bit[16]\nopen when bits[n]"
+STOPS = "code stop : 1..N\nopen when n < stop"
+
+
+def compiled(text, codes="open", target=None, **options):
+    """The compiled program of a text without its first line."""
+    source = Source("test.nsl", f"nsl 1\n{text}\n")
+    return compile_source(source, Path(), Options(codes=codes, target=target, **options))
+
+
+def fault(text, *args, **options):
+    """The only error that a program raises."""
+    with pytest.raises(Rejected) as caught:
+        compiled(text, *args, **options)
+    errors = [d for d in caught.value.diagnostics if d.severity is Severity.ERROR]
+    assert len(errors) == 1
+    return errors[0]
+
+
+def book_file(folder, rows, slots):
+    """A codebook of distinct pseudo-random rows as a program."""
+    random = np.random.default_rng(4)
+    book = np.unique(random.integers(0, 2, (2 * rows, slots), dtype=np.uint8), axis=0)[:rows]
+    np.savez(folder / "book.npz", book)
+    return (
+        f"frame {slots} slots of 2ms\nshutters book from {str(folder / 'book.npz')!r}\n"
+        "code id : row of book\nopen when book[id]"
+    ).replace("'", '"')
+
+
+@pytest.mark.parametrize("chip", ["scamp5", None])
+@pytest.mark.parametrize(
+    ("text", "codes", "required", "what"),
+    [
+        (E16, "open", 16, "16 slots, each free: 65536 shutters"),
+        (E16 + "\npixels bits = (256 * y + x) % 65536", "fixed", 16,
+         "65536 different shutters in use"),
+        (f"frame 200 slots of 1ms\n{BUMPS}", "open", 15, "20100 different shutters"),
+        ("frame 9 slots of 1ms\ncode a : bit[9]\ncode b : bit[9]\n"
+         "bucket one open when a[n]\nbucket two open when b[n]", "open", 18,
+         "9 slots in 2 buckets, each free: 262144 shutters"),
+    ],
+)  # fmt: skip
+def test_more_shutters_than_states(chip, text, codes, required, what):
+    found = fault(f"target {chip}\n{text}" if chip else text, codes)
+    assert found.code == "NS0412"
+    assert f"its codes need {required} bits a pixel, the chip has 13" in found.message
+    assert found.label.text == what
+    assert found.data == {
+        "resource": "digital registers", "required": required, "available": 13, "proved": True,
+    }  # fmt: skip
+    second = [label.text for label in found.related] if chip else list(found.notes)
+    assert any("13 one-bit registers a pixel (R0-R12)" in place for place in second)
+    assert any(note.startswith("certain") for note in found.notes)
+    assert found.ways_out
+
+
+def test_a_large_codebook(tmp_path):
+    found = fault(book_file(tmp_path, 8200, 20))
+    assert (found.code, found.data["required"]) == ("NS0412", 14)
+    check_ways_out(found, 20)
+
+
+def bump(slots):
+    """Any one bump a pixel, compiled."""
+    return compiled(f"frame {slots} slots of 1ms\n{BUMPS}")
+
+
+def check_ways_out(found, slots, more=None):
+    """Every way out compiles when it is written as a program, at the price that it states."""
+    ways = {
+        "`start <= n < stop`": lambda: bump(slots),
+        "`n < stop`": lambda: compiled(f"frame {slots} slots of 1ms\n{STOPS}"),
+        "`code id : row of book`": None,
+        **(more or {}),
+    }
+    assert found.ways_out
+    for text in found.ways_out:
+        what, price = text[:24].strip(), re.search(r": ([0-9.]+) words a slot$", text)
+        write = ways[what]
+        if write is not None:
+            done = write()
+            per_slot = done.lowered.schedule.words_total / len(done.program.frame.slot_us)
+            assert float(price[1]) == pytest.approx(per_slot, rel=1e-2)
+    return [text[:24].strip() for text in found.ways_out]
+
+
+def test_ways_out_of_free_bits():
+    text = E16 + "\npixels bits = tile [[1, 2], [3, 4]]"
+    offered = check_ways_out(
+        fault(text),
+        16,
+        {
+            "`--codes fixed`": lambda: compiled(text, "fixed"),
+            "frame 13 slots": lambda: compiled(
+                "frame 13 slots of 1ms\ncode bits : bit[13]\nopen when bits[n]"
+            ),
+        },
+    )
+    assert offered[:2] == ["`--codes fixed`", "frame 13 slots"]
+
+
+@pytest.mark.parametrize(("slots", "code"), [(200, "NS0412"), (127, "NS0502")])
+def test_ways_out_of_bumps(slots, code):
+    found = fault(f"frame {slots} slots of 1ms\n{BUMPS}")
+    assert found.code == code
+    offered = check_ways_out(found, slots, {"frame 64 slots": lambda: bump(64)})
+    assert offered[0] == "frame 64 slots"
+
+
+def test_a_codebook_of_random_rows_costs_no_more_than_its_stand_in(tmp_path):
+    (text,) = (text for text in fault(E16).ways_out if text.startswith("`code id"))
+    assert "pseudo-random" in text
+    done = compiled(book_file(tmp_path, 64, 16))
+    price = float(re.search(r": ([0-9.]+) words", text)[1])
+    assert done.lowered.schedule.words_total / 16 < 1.1 * price
+
+
+@pytest.mark.parametrize(
+    ("buckets", "lowering", "required", "most"),
+    [(7, "auto", 7, 6), (8, "auto", 8, 6), (6, "accumulate", 7, 5), (6, "latch", 7, 5)],
+)
+def test_too_many_buckets(buckets, lowering, required, most):
+    def text(count):
+        rules = (f"bucket b{i} open when n < s" for i in range(count))
+        return "frame 8 slots of 1ms\ncode s : 0..7\n" + "\n".join(rules)
+
+    found = fault(text(buckets), lowering=lowering)
+    assert found.code == "NS0413"
+    assert found.data["required"] == required
+    assert found.data["available"] == 6
+    assert found.data["proved"] is True
+    assert found.helps[0] == f"keep at most {most} buckets"
+    assert compiled(text(most), lowering=lowering).proof.holds
+    assert ("leave --lowering at auto" in " ".join(found.helps)) == (lowering != "auto")
+
+
+def test_a_lowering_that_does_not_serve():
+    text = "frame 8 slots of 1ms\ncode s : 0..7\nopen when n == s"
+    found = fault(text, lowering="latch")
+    assert found.code == "NS0414"
+    assert "latch serves only" in found.message
+    assert compiled(text).proof.holds
+
+
+def test_gates_that_were_not_found():
+    found = fault("frame 13 slots of 1ms\ncode b : bit[13]\nopen when b[n]", lowering="edges")
+    assert found.code == "NS0502"
+    assert found.data["proved"] is False
+    assert "leave --lowering at auto" in found.helps[0]
+
+
+def test_a_store_that_is_too_small():
+    text = f"frame 100 slots of 1ms\n{STOPS}"
+    tiny = replace(load_target("scamp5", Path()), store_words=20)
+    found = fault(text, target=tiny)
+    assert found.code == "NS0501"
+    assert (found.data["available"], found.data["proved"]) == (20, False)
+    stored = found.data["required"]
+    assert f"needs {stored} stored words" in found.message
+    enough = replace(tiny, store_words=stored)
+    done = compiled(text, target=enough)
+    assert done.lowered.schedule.words_stored <= stored
+
+
+def test_what_check_cannot_tell():
+    done = compiled(f"frame 127 slots of 1ms\n{BUMPS}", unproved_is_error=False)
+    (note,) = (d for d in done.diagnostics if d.code == "NS0503")
+    assert note.severity is Severity.NOTE
+    assert done.lowered is None
+
+
+@pytest.mark.parametrize(
+    ("slot", "proved"), [("1us", True), ("1.39us", True), ("1.41us", False), ("1.7us", False)]
+)
+def test_slots_that_are_too_short(slot, proved):
+    found = fault(f"frame 64 slots of {slot}\n{STOPS}")
+    assert (found.code, found.data["proved"]) == ("NS0601", proved)
+    assert found.data["required"] > found.data["available"] == float(slot[:-2])
+    enough = re.search(r"slots of ([0-9.]+) us or longer", found.helps[0])[1]
+    assert compiled(f"frame 64 slots of {enough}us\n{STOPS}").proof.holds
+
+
+def test_words_that_only_one_lowering_needs_prove_nothing():
+    """A shutter that closes after slot 1 has to be read there, but its rise may need no words."""
+    text = "frame slots [1ms, 1us, 1ms, 1ms]\ncode s : 0..1\nopen when 1 <= n < 3 - s"
+    found = fault(text, lowering="edges")
+    assert found.data["proved"] is True
+    assert compiled(text.replace("1us", "2ms")).proof.holds
+
+
+def test_memory_that_fades():
+    found = fault(f"frame 4 slots of 2s\n{STOPS}")
+    assert found.code == "NS0602"
+    assert found.data["required"] == 2e6
+    assert found.data["available"] == pytest.approx(0.9 * 1.5e6)
+    assert compiled(f"frame 8 slots of 1s\n{STOPS}").proof.holds
+    assert compiled("frame 4 slots of 2s\nopen when true").proof.holds
