@@ -76,7 +76,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     planes: list[int] = []
     holders: list[str] = []
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
-    fields = _event_fields(problem)
+    fields = _event_fields(problem, machine.registers - 1)
     for (edge, bucket, rank), events in fields.items():
         # Shutters without such an event keep the number after the last: it never comes.
         numbers = np.full(problem.shutters, len(events), dtype=np.int64)
@@ -115,8 +115,8 @@ def _equality(code: int, base: int, width: int) -> Cube:
 _Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
 
 
-def _event_fields(problem: Problem) -> _Events:
-    """For each kind of event and its rank: (demand, shutters) in time order.
+def _event_fields(problem: Problem, most: int) -> _Events:
+    """For each kind of event and its rank: (demand, shutters) in time order; `most` such fields.
 
     Demands that find FLAG as they want it are nobody's event.
     """
@@ -133,6 +133,8 @@ def _event_fields(problem: Problem) -> _Events:
         seen[kind][shutters] += 1
         for rank in sorted(set(ranks.tolist())):
             fields.setdefault((*kind, rank), []).append((i, shutters[ranks == rank]))
+        if len(fields) > most:
+            raise GaveUp(f"shutters have events of more than {most} kinds")
     return dict(sorted(fields.items()))
 
 
@@ -155,14 +157,18 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
         raise GaveUp("one kind of event is one field of times")
     if _members(problem) > 4 * len(problem.demands):
         raise GaveUp("predicates hold too many shutters for an equality each")
-    return gray_index_wide(problem, machine, budget)
+    return _index_equalities(problem, machine)
 
 
 def gray_index_wide(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """As `gray_index`, for any predicates: dear in words and time, but cheap in the store."""
+    budget.spend(_STEPS_A_MEMBER * _members(problem))
+    return _index_equalities(problem, machine)
+
+
+def _index_equalities(problem: Problem, machine: Machine) -> Encoding:
     planes = _index_planes(problem, machine)
     width = len(planes)
-    budget.spend(_STEPS_A_MEMBER * _members(problem))
     cubes = tuple(
         tuple(
             _equality(gray(int(shutter)), 0, width)

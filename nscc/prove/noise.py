@@ -29,8 +29,3 @@ class Noise:
         """Values between 1/4 and 1, none like another: (rows, columns)."""
         unit = (self.words(rows * columns) >> np.uint64(11)).astype(np.float64) * 2.0**-53
         return (0.25 + 0.75 * unit).reshape(rows, columns)
-
-    def bits(self, count: int) -> int:
-        """An integer of `count` random bits."""
-        raw = self.words(-(-count // 64)).astype("<u8").tobytes()
-        return int.from_bytes(raw, "little") & ((1 << count) - 1)

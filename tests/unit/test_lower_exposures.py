@@ -46,6 +46,10 @@ TEXTS = {
     "code id : row of book\nopen when book[id]",
     "general": "frame slots [50us, 100us, 200us, 400us, 800us, 1.6ms, 3.2ms, 6.4ms]\n"
     "code longest : 0..7\ncode skip : 0..7\nopen when n <= longest and n != skip",
+    "bump_or_never": "frame 64 slots of 1ms\ncode a : 0..63\ncode b : 0..64\nopen when a <= n < b",
+    "hole": "frame 32 slots of 1ms\ncode a : 0..31\ncode b : 0..31\nopen when n <= a and n != b",
+    "phase": "frame 20 slots of 1ms\ncode p : 1..9\ncode q : 0..8\nrequire q < p\n"
+    "open when n % p == q",
     "flutter": "frame 24 slots of 1ms\ncode p : 1..6\nopen when n % p == 0",
     "two_buckets": "frame 21 slots of 1ms\ncode split : 1..20\n"
     "bucket early open when n < split\nbucket late open when n >= split",
