@@ -104,7 +104,7 @@ BEHAVIOURS = {
 
 
 @pytest.mark.parametrize("name", ["b17", "c33_8", "d13", "e7", "codebook", "two_buckets"])
-@pytest.mark.parametrize("chip", ["scamp5", "scamp5-algorithm1", "scamp7"])
+@pytest.mark.parametrize("chip", ["scamp5", "scamp7"])
 @pytest.mark.parametrize("behaviour", BEHAVIOURS)
 def test_targets(name, chip, behaviour):
     target = replace(load_target(chip, Path()), **BEHAVIOURS[behaviour])
