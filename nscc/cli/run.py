@@ -166,18 +166,19 @@ def _not_here(what: str, instead: str) -> Rejected:
 
 
 def _parse_keep(text: str) -> tuple[str, ...]:
-    known = ("light", "truth", "shutter", "codes")
+    from nscc_runtime.frame_file import KEEP
+
     names = tuple(name.strip() for name in text.split(",") if name.strip())
     for name in names:
-        if name not in known:
+        if name not in KEEP:
             from nscc.diagnostics.suggest import closest
 
-            near = closest(name, known)
+            near = closest(name, KEEP)
             raise Rejected(
                 Diagnostic(
                     "NS0739",
                     f"--keep cannot keep '{name[:60]}'",
-                    notes=(f"it keeps, comma separated: {', '.join(known)}",),
+                    notes=(f"it keeps, comma separated: {', '.join(KEEP)}",),
                     helps=(f"did you mean '{near}'?",) if near else (),
                 ),
                 status=2,

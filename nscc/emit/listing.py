@@ -6,7 +6,6 @@ from nscc.logic.problem import Gate
 from nscc.lower.choose import Choice
 from nscc.lower.lowered import Lowered
 from nscc.lower.plan import ExposurePlan
-from nscc.words.operations import Op
 
 
 def plan_text(plan: ExposurePlan) -> str:
@@ -55,16 +54,12 @@ def schedule_text(lowered: Lowered) -> str:
         f"{schedule.words_total} executed a frame"
     ]
     for i, kernel in enumerate(schedule.kernels):
-        lines.append(f"k{i}: " + "; ".join(_word(word) for word in kernel))
+        lines.append(f"k{i}: " + "; ".join(str(word) for word in kernel))
     at: dict[int, list[str]] = {}
     for boundary, number in schedule.launches:
         at.setdefault(boundary, []).append(f"k{number}")
     lines += [f"boundary {boundary:>4}: {' '.join(names)}" for boundary, names in at.items()]
     return "\n".join(lines) + "\n"
-
-
-def _word(word: Op) -> str:
-    return str(word)
 
 
 def choice_text(choice: Choice) -> str:

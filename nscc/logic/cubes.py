@@ -108,7 +108,7 @@ def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
         # Only a plane that never changes may live in the masked register; there is none.
         emitter, answers, closing = _emit_with(problem, machine, encoding, left - 1)
     return Solution(
-        "cubes", encoding.name, encoding.planes, encoding.holders, 0, emitter.used, (),
+        encoding.name, encoding.planes, encoding.holders, 0, emitter.used, (),
         answers, closing,
     )  # fmt: skip
 

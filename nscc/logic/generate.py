@@ -59,7 +59,7 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
     them: what a solution costs depends on the words around it.
     """
     if not problem.demands:
-        yield Solution("none", "no code is needed", (), (), 0, 0, (), (), ())
+        yield Solution("no code is needed", (), (), 0, 0, (), (), ())
         return
     steps = SEARCH_STEPS[level]
     direct = list(_tries(DIRECT, problem, machine, steps))

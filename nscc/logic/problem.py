@@ -121,7 +121,6 @@ class Solution:
     needs it for something else meanwhile puts it back, and may use t0 to do so.
     """
 
-    generator: str
     encoding: str
     planes: tuple[int, ...]
     holders: tuple[str, ...]

@@ -56,7 +56,7 @@ def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool)
         segments.extend(walker.load(problem.demands[i]))
         answers.append(tuple(segments))
     return Solution(
-        "states", encoding.name + (", state in FLAG" if in_flag else ", state in a register"),
+        encoding.name + (", state in FLAG" if in_flag else ", state in a register"),
         encoding.planes, encoding.holders, states, walker.scratch, opening, tuple(answers),
         walker.restore(), in_flag,
     )  # fmt: skip
