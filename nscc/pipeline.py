@@ -33,7 +33,7 @@ from nscc.words.container import Container
 PASSES = ("parse", "program", "lower", "plan", "gates", "schedule", "words", "prove")
 """Every value between two passes can be seen with `nscc build --print-after PASS`."""
 
-LEVELS = (0, 1)
+LEVELS = (0, 1, 2, 3)
 
 
 @dataclass(frozen=True)
