@@ -28,8 +28,8 @@ class Choice:
 
 def rank(lowered: Lowered) -> tuple[bool, int, int, int]:
     """Fits; fewest analog writes on an open pixel; words a frame; largest boundary."""
-    late, total, largest = lowered.price
-    return late, lowered.analog_writes[1], total, largest
+    total = lowered.schedule.words_total
+    return not lowered.fits, lowered.analog_writes[1], total, max(lowered.words_per_boundary)
 
 
 def choose(program: Program, wanted: LoweringOption, level: int, *, price_all: bool) -> Choice:

@@ -77,9 +77,12 @@ class Lowered:
         return self.stored_ok and self.retained and not self.late
 
     @property
-    def price(self) -> tuple[bool, int, int]:
-        """Sort key among solutions of one lowering: fits, words a frame, largest boundary."""
-        return not self.fits, self.schedule.words_total, max(self.words_per_boundary)
+    def price(self) -> tuple[bool, int, int, int]:
+        """Sort key among solutions of one lowering: fits, words a frame without refresh, which
+        runs when the light is read, largest boundary, words of refresh."""
+        refresh = self.schedule.words_refresh
+        rest = self.schedule.words_total - refresh
+        return not self.fits, rest, max(self.words_per_boundary), refresh
 
     @property
     def headroom_e(self) -> float:

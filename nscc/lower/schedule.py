@@ -45,6 +45,15 @@ class Schedule:
         """Words executed in a frame."""
         return sum(len(self.kernels[kernel]) for _, kernel in self.launches)
 
+    @property
+    def words_refresh(self) -> int:
+        """Words of a frame that only write registers back to themselves."""
+        of_kernel = [
+            sum(word.operation.name.startswith("REFRESH") for word in kernel)
+            for kernel in self.kernels
+        ]
+        return sum(of_kernel[kernel] for _, kernel in self.launches)
+
     def words_at(self, slots: int) -> list[int]:
         """Words executed at each boundary 0..N."""
         counts = [0] * (slots + 1)

@@ -1,0 +1,367 @@
+"""Chains: demands each of which contains the next (open until a stop) or the one before it.
+
+Every shutter then has a rank, the number of demands that hold for it, and demand d asks whether
+rank > d. Ranks are written in digits, and digits in whatever makes that comparison cheap.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from enum import Enum
+from functools import cache
+from itertools import combinations, product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.cubes import Budget
+from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.walk import Script, walk
+from nscc.truth import columns, number_planes, rows
+
+
+@dataclass(frozen=True)
+class Chain:
+    """`ranks` (shutters,) in 0 .. steps; demand i asks for rank > step[i], or, where
+    `complemented[i]`, for rank <= step[i]."""
+
+    ranks: NDArray[np.int64]
+    step: tuple[int, ...]
+    complemented: tuple[bool, ...]
+    steps: int
+
+
+def chain_of(problem: Problem) -> Chain:
+    """The chain that the demands are. Raises GaveUp where they are none."""
+    kinds: dict[tuple[str, int], list[int]] = {}
+    for demand in problem.demands:
+        kinds.setdefault((demand.edge, demand.bucket), []).append(demand.predicate)
+    rising = {
+        kind: any(b & ~a for a, b in zip(wanted, wanted[1:], strict=False))
+        for kind, wanted in kinds.items()
+    }
+    flips = tuple(rising[d.edge, d.bucket] for d in problem.demands)
+    everything = problem.everything
+    wanted = [
+        everything & ~d.predicate if flip else d.predicate
+        for d, flip in zip(problem.demands, flips, strict=True)
+    ]
+    if len(wanted) < 2 or any(b & ~a for a, b in zip(wanted, wanted[1:], strict=False)):
+        raise GaveUp("the demands are no chain")
+    distinct = list(dict.fromkeys(wanted))
+    number = {predicate: i for i, predicate in enumerate(distinct)}
+    ranks = rows(distinct, problem.shutters).sum(axis=1).astype(np.int64)
+    return Chain(ranks, tuple(number[p] for p in wanted), flips, len(distinct))
+
+
+def digits(problem: Problem, machine: Machine, budget: Budget) -> Iterator[Solution]:
+    """Mixed-radix digits, each a thermometer; the highest may be bits that are turned over.
+
+    When a digit changes, one cube per higher digit says "greater already"; what is left of each
+    demand is a cube of one plane a digit.
+    """
+    chain = chain_of(problem)
+    for bits in range(4):
+        turns = _turns(bits)
+        room = machine.registers - bits - turns.most_cubes
+        tried = 0
+        for stored in range(min(room, chain.steps), -1, -1):
+            values = chain.steps + 1 - stored
+            if bits and values <= 1 << bits:
+                continue
+            inner = _radices(room - stored, -(-values // (1 << bits)))
+            for radices in inner[:2]:
+                for negative in (False, True):
+                    if negative and (bits or not any(chain.complemented)):
+                        continue
+                    script = _digit_script(chain, stored, radices, bits, turns, negative)
+                    try:
+                        yield walk(problem, machine, script, budget)
+                    except GaveUp:
+                        continue
+            tried += bool(inner)
+            if tried == _MOST_STORED:
+                break
+
+
+# Numbers of demands stored raw that are tried, the most that fit first.
+_MOST_STORED = 2
+
+
+@cache
+def _radices(most: int, least: int) -> tuple[tuple[int, ...], ...]:
+    """Mixed radices, highest first, whose sum is at most `most` and product at least `least`.
+
+    Those of the smallest sum first; without digits of 1.
+    """
+    found: list[tuple[int, ...]] = []
+
+    def extend(chosen: tuple[int, ...], total: int, left: int) -> None:
+        if left <= 1:
+            found.append(chosen)
+            return
+        for radix in range(2, min(left, most - total) + 1):
+            if not chosen or radix >= chosen[-1]:
+                extend((*chosen, radix), total + radix, -(-left // radix))
+
+    if least <= 1:
+        return ((1,),)
+    extend((), 0, least)
+    return tuple(sorted(found, key=lambda r: (sum(r), len(r), int(np.prod(r))))[:6])
+
+
+@dataclass(frozen=True)
+class _Turns:
+    """How `bits` binary digits step through their values: the bits turned over at each step."""
+
+    flips: tuple[tuple[int, ...], ...]
+    most_cubes: int
+    words: int
+
+
+@cache
+def _turns(bits: int) -> _Turns:
+    """The cheapest way to turn bits over, by dynamic programming over their polarities.
+
+    In group h the bits must mask every lower value but not h, and the values above h must be an
+    OR of planes as they stand and a few cubes.
+    """
+    groups = 1 << bits
+    start = (0,) * bits
+    best: dict[tuple[int, ...], tuple[int, int, tuple[tuple[int, ...], ...]]]
+    best = {start: (0, 0, ())}
+    for h in range(groups):
+        after: dict[tuple[int, ...], tuple[int, int, tuple[tuple[int, ...], ...]]] = {}
+        for old, (words, most, flips) in best.items():
+            for new in product((0, 1), repeat=bits):
+                cubes = _group_cubes(h, new, bits)
+                if cubes is None:
+                    continue
+                turned = tuple(i for i in range(bits) if new[i] != old[i])
+                if h == 0 and turned:
+                    continue
+                price = (words + 2 * len(turned) + cubes, max(most, cubes), (*flips, turned))
+                if new not in after or price < after[new]:
+                    after[new] = price
+        best = after
+    finals = []
+    for state, (words, most, flips) in best.items():
+        back = tuple(i for i in range(bits) if state[i])
+        finals.append((words + 2 * len(back), most, (*flips, back)))
+    words, most, flips = min(finals)
+    return _Turns(flips, most, words)
+
+
+def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
+    """Cubes needed in group h when the planes stand in `polarity`; None where masks fail."""
+    groups = range(1 << bits)
+    planes = [{c for c in groups if (c >> i & 1) ^ polarity[i]} for i in range(bits)]
+    masks: set[int] = set().union(*(p for p in planes if h not in p))
+    if not set(range(h)) <= masks:
+        return None
+    above = {c for c in groups if c > h}
+    left = above.difference(*(p for p in planes if p <= above)) if planes else set()
+    cubes = []
+    for size in range(1, bits + 1):
+        for chosen in combinations(planes, size):
+            cube = set(groups).difference(*chosen)
+            if cube and cube <= above:
+                cubes.append(cube)
+    count = 0
+    while left:
+        cube = max(cubes, key=lambda c: len(c & left), default=set())
+        if not cube & left:
+            return None
+        left = left - cube
+        count += 1
+    return count
+
+
+def _digit_script(
+    chain: Chain,
+    stored: int,
+    radices: tuple[int, ...],
+    bits: int,
+    turns: _Turns,
+    negative: bool,
+) -> Script:
+    per_group = int(np.prod(radices))
+    # The last demands are planes of their own; before them those ranks are all alike.
+    ranks = np.minimum(chain.ranks, chain.steps - stored)
+    top = _binary_planes("highest digit of the rank", ranks // per_group, bits)
+    inner = _thermometers(ranks % per_group, radices, negative)
+    last = range(chain.steps - stored, chain.steps)
+    raw = tuple(columns((chain.ranks > d)[:, None])[0] for d in last)
+    named = tuple(f"rank > {d}" for d in last)
+    before: dict[int, tuple[Segment, ...]] = {}
+    standing = [0] * bits
+    done = 0
+    for i, step in enumerate(chain.step):
+        while done < min(step, chain.steps - stored) // per_group:
+            done += 1
+            for bit in turns.flips[done]:
+                standing[bit] ^= 1
+                before[i] = (*before.get(i, ()), (turn_over(bit),))
+    closing = tuple((turn_over(bit),) for bit in range(bits) if standing[bit])
+    name = "digits " + " x ".join(str(r) for r in ([1 << bits] if bits else []) + list(radices))
+    if stored:
+        name += f", the last {stored} demands stored"
+    return Script(name, top[0] + inner[0] + raw, top[1] + inner[1] + named, 0, (), before, closing)
+
+
+Planes = tuple[tuple[int, ...], tuple[str, ...]]
+"""Truth vectors of planes, and what each one carries."""
+
+
+def _binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
+    return tuple(number_planes(numbers, bits)), tuple(f"{name}, bit {i}" for i in range(bits))
+
+
+def _thermometers(numbers: NDArray[np.int64], radices: Sequence[int], negative: bool) -> Planes:
+    """For each digit, the highest first, a plane for each m: digit <= m, or > m if `negative`."""
+    planes: list[int] = []
+    holders: list[str] = []
+    size = int(np.prod(radices))
+    for place, radix in enumerate(radices):
+        size //= radix
+        digit = numbers // size % radix
+        for m in range(radix - 1):
+            planes += columns(((digit > m) if negative else (digit <= m))[:, None])
+            sign = ">" if negative else "<="
+            holders.append(f"digit {len(radices) - 1 - place} {sign} {m}")
+    return tuple(planes), tuple(holders)
+
+
+def turn_over(plane: int) -> Gate:
+    """Inverts a plane in place."""
+    return Gate("NOT", f"p{plane}", (f"p{plane}",))
+
+
+class _Form(Enum):
+    """Where the state of a counted chain lives: (name, registers beside the planes)."""
+
+    DIGITS = "state in a register, digits inside"
+    STATE = "state in a register"
+    TIGHT = "state in a register, one of scratch"
+    PAIR = "state in FLAG and, for two demands, in scratch"
+    FLAG = "state in FLAG"
+
+
+_BESIDE = {_Form.DIGITS: 2, _Form.STATE: 3, _Form.TIGHT: 2, _Form.PAIR: 2, _Form.FLAG: 1}
+
+# Bits whose cubes are submasks, the others being turned over: fewer of them need a smaller store.
+_SUBMASK_BITS = (13, 6, 4, 2)
+
+
+def counted(problem: Problem, machine: Machine, budget: Budget) -> Iterator[Solution]:
+    """The highest digit in binary, "greater" a state that each group brings forward.
+
+    A cube of the planes where h has a 0 holds for the submasks of h: for h itself and for lower
+    values only. Taking it out of "greater" at each step leaves exactly what is greater, and
+    no plane is ever turned over. High bits in Gray code that are turned over let kernels repeat.
+    """
+    chain = chain_of(problem)
+    values = chain.steps + 1
+    for bits in range(2, (values - 1).bit_length() + 1):
+        least = -(-values // (1 << bits))
+        for form in _Form:
+            if form in (_Form.PAIR, _Form.FLAG):
+                kept = problem.flag_lasts and not any(chain.complemented)
+                if not kept:
+                    continue
+            room = machine.registers - bits - _BESIDE[form]
+            if form is _Form.DIGITS:
+                choices = _radices(room, least)[:2] if least > 1 else ()
+            else:
+                inner = 2 if form is _Form.PAIR else 1
+                fits = room >= inner - 1 and least == inner
+                choices = ((inner,),) if fits else ()
+            for radices in choices:
+                for low in sorted({min(low, bits) for low in _SUBMASK_BITS}, reverse=True):
+                    script = _counted_script(chain, radices, bits, low, form)
+                    try:
+                        yield walk(problem, machine, script, budget)
+                    except GaveUp:
+                        continue
+
+
+def _counted_script(
+    chain: Chain, radices: tuple[int, ...], bits: int, low: int, form: _Form
+) -> Script:
+    per_group = int(np.prod(radices))
+    groups = chain.ranks // per_group
+    high = groups >> low
+    coded = (high ^ high >> 1) << low | groups & (1 << low) - 1
+    top = _binary_planes("highest digit of the rank", coded, bits)
+    inner = _thermometers(chain.ranks % per_group, radices, False) if per_group > 1 else ((), ())
+    states = {_Form.DIGITS: 2, _Form.STATE: 1, _Form.TIGHT: 1}.get(form, 0)
+    opening: tuple[Segment, ...] = ()
+    if states:
+        opening = ((Gate("SET", "s0", ()),),)
+    before: dict[int, tuple[Segment, ...]] = {}
+    turned: list[int] = []
+    done = -1
+    for i, step in enumerate(chain.step):
+        while done < step // per_group:
+            done += 1
+            run: list[Segment] = []
+            if done and not done & (1 << low) - 1:
+                flip = ((done >> low) & -(done >> low)).bit_length() - 1 + low
+                turned.append(flip)
+                run.append((turn_over(flip),))
+            equal = [f"p{b}" for b in range(bits) if b >= low or not done >> b & 1]
+            before[i] = (*before.get(i, ()), *run, *_advance(form, equal, bits))
+        if form is _Form.PAIR and step % 2 and i not in before:
+            before[i] = ((Gate("WHERE", "FLAG", ("t1",)),),)
+    closing = tuple((turn_over(bit),) for bit in sorted(set(turned)) if turned.count(bit) % 2)
+    name = " x ".join(str(r) for r in (1 << bits, *radices) if r > 1)
+    return Script(
+        f"digits {name}, the highest counted: {form.value}",
+        top[0] + inner[0], top[1] + inner[1], states, opening, before, closing,
+        form in (_Form.PAIR, _Form.FLAG),
+    )  # fmt: skip
+
+
+def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...]:
+    """Takes the shutters of cube NOR(equal) out of "greater"; `equal` empty: all of them."""
+
+    def cube(destination: str) -> Segment:
+        return (Gate("NOR" if len(equal) > 1 else "NOT", destination, tuple(equal)),)
+
+    if form in (_Form.DIGITS, _Form.STATE):
+        rest = "s1" if form is _Form.DIGITS else "t1"
+        if not equal:
+            clear = (Gate("NOT", rest, ("s0",)), Gate("CLR", "s0", ()))
+            return (clear,)
+        return (
+            (Gate("NOT", rest, ("s0",)),),
+            cube("t0"),
+            (Gate("NOR", "s0", (rest, "t0")),),
+        )
+    if form is _Form.TIGHT:
+        if not equal:
+            return ((Gate("CLR", "s0", ()),),)
+        return (
+            (Gate("NOT", "t0", ("s0",)),),
+            cube("s0"),
+            (Gate("NOR", "s0", ("s0", "t0")),),
+        )
+    if form is _Form.PAIR:
+        left: Segment = (Gate("NOR", "t1", ("t1", "t0")),) if equal else (Gate("CLR", "t1", ()),)
+        return (
+            (Gate("NOT", "t0", ("FLAG",)),),
+            *((cube("t1"),) if equal else ()),
+            (
+                *left,
+                Gate("NOR", "t0", ("t0", f"p{bits}")),
+                Gate("WHERE", "FLAG", ("t0", "t1")),
+            ),
+        )
+    if not equal:
+        return ((Gate("CLR", "t0", ()), Gate("WHERE", "FLAG", ("t0",))),)
+    return (
+        (Gate("NOT", "t0", ("FLAG",)), Gate("WHERE", "FLAG", ("t0",))),
+        cube("t0"),
+        (Gate("NOR", "t0", ("t0", "FLAG")), Gate("WHERE", "FLAG", ("t0",))),
+    )

@@ -1,0 +1,191 @@
+"""Covers by one-word cubes: a predicate as an OR of NORs over values that stand in registers.
+
+NOR(A) holds where every value of A is 0, so a cube lies inside a predicate when the values of A
+together reach every shutter outside it. A cube costs one word and needs no inverted literal. Cubes
+that lie inside the predicates to come as well may stay in a register: their word is shared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from nscc.logic.cubes import Budget
+
+
+@dataclass(frozen=True, slots=True)
+class Nor:
+    """A cube NOR(sources): its truth vector, and how many demands it serves from now on."""
+
+    sources: tuple[int, ...]
+    vector: int
+    life: int
+
+
+@dataclass(frozen=True, slots=True)
+class Cover:
+    """`positive`: indices of values whose OR, with that of `cubes`, is the wanted predicate.
+
+    `cost` are words, those of cubes that live on shared among the demands that they serve.
+    """
+
+    positive: tuple[int, ...]
+    cubes: tuple[Nor, ...]
+    cost: float
+
+
+# Cubes are tried that stay valid for so many demands; longer ones are seldom different.
+_HORIZONS = (1, 2, 4, 8, 16, 32, 64)
+_MOST_SEEDS = 40
+
+
+def find_cover(
+    values: Sequence[int],
+    usable: Sequence[bool],
+    ahead: Sequence[int],
+    everything: int,
+    most_cubes: int,
+    budget: Budget,
+    keep: bool,
+) -> Cover | None:
+    """The cheapest cover found of ahead[0] by values and cubes, None if there is none.
+
+    `values` are truth vectors, `usable[i]` says whether value i may stand in the OR itself;
+    `ahead` are the predicates wanted now and by the demands to come, everything on which is
+    outside must stay outside. `keep`: registers are left to keep cubes that live on.
+    """
+    wanted = ahead[0]
+    positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~wanted]
+    rest = wanted
+    for i in positive:
+        rest &= ~values[i]
+    if not rest:
+        return Cover(_irredundant(positive, values, wanted), (), 0.0)
+    if most_cubes < 1:
+        return None
+    cubes = _candidates(values, ahead if keep else ahead[:1], rest, everything, budget)
+    if cubes is None:
+        return None
+    chosen = _select(cubes, rest, most_cubes, budget)
+    if chosen is None:
+        return None
+    covered = 0
+    for cube in chosen:
+        covered |= cube.vector
+    return Cover(
+        _irredundant(positive, values, wanted & ~covered),
+        tuple(chosen),
+        sum(1 / cube.life for cube in chosen),
+    )
+
+
+def life(vector: int, ahead: Sequence[int]) -> int:
+    """How many of the predicates `ahead`, from the first one on, contain `vector`."""
+    for count, wanted in enumerate(ahead):
+        if vector & ~wanted:
+            return count
+    return len(ahead)
+
+
+def _irredundant(positive: Sequence[int], values: Sequence[int], wanted: int) -> tuple[int, ...]:
+    """Values, as few as a greedy choice finds, whose OR contains `wanted`."""
+    chosen: list[int] = []
+    while wanted:
+        best = max(positive, key=lambda i: (values[i] & wanted).bit_count())
+        chosen.append(best)
+        wanted &= ~values[best]
+    return tuple(sorted(chosen))
+
+
+def _candidates(
+    values: Sequence[int], ahead: Sequence[int], rest: int, everything: int, budget: Budget
+) -> list[Nor] | None:
+    """Cubes inside ahead[0] that reach all of `rest`; None if some shutter cannot be reached."""
+    found: dict[int, Nor] = {}
+    unreached = rest
+    outside = [everything & ~ahead[0]]
+    for predicate in ahead[1 : _HORIZONS[-1]]:
+        outside.append(outside[-1] | (everything & ~predicate))
+    for _ in range(_MOST_SEEDS):
+        if not unreached:
+            return list(found.values())
+        seed = unreached & -unreached
+        zeros = [i for i, v in enumerate(values) if not v & seed]
+        reached = False
+        for horizon in _HORIZONS:
+            if horizon > len(outside) or outside[horizon - 1] & seed:
+                break
+            cube = _prime(zeros, values, outside[horizon - 1], rest, everything, budget)
+            if cube is None:
+                break
+            sources, vector = cube
+            unreached &= ~vector
+            reached = True
+            known = found.get(vector)
+            if known is None or len(sources) < len(known.sources):
+                found[vector] = Nor(sources, vector, max(1, life(vector, ahead)))
+        if not reached:
+            return None
+    return None
+
+
+def _prime(
+    zeros: Sequence[int],
+    values: Sequence[int],
+    outside: int,
+    rest: int,
+    everything: int,
+    budget: Budget,
+) -> tuple[tuple[int, ...], int] | None:
+    """A cube that avoids `outside`, from the literals `zeros`, grown as far as it goes."""
+    kept = list(zeros)
+    union = 0
+    for i in kept:
+        union |= values[i]
+    if outside & ~union:
+        return None
+    while True:
+        budget.spend(len(kept) * (1 + everything.bit_length() // 512))
+        after = [0] * (len(kept) + 1)
+        for k in range(len(kept) - 1, -1, -1):
+            after[k] = after[k + 1] | values[kept[k]]
+        before, best, choice = 0, -1, -1
+        for k, i in enumerate(kept):
+            without = before | after[k + 1]
+            if not outside & ~without:
+                gain = (rest & ~without).bit_count()
+                if gain > best:
+                    best, choice = gain, k
+            before |= values[i]
+        if choice < 0:
+            return tuple(kept), everything & ~after[0]
+        del kept[choice]
+
+
+def _select(cubes: Sequence[Nor], rest: int, most: int, budget: Budget) -> list[Nor] | None:
+    """The cheapest choice of at most `most` cubes that contains `rest`, by branch and bound."""
+    ordered = sorted(cubes, key=lambda c: (-(c.vector & rest).bit_count(), len(c.sources)))
+    best: list[Nor] | None = None
+    best_cost = float("inf")
+    visits = 0
+
+    def descend(left: int, chosen: list[Nor], cost: float) -> None:
+        nonlocal best, best_cost, visits
+        if not left:
+            if cost < best_cost - 1e-9:
+                best, best_cost = list(chosen), cost
+            return
+        visits += 1
+        if len(chosen) == most or visits > 2000:
+            return
+        seed = left & -left
+        for cube in ordered:
+            step = 1 / cube.life
+            if cube.vector & seed and cost + step < best_cost - 1e-9:
+                chosen.append(cube)
+                descend(left & ~cube.vector, chosen, cost + step)
+                chosen.pop()
+
+    descend(rest, [], 0.0)
+    budget.spend(visits)
+    return best
