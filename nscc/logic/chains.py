@@ -10,7 +10,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from functools import cache
-from itertools import combinations, product
+from itertools import combinations, pairwise, product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,7 +38,7 @@ def chain_of(problem: Problem) -> Chain:
     for demand in problem.demands:
         kinds.setdefault((demand.edge, demand.bucket), []).append(demand.predicate)
     rising = {
-        kind: any(b & ~a for a, b in zip(wanted, wanted[1:], strict=False))
+        kind: any(b & ~a for a, b in pairwise(wanted))
         for kind, wanted in kinds.items()
     }
     flips = tuple(rising[d.edge, d.bucket] for d in problem.demands)
@@ -47,7 +47,7 @@ def chain_of(problem: Problem) -> Chain:
         everything & ~d.predicate if flip else d.predicate
         for d, flip in zip(problem.demands, flips, strict=True)
     ]
-    if len(wanted) < 2 or any(b & ~a for a, b in zip(wanted, wanted[1:], strict=False)):
+    if len(wanted) < 2 or any(b & ~a for a, b in pairwise(wanted)):
         raise GaveUp("the demands are no chain")
     distinct = list(dict.fromkeys(wanted))
     number = {predicate: i for i, predicate in enumerate(distinct)}
@@ -55,7 +55,7 @@ def chain_of(problem: Problem) -> Chain:
     return Chain(ranks, tuple(number[p] for p in wanted), flips, len(distinct))
 
 
-def digits(problem: Problem, machine: Machine, budget: Budget) -> Iterator[Solution]:
+def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """Mixed-radix digits, each a thermometer; the highest may be bits that are turned over.
 
     When a digit changes, one cube per higher digit says "greater already"; what is left of each
@@ -70,14 +70,14 @@ def digits(problem: Problem, machine: Machine, budget: Budget) -> Iterator[Solut
             values = chain.steps + 1 - stored
             if bits and values <= 1 << bits:
                 continue
-            inner = _radices(room - stored, -(-values // (1 << bits)))
+            inner = radices_of(room - stored, -(-values // (1 << bits)))
             for radices in inner[:2]:
                 for negative in (False, True):
                     if negative and (bits or not any(chain.complemented)):
                         continue
                     script = _digit_script(chain, stored, radices, bits, turns, negative)
                     try:
-                        yield walk(problem, machine, script, budget)
+                        yield walk(problem, machine, script, Budget(steps))
                     except GaveUp:
                         continue
             tried += bool(inner)
@@ -90,7 +90,7 @@ _MOST_STORED = 2
 
 
 @cache
-def _radices(most: int, least: int) -> tuple[tuple[int, ...], ...]:
+def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
     """Mixed radices, highest first, whose sum is at most `most` and product at least `least`.
 
     Those of the smallest sum first; without digits of 1.
@@ -254,7 +254,7 @@ _BESIDE = {_Form.DIGITS: 2, _Form.STATE: 3, _Form.TIGHT: 2, _Form.PAIR: 2, _Form
 _SUBMASK_BITS = (13, 6, 4, 2)
 
 
-def counted(problem: Problem, machine: Machine, budget: Budget) -> Iterator[Solution]:
+def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """The highest digit in binary, "greater" a state that each group brings forward.
 
     A cube of the planes where h has a 0 holds for the submasks of h: for h itself and for lower
@@ -272,7 +272,7 @@ def counted(problem: Problem, machine: Machine, budget: Budget) -> Iterator[Solu
                     continue
             room = machine.registers - bits - _BESIDE[form]
             if form is _Form.DIGITS:
-                choices = _radices(room, least)[:2] if least > 1 else ()
+                choices = radices_of(room, least)[:2] if least > 1 else ()
             else:
                 inner = 2 if form is _Form.PAIR else 1
                 fits = room >= inner - 1 and least == inner
@@ -281,7 +281,7 @@ def counted(problem: Problem, machine: Machine, budget: Budget) -> Iterator[Solu
                 for low in sorted({min(low, bits) for low in _SUBMASK_BITS}, reverse=True):
                     script = _counted_script(chain, radices, bits, low, form)
                     try:
-                        yield walk(problem, machine, script, budget)
+                        yield walk(problem, machine, script, Budget(steps))
                     except GaveUp:
                         continue
 

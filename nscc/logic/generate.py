@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from nscc.logic import chains, encodings, states
+from nscc.logic import chains, encodings, states, windows
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -19,7 +19,7 @@ PATIENT_STEPS = 4_000_000
 MOST_COVERED = 512
 
 Generator = Callable[[Problem, Machine, Budget], Solution]
-Family = Callable[[Problem, Machine, Budget], Iterator[Solution]]
+Family = Callable[[Problem, Machine, int], Iterator[Solution]]
 
 
 def _emitted(encode: Callable[[Problem, Machine, Budget], Encoding]) -> Generator:
@@ -52,7 +52,7 @@ COVERS: tuple[Generator, ...] = (
 # The dearest: every shutter of every predicate by itself. Few kernels serve all of them.
 LAST: tuple[Generator, ...] = (_emitted(encodings.gray_index_wide),)
 # Families with parameters (radices, polarities), all of whose members are worth a price; from -O2.
-FAMILIES: tuple[Family, ...] = (chains.digits, chains.counted)
+FAMILIES: tuple[Family, ...] = (chains.digits, chains.counted, windows.windows)
 
 
 def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Solution]:
@@ -72,7 +72,7 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
     if level >= 2:
         for family in FAMILIES:
             try:
-                yield from family(problem, machine, Budget(steps))
+                yield from family(problem, machine, steps)
             except GaveUp:
                 continue
     groups = [(EQUALITIES, steps), (COVERS, steps), ((*COVERS, *LAST), PATIENT_STEPS)]

@@ -8,7 +8,7 @@ or by the complement of one. Cubes that serve demands to come stay in scratch re
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from nscc.logic.cover import Cover, find_cover, life
@@ -34,6 +34,26 @@ class Script:
     closing: tuple[Segment, ...]
     state_in_flag: bool = False
 
+
+@dataclass(frozen=True)
+class _Choice:
+    """A cover of a demand, or of its complement where `inverted`, over the values of `names`.
+
+    With `turned`, the last name stands for the inverse of that value, which is made first.
+    """
+
+    cover: Cover
+    names: tuple[str, ...]
+    turned: str | None
+    inverted: bool
+    price: float
+
+
+_TURNED = "turned"
+
+# Words of an answer that need no other kind of cover, and those from which one is looked for.
+_GOOD_PRICE = 2.5
+_DEAR = 4.0
 
 # Demands ahead of the one at hand that a cube's life is counted over.
 _AHEAD = 64
@@ -118,63 +138,107 @@ class _Walker:
             self.used = max(self.used, number)
 
     def _answer(self, index: int) -> Segment:
+        """The gates that bring demand `index` into FLAG, from the cheapest cover found.
+
+        Covers are made from all that stands in registers, then from planes and states alone, so
+        that scratch registers are free; a value may be inverted into one first.
+        """
         problem = self.problem
         ahead = [d.predicate for d in problem.demands[index : index + _AHEAD]]
-        everything = problem.everything
-        against = [everything & ~predicate for predicate in ahead]
-        names = list(self.values)
+        against = [problem.everything & ~predicate for predicate in ahead]
+        steady = [name for name in self.values if name[0] in "ps"]
+        choices: list[_Choice] = []
+        for names in (list(self.values), steady):
+            choices += self._covers(names, None, ahead, against)
+            if choices and min(c.price for c in choices) <= _GOOD_PRICE:
+                break
+        if self.scratch > 1 and min((c.price for c in choices), default=_DEAR) >= _DEAR:
+            for name in steady:
+                choices += self._covers(steady, name, ahead, against)
+        choices.sort(key=lambda c: c.price)
+        for choice in choices:
+            before = dict(self.values), self.used
+            try:
+                self._emit(choice, against if choice.inverted else ahead)
+            except GaveUp:
+                self.values, self.used = before
+                self.gates.take()
+                continue
+            return self.gates.take()
+        raise GaveUp(f"demand {index} has no cover of one-word cubes")
+
+    def _covers(
+        self, names: list[str], turned: str | None, ahead: Sequence[int], against: Sequence[int]
+    ) -> Iterator[_Choice]:
+        """Covers of a demand and of its complement by the values of `names`, and by the inverse
+        of `turned`."""
         values = [self.values[name] for name in names]
-        keep = self.scratch > 1
-        direct = find_cover(
-            values, [n != "FLAG" or self.machine.where_reads_flag for n in names],
-            ahead, everything, self.scratch, self.budget, keep,
-        )  # fmt: skip
-        other = find_cover(
-            values, [True] * len(names), against, everything, self.scratch, self.budget, keep
-        )
-        price = self._price(direct, False), self._price(other, True)
-        if direct is not None and price[0] <= price[1]:
-            self._emit(direct, names, ahead, inverted=False)
-        elif other is not None:
-            self._emit(other, names, against, inverted=True)
-        else:
-            raise GaveUp(f"demand {index} has no cover of one-word cubes")
-        segment = self.gates.take()
-        return segment
+        scratch = self.scratch
+        if turned is not None:
+            names = [*names, _TURNED]
+            values.append(self.problem.everything & ~self.values[turned])
+            scratch -= 1
+        extra = turned is not None
+        for inverted, wanted in ((False, ahead), (True, against)):
+            if inverted and not scratch:
+                continue
+            usable = [inverted or n != "FLAG" or self.machine.where_reads_flag for n in names]
+            cover = find_cover(
+                values, usable, wanted, self.problem.everything, scratch, self.budget, scratch > 1
+            )
+            if cover is not None:
+                full = inverted and len(cover.cubes) >= scratch
+                yield _Choice(
+                    cover, tuple(names), turned, inverted, cover.cost + 1 + inverted + full + extra
+                )
 
-    def _price(self, cover: Cover | None, inverted: bool) -> float:
-        if cover is None:
-            return float("inf")
-        if not inverted:
-            return cover.cost + 1
-        if not self.scratch:
-            return float("inf")
-        in_place = 1 if len(cover.cubes) >= self.scratch else 0
-        return cover.cost + 2 + in_place
-
-    def _emit(
-        self, cover: Cover, names: Sequence[str], ahead: Sequence[int], *, inverted: bool
-    ) -> None:
+    def _emit(self, choice: _Choice, ahead: Sequence[int]) -> None:
         """Gates of a cover. New cubes go where the values are that are missed last."""
-        sources = [names[i] for i in cover.positive]
-        # A scratch value may be a source of a cube that is still to come.
-        wanted = set(sources)
-        cubes = sorted(cover.cubes, key=lambda c: -len(c.sources))
+        names = list(choice.names)
+        cubes = sorted(
+            choice.cover.cubes,
+            key=lambda c: (-sum(names[k][0] == "t" for k in c.sources), -len(c.sources)),
+        )
+        positive = [names[k] for k in choice.cover.positive]
         waiting = [{names[k] for k in cube.sources} for cube in cubes]
-        terms: list[str] = []
+        if choice.turned is not None:
+            busy = set(positive).union(*waiting)
+            place = self._place(busy, ahead)
+            self._gate("NOR", place, [choice.turned])
+            names[-1] = place
+            positive = [place if n == _TURNED else n for n in positive]
+            waiting = [{place if n == _TURNED else n for n in each} for each in waiting]
+        terms = positive
         for n, cube in enumerate(cubes):
-            later = set().union(*waiting[n + 1 :])
-            target = self._place(wanted | set(terms) | later, ahead)
-            self._gate("NOR", target, [names[k] for k in cube.sources])
-            terms.append(target)
-        if not inverted:
-            self._where([*sources, *terms])
+            needed = set().union(*waiting[n + 1 :])
+            sources = [names[k] for k in cube.sources]
+            target = self._place_or_none(needed | set(terms) | set(sources), ahead)
+            if target is None:
+                # In place, over a source that nothing else reads.
+                over = [s for s in sources if s[0] == "t" and s not in needed and s not in terms]
+                if over:
+                    target = over[0]
+                else:
+                    terms, target = self._gather(terms, needed | set(sources))
+            self._gate("NOR", target, sources)
+            terms = [*terms, target]
+        if not choice.inverted:
+            self._where(terms)
             return
-        free = self._place_or_none(wanted | set(terms), ahead)
+        free = self._place_or_none(set(terms), ahead)
         if free is None:
-            free = terms[-1] if terms else "t0"
-        self._gate("NOR", free, [*sources, *terms])
+            free = next(t for t in reversed(terms) if t[0] == "t")
+        self._gate("NOR", free, terms)
         self._where([free])
+
+    def _gather(self, terms: Sequence[str], needed: set[str]) -> tuple[list[str], str]:
+        """Brings two terms together: the terms that are left, and the register that is free."""
+        loose = [t for t in terms if t[0] == "t" and t not in needed]
+        if len(loose) < 2:
+            raise GaveUp("no register is left to compute with")
+        into, free = loose[0], loose[1]
+        self._gate("OR", into, [into, free])
+        return [t for t in terms if t != free], free
 
     def _place_or_none(self, busy: set[str], ahead: Sequence[int]) -> str | None:
         """A scratch register that is free, or whose value is missed last; None if all are busy."""

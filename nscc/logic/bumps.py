@@ -1,0 +1,65 @@
+"""Shutters that open once and close once, seen from the demands of one bucket's levels."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.problem import GaveUp, Problem
+from nscc.truth import rows
+
+
+@dataclass(frozen=True)
+class Bumps:
+    """Shutter k is open in steps start[k] .. stop[k] - 1, never where start[k] = stop[k] = 0.
+
+    Both are (shutters,) in 0 .. steps; `step[i]` is the step of demand i, one for each run of
+    demands that ask for the same. `slot` (steps,) is the time slot that a step starts with.
+    """
+
+    start: NDArray[np.int64]
+    stop: NDArray[np.int64]
+    step: tuple[int, ...]
+    steps: int
+
+    @property
+    def length(self) -> int:
+        """The longest bump in steps."""
+        return int((self.stop - self.start).max(initial=0))
+
+    @property
+    def never(self) -> NDArray[np.bool_]:
+        """(shutters,) whether a shutter never opens."""
+        return np.asarray(self.start == self.stop)
+
+
+# Shutters times demands that are looked at as a matrix.
+_MOST_CELLS = 1 << 25
+
+
+def bumps_of(problem: Problem) -> Bumps:
+    """The bumps that the demands are. Raises GaveUp where some shutter has another shape."""
+    if len({(d.edge, d.bucket) for d in problem.demands}) != 1:
+        raise GaveUp("demands of several kinds")
+    if problem.demands[0].edge != "open":
+        raise GaveUp("the demands are events")
+    if problem.shutters * len(problem.demands) > _MOST_CELLS:
+        raise GaveUp("too many shutters and demands to look at")
+    wanted: list[int] = []
+    step: list[int] = []
+    for demand in problem.demands:
+        if not wanted or demand.predicate != wanted[-1]:
+            wanted.append(demand.predicate)
+        step.append(len(wanted) - 1)
+    held = rows(wanted, problem.shutters)
+    start = held.argmax(axis=1).astype(np.int64)
+    count = held.sum(axis=1).astype(np.int64)
+    stop = start + count
+    last = held.shape[1] - held[:, ::-1].argmax(axis=1)
+    if np.any((count > 0) & (last != stop)):
+        raise GaveUp("some shutter opens more than once")
+    start[count == 0] = 0
+    stop[count == 0] = 0
+    return Bumps(start, stop, tuple(step), len(wanted))
