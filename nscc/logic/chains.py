@@ -37,10 +37,7 @@ def chain_of(problem: Problem) -> Chain:
     kinds: dict[tuple[str, int], list[int]] = {}
     for demand in problem.demands:
         kinds.setdefault((demand.edge, demand.bucket), []).append(demand.predicate)
-    rising = {
-        kind: any(b & ~a for a, b in pairwise(wanted))
-        for kind, wanted in kinds.items()
-    }
+    rising = {kind: any(b & ~a for a, b in pairwise(wanted)) for kind, wanted in kinds.items()}
     flips = tuple(rising[d.edge, d.bucket] for d in problem.demands)
     everything = problem.everything
     wanted = [

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from nscc.logic import chains, encodings, states, windows
+from nscc.logic import chains, encodings, spans, states, windows
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -52,7 +52,13 @@ COVERS: tuple[Generator, ...] = (
 # The dearest: every shutter of every predicate by itself. Few kernels serve all of them.
 LAST: tuple[Generator, ...] = (_emitted(encodings.gray_index_wide),)
 # Families with parameters (radices, polarities), all of whose members are worth a price; from -O2.
-FAMILIES: tuple[Family, ...] = (chains.digits, chains.counted, windows.windows)
+FAMILIES: tuple[Family, ...] = (
+    chains.digits,
+    chains.counted,
+    windows.windows,
+    spans.stored_spans,
+    spans.counted_spans,
+)
 
 
 def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Solution]:

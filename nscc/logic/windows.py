@@ -36,7 +36,7 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
         for doubled, low in product((False, True), range(bits, -1, -1)):
             if held * (1 + doubled) + low > room:
                 continue
-            for early in (True, False):
+            for early in (True, False) if low < bits else (True,):
                 script = _script(bumps, length, chosen, bits, doubled, low, early)
                 try:
                     yield walk(problem, machine, script, Budget(steps))

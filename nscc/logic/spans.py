@@ -1,0 +1,240 @@
+"""Spans: bumps of any length, from a group and an offset for each end.
+
+Time is cut into groups. A shutter is active in the groups that it touches; inside its first group
+it is closed up to its start's offset, inside its last one from its stop's offset on. Which groups
+are active is stored, or a state that every group brings forward.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.bumps import Bumps, bumps_of
+from nscc.logic.chains import Planes, turn_over
+from nscc.logic.cubes import Budget
+from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.walk import Script, walk
+from nscc.truth import columns, number_planes
+
+
+def stored_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
+    """A plane for each group: active in it."""
+    bumps = bumps_of(problem)
+    for size in range(2, 6):
+        groups = -(-bumps.steps // size)
+        if groups + 2 * (size - 1) > machine.registers - 1:
+            continue
+        first, last = _groups(bumps, size)
+        active = [(first <= k) & (k <= last) & ~bumps.never for k in range(groups)]
+        planes, holders = _offsets(bumps, size)
+        script = Script(
+            f"active groups of {size}, offsets of both ends",
+            (*columns(np.stack(active, axis=1)), *planes),
+            (*(f"active in group {k}" for k in range(groups)), *holders),
+            0, (), {}, (),
+        )  # fmt: skip
+        try:
+            yield walk(problem, machine, script, Budget(steps))
+        except GaveUp:
+            continue
+
+
+def counted_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
+    """A state tells whether a shutter is active; groups of both ends are held in binary."""
+    bumps = bumps_of(problem)
+    for size in range(1, 6):
+        groups = -(-bumps.steps // size)
+        if groups < 3:
+            break
+        bits = (groups - 1).bit_length()
+        room = machine.registers - 2 * bits - 2 * (size - 1)
+        for halved in (True, False):
+            risers = _Risers.of(bits, groups, halved)
+            if risers is None:
+                continue
+            if size == 1 and room >= 1 and problem.flag_lasts:
+                script = _flag_script(bumps, bits, risers)
+                yield from _tried(problem, machine, script, steps)
+            if room >= 3 and (problem.demands[-1].flag_kept or not halved):
+                script = _register_script(bumps, size, bits, risers, exact=not halved)
+                yield from _tried(problem, machine, script, steps)
+
+
+def _tried(problem: Problem, machine: Machine, script: Script, steps: int) -> Iterator[Solution]:
+    try:
+        yield walk(problem, machine, script, Budget(steps))
+    except GaveUp:
+        return
+
+
+def _groups(bumps: Bumps, size: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """(shutters,) the first and the last group that a shutter touches."""
+    return bumps.start // size, np.maximum(bumps.stop - 1, 0) // size
+
+
+def _offsets(bumps: Bumps, size: int) -> Planes:
+    """Thermometers of both ends' places in their groups, in the sense that a NOR reads."""
+    start = np.where(bumps.never, 0, bumps.start % size)
+    last = np.where(bumps.never, size - 1, (bumps.stop - 1) % size)
+    planes = [start <= m for m in range(size - 1)] + [last > m for m in range(size - 1)]
+    holders = [f"start's place in its group <= {m}" for m in range(size - 1)]
+    holders += [f"last slot's place in its group > {m}" for m in range(size - 1)]
+    if not planes:
+        return (), ()
+    return tuple(columns(np.stack(planes, axis=1))), tuple(holders)
+
+
+@dataclass(frozen=True)
+class _Risers:
+    """How the group of a start is coded, and how each step picks out those that rise.
+
+    Step m, 0 .. groups - 2, opens group m + 1: `flips[m]` are the bits turned over before it,
+    `cubes[m]` the bits whose planes are then 0 for the shutters that rise. `codes[g]` is the code
+    of group g as the planes stand when the frame starts, when group 0 is where all of them are 0;
+    `back` are the bits turned over at its end.
+
+    A cube may hold shutters that rose before, so that fewer planes are turned over, if those of
+    them that have closed since are taken out right after it: the fallers of step m are at least
+    the groups whose number is a submask of m.
+    """
+
+    codes: tuple[int, ...]
+    flips: tuple[tuple[int, ...], ...]
+    cubes: tuple[tuple[int, ...], ...]
+    back: tuple[int, ...]
+
+    @staticmethod
+    def of(bits: int, groups: int, halved: bool) -> _Risers | None:
+        """The code; `halved`: with half of the turns, None where there are too few bits."""
+        if halved and bits < 3:
+            return None
+        codes, wanted, cubes = [], [], []
+        every = tuple(range(bits))
+        for m in range(1 << bits):
+            if not halved:
+                codes.append(m ^ m >> 1)
+                wanted.append(codes[-1])
+                cubes.append(every)
+                continue
+            high, place = m >> 2, m & 3
+            top = (high ^ high >> 1) << 2
+            odd = high & 1
+            codes.append(top | (0, 1, 3, 2)[place] ^ odd)
+            wanted.append(top | (odd, odd, 1 ^ odd, 1 ^ odd)[place])
+            without = ((), (0,), (1,), (0, 1))[place]
+            cubes.append(tuple(bit for bit in every if bit not in without))
+        # Group 0 rises at the start; of the codes that no step uses it takes the nearest one.
+        first = min(range(groups - 1, 1 << bits), key=lambda v: (codes[v] ^ wanted[0]).bit_count())
+        standing = codes[first]
+        flips = []
+        for m in range(groups - 1):
+            flips.append(_bits(standing ^ wanted[m]))
+            standing = wanted[m]
+        return _Risers(
+            tuple(codes[v] ^ codes[first] for v in (first, *range(groups - 1))),
+            tuple(flips),
+            tuple(cubes[: groups - 1]),
+            _bits(standing ^ codes[first]),
+        )
+
+
+def _bits(number: int) -> tuple[int, ...]:
+    return tuple(i for i in range(number.bit_length()) if number >> i & 1)
+
+
+def _ends(bumps: Bumps, size: int, bits: int, risers: _Risers) -> Planes:
+    """Planes 0 .. bits - 1: the group of the start; bits .. 2 bits - 1: that of the last slot.
+
+    What never opens rises with group 1 and is taken out at once.
+    """
+    first, last = _groups(bumps, size)
+    first = np.where(bumps.never, 1, first)
+    planes = number_planes(np.array(risers.codes, dtype=np.int64)[first], bits)
+    planes += number_planes(last, bits)
+    holders = [f"group of the start, bit {i}" for i in range(bits)]
+    holders += [f"group of the last slot, bit {i}" for i in range(bits)]
+    return tuple(planes), tuple(holders)
+
+
+def _nor(destination: str, sources: Sequence[str]) -> Segment:
+    return (Gate("NOR" if len(sources) > 1 else "NOT", destination, tuple(sources)),)
+
+
+def _fallers(m: int, bits: int) -> Segment:
+    """t0 := shutters whose last group is a submask of m: m itself, and some before it."""
+    return _nor("t0", [f"p{bits + i}" for i in range(bits) if not m >> i & 1])
+
+
+def _flag_script(bumps: Bumps, bits: int, risers: _Risers) -> Script:
+    """The state in FLAG, one scratch register, groups of one step."""
+    planes, holders = _ends(bumps, 1, bits, risers)
+    into_flag: Segment = (
+        Gate("NOR", "t0", ("t0", "FLAG")), Gate("WHERE", "FLAG", ("t0",)),
+    )  # fmt: skip
+    before: dict[int, tuple[Segment, ...]] = {}
+    for i, step in enumerate(bumps.step):
+        if i and step == bumps.step[i - 1]:
+            continue
+        if not step:
+            rise = _nor("t0", [f"p{b}" for b in range(bits)])
+            before[i] = ((*rise, Gate("WHERE", "FLAG", ("t0",))),)
+            continue
+        m = step - 1
+        before[i] = (
+            *((turn_over(b),) for b in risers.flips[m]),
+            _nor("t0", [f"p{b}" for b in risers.cubes[m]]),
+            into_flag,
+            _fallers(m, bits),
+            into_flag,
+        )
+    closing = tuple((turn_over(b),) for b in risers.back)
+    return Script(
+        "both ends in binary, state in FLAG", planes, holders, 0, (), before, closing, True
+    )
+
+
+def _register_script(bumps: Bumps, size: int, bits: int, risers: _Risers, *, exact: bool) -> Script:
+    """The state, inverted, in a register. Unless `exact`, FLAG must still hold the demand before:
+    what was open in the last slot of a group is what was active in it and goes on."""
+    ends = _ends(bumps, size, bits, risers)
+    offsets = _offsets(bumps, size)
+    before: dict[int, tuple[Segment, ...]] = {}
+    done = -1
+    for i, step in enumerate(bumps.step):
+        group = step // size
+        if group == done:
+            continue
+        done = group
+        if not group:
+            first = tuple(f"p{b}" for b in range(bits))
+            before[i] = ((Gate("OR", "s0", first),),)
+            continue
+        m = group - 1
+        flips = tuple((turn_over(b),) for b in risers.flips[m])
+        rise = _nor("t0", [f"p{b}" for b in risers.cubes[m]])
+        if exact:
+            before[i] = (
+                *flips,
+                _fallers(m, bits),
+                (Gate("NOR", "t1", ("s0", "t0")),),
+                rise,
+                (Gate("NOR", "s0", ("t0", "t1")),),
+            )
+        else:
+            before[i] = (
+                *flips,
+                rise,
+                (Gate("NOR", "t1", ("FLAG", "t0")),),
+                _fallers(m, bits),
+                (Gate("OR", "s0", ("t0", "t1")),),
+            )
+    closing = tuple((turn_over(b),) for b in risers.back)
+    name = "both ends in binary" if size == 1 else f"groups of {size} in binary, offsets"
+    return Script(
+        f"{name}, state in a register", ends[0] + offsets[0], ends[1] + offsets[1], 1, (), before,
+        closing,
+    )  # fmt: skip
