@@ -11,6 +11,7 @@ from nscc.logic.bound import ASSUMES, level_bound
 from nscc.lower.choose import Choice
 from nscc.lower.lowered import Lowered
 from nscc.prove.proof import Proof
+from nscc.words.cost import refresh_count
 from nscc.words.operations import Effect, Op, Phase
 
 
@@ -93,10 +94,7 @@ def _priced(lowered: Lowered) -> dict[str, Any]:
 
 
 def _logic(lowered: Lowered) -> dict[str, Any]:
-    """Counts of decode logic: digital words executed in a frame, refresh left out.
-
-    Refresh words are told apart by their operation; what they need around them is counted here.
-    """
+    """Counts of decode logic: digital words executed in a frame, refresh left out."""
     schedule, program = lowered.schedule, lowered.program
     per_kernel = [_digital(kernel) for kernel in schedule.kernels]
     slots = len(program.frame.slot_us)
@@ -135,4 +133,5 @@ def _digital(kernel: tuple[Op, ...]) -> tuple[int, int]:
             continue
         words += 1
         pairs += row.phase is Phase.READ
-    return words, pairs
+    refresh = sum(word.operation.name.startswith("REFRESH") for word in kernel)
+    return words - (refresh_count(kernel) - refresh), pairs

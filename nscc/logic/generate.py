@@ -56,6 +56,7 @@ FAMILIES: tuple[Family, ...] = (
     chains.digits,
     chains.counted,
     windows.windows,
+    windows.toggled_windows,
     spans.stored_spans,
     spans.counted_spans,
 )

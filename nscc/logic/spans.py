@@ -22,25 +22,38 @@ from nscc.truth import columns, number_planes
 
 
 def stored_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """A plane for each group: active in it."""
+    """A plane for each group: active in it. The first groups may be longer by a slot."""
     bumps = bumps_of(problem)
-    for size in range(2, 6):
-        groups = -(-bumps.steps // size)
-        if groups + 2 * (size - 1) > machine.registers - 1:
+    for groups in range(min(machine.registers - 1, bumps.steps), 2, -1):
+        size = -(-bumps.steps // groups)
+        if size < 2 or groups + 2 * (size - 1) > machine.registers - 1:
             continue
-        first, last = _groups(bumps, size)
+        longer = bumps.steps - groups * (size - 1)
+        first, start = _split(bumps.start, size, longer)
+        last, stop = _split(np.maximum(bumps.stop - 1, 0), size, longer)
         active = [(first <= k) & (k <= last) & ~bumps.never for k in range(groups)]
-        planes, holders = _offsets(bumps, size)
+        planes, holders = _offsets(bumps, start, stop, size)
         script = Script(
-            f"active groups of {size}, offsets of both ends",
+            f"active groups of {size} and fewer, offsets of both ends",
             (*columns(np.stack(active, axis=1)), *planes),
             (*(f"active in group {k}" for k in range(groups)), *holders),
             0, (), {}, (),
         )  # fmt: skip
-        try:
-            yield walk(problem, machine, script, Budget(steps))
-        except GaveUp:
-            continue
+        yield from _tried(problem, machine, script, steps)
+
+
+def _split(
+    step: NDArray[np.int64], size: int, longer: int
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Group and place in it; `longer` groups have `size` steps, those after them one less."""
+    border = size * longer
+    late = step >= border
+    beyond = np.maximum(step - border, 0)
+    less = max(1, size - 1)
+    return (
+        np.where(late, longer + beyond // less, step // size),
+        np.where(late, beyond % less, step % size),
+    )
 
 
 def counted_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
@@ -76,10 +89,12 @@ def _groups(bumps: Bumps, size: int) -> tuple[NDArray[np.int64], NDArray[np.int6
     return bumps.start // size, np.maximum(bumps.stop - 1, 0) // size
 
 
-def _offsets(bumps: Bumps, size: int) -> Planes:
+def _offsets(
+    bumps: Bumps, start: NDArray[np.int64], last: NDArray[np.int64], size: int
+) -> Planes:
     """Thermometers of both ends' places in their groups, in the sense that a NOR reads."""
-    start = np.where(bumps.never, 0, bumps.start % size)
-    last = np.where(bumps.never, size - 1, (bumps.stop - 1) % size)
+    start = np.where(bumps.never, 0, start)
+    last = np.where(bumps.never, size - 1, last)
     planes = [start <= m for m in range(size - 1)] + [last > m for m in range(size - 1)]
     holders = [f"start's place in its group <= {m}" for m in range(size - 1)]
     holders += [f"last slot's place in its group > {m}" for m in range(size - 1)]
@@ -201,7 +216,7 @@ def _register_script(bumps: Bumps, size: int, bits: int, risers: _Risers, *, exa
     """The state, inverted, in a register. Unless `exact`, FLAG must still hold the demand before:
     what was open in the last slot of a group is what was active in it and goes on."""
     ends = _ends(bumps, size, bits, risers)
-    offsets = _offsets(bumps, size)
+    offsets = _offsets(bumps, bumps.start % size, (bumps.stop - 1) % size, size)
     before: dict[int, tuple[Segment, ...]] = {}
     done = -1
     for i, step in enumerate(bumps.step):

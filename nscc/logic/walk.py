@@ -8,6 +8,7 @@ or by the complement of one. Cubes that serve demands to come stay in scratch re
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -63,21 +64,22 @@ def walk(problem: Problem, machine: Machine, script: Script, budget: Budget) -> 
     """The solution of a script; raises GaveUp where some demand cannot be answered."""
     held = len(script.planes) + script.states
     scratch = machine.registers - held
-    written = {g.destination for g in _all_gates(script)}
-    planes = {f"p{i}" for i in range(len(script.planes))}
     if scratch < 0:
         raise GaveUp(f"{held} planes and states are more than {machine.registers} registers")
-    if machine.masked and scratch > 1 and planes <= written:
-        scratch -= 1  # only a plane that never changes may live in the masked register
     walker = _Walker(problem, machine, script, scratch, budget)
     return walker.solution()
 
 
-def _all_gates(script: Script) -> list[Gate]:
-    segments = [*script.opening, *script.closing]
-    for run in script.before.values():
-        segments.extend(run)
-    return [gate for segment in segments for gate in segment]
+def _quietest(script: Script) -> str:
+    """The plane that is written least: it gets the masked register where all are needed."""
+    writes = Counter(gate.destination for gate in _all_gates(script))
+    return min((f"p{i}" for i in range(len(script.planes))), key=lambda name: (writes[name], name))
+
+
+def _all_gates(script: Script) -> Iterator[Gate]:
+    for run in (script.opening, *script.before.values(), script.closing):
+        for segment in run:
+            yield from segment
 
 
 @dataclass
@@ -88,12 +90,14 @@ class _Walker:
     scratch: int
     budget: Budget
     values: dict[str, int] = field(default_factory=dict)
+    quiet: str = ""
     used: int = 0
 
     def solution(self) -> Solution:
         """Runs the script and answers every demand."""
         script, problem = self.script, self.problem
         self.gates = Gates(self.machine)
+        self.quiet = _quietest(script) if self.machine.masked and script.planes else ""
         self.values = {f"p{i}": vector for i, vector in enumerate(script.planes)}
         if script.state_in_flag:
             self.values["FLAG"] = problem.everything
@@ -131,6 +135,9 @@ class _Walker:
         inverted = gate.name in ("NOT", "NOR", "SET")
         everything = self.problem.everything
         self.values[gate.destination] = everything & ~union if inverted else union
+        if gate.destination == self.quiet:
+            # Its mask, the first scratch register, is set for the write.
+            self.values.pop("t0", None)
         if gate.destination.startswith("t"):
             number = int(gate.destination[1:]) + 1
             if number > self.scratch:

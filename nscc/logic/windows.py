@@ -10,6 +10,7 @@ neighbours share pick out both at once.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from enum import Enum
 from itertools import product
 
 import numpy as np
@@ -18,9 +19,9 @@ from numpy.typing import NDArray
 from nscc.logic.bumps import Bumps, bumps_of
 from nscc.logic.chains import Planes, radices_of, turn_over
 from nscc.logic.cubes import Budget
-from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
-from nscc.truth import columns
+from nscc.truth import columns, number_planes
 
 
 def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
@@ -36,8 +37,8 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
         for doubled, low in product((False, True), range(bits, -1, -1)):
             if held * (1 + doubled) + low > room:
                 continue
-            for early in (True, False) if low < bits else (True,):
-                script = _script(bumps, length, chosen, bits, doubled, low, early)
+            for turns in _Turns if low < bits else (_Turns.WITH,):
+                script = _script(bumps, length, chosen, bits, doubled, low, turns)
                 try:
                     yield walk(problem, machine, script, Budget(steps))
                 except GaveUp:
@@ -47,7 +48,102 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
                 return
 
 
-_MOST_TRIED = 24
+_MOST_TRIED = 32
+
+
+class _Turns(Enum):
+    """When the bit in which a group differs from the one before is turned over: it is not read
+    in that group, unless one of the two groups has to be told from the other."""
+
+    WITH = "with the group"
+    AFTER = "with the next group"
+    EVEN = "with the group if that is even, else with the next"
+
+
+def _cycle(groups: int, bits: int) -> tuple[int, ...]:
+    """Codes of groups, neighbours differing in one bit, the last one or the last but one next to
+    the first: so few bits have to be turned back."""
+    half = groups // 2
+    gray = [i ^ i >> 1 for i in range(half)]
+    top = 1 << bits - 1
+    codes = gray + [top | code for code in reversed(gray)]
+    if groups % 2:
+        codes.append(codes[-1] ^ max(top >> 1, 1) if half else 0)
+    return tuple(codes)
+
+
+def toggled_windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
+    """Offsets in Gray code, few registers: every step turns the state of those that it hits over,
+    of those that began in this group as of those that began in the one before."""
+    bumps = bumps_of(problem)
+    length = _length(bumps)
+    high = max(1, (-(-bumps.steps // length) - 1).bit_length())
+    low = (length - 1).bit_length()
+    for in_flag in (True, False):
+        scratch = machine.registers - high - low - (not in_flag)
+        if scratch < 2 or (in_flag and not problem.flag_lasts):
+            continue
+        script = _toggle_script(bumps, length, high, low, in_flag, scratch > 2)
+        try:
+            yield walk(problem, machine, script, Budget(steps))
+        except GaveUp:
+            continue
+
+
+def _toggle_script(
+    bumps: Bumps, length: int, high: int, low: int, in_flag: bool, roomy: bool
+) -> Script:
+    group = np.where(bumps.never, 0, bumps.start // length)
+    offset = np.where(bumps.never, 0, bumps.start % length)
+    coded = (group ^ group >> 1) << low | (offset ^ offset >> 1)
+    if np.any(bumps.never):
+        raise GaveUp("shutters that never open have no window")
+    state = "FLAG" if in_flag else "s0"
+    before: dict[int, tuple[Segment, ...]] = {}
+    standing = 0
+    for i, step in enumerate(bumps.step):
+        if i and step == bumps.step[i - 1]:
+            continue
+        now, place = divmod(step, length)
+        wanted = (now ^ now >> 1) << low | (place ^ place >> 1)
+        turned = standing ^ wanted
+        standing = wanted
+        # The bit in which this group's Gray code differs from that of the group before.
+        apart = (now & -now).bit_length() - 1 + low if now else -1
+        hit = tuple(f"p{b}" for b in range(high + low) if b != apart)
+        flips = tuple((turn_over(b),) for b in range(high + low) if turned >> b & 1)
+        turn = _turn_state(state, roomy) if now else _open_state(state)
+        before[i] = (*flips, (Gate("NOR", "t0", hit),), turn)
+    closing = tuple((turn_over(b),) for b in range(high + low) if standing >> b & 1)
+    opening: tuple[Segment, ...] = ((Gate("CLR", "s0", ()),),)
+    if in_flag:
+        opening = ((Gate("CLR", "t0", ()), Gate("WHERE", "FLAG", ("t0",))),)
+    holders = [f"offset in its group, Gray bit {b}" for b in range(low)]
+    holders += [f"group, Gray bit {b}" for b in range(high)]
+    return Script(
+        f"groups of {length} and offsets in Gray code, each hit turns the state over",
+        tuple(number_planes(coded, high + low)), tuple(holders), 0 if in_flag else 1, opening,
+        before, closing, in_flag,
+    )  # fmt: skip
+
+
+def _open_state(state: str) -> Segment:
+    """state := state OR t0: in the first group nothing closes."""
+    if state == "FLAG":
+        return (Gate("OR", "t0", ("t0", state)), Gate("WHERE", state, ("t0",)))
+    return (Gate("OR", state, (state, "t0")),)
+
+
+def _turn_state(state: str, roomy: bool) -> Segment:
+    """state := state XOR t0; `roomy`: with three scratch registers, else with two."""
+    on, off = ("t0", "t2") if roomy else ("t1", "t0")
+    last = Gate("WHERE", "FLAG", (on, off)) if state == "FLAG" else Gate("OR", state, (on, off))
+    return (
+        Gate("NOR", "t1", (state, "t0")),
+        Gate("NOR", off, ("t0", "t1")),
+        Gate("NOR", on, ("t1", state)),
+        last,
+    )
 
 
 def _length(bumps: Bumps) -> int:
@@ -83,17 +179,14 @@ def _script(
     bits: int,
     doubled: bool,
     low: int,
-    early: bool,
+    turns: _Turns,
 ) -> Script:
-    """`doubled`: offset planes both ways round; so are the `low` lowest bits of the group.
-
-    The bit in which a group differs from the one before is turned over with it, or, where not
-    `early`, with the group after each odd one.
-    """
+    """`doubled`: offset planes both ways round; so are the `low` lowest bits of the group."""
     group = np.where(bumps.never, 0, bumps.start // length)
     odd = group % 2 == 1
     offset = _offset_planes(bumps.start % length, chosen, odd)
-    gray = group ^ group >> 1
+    codes = _cycle(-(-bumps.steps // length), bits)
+    gray = np.array(codes, dtype=np.int64)[group]
     everything = (1 << len(bumps.start)) - 1
     planes = list(offset[0])
     holders = list(offset[1])
@@ -116,8 +209,8 @@ def _script(
         if step // length == done:
             continue
         done = step // length
-        asked = done - 1 if done % 2 and not early else done
-        asked ^= asked >> 1
+        behind = turns is _Turns.AFTER or (turns is _Turns.EVEN and done % 2 == 1)
+        asked = codes[done - behind]
         turned = [b for b in range(low, bits) if (asked ^ standing) >> b & 1]
         standing = asked
         before[i] = tuple((turn_over(place[b]),) for b in turned)

@@ -15,7 +15,7 @@ from nscc.lower.allocate import Allocation, allocate, refresh_words, words
 from nscc.lower.plan import ExposurePlan
 from nscc.lower.timeline import Before, Timeline, fades
 from nscc.target.model import Target
-from nscc.words.cost import words_us
+from nscc.words.cost import refresh_count, words_us
 from nscc.words.operations import Effect, Op, op
 
 Words = tuple[Op, ...]
@@ -48,10 +48,7 @@ class Schedule:
     @property
     def words_refresh(self) -> int:
         """Words of a frame that only write registers back to themselves."""
-        of_kernel = [
-            sum(word.operation.name.startswith("REFRESH") for word in kernel)
-            for kernel in self.kernels
-        ]
+        of_kernel = [refresh_count(kernel) for kernel in self.kernels]
         return sum(of_kernel[kernel] for _, kernel in self.launches)
 
     def words_at(self, slots: int) -> list[int]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import fsum
 
 from nscc.target.model import Target
 from nscc.words.container import Container, Kernel, Word
+from nscc.words.operations import Op, Phase
 
 _CLOCK_CLASS = 7 << 19
 
@@ -51,6 +52,22 @@ def words_cost(words: Iterable[Word], target: Target) -> Cost:
 def words_us(analog: int, digital: int, target: Target) -> float:
     """Time that so many words of either clock take, without a launch."""
     return analog * target.analog_word_us + digital * target.digital_word_us
+
+
+def refresh_count(words: Sequence[Op]) -> int:
+    """How many of `words` only write registers back to themselves: REFRESH pairs, and what lets
+    the masked register take one (SET of its mask, whose code waits in FLAG meanwhile)."""
+    count = 0
+    for i, word in enumerate(words):
+        if not word.operation.name.startswith("REFRESH"):
+            continue
+        count += 1
+        before = [w.operation.name for w in words[max(0, i - 2) : i]]
+        if word.operation.phase is Phase.READ and before[-1:] == ["SET"]:
+            count += 1
+            if before == ["WHERE", "SET"] and words[i - 2].sources == words[i - 1].destinations:
+                count += 2
+    return count
 
 
 def kernel_cost(kernel: Kernel, target: Target) -> Cost:
