@@ -34,6 +34,15 @@ def members(vector: int, count: int) -> NDArray[np.intp]:
     return np.flatnonzero(rows([vector], count)[:, 0])
 
 
+def vector(shutters: NDArray[np.intp]) -> int:
+    """The inverse of `members`: the truth vector of the shutters with these numbers."""
+    if not len(shutters):
+        return 0
+    bits = np.zeros(int(shutters.max()) + 1, dtype=np.uint8)
+    bits[shutters] = 1
+    return int.from_bytes(np.packbits(bits, bitorder="little").tobytes(), "little")
+
+
 def number_planes(numbers: NDArray[np.int64], width: int) -> list[int]:
     """Truth vectors of the `width` lowest bits of every shutter's number (shutters,)."""
     return columns((numbers[:, None] >> np.arange(width)) & 1 == 1)

@@ -76,7 +76,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     planes: list[int] = []
     holders: list[str] = []
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
-    fields = _event_fields(problem, machine.registers - 1)
+    fields = event_fields(problem, machine.registers - 1)
     for (edge, bucket, rank), events in fields.items():
         # Shutters without such an event keep the number after the last: it never comes.
         numbers = np.full(problem.shutters, len(events), dtype=np.int64)
@@ -87,7 +87,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
         if base + width > machine.registers - 1:
             raise GaveUp(f"event times need {base + width} registers and one of scratch")
         planes += number_planes(numbers ^ (numbers >> 1), width)
-        label = _event_name(edge, bucket, rank, fields)
+        label = event_name(edge, bucket, rank, fields)
         holders += [f"{label}, Gray bit {bit}" for bit in range(width)]
         for number, (demand, _) in enumerate(events):
             cubes[demand].append(_equality(gray(number), base, width))
@@ -100,7 +100,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     )
 
 
-def _event_name(edge: str, bucket: int, rank: int, fields: _Events) -> str:
+def event_name(edge: str, bucket: int, rank: int, fields: Events) -> str:
     """`fall time`, with its rank and bucket where there are several."""
     which = f" {rank + 1}" if (edge, bucket, 1) in fields else ""
     where = f" of bucket {bucket}" if len({b for _, b, _ in fields}) > 1 else ""
@@ -112,16 +112,18 @@ def _equality(code: int, base: int, width: int) -> Cube:
     return tuple((base + bit, code >> bit & 1) for bit in range(width))
 
 
-_Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
+Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
 
 
-def _event_fields(problem: Problem, most: int) -> _Events:
-    """For each kind of event and its rank: (demand, shutters) in time order; `most` such fields.
+def event_fields(problem: Problem, most: int) -> Events:
+    """For each kind of event and its rank: (demand, shutters) in time order.
+
+    Raises GaveUp where there are more than `most` such fields.
 
     Demands that find FLAG as they want it are nobody's event.
     """
     seen: dict[tuple[str, int], NDArray[np.int64]] = {}
-    fields: _Events = {}
+    fields: Events = {}
     for i, demand in enumerate(problem.demands):
         if problem.answered(i):
             continue

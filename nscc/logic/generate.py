@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from nscc.logic import chains, encodings, spans, states, windows
+from nscc.logic import chains, encodings, events, spans, states, windows
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -59,6 +59,7 @@ FAMILIES: tuple[Family, ...] = (
     windows.toggled_windows,
     spans.stored_spans,
     spans.counted_spans,
+    events.equalities,
 )
 
 

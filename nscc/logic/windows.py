@@ -60,7 +60,7 @@ class _Turns(Enum):
     EVEN = "with the group if that is even, else with the next"
 
 
-def _cycle(groups: int, bits: int) -> tuple[int, ...]:
+def cycle(groups: int, bits: int) -> tuple[int, ...]:
     """Codes of groups, neighbours differing in one bit, the last one or the last but one next to
     the first: so few bits have to be turned back."""
     half = groups // 2
@@ -185,7 +185,7 @@ def _script(
     group = np.where(bumps.never, 0, bumps.start // length)
     odd = group % 2 == 1
     offset = _offset_planes(bumps.start % length, chosen, odd)
-    codes = _cycle(-(-bumps.steps // length), bits)
+    codes = cycle(-(-bumps.steps // length), bits)
     gray = np.array(codes, dtype=np.int64)[group]
     everything = (1 << len(bumps.start)) - 1
     planes = list(offset[0])

@@ -1,0 +1,206 @@
+"""Events: each shutter's k-th rise or fall is a time, and a demand picks out the equal times.
+
+A time is a group and a place in it. Places are digits with a plane for each value, 0 where a digit
+has it; the group is in Gray code and turned over as time goes on, so that now is always 0. An
+equality is one NOR, whatever the time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import islice, product
+from math import prod
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.chains import radices_of, turn_over
+from nscc.logic.cubes import Budget
+from nscc.logic.encodings import event_fields, event_name
+from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.walk import Script, walk
+from nscc.logic.windows import cycle
+from nscc.truth import columns, members, number_planes, vector
+
+
+@dataclass(frozen=True)
+class _Field:
+    """Numbers (shutters,), and for each event, in time order, the demand and its number.
+
+    Shutters without an event have the number after the last, `count` - 1 if there are any. An event
+    of shutters of several numbers goes by the lowest one.
+    """
+
+    name: str
+    numbers: NDArray[np.int64]
+    events: tuple[tuple[int, int], ...]
+    count: int
+
+
+@dataclass(frozen=True)
+class _Form:
+    """A way to hold a field: places in digits of `radices`, groups in `bits`; how often a bit is
+    turned over in a frame."""
+
+    radices: tuple[int, ...]
+    bits: int
+    turns: int
+
+    @property
+    def planes(self) -> int:
+        """Registers that it takes."""
+        return sum(self.radices) + self.bits
+
+    @property
+    def size(self) -> int:
+        """Numbers in a group."""
+        return prod(self.radices)
+
+    @property
+    def name(self) -> str:
+        """The digits, the highest first."""
+        high = [str(1 << self.bits)] if self.bits else []
+        return " x ".join(high + [str(r) for r in self.radices]) or "1"
+
+
+# Choices of digits that are tried, the fewest turns first; kinds of events that are looked at.
+_MOST_TRIED = 6
+_MOST_COMBINED = 20_000
+_MOST_KINDS = 24
+
+
+def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
+    """Digits for every field; registers that are left hold the last demands as they are."""
+    if all(d.edge == "open" for d in problem.demands):
+        raise GaveUp("the demands are levels")
+    room = machine.registers - 1
+    fields = _fields(problem, frozenset())
+    fitting = [
+        chosen
+        for chosen in islice(product(*(_forms(f, room) for f in fields)), _MOST_COMBINED)
+        if sum(form.planes for form in chosen) <= room
+    ]
+    fitting.sort(key=lambda chosen: (sum(f.turns for f in chosen), sum(f.planes for f in chosen)))
+    for chosen in fitting[:_MOST_TRIED]:
+        stored = room - sum(form.planes for form in chosen)
+        for kept in {0, stored}:
+            script = _script(problem, fields, chosen, kept)
+            try:
+                yield walk(problem, machine, script, Budget(steps))
+            except GaveUp:
+                continue
+
+
+def _fields(problem: Problem, left_out: frozenset[int]) -> list[_Field]:
+    """A field for each kind and rank of events; one for several whose times tell each other.
+
+    Demands in `left_out` are nobody's event.
+    """
+    kinds = event_fields(problem, _MOST_KINDS)
+    merged: list[tuple[str, list[tuple[int, int]], list[int]]] = []
+    for key, found in kinds.items():
+        events = [(demand, vector(shutters)) for demand, shutters in found]
+        events = [event for event in events if event[0] not in left_out]
+        name = event_name(*key, kinds)
+        for i, (other, known, _) in enumerate(merged):
+            both = sorted([*known, *events])
+            atoms = _atoms([v for _, v in both])
+            if atoms is not None:
+                merged[i] = f"{other} and {name}", both, atoms
+                break
+        else:
+            merged.append((name, events, list(dict.fromkeys(v for _, v in events))))
+    fields = []
+    for name, known, atoms in merged:
+        numbers = np.full(problem.shutters, len(atoms), dtype=np.int64)
+        for i, v in enumerate(atoms):
+            numbers[members(v, problem.shutters)] = i
+        number = {v: int(numbers[(v & -v).bit_length() - 1]) for _, v in known}
+        count = int(numbers.max(initial=0)) + 1
+        fields.append(_Field(name, numbers, tuple((d, number[v]) for d, v in known), count))
+    return fields
+
+
+def _atoms(vectors: Sequence[int]) -> list[int] | None:
+    """The smallest of `vectors`, disjoint, whose unions are all the others, in the order in which
+    they come; None if there are none."""
+    atoms: list[int] = []
+    covered = 0
+    for v in sorted(set(vectors), key=int.bit_count):
+        if v & covered:
+            within = 0
+            for atom in atoms:
+                within |= atom if not atom & ~v else 0
+            if within != v:
+                return None
+        else:
+            atoms.append(v)
+        covered |= v
+    return sorted(atoms, key=vectors.index)
+
+
+def _forms(field: _Field, room: int) -> list[_Form]:
+    """Ways to hold a field, those with the fewest planes first."""
+    found: list[_Form] = []
+    for bits in range((field.count - 1).bit_length(), -1, -1):
+        least = -(-field.count // (1 << bits))
+        inner = radices_of(room - bits, least) if least > 1 else ((),)
+        for radices in inner[:1]:
+            form = _Form(radices, bits, 0)
+            turned = sum(len(run) for run in _turns(field, form, 0).values())
+            found.append(replace(form, turns=turned))
+    return found
+
+
+def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ...]]:
+    """The bits of the group turned over before each demand and, at -1, after the last one."""
+    codes = _codes(field, form)
+    standing = 0
+    turned: dict[int, tuple[Segment, ...]] = {}
+    for demand, number in (*field.events, (-1, None)):
+        wanted = 0 if number is None else codes[number // form.size]
+        flips = [b for b in range(form.bits) if (wanted ^ standing) >> b & 1]
+        if flips:
+            turned[demand] = tuple((turn_over(base + b),) for b in flips)
+        standing = wanted
+    return turned
+
+
+def _codes(field: _Field, form: _Form) -> tuple[int, ...]:
+    return cycle(-(-field.count // form.size), form.bits) if form.bits else (0,)
+
+
+def _script(
+    problem: Problem, fields: list[_Field], chosen: tuple[_Form, ...], stored: int
+) -> Script:
+    """`stored`: how many of the last demands have a plane of their own."""
+    raw = [i for i in range(len(problem.demands)) if not problem.answered(i)]
+    raw = raw[len(raw) - stored :]
+    if raw:
+        fields = _fields(problem, frozenset(raw))
+    planes: list[int] = []
+    holders: list[str] = []
+    before: dict[int, tuple[Segment, ...]] = {}
+    for field, form in zip(fields, chosen, strict=False):
+        for demand, flips in _turns(field, form, len(planes)).items():
+            before[demand] = (*before.get(demand, ()), *flips)
+        codes = np.array(_codes(field, form), dtype=np.int64)
+        planes += number_planes(codes[field.numbers // form.size], form.bits)
+        holders += [f"{field.name}, group, bit {bit}" for bit in range(form.bits)]
+        size = form.size
+        for place, radix in enumerate(form.radices):
+            size //= radix
+            digit = field.numbers // size % radix
+            planes += columns(np.stack([digit != m for m in range(radix)], axis=1))
+            name = f"{field.name}, digit {len(form.radices) - 1 - place}"
+            holders += [f"{name} is not {m}" for m in range(radix)]
+    for i in raw:
+        kept = problem.demands[i]
+        planes.append(kept.predicate)
+        holders.append(f"{kept.edge} at boundary {kept.boundary}")
+    closing = before.pop(-1, ())
+    return Script(
+        "event times in digits " + " and ".join(f.name for f in chosen),
+        tuple(planes), tuple(holders), 0, (), before, closing,
+    )  # fmt: skip
