@@ -15,11 +15,20 @@ from nscc.logic.cubes import Budget
 
 @dataclass(frozen=True, slots=True)
 class Nor:
-    """A cube NOR(sources): its truth vector, and how many demands it serves from now on."""
+    """A cube NOR(sources): its truth vector, and how many demands it serves from now on.
+
+    `words`: what it takes to make, more than one where a word may not have so many sources.
+    """
 
     sources: tuple[int, ...]
     vector: int
     life: int
+    words: int
+
+    @property
+    def cost(self) -> float:
+        """Words for each demand that it serves."""
+        return self.words / self.life
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +54,7 @@ def find_cover(
     ahead: Sequence[int],
     everything: int,
     most_cubes: int,
+    fan_in: int | None,
     budget: Budget,
     keep: bool,
 ) -> Cover | None:
@@ -52,7 +62,8 @@ def find_cover(
 
     `values` are truth vectors, `usable[i]` says whether value i may stand in the OR itself;
     `ahead` are the predicates wanted now and by the demands to come, everything on which is
-    outside must stay outside. `keep`: registers are left to keep cubes that live on.
+    outside must stay outside. `fan_in`: sources that one word may have; `keep`: registers are left
+    to keep cubes that live on.
     """
     wanted = ahead[0]
     positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~wanted]
@@ -63,7 +74,7 @@ def find_cover(
         return Cover(_irredundant(positive, values, wanted), (), 0.0)
     if most_cubes < 1:
         return None
-    cubes = _candidates(values, ahead if keep else ahead[:1], rest, everything, budget)
+    cubes = _candidates(values, ahead if keep else ahead[:1], rest, everything, fan_in, budget)
     if cubes is None:
         return None
     chosen = _select(cubes, rest, most_cubes, budget)
@@ -75,7 +86,7 @@ def find_cover(
     return Cover(
         _irredundant(positive, values, wanted & ~covered),
         tuple(chosen),
-        sum(1 / cube.life for cube in chosen),
+        sum(cube.cost for cube in chosen),
     )
 
 
@@ -97,8 +108,20 @@ def _irredundant(positive: Sequence[int], values: Sequence[int], wanted: int) ->
     return tuple(sorted(chosen))
 
 
+def words_of(sources: int, fan_in: int | None) -> int:
+    """Words of a NOR or OR of so many sources: what does not fit is gathered in pairs."""
+    if fan_in is None or sources <= fan_in:
+        return 1
+    return 1 + 2 * -(-(sources - fan_in) // (fan_in - 1))
+
+
 def _candidates(
-    values: Sequence[int], ahead: Sequence[int], rest: int, everything: int, budget: Budget
+    values: Sequence[int],
+    ahead: Sequence[int],
+    rest: int,
+    everything: int,
+    fan_in: int | None,
+    budget: Budget,
 ) -> list[Nor] | None:
     """Cubes inside ahead[0] that reach all of `rest`; None if some shutter cannot be reached."""
     found: dict[int, Nor] = {}
@@ -123,7 +146,8 @@ def _candidates(
             reached = True
             known = found.get(vector)
             if known is None or len(sources) < len(known.sources):
-                found[vector] = Nor(sources, vector, max(1, life(vector, ahead)))
+                served = max(1, life(vector, ahead))
+                found[vector] = Nor(sources, vector, served, words_of(len(sources), fan_in))
         if not reached:
             return None
     return None
@@ -180,10 +204,9 @@ def _select(cubes: Sequence[Nor], rest: int, most: int, budget: Budget) -> list[
             return
         seed = left & -left
         for cube in ordered:
-            step = 1 / cube.life
-            if cube.vector & seed and cost + step < best_cost - 1e-9:
+            if cube.vector & seed and cost + cube.cost < best_cost - 1e-9:
                 chosen.append(cube)
-                descend(left & ~cube.vector, chosen, cost + step)
+                descend(left & ~cube.vector, chosen, cost + cube.cost)
                 chosen.pop()
 
     descend(rest, [], 0.0)

@@ -20,6 +20,10 @@ class Gates:
         self._gates.clear()
         return taken
 
+    def add(self, gate: Gate) -> None:
+        """A gate that is within the machine's fan-in."""
+        self._gates.append(gate)
+
     def nor(self, destination: str, sources: Sequence[str]) -> None:
         """destination := NOR(sources), 1 if there are none. The destination may be among them."""
         self._gather("NOR", "NOT", destination, sources)

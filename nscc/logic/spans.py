@@ -89,9 +89,7 @@ def _groups(bumps: Bumps, size: int) -> tuple[NDArray[np.int64], NDArray[np.int6
     return bumps.start // size, np.maximum(bumps.stop - 1, 0) // size
 
 
-def _offsets(
-    bumps: Bumps, start: NDArray[np.int64], last: NDArray[np.int64], size: int
-) -> Planes:
+def _offsets(bumps: Bumps, start: NDArray[np.int64], last: NDArray[np.int64], size: int) -> Planes:
     """Thermometers of both ends' places in their groups, in the sense that a NOR reads."""
     start = np.where(bumps.never, 0, start)
     last = np.where(bumps.never, size - 1, last)

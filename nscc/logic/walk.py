@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from nscc.logic.cover import Cover, find_cover, life
 from nscc.logic.cubes import Budget
@@ -66,8 +66,36 @@ def walk(problem: Problem, machine: Machine, script: Script, budget: Budget) -> 
     scratch = machine.registers - held
     if scratch < 0:
         raise GaveUp(f"{held} planes and states are more than {machine.registers} registers")
-    walker = _Walker(problem, machine, script, scratch, budget)
+    walker = _Walker(problem, machine, _within_fan_in(script, machine), scratch, budget)
     return walker.solution()
+
+
+def _within_fan_in(script: Script, machine: Machine) -> Script:
+    """The script with every gate of more sources than a word may have taken apart."""
+    limit = machine.or_sources
+    if limit is None or all(len(g.sources) <= limit for g in _all_gates(script)):
+        return script
+    gates = Gates(machine)
+
+    def narrow(segment: Segment) -> Segment:
+        for gate in segment:
+            if len(gate.sources) <= limit or gate.name == "WHERE":
+                gates.add(gate)
+            elif gate.name == "NOR":
+                gates.nor(gate.destination, gate.sources)
+            else:
+                gates.or_(gate.destination, gate.sources)
+        return gates.take()
+
+    def all_of(run: tuple[Segment, ...]) -> tuple[Segment, ...]:
+        return tuple(narrow(segment) for segment in run)
+
+    return replace(
+        script,
+        opening=all_of(script.opening),
+        before={i: all_of(run) for i, run in script.before.items()},
+        closing=all_of(script.closing),
+    )
 
 
 def _quietest(script: Script) -> str:
@@ -191,8 +219,9 @@ class _Walker:
                 continue
             usable = [inverted or n != "FLAG" or self.machine.where_reads_flag for n in names]
             cover = find_cover(
-                values, usable, wanted, self.problem.everything, scratch, self.budget, scratch > 1
-            )
+                values, usable, wanted, self.problem.everything, scratch,
+                self.machine.or_sources, self.budget, scratch > 1,
+            )  # fmt: skip
             if cover is not None:
                 full = inverted and len(cover.cubes) >= scratch
                 yield _Choice(

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from nscc.prove.noise import Noise
 from nscc.prove.replay import Replay
 from nscc.words.container import Container
+from nscc.words.legality import target_fault
 from nscc.words.operations import Op
 
 FRAMES = 2
@@ -59,6 +60,11 @@ class Proof:
 
 def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
     """Replays `kernels` (the container's words, decoded) against the container's decode table."""
+    for operation in dict.fromkeys(word for kernel in kernels for word in kernel):
+        fault = target_fault(operation, container.target)
+        if fault is not None:
+            what = f"the target does not take the word `{operation}`: {fault}"
+            return Proof(len(container.table.codes), container.slots, 0, Failure(what, 0))
     replay = Replay(container, kernels, lights=1)
     noise = Noise(LIGHT_SEED)
     failure: Failure | None = None
