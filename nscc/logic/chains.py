@@ -187,7 +187,7 @@ def _digit_script(
     # The last demands are planes of their own; before them those ranks are all alike.
     ranks = np.minimum(chain.ranks, chain.steps - stored)
     top = _binary_planes("highest digit of the rank", ranks // per_group, bits)
-    inner = _thermometers(ranks % per_group, radices, negative)
+    inner = thermometers(ranks % per_group, radices, negative)
     last = range(chain.steps - stored, chain.steps)
     raw = tuple(columns((chain.ranks > d)[:, None])[0] for d in last)
     named = tuple(f"rank > {d}" for d in last)
@@ -215,7 +215,7 @@ def _binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
     return tuple(number_planes(numbers, bits)), tuple(f"{name}, bit {i}" for i in range(bits))
 
 
-def _thermometers(numbers: NDArray[np.int64], radices: Sequence[int], negative: bool) -> Planes:
+def thermometers(numbers: NDArray[np.int64], radices: Sequence[int], negative: bool) -> Planes:
     """For each digit, the highest first, a plane for each m: digit <= m, or > m if `negative`."""
     planes: list[int] = []
     holders: list[str] = []
@@ -291,7 +291,7 @@ def _counted_script(
     high = groups >> low
     coded = (high ^ high >> 1) << low | groups & (1 << low) - 1
     top = _binary_planes("highest digit of the rank", coded, bits)
-    inner = _thermometers(chain.ranks % per_group, radices, False) if per_group > 1 else ((), ())
+    inner = thermometers(chain.ranks % per_group, radices, False) if per_group > 1 else ((), ())
     states = {_Form.DIGITS: 2, _Form.STATE: 1, _Form.TIGHT: 1}.get(form, 0)
     opening: tuple[Segment, ...] = ()
     if states:

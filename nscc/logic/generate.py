@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from nscc.logic import chains, encodings, events, spans, states, windows
+from nscc.logic import chains, encodings, events, fields, spans, states, windows
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -60,6 +60,7 @@ FAMILIES: tuple[Family, ...] = (
     spans.stored_spans,
     spans.counted_spans,
     events.equalities,
+    fields.field_digits,
 )
 
 

@@ -159,6 +159,8 @@ class _Walker:
         """Brings the truth vectors up to date."""
         union = 0
         for name in gate.sources:
+            if name not in self.values:
+                raise GaveUp(f"the script reads {name}, which holds nothing known")
             union |= self.values[name]
         inverted = gate.name in ("NOT", "NOR", "SET")
         everything = self.problem.everything

@@ -12,7 +12,7 @@ from lowering_oracle import program_from
 from nscc.logic.bound import level_bound
 from nscc.logic.cubes import Budget, cover
 from nscc.logic.gates import Gates
-from nscc.logic.generate import COVERS, DIRECT, EQUALITIES, LAST, solutions
+from nscc.logic.generate import COVERS, DIRECT, EQUALITIES, FAMILIES, LAST, solutions
 from nscc.logic.problem import GaveUp, Machine
 from nscc.lower.lowered import problem_of
 from nscc.lower.plan import levels, plan_exposure
@@ -41,7 +41,7 @@ GENERATORS = [*DIRECT, *EQUALITIES, *COVERS, *LAST]
 
 def problem(table, lowering):
     """The demands of a table in one lowering, with the bits of each shutter as its fields."""
-    program = program_from(TABLES[table])
+    program = program_from((TABLES | LONG_TABLES)[table])
     opens = levels(program)
     plan = plan_exposure(program, lowering, opens)
     time = timeline(program.frame.slot_us, len(program.buckets), program.target)
@@ -119,6 +119,47 @@ def test_generators(table, lowering, machine):
         check(asked, MACHINES[machine], solution, number)
 
 
+LONG = np.arange(40)
+M = np.arange(21)
+LONG_TABLES = {
+    "long stops": [stop > LONG for stop in range(41)],
+    "late starts": [start <= LONG for start in range(38)],
+    "split": [[stop > LONG, stop <= LONG] for stop in range(1, 40)],
+    "some stops": [stop > LONG for stop in (3, 4, 9, 17, 18, 30, 33, 40)],
+    "cut windows": [(start <= LONG) & (start + 6 > LONG) for start in range(40)],
+    "wide windows": [(start <= LONG) & (start + 13 > LONG) for start in range(28)],
+    "long bumps": [(a <= M) & (b > M) for a in range(21) for b in range(a, 22)],
+    "some bumps": [(a <= LONG) & (a + 3 + 5 * a % 17 > LONG) for a in range(36)],
+}
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+@pytest.mark.parametrize("lowering", ["accumulate", "edges"])
+@pytest.mark.parametrize("table", [*TABLES, *LONG_TABLES])
+def test_families(table, lowering, machine):
+    asked = problem(table, lowering)
+    for number, family in enumerate(FAMILIES):
+        try:
+            for solution in family(asked, MACHINES[machine], 100_000):
+                check(asked, MACHINES[machine], solution, number)
+        except GaveUp:
+            continue
+
+
+@pytest.mark.parametrize("flag_kept", [False, True])
+@pytest.mark.parametrize("table", LONG_TABLES)
+def test_families_where_flag_is_lost_or_lasts(table, flag_kept):
+    asked = problem(table, "accumulate")
+    demands = tuple(replace(d, flag_kept=flag_kept and i > 0) for i, d in enumerate(asked.demands))
+    asked = replace(asked, demands=demands, flag_lasts=flag_kept)
+    for number, family in enumerate(FAMILIES):
+        try:
+            for solution in family(asked, MACHINES["scamp5"], 100_000):
+                check(asked, MACHINES["scamp5"], solution, number)
+        except GaveUp:
+            continue
+
+
 def test_every_generator_serves_something():
     served = set()
     for table in TABLES:
@@ -132,7 +173,20 @@ def test_every_generator_serves_something():
     assert served == set(range(len(GENERATORS)))
 
 
-@pytest.mark.parametrize("level", [0, 1])
+def test_every_family_serves_something():
+    served = set()
+    for table in LONG_TABLES:
+        for lowering in ("accumulate", "edges"):
+            for number, family in enumerate(FAMILIES):
+                try:
+                    if list(family(problem(table, lowering), MACHINES["scamp5"], 100_000)):
+                        served.add(number)
+                except GaveUp:
+                    continue
+    assert served == set(range(len(FAMILIES)))
+
+
+@pytest.mark.parametrize("level", [0, 1, 2, 3])
 def test_solutions_are_the_same_every_time(level):
     asked = problem("book", "edges")
     first = list(solutions(asked, MACHINES["scamp5"], level))

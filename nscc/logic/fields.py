@@ -1,0 +1,74 @@
+"""Digits of the code's own fields: rules are written in them, so predicates are simple in them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import islice, product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.chains import Planes, radices_of, thermometers
+from nscc.logic.cubes import Budget
+from nscc.logic.problem import GaveUp, Machine, Problem, Solution
+from nscc.logic.walk import Script, walk
+from nscc.truth import columns
+
+_MOST_TRIED = 40
+_MOST_COMBINED = 5_000
+
+
+def field_digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
+    """Every field in mixed-radix thermometers or a plane for each value, in either polarity.
+
+    The choices that take most registers come first: they need fewest words.
+    """
+    room = machine.registers - 1
+    fields = {
+        name: np.unique(values, return_inverse=True)[1]
+        for name, values in problem.values.items()
+        if values.min(initial=0) != values.max(initial=0)
+    }
+    if not fields or len(fields) > 4:
+        raise GaveUp("no fields, or too many of them")
+    options = [_forms(name, ranks, room) for name, ranks in fields.items()]
+    found = [
+        chosen
+        for chosen in islice(product(*options), _MOST_COMBINED)
+        if sum(len(planes) for planes, _ in chosen) <= room
+    ]
+    found.sort(key=lambda chosen: -sum(len(planes) for planes, _ in chosen))
+    for chosen in found[:_MOST_TRIED]:
+        script = Script(
+            "digits of the fields",
+            tuple(plane for planes, _ in chosen for plane in planes),
+            tuple(holder for _, holders in chosen for holder in holders),
+            0, (), {}, (),
+        )  # fmt: skip
+        try:
+            yield walk(problem, machine, script, Budget(steps))
+        except GaveUp:
+            continue
+
+
+def _forms(name: str, ranks: NDArray[np.int64], room: int) -> list[Planes]:
+    """Ways to hold a field of values 0 .. max, each of at most `room` planes."""
+    count = int(ranks.max()) + 1
+    forms: list[Planes] = []
+    seen: set[int] = set()
+    for radices in radices_of(room + 4, count):
+        size = sum(radices) - len(radices)
+        if size > room or size in seen:
+            continue
+        seen.add(size)
+        forms += [_named(name, thermometers(ranks, radices, sign)) for sign in (False, True)]
+    if 2 < count <= room:
+        equal = ranks[:, None] == np.arange(count)
+        for held, sign in ((equal, "is"), (~equal, "is not")):
+            holders = tuple(f"{name} {sign} value {v}" for v in range(count))
+            forms.append((tuple(columns(held)), holders))
+    return forms
+
+
+def _named(name: str, planes: Planes) -> Planes:
+    return planes[0], tuple(f"{name}, {holder}" for holder in planes[1])
