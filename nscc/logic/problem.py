@@ -47,7 +47,8 @@ class Demand:
     """FLAG must equal `predicate`, neither nothing nor everything, at `boundary`.
 
     `edge` is "rise", "fall" or "open", `bucket` whose it is. `flag_kept`: FLAG still holds what the
-    demand before this one asked for.
+    demand before this one asked for. `scratch_kept`: no refresh in between, which only code and
+    states outlast.
     """
 
     boundary: int
@@ -55,6 +56,7 @@ class Demand:
     bucket: int
     predicate: int
     flag_kept: bool
+    scratch_kept: bool = True
 
 
 @dataclass(frozen=True)

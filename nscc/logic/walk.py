@@ -134,6 +134,8 @@ class _Walker:
         for i, demand in enumerate(problem.demands):
             if not (demand.flag_kept or script.state_in_flag):
                 self.values.pop("FLAG", None)
+            if not demand.scratch_kept:
+                self.values = {k: v for k, v in self.values.items() if k[0] != "t"}
             scripted = script.before.get(i, ())
             self._run(scripted)
             if self.values.get("FLAG") == demand.predicate:

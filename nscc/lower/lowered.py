@@ -160,7 +160,11 @@ def problem_of(
     for step, action in zip(plan.steps, actions, strict=True):
         if step.predicate is not None:
             kept = action == "keep" and bool(demands)
-            demands.append(Demand(step.boundary, step.role, step.bucket, step.predicate, kept))
+            last = demands[-1].boundary if demands else 0
+            quiet = not any(last < n <= step.boundary for n in time.refresh_at or ())
+            demands.append(
+                Demand(step.boundary, step.role, step.bucket, step.predicate, kept, quiet)
+            )
     lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
     levels = tuple(tuple(bucket) for bucket in opens)
     values = _field_values(program)
