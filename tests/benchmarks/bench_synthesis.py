@@ -1,14 +1,15 @@
 """The words of decode logic at -O2 and -O3, beside the best counts known for the same cases.
 
     python tests/benchmarks/bench_synthesis.py [--levels 2,3] [--rows TEXT] [--tables level,edges]
+        [--markdown]
 
 A line for each case: operations and words of a frame, most words in one slot, registers, the proved
 bound on operations, seconds of one compilation from text to proof (no cache), and what there is to
 reach: words, or operations where no words are known. `x 1.03` is the ratio of the two, `OVER` marks
 what is above: 1 at -O3, 1.05 at -O2. The counts to reach were found by search outside of this
 project's compiler; `+` rows write all registers and may take two words more (SET R0). F rows are
-counted without and with a WHERE that may read FLAG. `store`: what does not fit scamp5's store, or
-takes more words to fit it, is counted with a larger one, too.
+counted without and with a WHERE that may read FLAG. What does not fit scamp5's store, or takes more
+words to fit it, is counted with a larger store, too: the counts to reach know none.
 """
 
 from __future__ import annotations
@@ -72,7 +73,8 @@ def d(slots: int, ops: int, words: int | None, *, never: bool = False, **marks: 
         f"code start : 0..{slots - 1}\ncode stop : {0 if never else 1}..{slots}\n"
         f"require {legal}\nopen when start <= n < stop\n"
     )
-    return Row(f"d {slots}", frame(slots) + rule, ops, words, **marks)
+    name = f"d {slots}, never" if never else f"d {slots}"
+    return Row(name, frame(slots) + rule, ops, words, **marks)
 
 
 def e(slots: int) -> Row:
@@ -99,12 +101,13 @@ ROWS = (
     c(256, 8, 768, None, masked=True), c(65, 5, 144, None), c(1024, 32, 6145, None, masked=True),
     c(64, 13, 534, None),
     d(4, 14, None), d(8, 30, 36), d(16, 94, 125), d(32, 222, 317, masked=True),
+    d(64, 571, 762, reads_flag=True, masked=True),
     d(64, 571, 762, never=True, reads_flag=True, masked=True),
     e(8), e(13),
     codebook(1, 150, 208), codebook(2, 142, 208),
 )  # fmt: skip
 
-EDGES = {"d 64": 384, **{f"b {n}": 3 * n for n in (64, 256, 1024, 2048, 4096)}}
+EDGES = {"d 64": 384, "d 64, never": 384, **{f"b {n}": 3 * n for n in (64, 256, 1024, 2048, 4096)}}
 """Known operations of the edge lowering: about."""
 
 
@@ -140,11 +143,11 @@ def counted(row: Row, lowering: str, level: int, target: Target) -> Count:
     )  # fmt: skip
 
 
-def targets(row: Row) -> Iterator[tuple[str, Target]]:
+def targets(row: Row, lowering: str) -> Iterator[tuple[str, Target]]:
     """The chips that a row is counted on, and what to call them."""
     plain = builtin_target("scamp5")
     yield "", plain
-    if row.reads_flag:
+    if row.reads_flag and lowering == "accumulate":
         yield "F", replace(plain, where_reads_flag=True)
 
 
@@ -158,36 +161,59 @@ def goal(row: Row, lowering: str) -> tuple[str, int | None]:
     return "ops", None if ops is None else ops + more
 
 
-def line(name: str, level: int, count: Count, wanted: tuple[str, int | None]) -> str:
-    """A case in one line."""
-    head = f"{name:<28} -O{level}"
-    if count.refused:
-        return f"{head} {count.seconds:8.2f} s  {count.refused}"
-    bound = "" if count.bound is None else str(count.bound)
-    text = (
-        f"{head} {count.ops:7} {count.words:7} {count.largest:7} {count.registers:5} {bound:>6} "
-        f"{count.seconds:8.2f} s"
+@dataclass(frozen=True)
+class Line:
+    """A case at a level, counted."""
+
+    name: str
+    level: int
+    count: Count
+    wanted: tuple[str, int | None]
+
+    def cells(self) -> tuple[str, ...]:
+        """What the columns of HEAD hold; the reason alone where nothing fits."""
+        count, (kind, most) = self.count, self.wanted
+        seconds = f"{count.seconds:.2f}"
+        if count.refused:
+            return (self.name, f"-O{self.level}", *[""] * 5, seconds, count.refused)
+        bound = "" if count.bound is None else str(count.bound)
+        numbers = (count.ops, count.words, count.largest, count.registers, bound)
+        goal = ""
+        if most is not None:
+            ratio = (count.words if kind == "words" else count.ops) / most
+            over = " OVER" if ratio > ROOM.get(self.level, 1.0) else ""
+            goal = f"{most} {kind} x {ratio:.2f}{over}"
+        return (self.name, f"-O{self.level}", *map(str, numbers), seconds, goal)
+
+
+HEAD = ("case", "level", "ops", "words", "largest slot", "registers", "bound", "s", "to reach")
+WIDTHS = (34, 5, 6, 6, 12, 9, 6, 7, 0)
+
+
+def text(cells: tuple[str, ...], markdown: bool) -> str:
+    """A row of the table."""
+    if markdown:
+        return f"| {' | '.join(cells)} |"
+    padded = (
+        f"{cell:<{width}}" if column in (0, 1, 8) else f"{cell:>{width}}"
+        for column, (cell, width) in enumerate(zip(cells, WIDTHS, strict=True))
     )
-    kind, most = wanted
-    if most is None:
-        return text
-    ratio = (count.words if kind == "words" else count.ops) / most
-    over = "  OVER" if ratio > ROOM.get(level, 1.0) else ""
-    return f"{text}  {most:6} {kind:<5} x {ratio:.2f}{over}"
+    return "  ".join(padded).rstrip()
 
 
-def show(row: Row, lowering: str, level: int) -> None:
-    """Prints the lines of a case."""
+def lines(row: Row, lowering: str, level: int) -> Iterator[Line]:
+    """The lines of a case, one after the other."""
     wanted = goal(row, lowering)
     kind, most = wanted
-    for mark, target in targets(row):
+    for mark, target in targets(row, lowering):
+        name = f"{row.name} {mark}".rstrip()
         count = counted(row, lowering, level, target)
-        print(line(f"{row.name} {mark}", level, count, wanted), flush=True)
+        yield Line(name, level, count, wanted)
         reached = most is not None and (count.words if kind == "words" else count.ops) <= most
         if count.refused or not reached:
             larger = counted(row, lowering, level, replace(target, store_words=LARGE_STORE))
             if (larger.words, larger.ops) != (count.words, count.ops):
-                print(line(f"{row.name} {mark} store", level, larger, wanted), flush=True)
+                yield Line(f"{name} (larger store)", level, larger, wanted)
 
 
 def main() -> None:
@@ -196,18 +222,19 @@ def main() -> None:
     parser.add_argument("--levels", default="2,3")
     parser.add_argument("--rows", default="", help="only rows whose name begins so")
     parser.add_argument("--tables", default="level,edges")
+    parser.add_argument("--markdown", action="store_true")
     chosen = parser.parse_args()
-    titles = {"level": ("accumulate", "level lowering"), "edges": ("edges", "edge lowering")}
+    lowerings = {"level": "accumulate", "edges": "edges"}
     for table in chosen.tables.split(","):
-        lowering, title = titles[table]
-        print(
-            f"{title + ', scamp5':<32} {'ops':>7} {'words':>7} {'largest':>7} {'regs':>5} "
-            f"{'bound':>6} {'time':>10}  to reach"
-        )
+        print(f"{'' if table == 'level' else chr(10)}{table} lowering, scamp5\n")
+        print(text(HEAD, chosen.markdown))
+        if chosen.markdown:
+            print("|---|---|" + "--:|" * 6 + "---|")
         for row in ROWS:
             if row.name.startswith(chosen.rows):
                 for level in map(int, chosen.levels.split(",")):
-                    show(row, lowering, level)
+                    for line in lines(row, lowerings[table], level):
+                        print(text(line.cells(), chosen.markdown), flush=True)
 
 
 if __name__ == "__main__":
