@@ -1,7 +1,7 @@
 # make demo       set up, compile every example, expose a still and a clip, say where the pictures are
 # make test       set up the test environment (torch included); lint, types and tests
 # make test-slow  the tests that take minutes
-# make bench      measure, side by side with numpy
+# make bench      measure: speed beside numpy, words of logic beside the best known; minutes
 # make lint       ruff; make types: mypy; make format: put right what ruff can
 # make grammar    the parser's tables, from grammars/nsl.lark
 # make clean      remove what was built; the environment stays
@@ -93,7 +93,8 @@ test-slow: $(VENV)/.test-installed $(VENV)/.compiled
 	$(BIN)/pytest --numprocesses auto --dist loadgroup -m slow
 
 bench: $(VENV)/.test-installed $(VENV)/.compiled
-	for file in tests/benchmarks/bench_*.py; do $(BIN)/python $$file; done
+	@status=0; for file in tests/benchmarks/bench_*.py; do \
+	  echo "$$file"; $(BIN)/python $$file || status=1; done; exit $$status
 
 grammar: $(VENV)/.test-installed
 	$(BIN)/python -m nscc.syntax.generate

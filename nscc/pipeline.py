@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from nscc.cache.results import Results, results_of_user
 from nscc.diagnostics.model import Diagnostic, Rejected, Severity
 from nscc.lower.assemble import assemble
 from nscc.lower.choose import Choice, LoweringOption, choose
@@ -34,25 +35,27 @@ PASSES = ("parse", "program", "lower", "plan", "gates", "schedule", "words", "pr
 """Every value between two passes can be seen with `nscc build --print-after PASS`."""
 
 LEVELS = (0, 1, 2, 3)
+"""How many steps the search for gates may take: the same level always takes the same ones."""
 
 
 @dataclass(frozen=True)
 class Options:
     """How to compile.
 
-    `target` (a value, or a name or file as `--target` takes it) overrides the program's own.
-    `price_all` lowers in every way, for the report's alternatives. Without `unproved_is_error`,
-    what only a search can tell is a note. With `suggest`, nearby programs that fit are looked for
-    when one does not.
+    `level` is one of LEVELS. `target` (a value, or a name or file as `--target` takes it) overrides
+    the program's own. `price_all` lowers in every way, for the report's alternatives. Without
+    `unproved_is_error`, what only a search can tell is a note. With `suggest`, nearby programs
+    that fit are looked for when one does not. Without `cache`, no search result is read or kept.
     """
 
-    level: int = 1
+    level: int = 2
     codes: Codes = "fixed"
     lowering: LoweringOption = "auto"
     target: Target | str | None = None
     price_all: bool = False
     unproved_is_error: bool = True
     suggest: bool = True
+    cache: bool = True
 
 
 @dataclass(frozen=True)
@@ -91,9 +94,24 @@ def compile_source(
     source: Source, base: Path, options: Options, see: Observer | None = None
 ) -> Compiled:
     """Compiles a program's text; `base` is the folder that its paths are relative to."""
-    see = see or (lambda _name, _value: None)
     if options.level not in LEVELS:
-        raise Rejected(_no_such_level(options.level), status=2)
+        raise ValueError(f"level {options.level} is none of {LEVELS}")
+    see = see or (lambda _name, _value: None)
+    results = results_of_user() if options.cache else None
+    try:
+        return _compile(source, base, options, see, results)
+    except Exception:
+        if results is None or not results.read:
+            raise
+    # What came from the cache led nowhere: a file there is not what it says it is.
+    results.distrust()
+    return _compile(source, base, options, see, results)
+
+
+def _compile(
+    source: Source, base: Path, options: Options, see: Observer, results: Results | None
+) -> Compiled:
+    """The passes themselves."""
     chip = options.target
     if isinstance(chip, str):
         chip = load_target(chip, Path())
@@ -106,7 +124,7 @@ def compile_source(
     fault = capacity_fault(program)
     if fault is not None:
         raise Rejected([*messages, *_with_ways_out([fault], program, base, options)])
-    choice = choose(program, options.lowering, options.level, price_all=options.price_all)
+    choice = _choose(program, options, results)
     see("lower", choice)
     lowered = choice.best
     if lowered is None:
@@ -125,6 +143,25 @@ def compile_source(
     if proof.failure is not None:
         raise ProofFailed(f"{source.name}: {proof.failure}")
     return Compiled(tree, program, choice, lowered, container, proof, tuple(messages))
+
+
+def _choose(program: Program, options: Options, results: Results | None) -> Choice:
+    """The lowerings; that none of them fits is never taken from the cache."""
+
+    def tried() -> Choice:
+        return choose(
+            program,
+            options.lowering,
+            options.level,
+            price_all=options.price_all,
+            results=results,
+        )
+
+    choice = tried()
+    if results is not None and results.read and (choice.best is None or not choice.best.fits):
+        results.distrust()
+        choice = tried()
+    return choice
 
 
 def _unfit(
@@ -151,7 +188,8 @@ def _with_ways_out(
         return wrong
 
     def attempt(source: Source, codes: Codes) -> Lowered | None:
-        tried = Options(codes=codes, target=program.target, suggest=False)
+        # What fits at -O1 fits at every level, and an error should not wait for a search.
+        tried = Options(level=1, codes=codes, target=program.target, suggest=False)
         try:
             return compile_source(source, base, tried).lowered
         except Rejected:
@@ -159,15 +197,6 @@ def _with_ways_out(
 
     found = tuple(ways_out(program, attempt))
     return [replace(d, ways_out=found) if has_ways_out(d) else d for d in wrong]
-
-
-def _no_such_level(level: int) -> Diagnostic:
-    return Diagnostic(
-        "NS0504",
-        f"-O{level} is not in this version: it has -O0 and -O1",
-        notes=("levels 2 and 3 belong to the optimiser, which is not built yet",),
-        helps=("leave -O away: the default is -O1",),
-    )
 
 
 def _stop_on_errors(found: tuple[Diagnostic, ...]) -> None:

@@ -51,12 +51,13 @@ def command(
     codes: str | None,
     lowering: str | None,
     target: str | None,
+    cache: bool,
 ) -> None:
     """Compile FILE, prove the words, and write them."""
     wanted = _kinds(kinds)
     compiled = compile_program(
         file,
-        BuildChoice(level, codes, lowering, target),
+        BuildChoice(level, codes, lowering, target, cache),
         price_all="report" in wanted,  # only the report lists the other lowerings
         see=_printer(after),
     )

@@ -29,13 +29,14 @@ def command(
     codes: str | None,
     lowering: str | None,
     target: str | None,
+    cache: bool,
 ) -> None:
     """Check programs: what they are, whether they fit the chip, and that their words are right.
 
-    Lowers at -O1 and proves that. Where only a search can tell whether a program fits, a note says
-    that `nscc build` decides.
+    Lowers at -O1, unless -O says otherwise, and proves that. Where only a search can tell whether
+    a program fits, a note says that `nscc build` decides.
     """
-    choice = BuildChoice(level, codes, lowering, target)
+    choice = BuildChoice(1 if level is None else level, codes, lowering, target, cache)
     wrong: list[Diagnostic] = []
     status = 0
     for path in files:

@@ -35,7 +35,7 @@ Finding = tuple[str, str]
 
 @click.command("doctor", cls=CommonCommand)
 def command() -> int:
-    """Report versions, readers, compiled loops and serial ports.
+    """Report versions, readers, the cache, compiled loops and serial ports.
 
     Exits with status 3 if something that nscc needs is missing or broken.
     """
@@ -62,6 +62,7 @@ def findings() -> Iterator[Finding]:
             yield ABSENT, f"{name} ({purpose})"
     yield _grammar()
     yield _targets()
+    yield _cache()
     yield _loops()
     yield _ports()
 
@@ -85,6 +86,19 @@ def _targets() -> Finding:
     except Rejected as rejected:
         return WRONG, f"targets: {rejected}"
     return GOOD, f"targets: {', '.join(names)}"
+
+
+def _cache() -> Finding:
+    from nscc.cache.store import MOST_BYTES, Store, cache_folder
+
+    folder = cache_folder()
+    if folder is None:
+        return ABSENT, "cache of search results: off (NSCC_CACHE=off, or no home folder)"
+    store = Store(folder)
+    if not store.writable():
+        return ABSENT, f"cache of search results: {folder} cannot be written, so nothing is kept"
+    held = f"{store.entries()} results, {store.bytes_used() / 1e6:.1f} of {MOST_BYTES / 1e6:.0f} MB"
+    return GOOD, f"cache of search results: {folder} ({held}; remove the folder to clear it)"
 
 
 def _loops() -> Finding:

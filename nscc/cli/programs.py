@@ -22,17 +22,21 @@ _SUFFIX = ".icw"
 
 @dataclass(frozen=True)
 class BuildChoice:
-    """Build's options as given; None where the user gave none."""
+    """Build's options as given; None where the user gave none. `cache`: results may be reused."""
 
     level: int | None = None
     codes: str | None = None
     lowering: str | None = None
     target: str | None = None
+    cache: bool = True
 
     @classmethod
     def of(cls, options: Mapping[str, Any]) -> BuildChoice:
         """From a command's options by name."""
-        return cls(options["level"], options["codes"], options["lowering"], options["target"])
+        return cls(
+            options["level"], options["codes"], options["lowering"], options["target"],
+            options["cache"],
+        )  # fmt: skip
 
     def given(self) -> list[str]:
         """The options that were given, as the user spells them."""
@@ -46,10 +50,16 @@ class BuildChoice:
 
 
 def build_options(function: Command) -> Command:
-    """Adds -O, --codes, --lowering and --target as `level`, `codes`, `lowering`, `target`."""
+    """Adds -O, --codes, --lowering, --target and --[no-]cache.
+
+    They become `level`, `codes`, `lowering`, `target` and `cache`.
+    """
     options = (
         click.option(
-            "-O", "level", type=click.IntRange(0, 3), help="How hard to optimise (default: 1)."
+            "-O",
+            "level",
+            type=click.IntRange(0, 3),
+            help="How long to search for fewer words (default: 2; check: 1).",
         ),
         click.option(
             "--codes",
@@ -63,6 +73,11 @@ def build_options(function: Command) -> Command:
         ),
         click.option(
             "--target", metavar="NAME|FILE.toml", help="The chip, instead of the program's own."
+        ),
+        click.option(
+            "--cache/--no-cache",
+            default=True,
+            help="Keep search results of -O2 and -O3 and reuse them (default), or search anew.",
         ),
     )
     for option in reversed(options):
@@ -85,6 +100,7 @@ def compile_program(path: Path, choice: BuildChoice, **more: Any) -> Compiled:
         "target": choice.target,
     }
     changes: dict[str, Any] = {k: v for k, v in given.items() if v is not None}
+    changes["cache"] = choice.cache
     return compile_file(path, replace(Options(), **changes, **more), see)
 
 

@@ -25,6 +25,7 @@ COMMANDS = (
     Entry("diff", "nscc.cli.diff", "Say what differs between two containers."),
     Entry("explain", "nscc.cli.explain", "Explain the code of a message."),
     Entry("targets", "nscc.cli.targets", "List the chips that nscc knows, and their limits."),
+    Entry("tradeoff", "nscc.cli.tradeoff", "Measure what more time buys."),
     Entry("doctor", "nscc.cli.doctor", "Report on this installation."),
 )
 """The commands of this version, in the order in which `nscc --help` lists them."""
@@ -36,7 +37,9 @@ PLANNED = (
     "evaluate",
     "metrics",
     "reconstruct",
-    "tradeoff",
     "train",
 )
 """Commands whose names are taken by versions to come."""
+
+PLANNED_TRADEOFFS = ("decoder", "emulator", "sensor")
+"""The same of `nscc tradeoff`."""

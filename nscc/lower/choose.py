@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from heapq import heapify, heappop, heappush
 from typing import Literal
 
+from nscc.cache.results import Results
 from nscc.lower.lowered import Lowered, analog_writes, lower
 from nscc.lower.plan import LOWERINGS, ExposurePlan, Lowering, Misfit, levels, plan_exposure
 from nscc.program.model import Program
@@ -32,7 +33,14 @@ def rank(lowered: Lowered) -> tuple[bool, int, int, int]:
     return not lowered.fits, lowered.analog_writes[1], total, max(lowered.words_per_boundary)
 
 
-def choose(program: Program, wanted: LoweringOption, level: int, *, price_all: bool) -> Choice:
+def choose(
+    program: Program,
+    wanted: LoweringOption,
+    level: int,
+    *,
+    price_all: bool,
+    results: Results | None = None,
+) -> Choice:
     """Lowers `program` as wanted; without `price_all`, only until no better choice can follow.
 
     Lowerings wait in the order of their analog writes, or of a bound until they are planned.
@@ -58,7 +66,7 @@ def choose(program: Program, wanted: LoweringOption, level: int, *, price_all: b
                 plans[name] = plan, analog_writes(program, plan)
                 heappush(waiting, (plans[name][1][1], order, name))
             continue
-        result = lower(program, plans[name][0], level, opens, plans[name][1])
+        result = lower(program, plans[name][0], level, opens, plans[name][1], results)
         if isinstance(result, Misfit):
             misfits[name] = result
         else:

@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.cache.results import Result, Results
 from nscc.logic.generate import solutions
 from nscc.logic.problem import Demand, Machine, Problem, Solution
 from nscc.lower.plan import ExposurePlan, Misfit, Step
@@ -207,16 +208,21 @@ def lower(
     level: int,
     opens: list[list[int]],
     writes: tuple[int, int],
+    results: Results | None = None,
 ) -> Lowered | Misfit:
     """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found.
 
     `opens` is `levels(program)` and `writes` is `analog_writes(program, plan)`. Level 0 takes the
-    first solution that fits.
+    first solution that fits. What is already known comes from `results`.
     """
     time = timeline(program.frame.slot_us, len(program.buckets), program.target)
     problem, actions = problem_of(program, plan, time, opens)
+    machine = Machine.of(program.target)
+    known = Result()
+    if results is not None:
+        known = results.find(problem, machine, level, plan, time, program.target)
     best: Lowered | None = None
-    for solution in solutions(problem, Machine.of(program.target), level):
+    for solution in known.or_else(solutions(problem, machine, level)):
         laid = schedule(plan, solution, actions, time, program.target)
         candidate = Lowered(program, plan, solution, laid, time, writes)
         if best is None or candidate.price < best.price:
@@ -229,4 +235,5 @@ def lower(
             f"{len(program.target.digital_registers)} digital registers",
             searched=True,
         )
+    known.keep(best.solution)
     return best

@@ -106,13 +106,13 @@ MAY_FAIL = {"NS0414", "NS0501", "NS0502", "NS0601"}
 
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_at_the_default_level(name: str, tmp_path: Path) -> None:
-    sweep(name, tmp_path, ("plain",), ("1",))
+    sweep(name, tmp_path, ("plain",), ("2",))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_on_every_chip_and_level(name: str, tmp_path: Path) -> None:
-    sweep(name, tmp_path, tuple(CHIPS), ("0", "1"))
+    sweep(name, tmp_path, tuple(CHIPS), ("0", "1", "2", "3"))
 
 
 def sweep(name: str, folder: Path, chips: tuple[str, ...], levels: tuple[str, ...]) -> None:

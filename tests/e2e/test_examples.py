@@ -36,7 +36,7 @@ def test_an_example_begins_with_its_purpose(path: Path) -> None:
 
 
 @examples
-@pytest.mark.parametrize("level", ["0", "1"])
+@pytest.mark.parametrize("level", ["0", "1", "2"])
 def test_builds_and_proves(path: Path, level: str, tmp_path: Path) -> None:
     fine(["build", path, "-O", level, "-o", "a.icw", "--emit", "report"], tmp_path)
     report = json.loads((tmp_path / "a.report.json").read_text())

@@ -33,6 +33,10 @@ ORDER = (
     ("nscc/diagnostics", ("nscc.syntax", "nscc.program", "nscc.cli", "nscc.pipeline")),
     ("nscc/syntax", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc.cli")),
     ("nscc/target", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc.cli")),
+    (
+        "nscc/cache",
+        ("nscc.syntax", "nscc.program", "nscc.lower", "nscc.prove", "nscc.pipeline", "nscc.cli"),
+    ),
     ("nscc/words", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc.cli")),
     ("nscc/program", ("nscc.lower", "nscc.logic", "nscc.prove", "nscc.pipeline", "nscc.cli")),
     ("nscc/logic", ("nscc.syntax", "nscc.program", "nscc.prove", "nscc.pipeline", "nscc.cli")),

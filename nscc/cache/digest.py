@@ -1,0 +1,88 @@
+"""Digests of frozen values: what decides a result, in 64 hexadecimal digits."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+_ROOT = Path(__file__).resolve().parents[1]
+_DECIDES = (".py", ".toml", ".json")
+
+
+def digest(value: Any) -> str:
+    """The digest of a value made of frozen dataclasses, tuples, lists, mappings, arrays, numbers.
+
+    Values of different type or structure have different digests. Raises TypeError for a type
+    that is none of these: leaving something out would let two different things pass for one.
+    """
+    return sha256(_token(value, {})).hexdigest()
+
+
+@cache
+def version_digest() -> str | None:
+    """The digest of this compiler: its own sources, and what they run on.
+
+    None where the sources cannot be read.
+    """
+    running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
+    try:
+        paths = sorted(
+            Path(folder) / name
+            for folder, _, names in os.walk(_ROOT)
+            for name in names
+            if name.endswith(_DECIDES)
+        )
+        for path in paths:
+            running.update(f"\n{path.relative_to(_ROOT).as_posix()}\n".encode())
+            running.update(sha256(path.read_bytes()).digest())
+    except OSError:
+        return None
+    return running.hexdigest() if paths else None
+
+
+def _token(value: Any, known: dict[int, bytes]) -> bytes:
+    """Bytes that stand for a value. `known` holds those of parts by identity: many are shared."""
+    if isinstance(value, Enum):
+        return f"e{type(value).__name__}.{value.name}".encode()
+    if value is None or isinstance(value, bool | float):
+        return repr(value).encode()
+    if isinstance(value, int):
+        return f"i{value:x}".encode()
+    if isinstance(value, str):
+        return b"s" + value.encode(errors="surrogatepass")
+    token = known.get(id(value))
+    if token is None:
+        token = known[id(value)] = _compound(value, known)
+    return token
+
+
+def _compound(value: Any, known: dict[int, bytes]) -> bytes:
+    parts: list[bytes]
+    if isinstance(value, np.ndarray | np.generic):
+        head = f"a{value.dtype.str}{value.shape}"
+        parts = [np.ascontiguousarray(value).tobytes()]
+    elif isinstance(value, tuple | list):
+        head = "t"
+        parts = [_token(part, known) for part in value]
+    elif isinstance(value, Mapping):
+        head = "m"
+        parts = [_token(part, known) for item in value.items() for part in item]
+    elif is_dataclass(value) and not isinstance(value, type):
+        head = f"d{type(value).__name__}"
+        parts = [_token(getattr(value, field.name), known) for field in fields(value)]
+    else:
+        raise TypeError(f"no digest for {type(value).__name__}")
+    running = sha256(f"{head}{len(parts)}".encode())
+    for part in parts:
+        running.update(f":{len(part)}:".encode())
+        running.update(part)
+    return running.digest()

@@ -1,0 +1,123 @@
+"""What the search for gates found, by everything that decides it.
+
+A result is kept for a whole problem: demands, plan, times, target, level and the compiler itself
+(`nscc.cache.digest.version_digest`), so a changed program, chip or compiler never sees an old one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+from nscc.cache.digest import digest, version_digest
+from nscc.cache.store import Store, cache_folder
+from nscc.cache.values import from_json, to_json
+from nscc.logic.problem import Gate, Machine, Problem, Solution
+
+LEAST_LEVEL = 2
+"""Below this level a search is over sooner than its result would be read."""
+
+_GATES = {
+    "WHERE": (1, None), "OR": (1, None), "NOR": (1, None), "NOT": (1, 1), "MOV": (1, 1),
+    "SET": (0, 0), "CLR": (0, 0),
+}  # fmt: skip
+"""Fewest and most sources of each gate."""
+
+
+@dataclass
+class Results:
+    """Results of one compilation: read from the store while `trusted`, and kept there.
+
+    `read` counts the results that came from the store.
+    """
+
+    store: Store
+    trusted: bool = field(default=True, init=False)
+    read: int = field(default=0, init=False)
+
+    def distrust(self) -> None:
+        """Reads nothing from now on: every search is done anew and its result replaces the old."""
+        self.trusted, self.read = False, 0
+
+    def find(self, problem: Problem, machine: Machine, level: int, *more: Any) -> Result:
+        """What is known for a problem; `more` is whatever else decides which solution is best."""
+        version = version_digest() if level >= LEAST_LEVEL else None
+        if version is None:
+            return Result()
+        key = digest((version, problem, machine, level, more))
+        known = _solution(self.store.read(key), problem, machine) if self.trusted else None
+        self.read += known is not None
+        return Result(known, self.store, key)
+
+
+@dataclass(frozen=True)
+class Result:
+    """The best solution of a problem, if one is known; else the place to keep it."""
+
+    known: Solution | None = None
+    store: Store | None = None
+    key: str = ""
+
+    def or_else(self, found: Iterable[Solution]) -> Iterable[Solution]:
+        """The known solution alone, else those `found`, which are not asked for otherwise."""
+        return found if self.known is None else (self.known,)
+
+    def keep(self, best: Solution) -> None:
+        """Keeps the best of those found."""
+        if self.store is not None and self.known is None:
+            self.store.write(self.key, to_json(best))
+
+
+def results_of_user() -> Results | None:
+    """The results in the user's cache folder; None where it is switched off."""
+    folder = cache_folder()
+    return None if folder is None else Results(Store(folder))
+
+
+def _solution(data: bytes | None, problem: Problem, machine: Machine) -> Solution | None:
+    """The solution in an entry; None unless it is at least made of gates that the machine has."""
+    if data is None:
+        return None
+    try:
+        solution = from_json(Solution, data)
+    except ValueError:
+        return None
+    return solution if _plausible(solution, problem, machine) else None
+
+
+def _plausible(solution: Solution, problem: Problem, machine: Machine) -> bool:
+    """Whether a solution names nothing that is not there. Whether it is right, the proof says."""
+    planes, states, scratch = len(solution.planes), solution.states, solution.scratch
+    registers = {f"{kind}{i}" for kind, count in (("p", planes), ("s", states), ("t", scratch))
+                 for i in range(min(count, machine.registers))}  # fmt: skip
+    return (
+        min(states, scratch) >= 0
+        and planes + states + scratch <= machine.registers
+        and len(solution.holders) == planes
+        and all(0 <= plane <= problem.everything for plane in solution.planes)
+        and len(solution.answers) == len(problem.demands)
+        and all(
+            _possible(gate, registers, machine)
+            for segment in solution.segments()
+            for gate in segment
+        )
+    )
+
+
+def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
+    if gate.name not in _GATES:
+        return False
+    least, most = _GATES[gate.name]
+    if gate.name == "WHERE":
+        sources = registers | {"FLAG"} if machine.where_reads_flag else registers
+        return (
+            gate.destination == "FLAG"
+            and sources.issuperset(gate.sources)
+            and least <= len(gate.sources) <= (machine.where_sources or len(registers) + 1)
+        )
+    return (
+        gate.destination in registers
+        and (registers | {"FLAG"}).issuperset(gate.sources)
+        and least <= len(gate.sources) <= (most or machine.or_sources or len(registers) + 1)
+    )

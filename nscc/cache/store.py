@@ -1,0 +1,146 @@
+"""A folder of entries by key: bounded, safe between processes, and silent where it cannot be used.
+
+An entry is a file named after its key, a line that names format, key and checksum, then the data.
+Entries appear whole or not at all; the ones not used for longest go when there are too many bytes.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import stat
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+
+MOST_BYTES = 64_000_000
+_KEPT_SHARE = 0.75
+"""How full the folder is after making room: so that not every write has to look for some."""
+_LARGEST = MOST_BYTES // 4
+
+_FORMAT = b"nscc-cache-1"
+_ENTRY = re.compile(r"[0-9a-f]{64}")
+_PART = re.compile(r"\.[0-9a-f]{64}\.[0-9]+\.part")
+_PART_AGE_S = 600.0
+"""A file half written that is older than this belongs to a process that died."""
+
+
+def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
+    """Where entries are kept; None where `NSCC_CACHE=off` or there is no home folder.
+
+    `NSCC_CACHE_DIR`, else `XDG_CACHE_HOME`/nscc (an absolute path, as its specification demands),
+    else ~/.cache/nscc.
+    """
+    given = os.environ if environment is None else environment
+    if given.get("NSCC_CACHE", "").lower() == "off":
+        return None
+    if given.get("NSCC_CACHE_DIR"):
+        return Path(given["NSCC_CACHE_DIR"])
+    shared = given.get("XDG_CACHE_HOME", "")
+    if os.path.isabs(shared):
+        return Path(shared) / "nscc"
+    home = os.path.expanduser("~") if "HOME" not in given else given["HOME"]
+    return Path(home) / ".cache" / "nscc" if os.path.isabs(home) else None
+
+
+@dataclass(frozen=True)
+class Store:
+    """Entries in a folder that need not exist; no method raises for what the disk does."""
+
+    folder: Path
+    most_bytes: int = MOST_BYTES
+
+    def read(self, key: str) -> bytes | None:
+        """The data kept under `key` (64 hexadecimal digits); None where there is none, or damaged.
+
+        What is read counts as used now.
+        """
+        path = self.folder / key
+        try:
+            # A pipe in the entry's place must not make anybody wait.
+            with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as file:
+                status = os.fstat(file.fileno())
+                if not stat.S_ISREG(status.st_mode) or status.st_size > _LARGEST:
+                    return None
+                head, _, data = file.read().partition(b"\n")
+        except OSError:
+            return None
+        if head != _head(key, data):
+            return None
+        with suppress(OSError):
+            os.utime(path)
+        return data
+
+    def write(self, key: str, data: bytes) -> None:
+        """Keeps `data` under `key`, whatever was there, and makes room where that is needed."""
+        whole = _head(key, data) + b"\n" + data
+        if len(whole) > min(_LARGEST, self.most_bytes):
+            return
+        part = self.folder / f".{key}.{os.getpid()}.part"
+        try:
+            self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+            with open(part, "xb") as file:
+                file.write(whole)
+            os.replace(part, self.folder / key)
+        except FileExistsError:
+            return
+        except OSError:
+            _remove(part)
+            return
+        self._make_room()
+
+    def entries(self) -> int:
+        """How many entries there are."""
+        return sum(1 for _ in self._files(_ENTRY))
+
+    def bytes_used(self) -> int:
+        """Bytes of all entries."""
+        return sum(status.st_size for _, status in self._files(_ENTRY))
+
+    def writable(self) -> bool:
+        """Whether an entry can be kept: the folder, or the first one above it, may be written."""
+        folder = self.folder.absolute()
+        existing = next(p for p in (folder, *folder.parents) if os.path.exists(p))
+        return os.path.isdir(existing) and os.access(existing, os.W_OK | os.X_OK)
+
+    def _make_room(self) -> None:
+        now = time.time()
+        for path, status in self._files(_PART):
+            if now - status.st_mtime > _PART_AGE_S:
+                _remove(path)
+        files = list(self._files(_ENTRY))
+        used = sum(status.st_size for _, status in files)
+        if used <= self.most_bytes:
+            return
+        for path, status in sorted(files, key=lambda item: (item[1].st_mtime_ns, item[0])):
+            if used <= self.most_bytes * _KEPT_SHARE:
+                return
+            _remove(path)
+            used -= status.st_size
+
+    def _files(self, pattern: re.Pattern[str]) -> Iterator[tuple[Path, os.stat_result]]:
+        """The regular files with such names; others in the folder are nobody's business."""
+        try:
+            with os.scandir(self.folder) as found:
+                names = [entry for entry in found if pattern.fullmatch(entry.name)]
+        except OSError:
+            return
+        for entry in names:
+            try:
+                status = entry.stat(follow_symlinks=False)
+            except OSError:
+                continue
+            if stat.S_ISREG(status.st_mode):
+                yield Path(entry.path), status
+
+
+def _head(key: str, data: bytes) -> bytes:
+    return b" ".join((_FORMAT, key.encode(), sha256(data).hexdigest().encode()))
+
+
+def _remove(path: Path) -> None:
+    with suppress(OSError):
+        path.unlink()

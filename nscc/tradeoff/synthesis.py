@@ -1,0 +1,153 @@
+"""What compile time buys: words a frame against time, for each level, lowering and program."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from itertools import product
+from pathlib import Path
+from time import perf_counter
+from typing import Literal
+
+import numpy as np
+
+from nscc.diagnostics.model import Rejected
+from nscc.emit.report import report
+from nscc.lower.plan import Lowering
+from nscc.pipeline import Compiled, Options, compile_source
+from nscc.program.model import Codes
+from nscc.source import Source
+from nscc.tradeoff.points import Point
+
+Count = Literal["all", "logic"]
+"""All words of a frame, or only those that decode codes."""
+
+UNITS: dict[Count, str] = {"all": "words_per_frame", "logic": "logic_words_per_frame"}
+
+_DOES_NOT_FIT = ("NS04", "NS05", "NS06")
+
+
+@dataclass(frozen=True)
+class Case:
+    """A program to compile in every way; `base` is the folder that its paths are relative to."""
+
+    name: str
+    source: Source
+    base: Path
+    codes: Codes
+
+
+@dataclass(frozen=True)
+class Way:
+    """One way to compile a case."""
+
+    case: Case
+    lowering: Lowering
+    level: int
+
+    def __str__(self) -> str:
+        return f"{self.case.name}, {self.lowering}, -O{self.level}"
+
+
+Progress = Callable[[Sequence[Way]], Iterable[Way]]
+"""Hands the ways on one by one, and may show how far that is."""
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Points, by case, lowering and level, and the ways that are none, with the reason."""
+
+    points: tuple[Point, ...]
+    refused: tuple[tuple[Way, str], ...]
+
+
+def builtin_cases() -> tuple[Case, ...]:
+    """Classes b to e and a random codebook, at sizes that a chip of 13 registers takes."""
+    texts = {f"b {n}": _frame(n) + f"code stop : 0..{n - 1} open when n < stop"
+             for n in (16, 64, 256)}  # fmt: skip
+    for n, length in ((64, 8), (64, 13)):
+        texts[f"c ({n}, {length})"] = (
+            _frame(n) + f"code start : 0..{n - length} open when start <= n < start + {length}"
+        )
+    for n in (16, 32):
+        texts[f"d {n}"] = (
+            _frame(n) + f"code start : 0..{n - 1} code stop : 1..{n} require start < stop "
+            "open when start <= n < stop"
+        )
+    texts["e 12"] = _frame(12) + "code bits : bit[12] open when bits[n]"
+    rows = np.random.default_rng(1).integers(0, 2, (64, 16))
+    book = ", ".join("".join(map(str, row)) for row in rows)
+    texts["codebook 64 x 16"] = (
+        _frame(16) + f"shutters book [{book}] code id : row of book open when book[id]"
+    )
+    return tuple(
+        Case(name, Source(f"{name}.nsl", f"nsl 1 {text}\n"), Path(), "open")
+        for name, text in texts.items()
+    )
+
+
+def _frame(slots: int) -> str:
+    return f"frame {slots} slots of 1ms "
+
+
+def measure(ways: Sequence[Way], repeats: int, count: Count, progress: Progress = iter) -> Measured:
+    """Compiles each way `repeats` times, from text to proof, without the cache.
+
+    The repeats go round all ways, so that what else the machine does is spread over them. Raises
+    Rejected where a program is wrong; one that does not fit the chip in some way is refused there.
+    """
+    if ways:
+        _compiled(ways[0])  # what is imported and read once is not what is measured
+    times_ms: dict[Way, list[float]] = {way: [] for way in ways}
+    results: dict[Way, Compiled | str] = {}
+    for way in progress([way for _ in range(repeats) for way in ways]):
+        if isinstance(results.get(way), str):
+            continue
+        begin = perf_counter()
+        results[way] = _compiled(way)
+        times_ms[way].append((perf_counter() - begin) * 1e3)
+    points, refused = [], []
+    for way, found in results.items():
+        if isinstance(found, str):
+            refused.append((way, found))
+        else:
+            points.append(_point(way, found, tuple(times_ms[way]), count))
+    return Measured(tuple(points), tuple(refused))
+
+
+def every_way(
+    cases: Sequence[Case], lowerings: Sequence[Lowering], levels: Sequence[int]
+) -> Iterator[Way]:
+    """Each case in each lowering at each level."""
+    return (Way(*way) for way in product(cases, lowerings, levels))
+
+
+def _compiled(way: Way) -> Compiled | str:
+    """The compiled program, or why there is none."""
+    case = way.case
+    options = Options(
+        level=way.level, codes=case.codes, lowering=way.lowering, suggest=False, cache=False
+    )
+    try:
+        return compile_source(case.source, case.base, options)
+    except Rejected as rejected:
+        last = rejected.diagnostics[-1]
+        if not last.code.startswith(_DOES_NOT_FIT):
+            raise
+        return f"{last.message} ({last.code})"
+
+
+def _point(way: Way, compiled: Compiled, times_ms: tuple[float, ...], count: Count) -> Point:
+    """The bound is that of the logic; all words are at least the plan's analog ones more."""
+    lowered, proof = compiled.lowered, compiled.proof
+    assert lowered is not None
+    assert proof is not None
+    logic = report(lowered, compiled.choice, proof)["logic"]
+    words, bound = logic["words"], logic["bound"]
+    if count == "all":
+        words = lowered.schedule.words_total
+        if bound is not None:
+            bound += sum(len(step.words) for step in lowered.plan.steps)
+    return Point(
+        way.case.name, way.lowering, f"-O{way.level}", words, UNITS[count], times_ms, bound
+    )

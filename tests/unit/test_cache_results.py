@@ -1,0 +1,355 @@
+"""Kept search results: the same bytes with and without them, and no harm from a hostile file."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+
+from nscc.cache import digest as digests
+from nscc.cache.digest import digest, version_digest
+from nscc.cache.results import Results, results_of_user
+from nscc.cache.store import Store
+from nscc.cache.values import from_json, to_json
+from nscc.emit.report import report, report_bytes
+from nscc.logic.generate import solutions
+from nscc.logic.problem import Demand, Gate, Machine, Problem, Solution
+from nscc.pipeline import Options, compile_source
+from nscc.source import Source
+from nscc.target.load import builtin_target
+from nscc.words.file import to_bytes
+
+TEXTS = {
+    "b": "frame 20 slots of 1ms code stop : 0..20 open when n < stop",
+    "c": "frame 16 slots of 1ms code s : 0..12 open when s <= n < s + 4",
+    "d": "frame 8 slots of 1ms code a : 0..7 code b : 1..8 require a < b open when a <= n < b",
+    "book": "frame 10 slots of 1ms shutters book [1100111000, 0011101111, 0101010101, 1010011010]"
+    " code id : row of book open when book[id]",
+    "buckets": "frame 21 slots of 1ms code split : 1..20"
+    " bucket early open when n < split bucket late open when n >= split",
+}
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of results, empty."""
+    monkeypatch.setenv("NSCC_CACHE_DIR", str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+@pytest.fixture
+def searches(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Grows by one for each search for gates, by the level it is made at."""
+    made: list[int] = []
+
+    def counted(problem, machine, level):
+        made.append(level)
+        yield from solutions(problem, machine, level)
+
+    monkeypatch.setattr("nscc.lower.lowered.solutions", counted)
+    return made
+
+
+def built(text: str, **options: object) -> tuple[bytes, bytes]:
+    """The container and the report of a program, every lowering priced."""
+    given = Options(codes="open", price_all=True, **options)  # type: ignore[arg-type]
+    compiled = compile_source(Source("p.nsl", f"nsl 1 {text}\n"), Path(), given)
+    values = report(compiled.lowered, compiled.choice, compiled.proof)
+    return to_bytes(compiled.container), report_bytes(values)
+
+
+@pytest.mark.parametrize("level", [2, 3])
+@pytest.mark.parametrize("name", TEXTS)
+def test_same_bytes_without_a_search(
+    name: str, level: int, folder: Path, searches: list[int]
+) -> None:
+    plain = built(TEXTS[name], level=level, cache=False)
+    assert not folder.exists()
+    first = built(TEXTS[name], level=level)
+    made = len(searches)
+    second = built(TEXTS[name], level=level)
+    assert plain == first == second
+    assert len(searches) == made, "the second time nothing is searched"
+    assert Store(folder).entries() == made // 2
+
+
+@pytest.mark.parametrize("level", [0, 1])
+def test_low_levels_keep_nothing(level: int, folder: Path) -> None:
+    built(TEXTS["b"], level=level)
+    assert not folder.exists()
+
+
+def test_what_decides_is_in_the_key(folder: Path, searches: list[int]) -> None:
+    chip = builtin_target("scamp5")
+    variants = [
+        (TEXTS["d"], {}),
+        (TEXTS["d"], {"level": 3}),
+        (TEXTS["d"].replace("1ms", "2ms"), {}),
+        (TEXTS["d"].replace("a < b", "a + 1 < b"), {}),
+        (TEXTS["d"], {"target": "scamp7"}),
+        (TEXTS["d"], {"target": replace(chip, launch_us=2.0)}),
+        (TEXTS["d"], {"target": replace(chip, store_words=10_000)}),
+        (TEXTS["d"], {"target": replace(chip, or_sources=4)}),
+        (TEXTS["d"], {"target": replace(chip, where_reads_flag=True)}),
+    ]
+    for text, options in variants:
+        before = len(searches)
+        built(text, **options)
+        assert len(searches) > before, (text, options)
+    before = len(searches)
+    for text, options in variants:
+        built(text, **options)
+    assert len(searches) == before
+    built(TEXTS["b"])
+    before = len(searches)
+    built(TEXTS["b"].replace(" code", "\n# the layout of the text decides nothing\ncode"))
+    assert len(searches) == before
+
+
+def test_another_compiler_finds_nothing(
+    folder: Path, searches: list[int], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    built(TEXTS["c"])
+    before = len(searches)
+    monkeypatch.setattr("nscc.cache.results.version_digest", lambda: "edited")
+    built(TEXTS["c"])
+    assert len(searches) == 2 * before
+    monkeypatch.setattr("nscc.cache.results.version_digest", lambda: None)
+    built(TEXTS["c"])
+    assert len(searches) == 3 * before
+
+
+def test_the_version_is_that_of_the_sources(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(digests, "_ROOT", tmp_path)
+    (tmp_path / "logic").mkdir()
+    (tmp_path / "logic" / "a.py").write_text("x = 1\n")
+    seen = set()
+    for change in (
+        lambda: None,
+        lambda: (tmp_path / "logic" / "a.py").write_text("x = 2\n"),
+        lambda: (tmp_path / "logic" / "a.py").rename(tmp_path / "logic" / "b.py"),
+        lambda: (tmp_path / "t.toml").write_text("rows = 1\n"),
+    ):
+        change()
+        version_digest.cache_clear()
+        seen.add(version_digest())
+    assert len(seen) == 4
+    (tmp_path / "logic" / "b.pyc").write_text("no source")
+    version_digest.cache_clear()
+    assert version_digest() in seen
+    version_digest.cache_clear()
+
+
+def test_switched_off(folder: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    (tmp_path / "p.nsl").write_text(f"nsl 1 {TEXTS['b']}\n")
+    assert invoke(["build", "p.nsl", "-o", "a.icw", "--no-cache"], tmp_path).status == 0
+    assert not folder.exists()
+    monkeypatch.setenv("NSCC_CACHE", "off")
+    assert invoke(["build", "p.nsl", "-o", "b.icw"], tmp_path).status == 0
+    assert not folder.exists()
+    assert results_of_user() is None
+    monkeypatch.delenv("NSCC_CACHE")
+    assert invoke(["check", "p.nsl"], tmp_path).status == 0
+    assert not folder.exists(), "check lowers at -O1"
+    assert invoke(["build", "p.nsl", "-o", "c.icw"], tmp_path).status == 0
+    assert Store(folder).entries() == 1
+    assert len({(tmp_path / f"{name}.icw").read_bytes() for name in "abc"}) == 1
+
+
+def test_a_place_that_cannot_be_written_is_no_trouble(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("NSCC_CACHE_DIR", "/dev/null/cache")
+    (tmp_path / "p.nsl").write_text(f"nsl 1 {TEXTS['b']}\n")
+    done = invoke(["build", "p.nsl", "-o", "a.icw"], tmp_path)
+    assert (done.status, done.codes) == (0, [])
+    said = invoke(["doctor"], tmp_path)
+    assert said.status == 0
+    assert "nothing is kept" in said.out
+
+
+def test_doctor_tells_where_and_how_much(folder: Path, tmp_path: Path) -> None:
+    built(TEXTS["b"], level=2)
+    said = invoke(["doctor"], tmp_path).out
+    assert str(folder) in said
+    assert f"{Store(folder).entries()} results" in said
+    assert "remove the folder" in said
+
+
+def entries_of(folder: Path) -> dict[str, list[object]]:
+    """The entries' values, by key."""
+    store = Store(folder)
+    found = {path.name: store.read(path.name) for path in sorted(folder.iterdir())}
+    return {key: json.loads(data) for key, data in found.items() if data is not None}
+
+
+def keep(folder: Path, key: str, value: object) -> None:
+    """An entry with a good checksum, whatever is in it."""
+    Store(folder).write(key, json.dumps(value).encode())
+
+
+def hostile(solution: Solution) -> dict[str, object]:
+    """What somebody might put in the place of an entry, with a checksum that is right."""
+    plain = json.loads(to_json(solution))
+    silent = replace(solution, answers=tuple(() for _ in solution.answers))
+    swapped = replace(solution, planes=solution.planes[::-1])
+    wordy = replace(solution, opening=((Gate("SET", "p0", ()), Gate("NOT", "p0", ("p0",))) * 600,))
+    return {
+        "nothing": [],
+        "null": None,
+        "a number": 5,
+        "text": "solution",
+        "an object": {"encoding": "x"},
+        "too few fields": plain[:-1],
+        "too many fields": [*plain, 1],
+        "wrong type": [1, *plain[1:]],
+        "no demand answered": json.loads(to_json(silent)),
+        "codes of other shutters": json.loads(to_json(swapped)),
+        "more words than the store": json.loads(to_json(wordy)),
+        "fewer answers": json.loads(to_json(replace(solution, answers=solution.answers[1:]))),
+        "no planes": json.loads(to_json(replace(solution, planes=(), holders=()))),
+        "a billion registers": json.loads(to_json(replace(solution, scratch=10**9))),
+        "negative registers": json.loads(to_json(replace(solution, states=-3))),
+        "unknown gate": json.loads(to_json(replace(solution, opening=((Gate("XOR", "p0", ()),),)))),
+        "unknown register": json.loads(
+            to_json(replace(solution, opening=((Gate("SET", "R5", ()),),)))
+        ),
+        "an unknown register, or none, read": json.loads(
+            to_json(replace(solution, opening=((Gate("NOT", "p0", ("PIX",)),),)))
+        ),
+        "state in a FLAG that is in use": json.loads(
+            to_json(replace(solution, state_in_flag=not solution.state_in_flag))
+        ),
+    }  # fmt: skip
+
+
+def deep(levels: int) -> bytes:
+    return b"[" * levels + b"]" * levels
+
+
+@pytest.mark.parametrize("name", ["b", "d", "book"])
+def test_hostile_entries_do_no_harm(name: str, folder: Path) -> None:
+    plain = built(TEXTS[name], cache=False)
+    built(TEXTS[name])
+    good = entries_of(folder)
+    assert good
+    solution = from_json(Solution, json.dumps(next(iter(good.values()))).encode())
+    for what in hostile(solution):
+        for key, value in good.items():
+            bad = hostile(from_json(Solution, json.dumps(value).encode()))[what]
+            keep(folder, key, bad)
+        found = built(TEXTS[name])
+        # Words that are right, though others would be cheaper, are beyond what can be noticed.
+        assert found[0] == plain[0] or what == "state in a FLAG that is in use", what
+        assert json.loads(found[1])["proof"]["holds"]
+        for key, value in good.items():
+            keep(folder, key, value)
+    for key in good:
+        Store(folder).write(key, deep(100_000))
+    assert built(TEXTS[name]) == plain
+    assert entries_of(folder) == good, "what was wrong is written anew"
+
+
+def test_a_program_that_does_not_fit_says_the_same(folder: Path, tmp_path: Path) -> None:
+    small = invoke(["targets", "scamp5", "--toml"], tmp_path).out.replace("1024", "10")
+    (tmp_path / "small.toml").write_text(small)
+    (tmp_path / "p.nsl").write_text(f"nsl 1 {TEXTS['d']}\n")
+    arguments = ["build", "p.nsl", "-o", "p.icw", "--target", "small.toml"]
+    arguments += ["--print-after", "program"]
+    said = [
+        invoke([*arguments, *more], tmp_path) for more in (["--no-cache"], [], [], ["--no-cache"])
+    ]
+    assert said[0].status == 1
+    assert said[0].codes[-1] == "NS0501"
+    assert said[1:] == said[:1] * 3
+
+
+@pytest.mark.parametrize("lowering", ["accumulate", "edges"])
+@pytest.mark.parametrize("name", TEXTS)
+def test_every_solution_can_be_kept(name: str, lowering: str, tmp_path: Path) -> None:
+    """All that the generators find, not only the best: none is refused when it comes back."""
+    asked: list[tuple[Problem, Machine]] = []
+
+    def overhear(problem: Problem, machine: Machine, level: int):
+        asked.append((problem, machine))
+        yield from solutions(problem, machine, level)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("nscc.lower.lowered.solutions", overhear)
+        built(TEXTS[name], lowering=lowering, cache=False)
+    [(problem, machine)] = asked
+    results = Results(Store(tmp_path))
+    for number, solution in enumerate(solutions(problem, machine, 3)):
+        results.find(problem, machine, 3, number).keep(solution)
+        again = results.find(problem, machine, 3, number).known
+        assert again == solution
+        assert to_json(again) == to_json(solution)
+
+
+@dataclass(frozen=True)
+class Pair:
+    """Two values."""
+
+    first: object
+    second: object
+
+
+def test_digests_tell_values_apart() -> None:
+    values = [
+        None, True, False, 0, 1, -1, 1 << 4000, 0.0, -0.0, 1.0, "", "1", "None", "i1", (), ((),),
+        ("a", "b"), ("ab",), (("a",), "b"), {"a": 1}, {"a": 2}, {"b": 1}, {"a": 1, "b": 2},
+        {"b": 2, "a": 1}, Pair(1, 2), Pair(2, 1), Pair(None, None), Pair((1, 2), ()),
+        Demand(1, "rise", 0, 3, False), Demand(1, "rise", 0, 3, True), Gate("OR", "p0", ("p1",)),
+        np.arange(4), np.arange(4.0), np.arange(4).reshape(2, 2), np.array([0, 1, 2, 4]),
+        np.zeros((0, 3)), np.zeros((3, 0)),
+    ]  # fmt: skip
+    found = [digest(value) for value in values]
+    assert len(set(found)) == len(values)
+    assert found == [digest(value) for value in values]
+    assert all(len(text) == len(sha256().hexdigest()) for text in found)
+    assert digest([1, 2]) == digest((1, 2))
+    with pytest.raises(TypeError, match="no digest for set"):
+        digest(Pair({1}, 2))
+
+
+@dataclass(frozen=True)
+class Mixed:
+    """Every kind of field that can be kept."""
+
+    text: str
+    number: int
+    flag: bool
+    gates: tuple[Gate, ...]
+    pair: tuple[int, str]
+    maybe: int | None
+
+
+MIXED = Mixed("ü", -(1 << 200), True, (Gate("OR", "a", ("b", "c")),), (1, "x"), None)
+
+
+def test_values_come_back_as_they_were() -> None:
+    for value in (MIXED, replace(MIXED, maybe=3, number=7, gates=())):
+        assert from_json(Mixed, to_json(value)) == value
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        b"", b"{", b"\xff", b"NaN", b"[]", b'["x", 1, true, [], [1, "x"]]',
+        b'["x", 1.5, true, [], [1, "x"], null]', b'["x", true, true, [], [1, "x"], null]',
+        b'["x", "zz", true, [], [1, "x"], null]', b'["x", 1, 1, [], [1, "x"], null]',
+        b'[null, 1, true, [], [1, "x"], null]', b'["x", 1, true, [[1]], [1, "x"], null]',
+        b'["x", 1, true, {}, [1, "x"], null]', b'["x", 1, true, [], [1, "x", 2], null]',
+        b'["x", 1, true, [], [1, "x"], "y"]', deep(50_000),
+    ],
+)  # fmt: skip
+def test_anything_else_is_refused(text: bytes) -> None:
+    with pytest.raises(ValueError):  # noqa: PT011  # json's own message or ours
+        from_json(Mixed, text)

@@ -1,0 +1,154 @@
+"""The folder of kept results: whole or not at all, bounded, and silent about a bad disk."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from nscc.cache.store import Store, cache_folder
+
+KEYS = [f"{i:064x}" for i in range(100)]
+
+
+@pytest.mark.parametrize(
+    ("environment", "folder"),
+    [
+        ({"HOME": "/h"}, "/h/.cache/nscc"),
+        ({"HOME": "/h", "XDG_CACHE_HOME": "/x"}, "/x/nscc"),
+        ({"HOME": "/h", "XDG_CACHE_HOME": "x"}, "/h/.cache/nscc"),
+        ({"HOME": "/h", "XDG_CACHE_HOME": "/x", "NSCC_CACHE_DIR": "/n"}, "/n"),
+        ({"HOME": "/h", "NSCC_CACHE_DIR": "/n", "NSCC_CACHE": "off"}, None),
+        ({"HOME": "/h", "NSCC_CACHE": "OFF"}, None),
+        ({"HOME": "/h", "NSCC_CACHE": "on"}, "/h/.cache/nscc"),
+        ({"HOME": ""}, None),
+    ],
+)
+def test_where_it_is(environment: dict[str, str], folder: str | None) -> None:
+    assert cache_folder(environment) == (None if folder is None else Path(folder))
+
+
+def test_what_is_written_is_read(tmp_path: Path) -> None:
+    store = Store(tmp_path / "not" / "there")
+    assert store.read(KEYS[0]) is None
+    assert (store.entries(), store.bytes_used(), store.writable()) == (0, 0, True)
+    for data in (b"", b"one\n\0two", b"x" * 100_000):
+        store.write(KEYS[0], data)
+        assert store.read(KEYS[0]) == data
+    assert store.read(KEYS[1]) is None
+    assert store.entries() == 1
+    assert store.bytes_used() >= 100_000
+    assert [path.name for path in store.folder.iterdir()] == [KEYS[0]]
+    assert store.folder.stat().st_mode & 0o077 == 0
+
+
+def test_a_damaged_entry_is_none_and_is_written_anew(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    store.write(KEYS[0], b"the very data")
+    whole = (tmp_path / KEYS[0]).read_bytes()
+    for place in range(len(whole)):
+        for damaged in (whole[:place], whole[:place] + b"\xfe" + whole[place + 1 :]):
+            (tmp_path / KEYS[0]).write_bytes(damaged)
+            assert store.read(KEYS[0]) is None
+    (tmp_path / KEYS[1]).write_bytes(whole)
+    assert store.read(KEYS[1]) is None, "an entry under another's name"
+    store.write(KEYS[0], b"the very data")
+    assert store.read(KEYS[0]) == b"the very data"
+
+
+def test_what_is_no_file_is_no_entry(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    (tmp_path / KEYS[0]).mkdir()
+    os.mkfifo(tmp_path / KEYS[1])
+    (tmp_path / KEYS[2]).symlink_to("/dev/zero")
+    (tmp_path / KEYS[3]).symlink_to(KEYS[3])
+    for key in KEYS[:4]:
+        assert store.read(key) is None
+        store.write(key, b"data")
+    assert store.read(KEYS[0]) is None
+    assert [store.read(key) for key in KEYS[1:4]] == [b"data"] * 3
+    assert not list(tmp_path.glob(".*.part"))
+
+
+def test_the_least_recently_used_go_first(tmp_path: Path) -> None:
+    store = Store(tmp_path, most_bytes=20_000)
+    for age, key in enumerate(KEYS[:10]):
+        store.write(key, b"x" * 1500)
+        os.utime(tmp_path / key, (1000 + age, 1000 + age))
+    (tmp_path / "notes.txt").write_text("x" * 50_000)
+    assert store.read(KEYS[0]) is not None  # now it is the youngest
+    for key in KEYS[10:20]:
+        store.write(key, b"x" * 1500)
+    assert store.bytes_used() <= 20_000
+    assert store.read(KEYS[0]) is not None
+    assert store.read(KEYS[1]) is None
+    assert store.read(KEYS[19]) is not None
+    assert (tmp_path / "notes.txt").exists()
+
+
+def test_what_is_too_large_is_not_kept(tmp_path: Path) -> None:
+    store = Store(tmp_path, most_bytes=1000)
+    store.write(KEYS[0], b"small")
+    store.write(KEYS[1], b"x" * 1000)
+    assert store.read(KEYS[1]) is None
+    assert store.read(KEYS[0]) == b"small"
+
+
+def test_what_dead_processes_left_is_cleared_away(tmp_path: Path) -> None:
+    old, young = (tmp_path / f".{key}.7.part" for key in KEYS[:2])
+    for path in (old, young):
+        path.write_bytes(b"half")
+    os.utime(old, (1000, 1000))
+    Store(tmp_path).write(KEYS[3], b"data")
+    assert not old.exists()
+    assert young.exists()
+
+
+@pytest.mark.parametrize("place", ["/proc/nscc", "/dev/null/nscc"])
+def test_where_nothing_can_be_written(place: str) -> None:
+    store = Store(Path(place))
+    store.write(KEYS[0], b"data")
+    assert store.read(KEYS[0]) is None
+    assert store.entries() == 0
+    if place.startswith("/dev"):
+        assert not store.writable()
+
+
+def test_a_full_disk_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("os.replace", full)
+    Store(tmp_path).write(KEYS[0], b"data")
+    assert list(tmp_path.iterdir()) == []
+
+
+WRITER = """
+import sys
+from pathlib import Path
+from nscc.cache.store import Store
+store = Store(Path(sys.argv[1]), most_bytes=30_000)
+for turn in range(150):
+    for i in range(8):
+        key = f"{i:064x}"
+        found = store.read(key)
+        assert found in (None, bytes([i]) * 5000), "torn"
+        store.write(key, bytes([i]) * 5000)
+"""
+
+
+def test_processes_do_not_disturb_each_other(tmp_path: Path) -> None:
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    command = [sys.executable, "-c", WRITER, str(tmp_path)]
+    running = [
+        subprocess.Popen(command, env=environment, stderr=subprocess.PIPE, text=True)
+        for _ in range(3)
+    ]
+    for process in running:
+        _, said = process.communicate(timeout=100)
+        assert process.returncode == 0, said
+    assert not list(tmp_path.glob(".*.part"))
+    assert Store(tmp_path).bytes_used() <= 30_000 + 3 * 5200

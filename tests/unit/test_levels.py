@@ -1,0 +1,90 @@
+"""Levels of effort: which one a command takes, and that more effort never costs words."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from nscc_command import invoke
+
+from nscc.diagnostics.model import Rejected
+from nscc.pipeline import LEVELS, Options, compile_file, compile_source
+from nscc.source import Source
+
+TEXTS = {
+    "b": "frame 40 slots of 1ms code stop : 0..39 open when n < stop",
+    "c": "frame 30 slots of 1ms code s : 0..25 open when s <= n < s + 5",
+    "d": "frame 14 slots of 1ms code a : 0..13 code b : 1..14 require a < b open when a <= n < b",
+    "e": "frame 9 slots of 1ms code bits : bit[9] open when bits[n]",
+    "modulo": "frame 24 slots of 1ms code p : 0..5 open when (n + p) % 6 < 2",
+}
+
+
+@pytest.mark.parametrize("lowering", ["accumulate", "edges"])
+@pytest.mark.parametrize("name", TEXTS)
+def test_more_effort_never_costs_words(name: str, lowering: str) -> None:
+    words = []
+    for level in LEVELS[:3]:
+        options = Options(level=level, codes="open", lowering=lowering, cache=False)
+        compiled = compile_source(Source("p.nsl", f"nsl 1 {TEXTS[name]}"), Path(), options)
+        words.append(compiled.lowered.schedule.words_total)
+    assert words == sorted(words, reverse=True)
+
+
+@pytest.mark.parametrize("level", [-1, 4])
+def test_there_are_no_others(level: int, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match="none of"):
+        compile_source(Source("p.nsl", "nsl 1"), Path(), Options(level=level))
+    done = invoke(["build", "p.nsl", "-O", level], tmp_path)
+    assert (done.status, done.codes) == (2, ["NS0783"])
+    assert "0<=x<=3" in done.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "level"),
+    [
+        (["check"], 1),
+        (["check", "-O", "3"], 3),
+        (["build"], 2),
+        (["build", "-O", "0"], 0),
+        (["run", "--scene", "builtin:dark", "-o", "f.npz"], 2),
+        (["shutters", "-o", "s.npz"], 2),
+        (["view"], 2),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else f"-O{value}",
+)
+def test_what_a_command_takes(
+    arguments: list[str], level: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "p.nsl").write_text(
+        "nsl 1 frame 4 slots of 1ms code stop : 1..4 open when n < stop pixels stop = 1 + x % 4"
+    )
+    taken = []
+
+    def compiled(path, options, see=None):
+        taken.append(options.level)
+        return compile_file(path, options, see)
+
+    monkeypatch.setattr("nscc.pipeline.compile_file", compiled)
+    command, *more = arguments
+    assert invoke([command, "p.nsl", *more], tmp_path).status == 0
+    assert taken == [level]
+
+
+def test_ways_out_wait_for_no_search(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A program that cannot fit: what is offered instead was compiled at -O1."""
+    from nscc import pipeline
+
+    levels = []
+    choose = pipeline.choose
+
+    def watched(program, lowering, level, **more):
+        levels.append(level)
+        return choose(program, lowering, level, **more)
+
+    monkeypatch.setattr(pipeline, "choose", watched)
+    text = "nsl 1 frame 16 slots of 1ms code bits : bit[16] open when bits[n]"
+    with pytest.raises(Rejected) as caught:
+        compile_source(Source("p.nsl", text), Path(), Options(level=3))
+    assert caught.value.diagnostics[-1].ways_out
+    assert set(levels) == {1}

@@ -1,0 +1,132 @@
+"""Measured points: medians, who dominates whom, the CSV file, the table, the diagram."""
+
+from __future__ import annotations
+
+import csv
+import io
+from decimal import Decimal
+
+import pytest
+from PIL import Image
+
+from nscc.tradeoff import device
+from nscc.tradeoff.device import processor_name
+from nscc.tradeoff.points import COLUMNS, Point, csv_text, dominated, table_text
+from nscc_runtime.diagram import Line, Mark, Panel, diagram_png, round_values
+
+
+def point(case: str, setting: str, error: float, *times_ms: float, bound: float | None = None):
+    """A point of one method."""
+    return Point(case, "m", setting, error, "words_per_frame", times_ms, bound)
+
+
+def test_median_and_spread() -> None:
+    assert point("a", "0", 1, 5.0, 1.0, 3.0).time_ms == 3.0
+    assert point("a", "0", 1, 5.0, 1.0, 3.0, 4.0).time_ms == 3.5
+    assert point("a", "0", 1, 5.0, 1.0, 3.0).spread_ms == 4.0
+    assert point("a", "0", 1, 5.0).spread_ms == 0.0
+
+
+def test_dominated() -> None:
+    points = [
+        point("a", "fast", 10, 1.0),
+        point("a", "between", 8, 5.0),
+        point("a", "between, but slower", 8, 6.0),
+        point("a", "slow", 2, 9.0),
+        point("a", "as slow and worse", 3, 9.0),
+        point("a", "worst", 11, 99.0),
+        point("a", "the fast one's twin", 10, 1.0),
+        point("b", "in another case", 100, 100.0),
+    ]
+    assert dominated(points) == [False, False, True, False, True, True, False, False]
+    assert dominated([]) == []
+
+
+def test_csv_has_the_columns_of_the_contract() -> None:
+    points = [point("b 64", "-O1", 10, 1.0), point("b 64", "-O2", 12, 3.0, 2.0)]
+    rows = list(csv.reader(io.StringIO(csv_text(points, 'A "fast" chip, 2 GHz'))))
+    assert rows == [
+        ["method", "setting", "error", "error_unit", "time_ms", "spread_ms", "device", "dominated"],
+        ["b 64, m", "-O1", "10", "words_per_frame", "1.000", "0.000", 'A "fast" chip, 2 GHz', "no"],
+        ["b 64, m", "-O2", "12", "words_per_frame", "2.500", "1.000", 'A "fast" chip, 2 GHz',
+         "yes"],
+    ]  # fmt: skip
+    assert tuple(rows[0]) == COLUMNS
+
+
+def test_table_names_a_case_once() -> None:
+    points = [
+        point("b 64", "-O1", 10, 1.0, bound=7),
+        point("b 64", "-O2", 9, 2.5),
+        point("b 64", "-O3", 9, 1234.5),
+        point("c", "-O3", 9, 2.0),
+    ]
+    lines = table_text(points, ("lowering", "level", "words")).splitlines()
+    assert [line.split() for line in lines] == [
+        ["case", "lowering", "level", "words", "bound", "ms", "spread"],
+        ["b", "64", "m", "-O1", "10", "7", "1", "0"],
+        ["-O2", "9", "2.5", "0"],
+        ["-O3", "9", "1234", "0", "dominated"],
+        ["c", "m", "-O3", "9", "2", "0"],
+    ]
+    assert len({line.index("-O") for line in lines[1:]}) == 1
+    assert all(line == line.rstrip() for line in lines)
+
+
+def test_the_processor_has_a_name(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert processor_name()
+    info = tmp_path / "cpuinfo"
+    monkeypatch.setattr(device, "_CPUINFO", info)
+    assert processor_name(), "there is no such file elsewhere"
+    info.write_text("processor\t: 0\nmodel name\t: Some   Chip (R) 3 GHz\nmodel name: other\n")
+    assert processor_name() == "Some Chip (R) 3 GHz"
+    info.write_bytes(b"model name:\n\xff")
+    assert processor_name()
+
+
+@pytest.mark.parametrize("low", [0.013, 1.0, 97.0, 1777.0])
+@pytest.mark.parametrize("ratio", [1.1, 1.2, 1.5, 2.0, 4.0, 10.0, 1e3, 1e9])
+def test_round_values(low: float, ratio: float) -> None:
+    found = round_values(low, low * ratio)
+    assert 3 <= len(found) <= 12
+    assert found == sorted(set(found))
+    assert low <= found[0]
+    assert found[-1] <= low * ratio * (1 + 1e-9)
+    digits = [Decimal(f"{value:.9g}").normalize().as_tuple().digits for value in found]
+    assert max(map(len, digits)) <= 4
+
+
+def mark(time_s: float, error: float, text: str = "1", dominated: bool = False) -> Mark:
+    return Mark(time_s, time_s / 2, time_s * 3, error, text, dominated)
+
+
+PANELS = (
+    Panel("two lines", (
+        Line("one", (mark(0.1, 10), mark(0.11, 10), mark(9, 4, "3")), bound=3.0),
+        Line("other", (mark(0.2, 4, dominated=True), mark(0.2, 4))),
+    )),
+    Panel("a single point", (Line("one", (mark(1e-4, 1000),)),)),
+    Panel("nothing", (Line("one", ()),)),
+    Panel("a fourth", (Line("third", (mark(5, 7), mark(1e3, 7.01))),)),
+)  # fmt: skip
+
+
+def test_a_diagram_of_anything(monkeypatch: pytest.MonkeyPatch) -> None:
+    sizes = []
+    for count in (1, 2, 3, 4):
+        data = diagram_png(PANELS[:count], "title", "subtitle", "words")
+        image = Image.open(io.BytesIO(data))
+        image.load()
+        sizes.append(image.size)
+    assert sizes == sorted(sizes)
+    assert len(set(sizes)) == 4
+    with pytest.raises(ValueError, match="no points"):
+        diagram_png(PANELS[2:3], "title", "subtitle", "words")
+
+
+def test_a_diagram_is_the_same_every_time() -> None:
+    import matplotlib
+
+    first = diagram_png(PANELS, "title", "subtitle", "words")
+    with matplotlib.rc_context({"lines.linewidth": 9, "axes.facecolor": "red"}):
+        assert diagram_png(PANELS, "title", "subtitle", "words") == first

@@ -1,0 +1,164 @@
+"""`nscc tradeoff synthesis`: its points are what the compiler gives, without the cache."""
+
+from __future__ import annotations
+
+import csv
+import io
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from nscc_command import invoke
+from PIL import Image
+
+from nscc.cli.table import PLANNED_TRADEOFFS
+from nscc.diagnostics.model import Rejected
+from nscc.lower.plan import LOWERINGS
+from nscc.pipeline import LEVELS, Options, compile_source
+from nscc.source import Source
+from nscc.tradeoff.synthesis import Case, builtin_cases, every_way, measure
+
+STOPS = "nsl 1 frame 8 slots of 1ms code stop : 0..7 open when n < stop "
+BUMPS = "nsl 1 frame 8 slots of 1ms code a : 0..7 code b : 1..8 require a < b open when a <= n < b "
+
+
+def case(text: str, name: str = "p") -> Case:
+    return Case(name, Source("p.nsl", text), Path(), "open")
+
+
+def test_points_are_what_the_compiler_gives(tmp_path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NSCC_CACHE_DIR", str(tmp_path / "cache"))
+    cases = [case(STOPS, "b"), case(BUMPS, "d")]
+    ways = list(every_way(cases, LOWERINGS, LEVELS))
+    assert len(ways) == len(set(ways)) == 2 * 3 * 4
+    seen = []
+
+    def progress(turns):
+        for way in turns:
+            seen.append(way)
+            yield way
+
+    found = measure(ways, 3, "all", progress)
+    assert not (tmp_path / "cache").exists(), "what is measured is not read from the cache"
+    assert seen == ways * 3, "the repeats go round"
+    served = [w for w in ways if (w.case.name, w.lowering) != ("d", "latch")]
+    assert [way for way, _ in found.refused] == [w for w in ways if w not in served]
+    assert all("NS0414" in reason for _, reason in found.refused)
+    assert len(found.points) == len(served)
+    for way, point in zip(served, found.points, strict=True):
+        assert (point.case, point.method) == (way.case.name, way.lowering)
+        assert point.setting == f"-O{way.level}"
+        assert point.error_unit == "words_per_frame"
+        assert len(point.times_ms) == 3
+        assert min(point.times_ms) > 0
+        options = Options(level=way.level, lowering=way.lowering, codes="open", cache=False)
+        compiled = compile_source(way.case.source, Path(), options)
+        assert point.error == compiled.lowered.schedule.words_total
+
+
+def test_bounds_are_those_of_the_logic_and_the_plan() -> None:
+    """b with stops 0..N-1: 2 N - 1 - 13 operations. A slot with light in it takes five analog words
+    (bus, bus; rpix, rpix, nop), the first boundary two buses for A, three words to reset, two for
+    the reference; nobody is open in the last slot, and nobody reads at boundary 0."""
+    slots = 20
+    text = STOPS.replace("frame 8", f"frame {slots}").replace("0..7", f"0..{slots - 1}")
+    [way] = every_way([case(text)], ["accumulate"], [1])
+    [logic] = measure([way], 1, "logic").points
+    assert logic.error_unit == "logic_words_per_frame"
+    assert logic.bound == 2 * slots - 1 - 13
+    assert logic.error >= logic.bound
+    [words] = measure([way], 1, "all").points
+    lit = slots - 1
+    assert words.bound == logic.bound + 2 + 3 + 2 + lit * 2 + (lit - 1) * 3
+    assert words.error >= words.bound
+    [other] = measure([replace(way, lowering="edges")], 1, "all").points
+    assert other.bound is None
+
+
+def test_a_program_that_is_wrong_is_rejected() -> None:
+    with pytest.raises(Rejected):
+        measure(list(every_way([case("nsl 1 frame")], LOWERINGS, [1])), 1, "all")
+
+
+def test_builtin_cases_have_all_classes() -> None:
+    classes = {
+        compile_source(c.source, c.base, Options(level=0, codes=c.codes)).program.class_name
+        for c in builtin_cases()
+    }
+    assert classes == {"b", "c", "d", "e", "codebook"}
+    assert len({c.name for c in builtin_cases()}) == len(builtin_cases())
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder with two programs."""
+    (tmp_path / "stops.nsl").write_text(STOPS + "pixels stop = x % 8")
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "stops.nsl").write_text(STOPS)
+    return tmp_path
+
+
+def test_command_writes_table_csv_and_picture(folder: Path) -> None:
+    arguments = ["tradeoff", "synthesis", "stops.nsl", "--repeats", "2", "-o", "out"]
+    done = invoke(arguments, folder)
+    assert done.status == 0, done.err
+    rows = list(csv.DictReader(io.StringIO((folder / "out.csv").read_text())))
+    assert [row["setting"] for row in rows] == ["-O0", "-O1", "-O2", "-O3"] * 3
+    assert {row["method"] for row in rows} == {f"stops, {name}" for name in LOWERINGS}
+    for row in rows:
+        assert row["error"] in done.out
+        better = [
+            other for other in rows
+            if float(other["error"]) <= float(row["error"])
+            and float(other["time_ms"]) <= float(row["time_ms"])
+            and (other["error"], other["time_ms"]) != (row["error"], row["time_ms"])
+        ]  # fmt: skip
+        assert row["dominated"] == ("yes" if better else "no")
+    Image.open(folder / "out.png").load()
+    assert "wrote out.csv, out.png" in done.err
+
+
+def test_command_takes_a_choice(folder: Path) -> None:
+    arguments = ["tradeoff", "synthesis", "stops.nsl", "other/stops.nsl", "stops.nsl"]
+    arguments += ["--levels", "1, 0", "--lowerings", "edges,accumulate", "--repeats", "1"]
+    done = invoke([*arguments, "--csv", "a.csv", "--count", "logic"], folder)
+    assert done.status == 0, done.err
+    rows = list(csv.DictReader(io.StringIO((folder / "a.csv").read_text())))
+    assert [(row["method"], row["setting"]) for row in rows] == [
+        (f"{name}, {lowering}", level)
+        for name in ("stops.nsl", "other/stops.nsl")
+        for lowering in ("accumulate", "edges")
+        for level in ("-O0", "-O1")
+    ]
+    assert {row["error_unit"] for row in rows} == {"logic_words_per_frame"}
+    assert sorted(path.name for path in folder.iterdir()) == ["a.csv", "other", "stops.nsl"]
+
+
+def test_nothing_that_fits(folder: Path) -> None:
+    (folder / "d.nsl").write_text(BUMPS)
+    arguments = ["tradeoff", "synthesis", "d.nsl", "--lowerings", "latch", "--repeats", "1"]
+    done = invoke([*arguments, "-o", "out"], folder)
+    assert done.status == 1
+    assert "d, latch, -O0 -O1 -O2 -O3: " in done.out
+    assert not (folder / "out.csv").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (["synthesis", "--levels", "4"], "NS0783"),
+        (["synthesis", "--levels", ""], "NS0783"),
+        (["synthesis", "--lowerings", "auto"], "NS0783"),
+        (["synthesis", "--repeats", "0"], "NS0783"),
+        (["synthesis", "none.nsl"], "NS0101"),
+        (["synthesis", "stops.nsl", "--repeats", "1", "-o", "no/where"], "NS0784"),
+        (["sinthesis"], "NS0781"),
+        (["--frobnicate"], "NS0782"),
+        ([], "NS0780"),
+        *(([name, "x", "--json"], "NS0786") for name in PLANNED_TRADEOFFS),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else value,
+)
+def test_wrong_usage(folder: Path, arguments: list[str], code: str) -> None:
+    done = invoke(["tradeoff", *arguments], folder)
+    assert (done.status, done.codes) == (2, [code])
