@@ -23,6 +23,7 @@ SUFFIXES = {
     "schedule": ".schedule",
     "asm": ".asm",
     "icw": ".icw",
+    "cpp": ".cpp",
     "report": ".report.json",
     "dot": ".dot",
 }
@@ -68,7 +69,15 @@ def command(
     if out is not None or not wanted:
         wanted.setdefault("icw", False)
     for kind, to_terminal in wanted.items():
-        data = _product(kind, compiled)
+        if kind == "cpp":
+            data, images = _devkit(compiled, container)
+            if to_terminal and images:
+                names = ", ".join(path.name for path in images)
+                click.echo(f"not written: {names}, without `=-` they are", err=True)
+            elif not to_terminal:
+                products.update(images)
+        else:
+            data = _product(kind, compiled)
         if to_terminal:
             printed.append(kind)
             _print(data)
@@ -86,12 +95,10 @@ def _kinds(text: str) -> dict[str, bool]:
     for item in filter(None, (part.strip() for part in text.split(","))):
         kind, _, place = item.partition("=")
         if kind not in SUFFIXES or place not in ("", "-"):
-            absent = kind == "cpp"
             raise Rejected(
                 Diagnostic(
                     "NS0505",
-                    f"--emit cannot write '{item}'"
-                    + (": C++ for the devkit is not in this version" if absent else ""),
+                    f"--emit cannot write '{item}'",
                     notes=("kinds: " + ", ".join(SUFFIXES) + "; KIND=- prints to standard output",),
                 ),
                 status=2,
@@ -190,6 +197,18 @@ def _product(kind: str, compiled: Compiled) -> bytes:
             from nscc.words.file import to_bytes
 
             return to_bytes(container)
+
+
+def _devkit(compiled: Compiled, container: Path) -> tuple[bytes, dict[Path, bytes]]:
+    """The C++ program, and the images that go beside it."""
+    from nscc.emit.cpp import devkit_program
+
+    assert compiled.lowered is not None
+    assert compiled.container is not None
+    stem = container.with_suffix("").name
+    made = devkit_program(compiled.tree, compiled.lowered, compiled.container, stem)
+    images = {container.with_name(name): data for name, data in made.images.items()}
+    return made.text.encode(), images
 
 
 def _print(data: bytes) -> None:

@@ -11,7 +11,13 @@ import pytest
 from nscc_command import invoke
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGES = ("README.md", "docs/language.md", "docs/levels.md", "examples/README.md")
+PAGES = (
+    "README.md",
+    "docs/language.md",
+    "docs/levels.md",
+    "docs/cpp.md",
+    "examples/README.md",
+)
 
 
 def blocks(page: str, language: str) -> list[str]:

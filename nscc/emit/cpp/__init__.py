@@ -1,0 +1,5 @@
+"""C++ for the SCAMP-5d devkit, written from the words of a compiled program."""
+
+from nscc.emit.cpp.program import DevkitProgram, devkit_program
+
+__all__ = ["DevkitProgram", "devkit_program"]

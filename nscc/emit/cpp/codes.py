@@ -1,0 +1,295 @@
+"""Loading the pixels' codes: by address patterns where a plane is a tile, else from an image.
+
+Digital memory fades, and an image takes 0.1 to 0.3 s to draw: all code registers are refreshed
+after each plane, while an image is awaited and every few rows of a drawing. The register that is
+masked comes first, while its mask can be held at 1, and the mask's own code last.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.emit.cpp.bitmap import image_width
+from nscc.emit.cpp.kernels import calls_words
+from nscc.emit.cpp.patterns import Match, Patterns, patterns_of
+from nscc.emit.cpp.text import Call, comment, literal, section
+from nscc.lower.timeline import RETENTION_SHARE
+from nscc.target.model import Target
+
+_ROWS_BETWEEN_REFRESHES = 16
+_REFRESHES_IN_A_LIFE = 4
+
+
+@dataclass(frozen=True)
+class PlaneLoad:
+    """How one code register is filled.
+
+    Without `patterns` its plane comes as the image `file`. `scratch` gathers one pattern after the
+    other; where no register is free for that, several patterns are drawn pixel by pixel.
+    """
+
+    register: str
+    masked: bool
+    patterns: Patterns | None
+    scratch: str | None
+    file: str
+
+    @property
+    def gathered(self) -> bool:
+        """Whether the plane is put together from several patterns."""
+        return self.patterns is not None and len(self.patterns.matches) > 1
+
+    @property
+    def drawn(self) -> bool:
+        """Whether its patterns are drawn pixel by pixel."""
+        return self.gathered and self.scratch is None
+
+    @property
+    def cleared(self) -> tuple[str, ...]:
+        """The registers that are cleared before."""
+        return (self.register, self.scratch) if self.gathered and self.scratch else (self.register,)
+
+
+@dataclass(frozen=True)
+class Loading:
+    """The loads in their order, for the registers of `target`."""
+
+    target: Target
+    loads: tuple[PlaneLoad, ...]
+
+    @property
+    def images(self) -> tuple[PlaneLoad, ...]:
+        """The loads whose planes come as images."""
+        return tuple(load for load in self.loads if load.patterns is None)
+
+    @property
+    def words(self) -> int:
+        """Words of the kernels that load and refresh."""
+        kernels = [self.refresh_calls()] if self.loads else []
+        for load in self.loads:
+            kernels += self.kernels_of(load)
+        return sum(map(calls_words, kernels))
+
+    def refresh_calls(self) -> list[Call]:
+        """A kernel that writes every code register back to itself."""
+        registers = [load.register for load in self.loads]
+        masked, mask = self.target.masked_register, self.target.mask_register
+        out: list[Call] = []
+        if masked in registers and mask is not None:
+            if mask in registers:
+                # The mask's code waits in FLAG, and moving it back refreshes it.
+                out += [("WHERE", (mask,)), ("SET", (mask,)), ("REFRESH", (masked,))]
+                out.append(("MOV", (mask, "FLAG")))
+                registers.remove(mask)
+            else:
+                out += [("SET", (mask,)), ("REFRESH", (masked,))]
+            registers.remove(masked)
+        return out + [("REFRESH", (register,)) for register in registers]
+
+    def clear_calls(self, load: PlaneLoad) -> list[Call]:
+        """The kernel before a load."""
+        mask = self.target.mask_register
+        held = [("SET", (mask,))] if load.masked and mask is not None else []
+        return [*held, ("CLR", load.cleared)]
+
+    def add_calls(self, load: PlaneLoad) -> list[Call]:
+        """The kernel that adds one pattern."""
+        assert load.scratch is not None
+        return [("OR", (load.register, load.scratch)), ("CLR", (load.scratch,))]
+
+    def kernels_of(self, load: PlaneLoad) -> list[list[Call]]:
+        """All kernels of one load."""
+        kernels = [self.clear_calls(load)]
+        if load.gathered and load.scratch:
+            kernels.append(self.add_calls(load))
+        if load.patterns is not None and load.patterns.inverted and not load.drawn:
+            kernels.append([("NOT", (load.register,))])
+        return kernels
+
+
+def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> Loading:
+    """How to fill the code registers with `planes`, given in the order of loading.
+
+    Images are named after `stem`.
+    """
+    order = list(planes)
+    mask, masked = target.mask_register, target.masked_register
+    free = [r for r in target.digital_registers if r not in planes and r != masked]
+    loads = []
+    for index, (register, plane) in enumerate(planes.items()):
+        later = [r for r in order[index + 1 :] if r != masked]
+        usable = [r for r in (*free, *later) if not (r == mask and register == masked)]
+        loads.append(
+            PlaneLoad(
+                register, register == masked, patterns_of(plane),
+                usable[0] if usable else None, f"{stem}.{register}.bmp",
+            )
+        )  # fmt: skip
+    return Loading(target, tuple(loads))
+
+
+def loading_lines(loading: Loading) -> Iterator[str]:
+    """Tables and functions, the last of which is `load_codes`."""
+    rows, cols = loading.target.rows, loading.target.cols
+    yield from comment(
+        "Digital memory fades when it is not written for a while: all codes are written back after "
+        "each plane, and again and again during what takes long."
+    )
+    if loading.refresh_calls()[0][0] == "WHERE":
+        yield from comment(
+            f"{loading.target.masked_register} takes a write only where "
+            f"{loading.target.mask_register} is 1, whose own code waits in FLAG meanwhile."
+        )
+    yield "void refresh_codes() {"
+    yield from section(loading.refresh_calls())
+    yield "}"
+    if loading.images or any(load.drawn for load in loading.loads):
+        yield ""
+        yield f"const int rows = {rows}, cols = {cols};"
+    if any(load.gathered for load in loading.loads):
+        yield from _match_lines(any(load.drawn for load in loading.loads))
+    if loading.images:
+        yield from _image_lines(loading.target)
+    for load in loading.loads:
+        yield ""
+        yield from _load_lines(loading, load)
+    yield ""
+    yield "void load_codes() {"
+    for load in loading.loads:
+        yield f"    load_{load.register.lower()}();"
+        yield "    refresh_codes();"
+    yield "}"
+
+
+def _match_lines(drawn: bool) -> Iterator[str]:
+    yield ""
+    yield from comment("All pixels whose address is (row, col) but for the bits set in the masks.")
+    yield "struct Match {"
+    yield "    uint8_t row, col, row_mask, col_mask;"
+    yield "};"
+    if drawn:
+        yield ""
+        yield "template <int count>"
+        yield "bool among(const Match (&matches)[count], int row, int col) {"
+        yield "    for (const Match &match : matches) {"
+        yield "        if (((row ^ match.row) & ~match.row_mask) == 0 &&"
+        yield "            ((col ^ match.col) & ~match.col_mask) == 0) {"
+        yield "            return true;"
+        yield "        }"
+        yield "    }"
+        yield "    return false;"
+        yield "}"
+
+
+def _image_lines(target: Target) -> Iterator[str]:
+    width = image_width(target.cols)
+    yield ""
+    yield from comment(
+        "Draws an image onto a cleared plane. Column 0 of the image is its left one, column 0 of "
+        "the array the right one."
+    )
+    yield "template <class Plane>"
+    yield "void draw(const vs_dotmat &image, const Plane &plane) {"
+    yield "    const uint8_t *bits = static_cast<const uint8_t *>(image.get_buffer());"
+    yield "    scamp5_draw_begin(plane);"
+    yield "    for (int row = 0; row < rows; ++row) {"
+    yield "        for (int x = 0; x < cols; ++x) {"
+    yield f"            if (bits[(row * {width} + x) / 8] >> x % 8 & 1) {{"
+    yield "                scamp5_draw_pixel(row, cols - 1 - x);"
+    yield "            }"
+    yield "        }"
+    yield from _refresh_between_rows()
+    yield "    }"
+    yield "    scamp5_draw_end();"
+    yield "}"
+    yield ""
+    yield from comment(
+        "Asks the host for an image until it is there, with the right size: a request that is not "
+        "answered in time, or was not taken, is made again."
+    )
+    yield "template <class Plane>"
+    yield "void load_image(const char *file, const Plane &plane) {"
+    yield "    bool drawn = false;"
+    yield "    while (!drawn) {"
+    yield "        bool answered = false;"
+    yield "        vs_gui_request_image(file, 1, [&](const vs_dotmat &image, int status) {"
+    yield "            answered = true;"
+    yield f"            if (status >= 0 && image.get_width() == {width} &&"
+    yield "                image.get_height() == rows) {"
+    yield "                draw(image, plane);"
+    yield "                drawn = true;"
+    yield "            }"
+    yield "        });"
+    yield "        for (int turn = 0; turn < 20 && !answered; ++turn) {"
+    yield "            vs_frame_loop_control();"
+    yield "            refresh_codes();"
+    yield "        }"
+    yield "    }"
+    yield "}"
+
+
+def _refresh_between_rows() -> Iterator[str]:
+    yield f"        if (row % {_ROWS_BETWEEN_REFRESHES} == {_ROWS_BETWEEN_REFRESHES - 1}) {{"
+    yield "            refresh_codes();"
+    yield "        }"
+
+
+def _load_lines(loading: Loading, load: PlaneLoad) -> Iterator[str]:
+    register, patterns = load.register, load.patterns
+    name = register.lower()
+    if load.gathered:
+        assert patterns is not None
+        yield f"const Match code_{name}[] = {{"
+        for start in range(0, len(patterns.matches), 4):
+            part = patterns.matches[start : start + 4]
+            yield "    " + " ".join(f"{{{_operands(match)}}}," for match in part)
+        yield "};"
+        yield ""
+    yield f"void load_{name}() {{"
+    yield from section(loading.clear_calls(load))
+    if patterns is None:
+        yield f"    load_image({literal(load.file)}, {register});"
+    elif load.drawn:
+        yield from _drawn_lines(load, patterns)
+    elif load.gathered:
+        yield f"    for (const Match &match : code_{name}) {{"
+        yield f"        scamp5_load_pattern({load.scratch}, match.row, match.col, match.row_mask,"
+        yield "                            match.col_mask);"
+        yield from section(loading.add_calls(load), "        ")
+        yield "    }"
+    else:
+        for match in patterns.matches:
+            yield f"    scamp5_load_pattern({register}, {_operands(match)});"
+    if patterns is not None and patterns.inverted and not load.drawn:
+        yield from section([("NOT", (register,))])
+    yield "}"
+
+
+def _drawn_lines(load: PlaneLoad, patterns: Patterns) -> Iterator[str]:
+    """Drawn at once, for want of a register in which to gather the patterns."""
+    inverted = "!" if patterns.inverted else ""
+    yield f"    scamp5_draw_begin({load.register});"
+    yield "    for (int row = 0; row < rows; ++row) {"
+    yield "        for (int col = 0; col < cols; ++col) {"
+    yield f"            if ({inverted}among(code_{load.register.lower()}, row, col)) {{"
+    yield "                scamp5_draw_pixel(row, col);"
+    yield "            }"
+    yield "        }"
+    yield from _refresh_between_rows()
+    yield "    }"
+    yield "    scamp5_draw_end();"
+
+
+def _operands(match: Match) -> str:
+    return f"{match.row}, {match.col}, {match.row_mask}, {match.col_mask}"
+
+
+def loading_rate(target: Target) -> int:
+    """A rate in Hz for the loop that awaits images: several refreshes in the life of a bit."""
+    life_us = RETENTION_SHARE * target.digital_retention_us
+    return max(1, ceil(_REFRESHES_IN_A_LIFE * 1e6 / life_us))

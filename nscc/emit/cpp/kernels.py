@@ -1,0 +1,138 @@
+"""Kernels as C++: calls of the devkit's library where they say exactly the words, else tables.
+
+A call is taken only if `nscc.words.macros` writes it out as just these words and the library has it
+with so many operands; a kernel with one word that no call says is a constant table as a whole.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cache, lru_cache
+from itertools import product
+
+from nscc.emit.cpp.text import Call, call_text, remarked
+from nscc.words.container import Word
+from nscc.words.encoding import decode, word_text
+from nscc.words.macros import MNEMONICS, OperandError, expand
+from nscc.words.operations import ANALOG_WRITE, DIGITAL_WRITE, Effect, Op, Phase
+
+MOST_SOURCES = {"OR": 4, "NOR": 4, "WHERE": 3}
+"""Most sources that the library's calls take; the array itself takes any number."""
+
+MOST_DESTINATIONS = 4
+"""Most registers that one call of SET or CLR takes."""
+
+# What reads best comes first where two macros are the same words: getpix is sub of PIX.
+_MACROS = (
+    "respix", "get_image", "res", "getpix", "neg", "mov", "add", "sub", "abs", "div", "diva",
+    "AND", "NAND", "ANDX", "NANDX", "IMP", "NIMP", "CLR_IF", "XORX", "MUX",
+    "REFRESH", "NOT", "OR", "NOR",
+)  # fmt: skip
+_MOST_OPERANDS = 4
+
+
+def calls(words: Sequence[Word]) -> list[tuple[Call, tuple[Op, ...]]] | None:
+    """Library calls that record exactly `words`, each with its words; None if there are none."""
+    ops = tuple(decode(word) for word in words)
+    found: list[tuple[Call, tuple[Op, ...]]] = []
+    at = 0
+    while at < len(ops):
+        for length in _lengths():
+            window = ops[at : at + length]
+            call = _macro(window) if len(window) == length > 1 else None
+            if length == 1:
+                call = _single(ops[at])
+            if call is not None:
+                found.append((call, window))
+                at += length
+                break
+        else:
+            return None
+    return found
+
+
+def calls_words(made: Sequence[Call]) -> int:
+    """Number of words that calls record."""
+    return sum(len(expand(name, operands)) for name, operands in made)
+
+
+def kernel_lines(name: str, words: Sequence[Word]) -> Iterator[str]:
+    """The definition of a function `name` that launches a kernel of `words`."""
+    said = calls(words)
+    if said is None:
+        rows = [(f"    {{{_integers(word)}}},", str(decode(word))) for word in words]
+        yield f"const uint32_t {name}_words[][5] = {{"
+        yield from remarked(rows)
+        yield "};"
+        yield f"void {name}() {{ scamp5_kernel({name}_words, {len(words)}), Run(); }}"
+        return
+    body = [
+        (f"        {call_text(call)}", "; ".join(str(word) for word in window))
+        for call, window in said
+    ]
+    yield f"void {name}() {{"
+    yield "    scamp5_kernel_begin();"
+    yield from remarked(body)
+    yield "    scamp5_kernel_end();"
+    yield "}"
+
+
+def _integers(word: Word) -> str:
+    return word_text(word).replace(" ", ", ")
+
+
+@cache
+def _lengths() -> tuple[int, ...]:
+    """Numbers of words that a macro may have, the largest first."""
+    return tuple(sorted({1, *map(len, _shapes())}, reverse=True))
+
+
+@cache
+def _shapes() -> dict[tuple[str, ...], list[tuple[str, int]]]:
+    """Macros with their numbers of operands, by the names of the operations they stand for."""
+    shapes: dict[tuple[str, ...], list[tuple[str, int]]] = {}
+    for name in _MACROS:
+        least, most = MNEMONICS[name].least, MNEMONICS[name].most or 2
+        for count in range(least, min(most, _MOST_OPERANDS) + 1):
+            for registers in (("A", "B", "C", "D"), ("R1", "R2", "R3", "R4")):
+                try:
+                    ops = expand(name, registers[:count])
+                except OperandError:
+                    continue
+                shape = tuple(operation.name for operation in ops)
+                if len(shape) > 1 and (name, count) not in shapes.setdefault(shape, []):
+                    shapes[shape].append((name, count))
+    return shapes
+
+
+@lru_cache(maxsize=1 << 14)
+def _macro(window: tuple[Op, ...]) -> Call | None:
+    """The macro that stands for just these words, if one does."""
+    registers = list(dict.fromkeys(r for o in window for r in (*o.destinations, *o.sources)))
+    for name, count in _shapes().get(tuple(operation.name for operation in window), []):
+        usable = [r for r in registers if r not in MNEMONICS[name].scratch]
+        for operands in product(usable, repeat=count):
+            try:
+                if expand(name, operands) == window:
+                    return name, operands
+            except OperandError:
+                continue
+    return None
+
+
+def _single(operation: Op) -> Call | None:
+    """The call of one word by itself, if the library has it with so many operands."""
+    if operation.operation.phase is not Phase.WHOLE:
+        return None
+    if len(operation.sources) > MOST_SOURCES.get(operation.name, len(operation.sources)):
+        return None
+    if operation.operation.effect is Effect.DIGITAL and (
+        len(operation.destinations) > MOST_DESTINATIONS
+    ):
+        return None
+    return operation.name, (*operation.destinations, *operation.sources)
+
+
+DEVKIT_ANALOG = frozenset(ANALOG_WRITE)
+DEVKIT_DIGITAL = frozenset(f"R{i}" for i in range(13)) & frozenset(DIGITAL_WRITE)
+"""The registers that the devkit has names for."""

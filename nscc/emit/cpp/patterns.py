@@ -1,0 +1,118 @@
+"""Planes as unions of address patterns: what the array's row and column match can set at once.
+
+The devkit counts rows from the top and columns from the right: pixel (row y, column x) has the
+address (y, cols - 1 - x). A pattern names some bits of both and leaves the others open.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+ADDRESS_BITS = 8
+"""Bits of a row's address, and of a column's."""
+
+MOST_BITS = 10
+"""Most address bits that a plane may hang on to be made of patterns: a tile of 32 x 32 pixels.
+Beyond that an image, drawn pixel by pixel, is shorter."""
+
+_SIDE = 1 << ADDRESS_BITS
+_OPEN = _SIDE - 1
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Match:
+    """All pixels whose address agrees with (row, col) in the bits that are not set in the masks."""
+
+    row: int
+    col: int
+    row_mask: int
+    col_mask: int
+
+
+@dataclass(frozen=True, slots=True)
+class Patterns:
+    """A plane as the union of `matches`, or as what they leave out if `inverted`."""
+
+    matches: tuple[Match, ...]
+    inverted: bool
+
+
+def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
+    """`plane` bool (rows, cols) as address patterns; None if it hangs on too many address bits.
+
+    Addresses outside the array are free to match.
+    """
+    rows, cols = plane.shape
+    on, off = (np.zeros((_SIDE, _SIDE), dtype=np.bool_) for _ in range(2))
+    on[:rows, :cols] = plane[:, ::-1]
+    off[:rows, :cols] = ~plane[:, ::-1]
+    one, zero, bits = _support(on, off)
+    if len(bits) > MOST_BITS:
+        return None
+    everything = (1 << (1 << len(bits))) - 1
+    plain, _ = _cover(one, everything & ~zero, len(bits))
+    other, _ = _cover(zero, everything & ~one, len(bits))
+    inverted = len(other) + 1 < len(plain)  # inverting is a kernel of its own
+    cubes = other if inverted else plain
+    return Patterns(tuple(sorted(_match(cube, bits) for cube in cubes)), inverted)
+
+
+_Bit = tuple[bool, int]
+"""An address bit: whether it is the column's, and its value."""
+
+_Cube = tuple[int, int]
+"""Variables that are named, and those of them that are 1."""
+
+
+def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, list[_Bit]]:
+    """Truth tables of both planes over the address bits they hang on, and these, lowest first."""
+    cube = (2,) * (2 * ADDRESS_BITS)
+    on, off = on.reshape(cube), off.reshape(cube)
+    bits: list[_Bit] = []
+    for index in range(2 * ADDRESS_BITS):
+        on_0, on_1 = np.take(on, [0], index), np.take(on, [1], index)
+        off_0, off_1 = np.take(off, [0], index), np.take(off, [1], index)
+        if (on_0 & off_1).any() or (on_1 & off_0).any():
+            bits.append((index >= ADDRESS_BITS, 1 << (ADDRESS_BITS - 1 - index % ADDRESS_BITS)))
+        else:
+            on, off = on_0 | on_1, off_0 | off_1
+    return _table(on), _table(off), bits[::-1]
+
+
+def _table(plane: NDArray[np.bool_]) -> int:
+    return int.from_bytes(np.packbits(plane.ravel(), bitorder="little").tobytes(), "little")
+
+
+def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
+    """An irredundant union of cubes between two truth tables, and its own (Minato, Morreale)."""
+    if not needed:
+        return [], 0
+    if allowed == (1 << (1 << bits)) - 1:
+        return [(0, 0)], allowed
+    variable, half = 1 << (bits - 1), 1 << (bits - 1)
+    low = (1 << half) - 1
+    needed_0, needed_1 = needed & low, needed >> half
+    allowed_0, allowed_1 = allowed & low, allowed >> half
+    cubes_0, covered_0 = _cover(needed_0 & ~allowed_1, allowed_0, bits - 1)
+    cubes_1, covered_1 = _cover(needed_1 & ~allowed_0, allowed_1, bits - 1)
+    left = (needed_0 & ~covered_0) | (needed_1 & ~covered_1)
+    both, covered = _cover(left, allowed_0 & allowed_1, bits - 1)
+    cubes = [
+        *((named | variable, ones) for named, ones in cubes_0),
+        *((named | variable, ones | variable) for named, ones in cubes_1),
+        *both,
+    ]
+    return cubes, (covered_0 | covered) | (covered_1 | covered) << half
+
+
+def _match(cube: _Cube, bits: list[_Bit]) -> Match:
+    named, ones = cube
+    value, mask = [0, 0], [_OPEN, _OPEN]
+    for index, (column, bit) in enumerate(bits):
+        if named >> index & 1:
+            mask[column] &= ~bit
+            value[column] |= bit if ones >> index & 1 else 0
+    return Match(value[0], value[1], mask[0], mask[1])

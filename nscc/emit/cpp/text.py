@@ -1,0 +1,65 @@
+"""The small pieces of C++ text: comments that stay comments, strings, sections of kernels."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from textwrap import wrap
+
+WIDTH = 100
+
+Call = tuple[str, tuple[str, ...]]
+"""A call of the devkit's kernel library: its name and its operands."""
+
+
+def safe(text: str) -> str:
+    """`text` as part of a `//` comment: one line of printable ASCII.
+
+    A backslash would join the next line to the comment, and `??/` is one to older compilers.
+    """
+    shown = "".join(ch if " " <= ch <= "~" else "?" for ch in text)
+    return shown.replace("\\", "/").replace("??", "? ?").strip()
+
+
+def comment(text: str, indent: str = "") -> list[str]:
+    """A comment of as many lines as it takes."""
+    head = f"{indent}// "
+    return [head + line for line in wrap(safe(text), WIDTH - len(head)) or [""]]
+
+
+def entry(title: str, text: str) -> list[str]:
+    """A line of the header: a title in a column of its own, and what it says."""
+    first, *more = comment(text, " " * 11)
+    return [f"// {title:<11}{first[14:]}", *("// " + " " * 11 + line[14:] for line in more)]
+
+
+def literal(text: str) -> str:
+    """`text` as a C string literal, in UTF-8."""
+    return '"' + "".join(map(_literal_byte, text.encode("utf-8", "replace"))) + '"'
+
+
+def _literal_byte(byte: int) -> str:
+    if byte in b'"\\?' or not 0x20 <= byte <= 0x7E:
+        return f"\\{byte:03o}"  # three digits: a following digit cannot belong to it
+    return chr(byte)
+
+
+def call_text(call: Call) -> str:
+    """The call as C++."""
+    name, operands = call
+    return f"{name}({', '.join(operands)});"
+
+
+def section(calls: Iterable[Call], indent: str = "    ") -> list[str]:
+    """A kernel that is recorded where it stands at its first run, and launched."""
+    return [
+        f"{indent}scamp5_kernel_begin();",
+        *(f"{indent}    {call_text(call)}" for call in calls),
+        f"{indent}scamp5_kernel_end();",
+    ]
+
+
+def remarked(lines: Sequence[tuple[str, str]], column: int = 44) -> Iterator[str]:
+    """Lines with a comment each, the comments one under the other."""
+    at = max([column, *(len(text) + 2 for text, remark in lines if remark and len(text) < 76)])
+    for text, remark in lines:
+        yield f"{text:<{at}}// {safe(remark)}" if remark else text
