@@ -35,6 +35,9 @@ PASSES = ("parse", "program", "lower", "plan", "gates", "schedule", "words", "pr
 
 LEVELS = (0, 1, 2, 3)
 
+QUICK_LEVEL = 1
+"""Several programs are compiled for one error message: with no more effort than this each."""
+
 
 @dataclass(frozen=True)
 class Options:
@@ -43,7 +46,7 @@ class Options:
     `target` (a value, or a name or file as `--target` takes it) overrides the program's own.
     `price_all` lowers in every way, for the report's alternatives. Without `unproved_is_error`,
     what only a search can tell is a note. With `suggest`, nearby programs that fit are looked for
-    when one does not.
+    when one does not. `max_words_per_slot` limits the words, digital and analog, of every boundary.
     """
 
     level: int = 1
@@ -53,6 +56,7 @@ class Options:
     price_all: bool = False
     unproved_is_error: bool = True
     suggest: bool = True
+    max_words_per_slot: int | None = None
 
 
 @dataclass(frozen=True)
@@ -106,7 +110,13 @@ def compile_source(
     fault = capacity_fault(program)
     if fault is not None:
         raise Rejected([*messages, *_with_ways_out([fault], program, base, options)])
-    choice = choose(program, options.lowering, options.level, price_all=options.price_all)
+    choice = choose(
+        program,
+        options.lowering,
+        options.level,
+        price_all=options.price_all,
+        most_words=options.max_words_per_slot,
+    )
     see("lower", choice)
     lowered = choice.best
     if lowered is None:
@@ -149,16 +159,23 @@ def _with_ways_out(
     """The same diagnostics; nearby programs are compiled for those that ask for less."""
     if not options.suggest or not any(has_ways_out(d) for d in wrong):
         return wrong
+    alike = replace(
+        options, target=program.target, suggest=False, price_all=False, unproved_is_error=True
+    )
 
-    def attempt(source: Source, codes: Codes) -> Lowered | None:
-        tried = Options(codes=codes, target=program.target, suggest=False)
+    def attempt(source: Source, codes: Codes, *, patient: bool = False) -> Lowered | None:
+        level = options.level if patient else min(options.level, QUICK_LEVEL)
         try:
-            return compile_source(source, base, tried).lowered
+            return compile_source(source, base, replace(alike, codes=codes, level=level)).lowered
         except Rejected:
             return None
 
-    found = tuple(ways_out(program, attempt))
-    return [replace(d, ways_out=found) if has_ways_out(d) else d for d in wrong]
+    found = ways_out(program, attempt)
+    texts = tuple(way.text for way in found)
+    data = {key: value for way in found for key, value in way.data.items()}
+    return [
+        replace(d, ways_out=texts, data={**d.data, **data}) if has_ways_out(d) else d for d in wrong
+    ]
 
 
 def _no_such_level(level: int) -> Diagnostic:

@@ -10,8 +10,8 @@ import click
 from nscc.cli.programs import BuildChoice, build_options, compile_program
 from nscc.cli.support import CommonCommand, say
 from nscc.diagnostics.model import Diagnostic, Rejected
-from nscc.lower.fit import time_text
 from nscc.lower.ledger import ledger
+from nscc.lower.resources import time_text
 from nscc.program.problems import counted
 
 if TYPE_CHECKING:
@@ -29,13 +29,14 @@ def command(
     codes: str | None,
     lowering: str | None,
     target: str | None,
+    max_words_per_slot: int | None,
 ) -> None:
     """Check programs: what they are, whether they fit the chip, and that their words are right.
 
     Lowers at -O1 and proves that. Where only a search can tell whether a program fits, a note says
     that `nscc build` decides.
     """
-    choice = BuildChoice(level, codes, lowering, target)
+    choice = BuildChoice(level, codes, lowering, target, max_words_per_slot)
     wrong: list[Diagnostic] = []
     status = 0
     for path in files:

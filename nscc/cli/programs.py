@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -28,11 +28,12 @@ class BuildChoice:
     codes: str | None = None
     lowering: str | None = None
     target: str | None = None
+    max_words_per_slot: int | None = None
 
     @classmethod
     def of(cls, options: Mapping[str, Any]) -> BuildChoice:
         """From a command's options by name."""
-        return cls(options["level"], options["codes"], options["lowering"], options["target"])
+        return cls(**{field.name: options[field.name] for field in fields(cls)})
 
     def given(self) -> list[str]:
         """The options that were given, as the user spells them."""
@@ -41,12 +42,13 @@ class BuildChoice:
             ("--codes", self.codes),
             ("--lowering", self.lowering),
             ("--target", self.target),
+            ("--max-words-per-slot", self.max_words_per_slot),
         )
         return [name for name, value in named if value is not None]
 
 
 def build_options(function: Command) -> Command:
-    """Adds -O, --codes, --lowering and --target as `level`, `codes`, `lowering`, `target`."""
+    """Adds the options of BuildChoice, under the names of its fields."""
     options = (
         click.option(
             "-O", "level", type=click.IntRange(0, 3), help="How hard to optimise (default: 1)."
@@ -63,6 +65,12 @@ def build_options(function: Command) -> Command:
         ),
         click.option(
             "--target", metavar="NAME|FILE.toml", help="The chip, instead of the program's own."
+        ),
+        click.option(
+            "--max-words-per-slot",
+            metavar="W",
+            type=click.IntRange(min=1),
+            help="Reject what executes more words than this in any slot.",
         ),
     )
     for option in reversed(options):
@@ -83,6 +91,7 @@ def compile_program(path: Path, choice: BuildChoice, **more: Any) -> Compiled:
         "codes": choice.codes,
         "lowering": choice.lowering,
         "target": choice.target,
+        "max_words_per_slot": choice.max_words_per_slot,
     }
     changes: dict[str, Any] = {k: v for k, v in given.items() if v is not None}
     return compile_file(path, replace(Options(), **changes, **more), see)

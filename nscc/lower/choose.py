@@ -26,16 +26,24 @@ class Choice:
         return self.tried[0] if self.tried else None
 
 
-def rank(lowered: Lowered) -> tuple[bool, int, int, int]:
-    """Fits; fewest analog writes on an open pixel; words a frame; largest boundary."""
-    late, total, largest = lowered.price
-    return late, lowered.analog_writes[1], total, largest
+def rank(lowered: Lowered) -> tuple[bool, float, int, int, int]:
+    """Fits, or how far from it; fewest analog writes on an open pixel; words; largest boundary."""
+    misfit, overload, total, largest = lowered.price
+    return misfit, overload, lowered.analog_writes[1], total, largest
 
 
-def choose(program: Program, wanted: LoweringOption, level: int, *, price_all: bool) -> Choice:
+def choose(
+    program: Program,
+    wanted: LoweringOption,
+    level: int,
+    *,
+    price_all: bool,
+    most_words: int | None = None,
+) -> Choice:
     """Lowers `program` as wanted; without `price_all`, only until no better choice can follow.
 
-    Lowerings wait in the order of their analog writes, or of a bound until they are planned.
+    `most_words` is the most that a boundary may have, None for any number. Lowerings wait in the
+    order of their analog writes, or of a bound until they are planned.
     """
     opens = levels(program)
     misfits: dict[Lowering, Misfit] = {}
@@ -58,7 +66,7 @@ def choose(program: Program, wanted: LoweringOption, level: int, *, price_all: b
                 plans[name] = plan, analog_writes(program, plan)
                 heappush(waiting, (plans[name][1][1], order, name))
             continue
-        result = lower(program, plans[name][0], level, opens, plans[name][1])
+        result = lower(program, plans[name][0], level, opens, plans[name][1], most_words)
         if isinstance(result, Misfit):
             misfits[name] = result
         else:
