@@ -90,12 +90,12 @@ def _cost(compiled: Compiled) -> str:
     assert lowered is not None
     target, schedule = lowered.program.target, lowered.schedule
     launches = lowered.shortest_slot_launches
-    overhead = time_text(launches * target.launch_us) if launches else "none"
+    launched = counted(launches, "kernel launch", "kernel launches")
     return (
         f"  words  {schedule.words_total} a frame, at most {max(lowered.words_per_boundary)} in a "
         f"slot, {schedule.words_stored} stored of {target.store_words}\n"
         f"  time   shortest legal slot {time_text(lowered.shortest_slot_us)}, "
-        f"{overhead} of it for {counted(launches, 'kernel launch', 'kernel launches')}"
+        f"with {launched} of {time_text(target.launch_us)}"
     )
 
 

@@ -12,7 +12,7 @@ from typing import Literal
 
 from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT
 
-MOST_DIGITS = 1 << 15
+MOST_DIGITS = 1 << 14
 """Most rows x slots of a codebook that is compiled to find a limit: larger ones take long."""
 
 BUMP_LENGTHS = (4, 8, 16)
@@ -50,9 +50,9 @@ def families() -> list[Family]:
     """Classes a to e, class c at three lengths, and codebooks of several heights and one length."""
     found = [
         _by_slots("a", "always open", "open when true", lambda _slots: 1, "1 shutter"),
-        _by_slots("b", "open from slot 0 to a stop 1..N", stop_rule("1"), lambda n: n, "N stops"),
+        _by_slots("b 1..N", "open from slot 0 to a stop", stop_rule("1"), lambda n: n, "N stops"),
         _by_slots(
-            "b never", "the same with stops 0..N", stop_rule("0"), lambda n: n + 1, "N + 1 stops"
+            "b 0..N", "the same, or never open", stop_rule("0"), lambda n: n + 1, "N + 1 stops"
         ),
     ]
     for length in BUMP_LENGTHS:
@@ -133,7 +133,7 @@ def _by_slots(
 
 def _fixed_bump(length: int) -> Family:
     return _by_slots(
-        f"c {length}",
+        f"c len {length}",
         f"a bump of {length} slots, any start 0..N - {length}",
         start_rule(length),
         lambda slots: max(1, slots - length + 1),
@@ -144,8 +144,8 @@ def _fixed_bump(length: int) -> Family:
 
 def _book_by_slots(rows: int) -> Family:
     return Family(
-        f"codebook {rows}",
-        f"{rows} pseudo-random rows",
+        f"codebook, {rows} rows",
+        "pseudo-random rows of N slots",
         "slots",
         lambda size, slot: program_text(size, slot, book_rule(random_rows(rows, size))),
         lambda _size: rows,
@@ -154,14 +154,13 @@ def _book_by_slots(rows: int) -> Family:
         nested=False,
         least=(rows - 1).bit_length(),
         ceiling=MOST_DIGITS // rows,
-        ceiling_reason=f"codebooks of more than {MOST_DIGITS} digits are not tried: they take long",
+        ceiling_reason=f"codebooks of more than {MOST_DIGITS} digits take long and are not tried",
     )
 
 
 def _book_by_rows(slots: int) -> Family:
-    most = min(MOST_DIGITS, 1 << slots)
     return Family(
-        f"codebook of {slots} slots",
+        f"codebook, {slots} slots",
         "K pseudo-random rows",
         "rows",
         lambda size, slot: program_text(slots, slot, book_rule(random_rows(size, slots))),
@@ -170,8 +169,8 @@ def _book_by_rows(slots: int) -> Family:
         lambda _size: slots,
         nested=False,
         least=1,
-        ceiling=most,
-        ceiling_reason=f"codebooks of more than {MOST_DIGITS} digits are not tried: they take long",
+        ceiling=min(MOST_DIGITS // slots, 1 << slots),
+        ceiling_reason=f"codebooks of more than {MOST_DIGITS} digits take long and are not tried",
     )
 
 

@@ -16,6 +16,10 @@ GIVE_UP_AFTER = 2
 """Candidates in a row that do not fit before larger ones are left alone."""
 
 
+_ALIKE = 1.02
+"""A power of two tells nothing if a larger candidate is within this factor."""
+
+
 @dataclass(frozen=True)
 class Trial:
     """One program that was compiled: `fits` means that its words were proved.
@@ -34,13 +38,14 @@ class Trial:
 
 def candidates(count: Count, least: int, most: int) -> list[int]:
     """The sizes that a search looks at first, ascending; `count` as in `certain`."""
-    found = {least, most}
-    found.update(1 << k for k in range(most.bit_length()))
+    steps = {least, most}
     bits = 0
     while (size := largest_with(count, 1 << bits, least, most)) < most:
-        found.add(size)
+        steps.add(size)
         bits += 1
-    return sorted(size for size in found if least <= size <= most)
+    powers = [1 << k for k in range(most.bit_length())]
+    telling = [p for p in powers if not any(p < step < p * _ALIKE for step in steps)]
+    return sorted(size for size in {*steps, *telling} if least <= size <= most)
 
 
 def explore(

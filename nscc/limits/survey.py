@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator
+from collections.abc import Generator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -11,6 +11,7 @@ from nscc.limits.certain import bits_needed, impossible_from
 from nscc.limits.families import Family, families
 from nscc.limits.search import Trial, candidates, explore
 from nscc.pipeline import Compiled, Options, compile_source
+from nscc.program.limits import MOST_SLOTS
 from nscc.source import Source
 from nscc.target.model import Target
 
@@ -105,7 +106,7 @@ def _fits(size: int, compiled: Compiled) -> Trial:
         "encoding": lowered.solution.encoding,
         "registers": len(schedule.allocation.holders),
         "words_total": schedule.words_total,
-        "words_a_slot": round(schedule.words_total / slots, 4),
+        "words_a_slot": round(schedule.words_total / slots, 6),
         "largest_slot_words": max(lowered.words_per_boundary),
         "words_stored": schedule.words_stored,
         "shortest_slot_us": round(lowered.shortest_slot_us, 6),
@@ -124,20 +125,13 @@ def _capacity_reason(family: Family, size: int, target: Target) -> str:
 def _unknown(limit: Limit) -> str:
     """Why the sizes between those built and those impossible are neither."""
     family, first = limit.family, limit.unknown_from
-    if limit.impossible is not None and first >= limit.impossible:
+    if first > MOST_SLOTS or (limit.impossible is not None and first >= limit.impossible):
         return ""
-    reasons = [
-        f"{trial.size} was tried: {trial.reason} [{trial.code}], which proves nothing"
-        for trial in _telling(limit)
-    ]
+    reasons = []
+    nearest = next((trial for trial in limit.tried if trial.size >= first), None)
+    if nearest is not None and (limit.impossible is None or nearest.size < limit.impossible):
+        proves = "certain, but only for these rows" if nearest.proved else "which proves nothing"
+        reasons.append(f"{nearest.size} was tried: {nearest.reason} [{nearest.code}], {proves}")
     if limit.impossible is None or family.ceiling < limit.impossible - 1:
         reasons.append(f"above {family.ceiling}: {family.ceiling_reason}")
     return "; ".join(reasons)
-
-
-def _telling(limit: Limit) -> Iterator[Trial]:
-    """The first size above those built that was tried and is not proved impossible."""
-    above = (t for t in limit.tried if t.size >= limit.unknown_from and not t.proved)
-    first = next(above, None)
-    if first is not None:
-        yield first

@@ -66,8 +66,13 @@ def _reasons(limit: Limit) -> list[str]:
     if limit.impossible is not None:
         lines.append(f"    impossible  from {limit.impossible}: {limit.impossible_reason}")
     if limit.unknown_reason:
-        last = "" if limit.impossible is None else f"..{limit.impossible - 1}"
-        lines.append(f"    unknown     {limit.unknown_from}{last}: {limit.unknown_reason}")
+        first = limit.unknown_from
+        sizes = (
+            f"from {first} on" if limit.impossible is None else f"{first}..{limit.impossible - 1}"
+        )
+        lines.append(f"    unknown     {sizes}: {limit.unknown_reason}")
+    elif limit.impossible is None:
+        lines.append(f"    no more     {family.ceiling_reason}")
     return lines
 
 
