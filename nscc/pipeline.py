@@ -37,6 +37,9 @@ PASSES = ("parse", "program", "lower", "plan", "gates", "schedule", "words", "pr
 LEVELS = (0, 1, 2, 3)
 """How many steps the search for gates may take: the same level always takes the same ones."""
 
+QUICK_LEVEL = 1
+"""Several programs are compiled for one error message: with no more effort than this each."""
+
 
 @dataclass(frozen=True)
 class Options:
@@ -46,6 +49,7 @@ class Options:
     the program's own. `price_all` lowers in every way, for the report's alternatives. Without
     `unproved_is_error`, what only a search can tell is a note. With `suggest`, nearby programs
     that fit are looked for when one does not. Without `cache`, no search result is read or kept.
+    `max_words_per_slot` limits the words, digital and analog, of every boundary.
     """
 
     level: int = 2
@@ -56,6 +60,7 @@ class Options:
     unproved_is_error: bool = True
     suggest: bool = True
     cache: bool = True
+    max_words_per_slot: int | None = None
 
 
 @dataclass(frozen=True)
@@ -155,6 +160,7 @@ def _choose(program: Program, options: Options, results: Results | None) -> Choi
             options.level,
             price_all=options.price_all,
             results=results,
+            most_words=options.max_words_per_slot,
         )
 
     choice = tried()
@@ -186,17 +192,23 @@ def _with_ways_out(
     """The same diagnostics; nearby programs are compiled for those that ask for less."""
     if not options.suggest or not any(has_ways_out(d) for d in wrong):
         return wrong
+    alike = replace(
+        options, target=program.target, suggest=False, price_all=False, unproved_is_error=True
+    )
 
-    def attempt(source: Source, codes: Codes) -> Lowered | None:
-        # What fits at -O1 fits at every level, and an error should not wait for a search.
-        tried = Options(level=1, codes=codes, target=program.target, suggest=False)
+    def attempt(source: Source, codes: Codes, *, patient: bool = False) -> Lowered | None:
+        level = options.level if patient else min(options.level, QUICK_LEVEL)
         try:
-            return compile_source(source, base, tried).lowered
+            return compile_source(source, base, replace(alike, codes=codes, level=level)).lowered
         except Rejected:
             return None
 
-    found = tuple(ways_out(program, attempt))
-    return [replace(d, ways_out=found) if has_ways_out(d) else d for d in wrong]
+    found = ways_out(program, attempt)
+    texts = tuple(way.text for way in found)
+    data = {key: value for way in found for key, value in way.data.items()}
+    return [
+        replace(d, ways_out=texts, data={**d.data, **data}) if has_ways_out(d) else d for d in wrong
+    ]
 
 
 def _stop_on_errors(found: tuple[Diagnostic, ...]) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.cli.programs import BuildChoice, build_options, compile_program
-from nscc.cli.support import CommonCommand, say, write_together
+from nscc.cli.support import CommonCommand, done, say, write_together
 from nscc.diagnostics.model import Diagnostic, Rejected
 
 if TYPE_CHECKING:
@@ -53,12 +53,13 @@ def command(
     lowering: str | None,
     target: str | None,
     cache: bool,
+    max_words_per_slot: int | None,
 ) -> None:
     """Compile FILE, prove the words, and write them."""
     wanted = _kinds(kinds)
     compiled = compile_program(
         file,
-        BuildChoice(level, codes, lowering, target, cache),
+        BuildChoice(level, codes, lowering, target, cache, max_words_per_slot),
         price_all="report" in wanted,  # only the report lists the other lowerings
         see=_printer(after),
     )
@@ -87,6 +88,25 @@ def command(
     write_together(products)
     if products:
         click.echo("wrote " + ", ".join(path.as_posix() for path in products), err=True)
+        done(_cost(compiled))
+
+
+def _cost(compiled: Compiled) -> str:
+    """What the words cost, in two lines."""
+    from nscc.lower.resources import time_text
+    from nscc.program.problems import counted
+
+    lowered = compiled.lowered
+    assert lowered is not None
+    target, schedule = lowered.program.target, lowered.schedule
+    launches = lowered.shortest_slot_launches
+    launched = counted(launches, "kernel launch", "kernel launches")
+    return (
+        f"  words  {schedule.words_total} a frame, at most {max(lowered.words_per_boundary)} in a "
+        f"slot, {schedule.words_stored} stored of {target.store_words}\n"
+        f"  time   shortest legal slot {time_text(lowered.shortest_slot_us)}, "
+        f"with {launched} of {time_text(target.launch_us)}"
+    )
 
 
 def _kinds(text: str) -> dict[str, bool]:

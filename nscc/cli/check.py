@@ -10,8 +10,8 @@ import click
 from nscc.cli.programs import BuildChoice, build_options, compile_program
 from nscc.cli.support import CommonCommand, say
 from nscc.diagnostics.model import Diagnostic, Rejected
-from nscc.lower.fit import time_text
 from nscc.lower.ledger import ledger
+from nscc.lower.resources import time_text
 from nscc.program.problems import counted
 
 if TYPE_CHECKING:
@@ -30,13 +30,16 @@ def command(
     lowering: str | None,
     target: str | None,
     cache: bool,
+    max_words_per_slot: int | None,
 ) -> None:
     """Check programs: what they are, whether they fit the chip, and that their words are right.
 
     Lowers at -O1, unless -O says otherwise, and proves that. Where only a search can tell whether
     a program fits, a note says that `nscc build` decides.
     """
-    choice = BuildChoice(1 if level is None else level, codes, lowering, target, cache)
+    choice = BuildChoice(
+        1 if level is None else level, codes, lowering, target, cache, max_words_per_slot
+    )
     wrong: list[Diagnostic] = []
     status = 0
     for path in files:

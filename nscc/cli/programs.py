@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -29,14 +29,12 @@ class BuildChoice:
     lowering: str | None = None
     target: str | None = None
     cache: bool = True
+    max_words_per_slot: int | None = None
 
     @classmethod
     def of(cls, options: Mapping[str, Any]) -> BuildChoice:
         """From a command's options by name."""
-        return cls(
-            options["level"], options["codes"], options["lowering"], options["target"],
-            options["cache"],
-        )  # fmt: skip
+        return cls(**{field.name: options[field.name] for field in fields(cls)})
 
     def given(self) -> list[str]:
         """The options that were given, as the user spells them."""
@@ -45,15 +43,13 @@ class BuildChoice:
             ("--codes", self.codes),
             ("--lowering", self.lowering),
             ("--target", self.target),
+            ("--max-words-per-slot", self.max_words_per_slot),
         )
         return [name for name, value in named if value is not None]
 
 
 def build_options(function: Command) -> Command:
-    """Adds -O, --codes, --lowering, --target and --[no-]cache.
-
-    They become `level`, `codes`, `lowering`, `target` and `cache`.
-    """
+    """Adds the options of BuildChoice, under the names of its fields."""
     options = (
         click.option(
             "-O",
@@ -78,6 +74,10 @@ def build_options(function: Command) -> Command:
             "--cache/--no-cache",
             default=True,
             help="Keep search results of -O2 and -O3 and reuse them (default), or search anew.",
+            "--max-words-per-slot",
+            metavar="W",
+            type=click.IntRange(min=1),
+            help="Reject what executes more words than this in any slot.",
         ),
     )
     for option in reversed(options):
@@ -98,6 +98,7 @@ def compile_program(path: Path, choice: BuildChoice, **more: Any) -> Compiled:
         "codes": choice.codes,
         "lowering": choice.lowering,
         "target": choice.target,
+        "max_words_per_slot": choice.max_words_per_slot,
     }
     changes: dict[str, Any] = {k: v for k, v in given.items() if v is not None}
     changes["cache"] = choice.cache

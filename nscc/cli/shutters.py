@@ -24,6 +24,7 @@ def command(
     lowering: str | None,
     target: str | None,
     cache: bool,
+    max_words_per_slot: int | None,
 ) -> None:
     """Write the shutters of all pixels of FILE (.nsl or .icw) as the words open them.
 
@@ -35,7 +36,9 @@ def command(
     from nscc.prove.replay import shutters
     from nscc.words.legality import decoded
 
-    container, messages = load_program(file, BuildChoice(level, codes, lowering, target, cache))
+    container, messages = load_program(
+        file, BuildChoice(level, codes, lowering, target, cache, max_words_per_slot)
+    )
     say(messages)
     pixels = container.pixel_codes
     if pixels is None and len(container.table.codes) == 1:

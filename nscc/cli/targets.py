@@ -2,26 +2,91 @@
 
 from __future__ import annotations
 
+import json
+import re
+from collections.abc import Iterator
 from pathlib import Path
 
 import click
 
-from nscc.cli.support import CommonCommand
-from nscc.target.load import builtin_names, builtin_target, load_target, target_toml
+from nscc.cli.support import CommonCommand, progress
+from nscc.target.load import DEFAULT_NAME, builtin_names, builtin_target, load_target, target_toml
 from nscc.target.model import Target
 from nscc.target.schema import KEYS
 
+DEFAULT_SLOTS = ("1ms", "10us")
+"""Slot lengths that limits are found for: one that leaves room for any words, one that does not."""
+
+_TIME = re.compile(r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)")
+
+
+def _checked_times(
+    _context: click.Context, _option: click.Parameter, values: tuple[str, ...]
+) -> tuple[str, ...]:
+    """The times as given, each once."""
+    for value in values:
+        if not _TIME.fullmatch(value):
+            raise click.BadParameter(f"'{value}' is no time: write 10us, 1.5ms, 800ns or 2s")
+        if not float(value.rstrip("nums")):
+            raise click.BadParameter("a slot lasts longer than nothing")
+    return tuple(dict.fromkeys(values))
+
 
 @click.command(name="targets", cls=CommonCommand)
-@click.argument("name", required=False)
+@click.argument("name", required=False, metavar="[NAME|FILE.toml]")
 @click.option("--toml", is_flag=True, help="Print a complete file that --target accepts.")
-def command(name: str | None, toml: bool) -> None:
+@click.option(
+    "--limits",
+    is_flag=True,
+    help="Compile every class at growing sizes: what fits, what cannot, what is unknown.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print the limits for programs.")
+@click.option(
+    "--slot",
+    "slots",
+    multiple=True,
+    metavar="TIME",
+    callback=_checked_times,
+    help="Length of the slots that limits are found for; may be repeated (default: 1ms and 10us).",
+)
+@click.option(
+    "-O", "level", type=click.IntRange(0, 3), default=1, show_default=True,
+    help="How hard the compiler tries while limits are found.",
+)  # fmt: skip
+def command(
+    name: str | None, toml: bool, limits: bool, as_json: bool, slots: tuple[str, ...], level: int
+) -> None:
     """List the chips that nscc knows, or show all about one (NAME or FILE.toml)."""
-    if name is None and not toml:
+    if limits and toml:
+        raise click.UsageError("--limits and --toml print different things: give one of them")
+    if not limits and (as_json or slots):
+        raise click.UsageError(f"{'--json' if as_json else '--slot'} goes with --limits")
+    if name is None and not toml and not limits:
         click.echo(listing())
         return
-    target = load_target(name or "scamp5", Path())
-    click.echo(target_toml(target) if toml else details(target), nl=not toml)
+    target = load_target(name or DEFAULT_NAME, Path())
+    if limits:
+        click.echo(_limits(target, level, slots or DEFAULT_SLOTS, as_json=as_json))
+    else:
+        click.echo(target_toml(target) if toml else details(target), nl=not toml)
+
+
+def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool) -> str:
+    """The limits of a chip, found now by compiling."""
+    from nscc.limits.survey import Limit, survey
+    from nscc.limits.table import limits_json, limits_text
+    from nscc.pipeline import Options
+
+    found: list[Limit] = []
+
+    def trials() -> Iterator[object]:
+        found.extend((yield from survey(target, Options(level=level), slots)))
+
+    for _ in progress(trials(), "compiling programs"):
+        pass
+    if as_json:
+        return json.dumps(limits_json(target, level, found), indent=2)
+    return limits_text(target, level, found)
 
 
 def listing() -> str:

@@ -48,6 +48,11 @@ def report(lowered: Lowered, choice: Choice, proof: Proof) -> dict[str, Any]:
             "max": max(lowered.words_per_boundary),
         },
         "shortest_slot_us": round(lowered.shortest_slot_us, 6),
+        "launches": {
+            "frame": len(schedule.launches),
+            "shortest_slot": lowered.shortest_slot_launches,
+            "us_each": program.target.launch_us,
+        },
         "frame_us": round(lowered.frame_us, 6),
         "refreshed": list(schedule.refreshed),
         "analog_writes": _range(lowered),

@@ -27,10 +27,11 @@ class Choice:
         return self.tried[0] if self.tried else None
 
 
-def rank(lowered: Lowered) -> tuple[bool, int, int, int]:
-    """Fits; fewest analog writes on an open pixel; words a frame; largest boundary."""
-    total = lowered.schedule.words_total
-    return not lowered.fits, lowered.analog_writes[1], total, max(lowered.words_per_boundary)
+def rank(lowered: Lowered) -> tuple[bool, float, int, int, int]:
+    """Fits, or how far from it; fewest analog writes on an open pixel; words; largest boundary."""
+    misfit, overload, *_ = lowered.price
+    total, largest = lowered.schedule.words_total, max(lowered.words_per_boundary)
+    return misfit, overload, lowered.analog_writes[1], total, largest
 
 
 def choose(
@@ -40,10 +41,12 @@ def choose(
     *,
     price_all: bool,
     results: Results | None = None,
+    most_words: int | None = None,
 ) -> Choice:
     """Lowers `program` as wanted; without `price_all`, only until no better choice can follow.
 
-    Lowerings wait in the order of their analog writes, or of a bound until they are planned.
+    `most_words` is the most that a boundary may have, None for any number. Lowerings wait in the
+    order of their analog writes, or of a bound until they are planned.
     """
     opens = levels(program)
     misfits: dict[Lowering, Misfit] = {}
@@ -66,7 +69,7 @@ def choose(
                 plans[name] = plan, analog_writes(program, plan)
                 heappush(waiting, (plans[name][1][1], order, name))
             continue
-        result = lower(program, plans[name][0], level, opens, plans[name][1], results)
+        result = lower(program, plans[name][0], level, opens, plans[name][1], results, most_words)
         if isinstance(result, Misfit):
             misfits[name] = result
         else:

@@ -6,16 +6,16 @@ seen; gates that this compiler did not find prove nothing, so `nscc check` only 
 
 from __future__ import annotations
 
-from math import ceil, floor, log10
-
 from nscc.diagnostics.model import Diagnostic, Label, Severity
+from nscc.limits.certain import bits_needed, capacity_note
 from nscc.lower.choose import Choice
 from nscc.lower.ledger import ledger
 from nscc.lower.lowered import Lowered
 from nscc.lower.plan import Misfit
+from nscc.lower.resources import chip_label, chip_note, resource
+from nscc.lower.slot_faults import late_fault, overfull_fault, retention_fault
 from nscc.program.model import Program
 from nscc.source import Span
-from nscc.target.model import Target
 
 
 def capacity_fault(program: Program) -> Diagnostic | None:
@@ -23,7 +23,7 @@ def capacity_fault(program: Program) -> Diagnostic | None:
     target = program.target
     shutters = len(program.table.shutters)
     available = len(target.digital_registers)
-    required = max(0, (shutters - 1).bit_length())
+    required = bits_needed(shutters)
     if required <= available:
         return None
     if program.mode == "fixed":
@@ -48,15 +48,14 @@ def capacity_fault(program: Program) -> Diagnostic | None:
         f"the chip has {available}",
         source=program.source,
         label=Label(_field_span(program), what),
-        related=_chip(program, registers),
+        related=chip_label(program, registers),
         notes=(
-            *_default_chip(program, registers),
-            f"certain for codes held in digital registers: {shutters} shutters need {required} "
-            "of them, whatever the encoding",
+            *chip_note(program, registers),
+            capacity_note(shutters),
             f"bits by holder: {', '.join(ledger)}; scratch 0" if len(ledger) > 1 else
             f"bits by holder: {', '.join(ledger)}",
         ),
-        data=_resource("digital registers", required, available, proved=True),
+        data=resource("digital registers", required, available, proved=True),
     )  # fmt: skip
 
 
@@ -81,14 +80,14 @@ def misfit_fault(program: Program, choice: Choice, *, level: int) -> Diagnostic:
             f"they need {least.required} {least.resource}, the chip has {least.available}",
             source=program.source,
             label=Label(program.buckets[-1].span, f"bucket {buckets}"),
-            related=_chip(program, registers),
+            related=chip_label(program, registers),
             notes=(
                 "certain: every bucket is a frame in a register of its own",
-                *_default_chip(program, registers),
+                *chip_note(program, registers),
                 *reasons,
             ),
             helps=tuple(helps),
-            data=_resource("analog registers", least.required, least.available, proved=True),
+            data=resource("analog registers", least.required, least.available, proved=True),
         )
     if not any(misfit.searched for misfit in choice.misfits.values()):
         return Diagnostic(
@@ -107,7 +106,7 @@ def misfit_fault(program: Program, choice: Choice, *, level: int) -> Diagnostic:
         label=Label(_field_span(program)),
         notes=(*reasons, "not proved: another encoding or more search may find some"),
         helps=(*_another_lowering(choice), _fewer_codes(program)),
-        data=_resource(
+        data=resource(
             "digital registers", len(program.target.digital_registers) + 1,
             len(program.target.digital_registers), proved=False,
         ),
@@ -118,20 +117,25 @@ def faults(choice: Choice, lowered: Lowered, *, level: int) -> list[Diagnostic]:
     """Everything that keeps `lowered`, the best of `choice`, from fitting; empty if it fits."""
     found = []
     if not lowered.retained:
-        found.append(_retention(lowered))
+        found.append(retention_fault(lowered))
     if lowered.late:
-        certain = all(_too_short(tried) for tried in choice.tried) and not any(
-            misfit.searched for misfit in choice.misfits.values()
-        )
-        found.append(_late(lowered, level, certain=certain))
+        found.append(late_fault(choice, lowered, level))
+    if lowered.overfull:
+        found.append(overfull_fault(choice, lowered, level))
     if not lowered.stored_ok:
         found.append(_store(lowered, level))
     return found
 
 
 def has_ways_out(diagnostic: Diagnostic) -> bool:
-    """Whether nearby programs may have what this one lacks: store or registers."""
-    return diagnostic.data.get("resource") in ("store_words", "digital registers")
+    """Whether nearby programs may have what this one lacks.
+
+    Where the words that read the light are too many already, there are none.
+    """
+    short_of = diagnostic.data.get("resource")
+    if short_of in ("slot_us", "words_per_slot"):
+        return only_search_can_tell(diagnostic)
+    return short_of in ("store_words", "digital registers")
 
 
 def only_search_can_tell(diagnostic: Diagnostic) -> bool:
@@ -152,78 +156,6 @@ def as_note(diagnostic: Diagnostic) -> Diagnostic:
     )
 
 
-def _retention(lowered: Lowered) -> Diagnostic:
-    program = lowered.program
-    longest = max(range(len(program.frame.slot_us)), key=program.frame.slot_us.__getitem__)
-    slot_us = program.frame.slot_us[longest]
-    keep_us = lowered.time.keep_us
-    return Diagnostic(
-        "NS0602",
-        f"digital registers forget within this frame: slot {longest} lasts "
-        f"{time_text(slot_us)}, and the readout {time_text(lowered.time.between_us)}; "
-        f"{program.target.name} keeps a bit for {time_text(program.target.digital_retention_us)}",
-        source=program.source,
-        label=Label(program.frame.span, "registers are refreshed between slots, not inside them"),
-        notes=(
-            f"nothing is left untouched for more than {time_text(keep_us)}, with a margin of 10 %",
-        ),
-        helps=("split the slot into several: the rule may treat them alike",),
-        data=_resource("retention_us", slot_us, keep_us, proved=True),
-    )
-
-
-def _late(lowered: Lowered, level: int, *, certain: bool) -> Diagnostic:
-    program, target = lowered.program, lowered.program.target
-    slots_us = program.frame.slot_us
-    if certain:
-        worst = _too_short(lowered)[0]
-        needed_us = _least_us(lowered, worst)
-        why = f"its analog words and one launch take {time_text(needed_us)}"
-    else:
-        worst = max(lowered.late, key=lambda n: lowered.busy_us[n] - slots_us[n])
-        needed_us = lowered.busy_us[worst]
-        words = lowered.words_per_boundary[worst]
-        why = f"its {words} words take {time_text(needed_us)} at -O{level}"
-    return Diagnostic(
-        "NS0601",
-        f"slot {worst} is shorter than its own instructions: it lasts "
-        f"{time_text(slots_us[worst])}, and {why}",
-        source=program.source,
-        label=Label(program.frame.span, f"{len(lowered.late)} of {len(slots_us)} slots too short"),
-        related=_chip(program, _times(target)),
-        notes=(
-            *_default_chip(program, _times(target)),
-            "certain: the light must be read and a kernel launched"
-            if certain
-            else "not proved: fewer words may be found",
-        ),
-        helps=(f"slots of {_at_least(lowered.shortest_slot_us)} or longer fit the words found",),
-        data=_resource("slot_us", needed_us, slots_us[worst], proved=certain),
-    )
-
-
-def _times(target: Target) -> str:
-    return (
-        f"{target.digital_word_us:g} us a digital word, {target.analog_word_us:g} us an analog "
-        f"one, {target.launch_us:g} us a launch"
-    )
-
-
-def _too_short(lowered: Lowered) -> list[int]:
-    """Slots in which no gates at all would leave time enough; the worst one first."""
-    slots_us = lowered.program.frame.slot_us
-    lacking = {n: _least_us(lowered, n) - slots_us[n] for n in lowered.late}
-    return sorted((n for n in lacking if lacking[n] > 0), key=lambda n: (-lacking[n], n))
-
-
-def _least_us(lowered: Lowered, boundary: int) -> float:
-    """Time that no program can do without at a boundary: its analog words and one launch."""
-    target = lowered.program.target
-    steps = [s for s in lowered.plan.steps if s.boundary == boundary and s.bucket >= 0]
-    analog = sum(len(step.words) for step in steps)
-    return target.launch_us + analog * target.analog_word_us if analog else 0.0
-
-
 def _store(lowered: Lowered, level: int) -> Diagnostic:
     program, target = lowered.program, lowered.program.target
     stored = lowered.schedule.words_stored
@@ -235,16 +167,16 @@ def _store(lowered: Lowered, level: int) -> Diagnostic:
         f"{target.store_words}",
         source=program.source,
         label=Label(_field_span(program), f"{len(program.table.shutters)} different shutters"),
-        related=_chip(program, store),
+        related=chip_label(program, store),
         notes=(
-            *_default_chip(program, store),
+            *chip_note(program, store),
             f"{len(lowered.schedule.kernels)} kernels, lowered as {lowered.plan.lowering}, "
             f"encoding: {lowered.solution.encoding}",
             "registers: " + ledger(holders),
             "not proved: other gates or another encoding may be shorter",
         ),
         helps=("use fewer codes, fewer slots, or shutters with fewer edges",),
-        data=_resource("store_words", stored, target.store_words, proved=False),
+        data=resource("store_words", stored, target.store_words, proved=False),
     )
 
 
@@ -265,33 +197,3 @@ def _another_lowering(choice: Choice) -> tuple[str, ...]:
     if len(choice.misfits) > 1:
         return ()
     return ("leave --lowering at auto: another one may need other gates",)
-
-
-def _chip(program: Program, text: str) -> tuple[Label, ...]:
-    """The second place of a resource error: where the program names its chip."""
-    return (Label(program.target_span, text),) if program.target_span is not None else ()
-
-
-def _default_chip(program: Program, text: str) -> tuple[str, ...]:
-    """What `_chip` says, for a program that does not name its chip."""
-    return () if program.target_span is not None else (f"{program.target.name}: {text}",)
-
-
-def _resource(
-    name: str, required: float, available: float, *, proved: bool
-) -> dict[str, str | float | bool]:
-    return {"resource": name, "required": required, "available": available, "proved": proved}
-
-
-def _at_least(us: float) -> str:
-    """A time rounded up, in words; never less than `us`."""
-    digit_us = 10.0 ** (floor(log10(us)) - 2)
-    return time_text(ceil(us / digit_us - 1e-9) * digit_us)
-
-
-def time_text(us: float) -> str:
-    """A time in the unit that suits it."""
-    for unit, size in (("s", 1e6), ("ms", 1e3), ("us", 1.0)):
-        if us >= size:
-            return f"{us / size:.4g} {unit}"
-    return f"{us * 1e3:.4g} ns"

@@ -26,7 +26,10 @@ _ROUNDING = 1 + 1e-9
 
 @dataclass(frozen=True)
 class Lowered:
-    """A plan, its gates and its words, priced against the program's target."""
+    """A plan, its gates and its words, priced against the program's target.
+
+    `most_words` is the most words that the user allows at a boundary, None for any number.
+    """
 
     program: Program
     plan: ExposurePlan
@@ -34,6 +37,7 @@ class Lowered:
     schedule: Schedule
     time: Timeline
     analog_writes: tuple[int, int]
+    most_words: int | None = None
 
     @cached_property
     def words_per_boundary(self) -> list[int]:
@@ -51,6 +55,13 @@ class Lowered:
         return max(self.busy_us[: self.plan.slots])
 
     @property
+    def shortest_slot_launches(self) -> int:
+        """Kernel launches whose overhead is part of `shortest_slot_us`."""
+        boundary = self.busy_us.index(self.shortest_slot_us)
+        # The frame's first launch comes before the exposure starts.
+        return sum(n == boundary for n, _ in self.schedule.launches[1:])
+
+    @property
     def frame_us(self) -> float:
         """Time from boundary 0's first word to boundary N's last."""
         return self.schedule.setup_us + self.time.boundary_us[-1] + self.busy_us[-1]
@@ -60,6 +71,22 @@ class Lowered:
         """Slots that are shorter than the words at their start."""
         slots = self.program.frame.slot_us
         return [n for n, slot_us in enumerate(slots) if self.busy_us[n] > slot_us * _ROUNDING]
+
+    @cached_property
+    def overfull(self) -> list[int]:
+        """Boundaries that have more words than the user allows."""
+        if self.most_words is None:
+            return []
+        return [n for n, words in enumerate(self.words_per_boundary) if words > self.most_words]
+
+    @cached_property
+    def overload(self) -> float:
+        """How many times what it may be the fullest boundary is, in words or in time; 0 if none
+        is too full."""
+        slots = self.program.frame.slot_us
+        ratios = [self.busy_us[n] / slots[n] for n in self.late]
+        ratios += [self.words_per_boundary[n] / (self.most_words or 1) for n in self.overfull]
+        return max(ratios, default=0.0)
 
     @property
     def stored_ok(self) -> bool:
@@ -74,16 +101,16 @@ class Lowered:
 
     @property
     def fits(self) -> bool:
-        """Whether store, slot time and retention all allow this program."""
-        return self.stored_ok and self.retained and not self.late
+        """Whether store, slot time, retention and the user's limit all allow this program."""
+        return self.stored_ok and self.retained and not self.late and not self.overfull
 
     @property
-    def price(self) -> tuple[bool, int, int, int]:
-        """Sort key among solutions of one lowering: fits, words a frame without refresh, which
-        runs when the light is read, largest boundary, words of refresh."""
+    def price(self) -> tuple[bool, float, int, int, int]:
+        """Sort key among solutions of one lowering: fits, how far from it a boundary is, words a
+        frame without refresh, which runs when the light is read, largest boundary, refresh."""
         refresh = self.schedule.words_refresh
         rest = self.schedule.words_total - refresh
-        return not self.fits, rest, max(self.words_per_boundary), refresh
+        return not self.fits, self.overload, rest, max(self.words_per_boundary), refresh
 
     @property
     def headroom_e(self) -> float:
@@ -209,22 +236,24 @@ def lower(
     opens: list[list[int]],
     writes: tuple[int, int],
     results: Results | None = None,
+    most_words: int | None = None,
 ) -> Lowered | Misfit:
     """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found.
 
-    `opens` is `levels(program)` and `writes` is `analog_writes(program, plan)`. Level 0 takes the
-    first solution that fits. What is already known comes from `results`.
+    `opens` is `levels(program)` and `writes` is `analog_writes(program, plan)`; `most_words` as
+    in Lowered. Level 0 takes the first solution that fits. What is already known comes from
+    `results`.
     """
     time = timeline(program.frame.slot_us, len(program.buckets), program.target)
     problem, actions = problem_of(program, plan, time, opens)
     machine = Machine.of(program.target)
     known = Result()
     if results is not None:
-        known = results.find(problem, machine, level, plan, time, program.target)
+        known = results.find(problem, machine, level, plan, time, program.target, most_words)
     best: Lowered | None = None
     for solution in known.or_else(solutions(problem, machine, level)):
         laid = schedule(plan, solution, actions, time, program.target)
-        candidate = Lowered(program, plan, solution, laid, time, writes)
+        candidate = Lowered(program, plan, solution, laid, time, writes, most_words)
         if best is None or candidate.price < best.price:
             best = candidate
         if level == 0 and best.fits:

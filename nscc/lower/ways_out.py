@@ -1,114 +1,203 @@
 """Ways out of a program that cannot fit: nearby programs, each compiled before it is offered.
 
-A nearby program keeps target and slot time and asks for less: only the codes in use, fewer slots,
-one bump a pixel, or a codebook of few shutters. A codebook needs data that only its author has:
-a stand-in is compiled, rows of a fixed pseudo-random sequence that no gate sharing makes cheap.
+A nearby program keeps target, slot time and the limits that its author asked for, and does less:
+only the codes in use, the first rows of its codebook, fewer slots, one bump a pixel, or a codebook
+of few shutters. How many rows or slots still fit is searched for. A codebook needs data that only
+its author has: rows of a fixed pseudo-random sequence stand in.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from decimal import Decimal
+from typing import Any, Protocol
 
+import numpy as np
+
+from nscc.limits.certain import largest_with
+from nscc.limits.families import (
+    bits_rule,
+    book_rule,
+    bump_rule,
+    program_text,
+    random_rows,
+    start_rule,
+    stop_rule,
+)
+from nscc.limits.search import largest
 from nscc.lower.lowered import Lowered
 from nscc.program.model import Codes, Program
 from nscc.program.problems import counted
 from nscc.source import Source
 
-Attempt = Callable[[Source, Codes], Lowered | None]
-"""Compiles a program for the target at hand; None if it does not fit."""
-
 MOST_SHOWN = 3
+_FRAME_TRIALS = 8
+_ROW_TRIALS = 10
 _BOOK_ROWS = 64
 _LONGEST_BOOK = 256
-_WORD = 1 << 64
+_MOST_DIGITS = 1 << 13
+"""Most digits of a codebook's first rows that are compiled for one error message."""
 
 
-def ways_out(program: Program, attempt: Attempt) -> list[str]:
-    """Descriptions of nearby programs that were compiled and fit, with their words a slot."""
-    found: list[str] = []
-    if program.mode == "open" and program.pixel_codes is not None:
-        lowered = attempt(program.source, "fixed")
-        if lowered is not None:
-            in_use = counted(len(lowered.program.table.shutters), "shutter")
-            found.append(_way_out("`--codes fixed`", f"only the {in_use} in use", lowered))
-    for body, what, why in _nearby(program):
-        lowered = attempt(Source("way-out.nsl", f"nsl 1\n{body}\n"), "open")
-        if lowered is not None:
-            found.append(_way_out(what, why, lowered))
+class Attempt(Protocol):
+    """Compiles a program for the target at hand; None if it does not fit."""
+
+    def __call__(self, source: Source, codes: Codes, *, patient: bool = False) -> Lowered | None:
+        """Quickly, or as `patient`ly as the user asked for the program that did not fit."""
+
+
+@dataclass(frozen=True)
+class WayOut:
+    """A nearby program that fits: what to write and what it costs; `data` is for programs."""
+
+    text: str
+    data: Mapping[str, Any] = field(default_factory=dict)
+
+
+def ways_out(program: Program, attempt: Attempt) -> list[WayOut]:
+    """Nearby programs that were compiled and fit, those first that change least."""
+    found: list[WayOut] = []
+    for way in _candidates(program, attempt):
+        found.append(way)
         if len(found) == MOST_SHOWN:
             break
     return found
 
 
-def _way_out(what: str, why: str, lowered: Lowered) -> str:
+def _candidates(program: Program, attempt: Attempt) -> Iterator[WayOut]:
+    if program.mode == "open" and program.pixel_codes is not None:
+        lowered = attempt(program.source, "fixed")
+        if lowered is not None:
+            in_use = counted(len(lowered.program.table.shutters), "shutter")
+            yield _way_out("`--codes fixed`", f"only the {in_use} in use", lowered)
+    yield from _fewer_rows(program, attempt)
+    yield from _fewer_slots(program, attempt)
+    for rule, what, why in _simpler(program):
+        lowered = attempt(_source(program, len(program.frame.slot_us), rule), "open")
+        if lowered is not None:
+            yield _way_out(what, why, lowered)
+
+
+def _way_out(what: str, why: str, lowered: Lowered, **data: int) -> WayOut:
     words = lowered.schedule.words_total / len(lowered.program.frame.slot_us)
-    return f"{what:<24}{why}: {words:.3g} words a slot"
+    return WayOut(f"{what:<24}{why}: {words:.3g} words a slot", data)
 
 
-def _nearby(program: Program) -> Iterator[tuple[str, str, str]]:
-    """Candidates: (program text without its first line, what to write, what it means)."""
+def _source(program: Program, slots: int, rule: str) -> Source:
+    """A program of `slots` slots as long as this one's on average."""
+    slot_us = sum(program.frame.slot_us) / len(program.frame.slot_us)
+    return Source("way-out.nsl", program_text(slots, f"{max(slot_us, 0.001):.3f}us", rule))
+
+
+def _fewer_rows(program: Program, attempt: Attempt) -> Iterator[WayOut]:
+    """The most rows, from the first in use on, that a codebook may have in the same frame."""
+    if program.class_name != "codebook" or len(program.fields) != 1:
+        return
+    table, slots = program.table, len(program.frame.slot_us)
+    rows = len(table.codes)
+    digits = slots * len(program.buckets)
+    built: dict[int, Lowered] = {}
+
+    def fits(count: int) -> bool:
+        lowered = attempt(_book_source(program, count), "open", patient=True)
+        if lowered is not None:
+            built[count] = lowered
+        return lowered is not None
+
+    registers = len(program.target.digital_registers)
+    most = min(rows - 1, max(1, _MOST_DIGITS // digits))
+    untried = "" if most == rows - 1 else f" ({most} was the most tried)"
+    most = largest_with(lambda count: _different(program, count), 1 << registers, 1, most)
+    count = largest(1, most, fits, _ROW_TRIALS)
+    if count is None:
+        return
+    last = int(table.codes[count - 1, 0])
+    whose = "in use" if program.mode == "fixed" else "of the book"
+    why = f"the first {count} of the {rows} rows {whose}, up to row {last}"
+    if count == most:
+        why += untried
+    fullest = max(built[count].words_per_boundary)
+    why += f", at most {fullest} words in a slot"
+    yield _way_out(f"K = {count}", why, built[count], rows=count)
+
+
+def _different(program: Program, count: int) -> int:
+    """How many different shutters the first `count` codes open."""
+    return len(np.unique(program.table.shutter_of_code[:count]))
+
+
+def _book_source(program: Program, count: int) -> Source:
+    """The first `count` rows in use as a program of their own, with the same frame and buckets."""
+    times = ", ".join(f"{Decimal(repr(us)):f}us" for us in program.frame.slot_us)
+    table = program.table
+    lines = ["nsl 1", f"frame slots [{times}]"]
+    rules = []
+    for number, bucket in enumerate(program.buckets):
+        shutters = table.shutters[table.shutter_of_code[:count], number, :]
+        rows = ("".join("1" if is_open else "0" for is_open in row) for row in shutters.tolist())
+        lines.append(f"shutters book{number} [{', '.join(rows)}]")
+        rules.append((f"bucket {bucket.name} open", f"book{number}[id]"))
+    if len(rules) == 1:
+        rules = [("open", rules[0][1])]
+    lines.append("code id : row of book0")
+    lines += [f"{head} when {rule}" for head, rule in rules]
+    return Source("way-out.nsl", "\n".join(lines) + "\n")
+
+
+def _fewer_slots(program: Program, attempt: Attempt) -> Iterator[WayOut]:
+    """The most slots found for the whole class, where the frame has more."""
     slots = len(program.frame.slot_us)
     registers = len(program.target.digital_registers)
-    slot_us = sum(program.frame.slot_us) / slots
+    least, most = 2, slots - 1
+    match program.class_name:
+        case "b":
+            rule, kept = stop_rule("1"), "every stop"
+        case "c":
+            length = int(program.table.shutters.sum(axis=2).max(initial=1))
+            least = length + 1
+            rule, kept = start_rule(length), f"every bump of {counted(length, 'slot')}"
+        case "d":
+            rule, kept = bump_rule(), "every bump"
+            most = largest_with(lambda n: n * (n + 1) // 2, 1 << registers, 1, most)
+        case "e":
+            rule, kept = bits_rule(), "every shutter"
+            most = min(most, registers)
+        case _:
+            return
+    built: dict[int, Lowered] = {}
 
-    def frame(count: int) -> str:
-        return f"frame {count} slots of {max(slot_us, 0.001):.3f}us\n"
+    def fits(count: int) -> bool:
+        lowered = attempt(_source(program, count, rule), "open")
+        if lowered is not None:
+            built[count] = lowered
+        return lowered is not None
 
-    if program.class_name == "e" and slots > registers:
-        yield (
-            frame(registers) + f"code bits : bit[{registers}]\nopen when bits[n]",
-            f"frame {registers} slots",
-            f"{slots - registers} slots fewer, every shutter still possible",
+    count = largest(least, most, fits, _FRAME_TRIALS)
+    if count is not None:
+        yield _way_out(
+            f"frame {count} slots",
+            f"{counted(slots - count, 'slot')} fewer, {kept} still possible",
+            built[count],
         )
-    elif program.class_name == "d":
-        fewer = 1 << (registers - 1) // 2
-        if fewer < slots:
-            yield frame(fewer) + _bump("N"), f"frame {fewer} slots", "every bump still possible"
-    rows = _book(slots)
+
+
+def _simpler(program: Program) -> Iterator[tuple[str, str, str]]:
+    """Other classes in the same frame: (rule, what to write, what it means)."""
+    slots = len(program.frame.slot_us)
+    rows = random_rows(_BOOK_ROWS, slots)
     if slots <= _LONGEST_BOOK and len(rows) < len(program.table.shutters):
         yield (
-            frame(slots) + f"shutters book [{', '.join(rows)}]\n"
-            "code id : row of book\nopen when book[id]",
+            book_rule(rows),
             "`code id : row of book`",
             f"{slots} slots kept, {len(rows)} shutters instead of {len(program.table.shutters)} "
             "(compiled with pseudo-random rows)",
         )
     if program.class_name not in ("b", "c", "d"):
-        yield (
-            frame(slots) + _bump("N"),
-            "`start <= n < stop`",
-            f"{slots} slots kept, one bump a pixel",
-        )
+        yield bump_rule(), "`start <= n < stop`", f"{slots} slots kept, one bump a pixel"
     if program.class_name != "b":
         yield (
-            frame(slots) + "code stop : 1..N\nopen when n < stop",
+            stop_rule("1"),
             "`n < stop`",
             f"{slots} slots kept, open from the start to a stop of each pixel",
         )
-
-
-def _bump(last: str) -> str:
-    return (
-        f"code start : 0..{last} - 1\ncode stop : 1..{last}\nrequire start < stop\n"
-        "open when start <= n < stop"
-    )
-
-
-def _book(slots: int) -> list[str]:
-    """Distinct pseudo-random rows, the same on every machine."""
-    rows: dict[str, None] = {}
-    words = -(-slots // 64)
-    count = 0
-    while len(rows) < min(_BOOK_ROWS, 1 << slots):
-        digits = "".join(f"{_mixed(count + word):064b}" for word in range(words))
-        rows.setdefault(digits[:slots])
-        count += words
-    return list(rows)
-
-
-def _mixed(number: int) -> int:
-    """64 bits that look random: a counter through the mixer of SplitMix64 (Steele et al., 2014)."""
-    bits = number * 0x9E3779B97F4A7C15 % _WORD
-    bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9 % _WORD
-    bits = (bits ^ bits >> 27) * 0x94D049BB133111EB % _WORD
-    return bits ^ bits >> 31

@@ -1,0 +1,1 @@
+"""How large a shutter class may be on a chip: proved, compiled, or unknown."""

@@ -1,0 +1,48 @@
+"""What no compiler can do: counts of shutters that a pixel's registers cannot tell apart.
+
+Nothing here is a property of nscc's gates: these bounds hold for any encoding of codes that are
+held in digital registers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from nscc.program.limits import MOST_SLOTS
+from nscc.target.model import Target
+
+Count = Callable[[int], int]
+"""How many different shutters a class has at a size; it never falls as the size grows."""
+
+
+def bits_needed(shutters: int) -> int:
+    """The fewest one-bit registers that tell so many shutters apart."""
+    return max(0, (shutters - 1).bit_length())
+
+
+def capacity_note(shutters: int) -> str:
+    """Why fewer registers than `bits_needed` are not enough, in words."""
+    return (
+        f"certain for codes held in digital registers: {shutters} shutters need "
+        f"{bits_needed(shutters)} of them, whatever the encoding"
+    )
+
+
+def largest_with(count: Count, most: int, least: int, ceiling: int) -> int:
+    """The largest size in `least`..`ceiling` that has at most `most` shutters; least - 1 if none
+    has."""
+    low, high = least - 1, ceiling + 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if count(middle) <= most:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
+def impossible_from(count: Count, target: Target) -> int | None:
+    """The smallest size whose shutters the registers of `target` cannot tell apart; None if every
+    size up to the longest frame passes."""
+    fits = largest_with(count, 1 << len(target.digital_registers), 1, MOST_SLOTS)
+    return fits + 1 if fits < MOST_SLOTS else None

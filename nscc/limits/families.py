@@ -1,0 +1,188 @@
+"""The shutter classes as families of programs: one program text for each size.
+
+A size is a number of slots, or of rows of a codebook. Codebooks need data that only their author
+has: rows of a fixed pseudo-random sequence stand in, which no gate sharing makes cheap.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Literal
+
+from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT
+
+MOST_DIGITS = 1 << 14
+"""Most rows x slots of a codebook that is compiled to find a limit: larger ones take long."""
+
+BUMP_LENGTHS = (4, 8, 16)
+BOOK_ROWS = (16, 64, 256)
+BOOK_SLOTS = 16
+
+_WORD = 1 << 64
+
+
+@dataclass(frozen=True)
+class Family:
+    """A class of shutters at every size.
+
+    `text(size, slot)` is a program without data, `slot` a time as programs write it.
+    `shutters(size)` counts its different shutters and `slots(size)` its slots. Where `nested`, a
+    program for one size serves every smaller one, so what is impossible stays so. `counted_as`
+    says how the shutters are counted, `ceiling` is the largest size that is ever compiled and
+    `ceiling_reason` why.
+    """
+
+    name: str
+    what: str
+    unit: Literal["slots", "rows"]
+    text: Callable[[int, str], str]
+    shutters: Callable[[int], int]
+    counted_as: str
+    slots: Callable[[int], int]
+    nested: bool
+    least: int
+    ceiling: int
+    ceiling_reason: str
+
+
+def families() -> list[Family]:
+    """Classes a to e, class c at three lengths, and codebooks of several heights and one length."""
+    found = [
+        _by_slots("a", "always open", "open when true", lambda _slots: 1, "1 shutter"),
+        _by_slots("b 1..N", "open from slot 0 to a stop", stop_rule("1"), lambda n: n, "N stops"),
+        _by_slots(
+            "b 0..N", "the same, or never open", stop_rule("0"), lambda n: n + 1, "N + 1 stops"
+        ),
+    ]
+    for length in BUMP_LENGTHS:
+        found.append(_fixed_bump(length))
+    found += [
+        _by_slots(
+            "d", "one bump, any start and stop", bump_rule(), lambda n: n * (n + 1) // 2,
+            "N (N + 1) / 2 bumps",
+        ),
+        _by_slots("e", "every pattern of N bits", bits_rule(), lambda n: 1 << n, "2^N patterns"),
+    ]  # fmt: skip
+    found += [_book_by_slots(rows) for rows in BOOK_ROWS]
+    return [*found, _book_by_rows(BOOK_SLOTS)]
+
+
+def stop_rule(first: str) -> str:
+    """Class b with stops `first`..N."""
+    return f"code stop : {first}..N\nopen when n < stop"
+
+
+def start_rule(length: int) -> str:
+    """Class c: a whole bump of `length` slots anywhere in the frame."""
+    return f"code start : 0..N - {length}\nopen when start <= n < start + {length}"
+
+
+def bump_rule() -> str:
+    """Class d: every bump."""
+    return (
+        "code start : 0..N - 1\ncode stop : 1..N\nrequire start < stop\nopen when start <= n < stop"
+    )
+
+
+def bits_rule() -> str:
+    """Class e: every pattern."""
+    return "code bits : bit[N]\nopen when bits[n]"
+
+
+def book_rule(rows: list[str]) -> str:
+    """A codebook with these rows of digits."""
+    return f"shutters book [{', '.join(rows)}]\ncode id : row of book\nopen when book[id]"
+
+
+def program_text(slots: int, slot: str, rule: str) -> str:
+    """A program of equal slots without data."""
+    return f"nsl 1\nframe {slots} slots of {slot}\n{rule}\n"
+
+
+def random_rows(count: int, slots: int) -> list[str]:
+    """Distinct pseudo-random rows of digits, the same on every machine; fewer than `count` where
+    there are no more."""
+    rows: dict[str, None] = {}
+    words = -(-slots // 64)
+    number = 0
+    while len(rows) < min(count, 1 << slots):
+        digits = "".join(f"{_mixed(number + word):064b}" for word in range(words))
+        rows.setdefault(digits[:slots])
+        number += words
+    return list(rows)
+
+
+def _mixed(number: int) -> int:
+    """64 bits that look random: a counter through the mixer of SplitMix64 (Steele et al., 2014)."""
+    bits = number * 0x9E3779B97F4A7C15 % _WORD
+    bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9 % _WORD
+    bits = (bits ^ bits >> 27) * 0x94D049BB133111EB % _WORD
+    return bits ^ bits >> 31
+
+
+def _by_slots(
+    name: str, what: str, rule: str, shutters: Callable[[int], int], counted_as: str, least: int = 1
+) -> Family:
+    ceiling, reason = _provable(shutters)
+    return Family(
+        name, what, "slots", lambda size, slot: program_text(size, slot, rule), shutters,
+        counted_as, lambda size: size, True, least, ceiling, reason,
+    )  # fmt: skip
+
+
+def _fixed_bump(length: int) -> Family:
+    return _by_slots(
+        f"c len {length}",
+        f"a bump of {length} slots, any start 0..N - {length}",
+        start_rule(length),
+        lambda slots: max(1, slots - length + 1),
+        f"N - {length - 1} starts",
+        least=length,
+    )
+
+
+def _book_by_slots(rows: int) -> Family:
+    return Family(
+        f"codebook, {rows} rows",
+        "pseudo-random rows of N slots",
+        "slots",
+        lambda size, slot: program_text(size, slot, book_rule(random_rows(rows, size))),
+        lambda _size: rows,
+        f"{rows} rows",
+        lambda size: size,
+        nested=False,
+        least=(rows - 1).bit_length(),
+        ceiling=MOST_DIGITS // rows,
+        ceiling_reason=f"codebooks of more than {MOST_DIGITS} digits take long and are not tried",
+    )
+
+
+def _book_by_rows(slots: int) -> Family:
+    return Family(
+        f"codebook, {slots} slots",
+        "K pseudo-random rows",
+        "rows",
+        lambda size, slot: program_text(slots, slot, book_rule(random_rows(size, slots))),
+        lambda size: size,
+        "K rows",
+        lambda _size: slots,
+        nested=False,
+        least=1,
+        ceiling=min(MOST_DIGITS // slots, 1 << slots),
+        ceiling_reason=f"codebooks of more than {MOST_DIGITS} digits take long and are not tried",
+    )
+
+
+def _provable(shutters: Callable[[int], int]) -> tuple[int, str]:
+    """The largest number of slots whose codes nscc enumerates and proves, and why no more."""
+    low, high = 1, MOST_SLOTS + 1
+    while high - low > 1:
+        middle = (low + high) // 2
+        if shutters(middle) * middle <= PROOF_LIMIT:
+            low = middle
+        else:
+            high = middle
+    if low == MOST_SLOTS:
+        return low, f"a frame has at most {MOST_SLOTS} slots (NS0308)"
+    return low, f"nscc proves at most {PROOF_LIMIT} codes x slots (NS0450)"

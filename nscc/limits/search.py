@@ -1,0 +1,104 @@
+"""Which sizes are worth compiling: powers of two, the sizes where one more bit is needed, and then
+what lies between the last that fits and the next that does not.
+
+Searches count what they compile and know no clock, so they end at the same sizes on any machine.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from nscc.limits.certain import Count, largest_with
+
+GIVE_UP_AFTER = 2
+"""Candidates in a row that do not fit before larger ones are left alone."""
+
+
+_ALIKE = 1.02
+"""A power of two tells nothing if a larger candidate is within this factor."""
+
+
+@dataclass(frozen=True)
+class Trial:
+    """One program that was compiled: `fits` means that its words were proved.
+
+    `figures` are its costs. Of one that does not fit, `code` and `reason` are the error's, and
+    `proved` says that no other compiler would help.
+    """
+
+    size: int
+    fits: bool
+    figures: Mapping[str, Any] = field(default_factory=dict)
+    code: str = ""
+    reason: str = ""
+    proved: bool = False
+
+
+def candidates(count: Count, least: int, most: int) -> list[int]:
+    """The sizes that a search looks at first, ascending; `count` as in `certain`."""
+    steps = {least, most}
+    bits = 0
+    while (size := largest_with(count, 1 << bits, least, most)) < most:
+        steps.add(size)
+        bits += 1
+    powers = [1 << k for k in range(most.bit_length())]
+    telling = [p for p in powers if not any(p < step < p * _ALIKE for step in steps)]
+    return sorted(size for size in {*steps, *telling} if least <= size <= most)
+
+
+def explore(
+    sizes: list[int], attempt: Callable[[int], Trial], budget: int
+) -> Generator[Trial, None, dict[int, Trial]]:
+    """Compiles the ascending `sizes`, then looks beyond the largest that fits.
+
+    Yields each trial as it is made, at most `budget` of them, and returns all by size. The next
+    larger size is tried before the middle: limits tend to lie where one more bit is needed.
+    """
+    tried: dict[int, Trial] = {}
+
+    def make(size: int) -> Generator[Trial, None, bool]:
+        tried[size] = attempt(size)
+        yield tried[size]
+        return tried[size].fits
+
+    failures = 0
+    for size in sizes:
+        if len(tried) == budget or failures == GIVE_UP_AFTER:
+            break
+        failures = 0 if (yield from make(size)) else failures + 1
+    good = max((t.size for t in tried.values() if t.fits), default=None)
+    if good is None:
+        return tried
+    bad = min((size for size in tried if size > good), default=good + 1)
+    probe = good + 1
+    while bad - good > 1 and len(tried) < budget:
+        if (yield from make(probe)):
+            good = probe
+        else:
+            bad = probe
+        probe = (good + bad) // 2
+    return tried
+
+
+def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> int | None:
+    """The largest size in `least`..`most` that was found to fit, with at most `budget` attempts.
+
+    `most` is tried first, and then halves: exact where what fits at a size fits at smaller ones
+    and the budget lasts.
+    """
+    if most < least or budget < 1:
+        return None
+    if fits(most):
+        return most
+    low, high = least - 1, most
+    for _ in range(budget - 1):
+        if high - low <= 1:
+            break
+        middle = (low + high) // 2
+        if fits(middle):
+            low = middle
+        else:
+            high = middle
+    return low if low >= least else None

@@ -1,0 +1,137 @@
+"""The limits of a chip: every class compiled at the sizes that a search asks for."""
+
+from __future__ import annotations
+
+from collections.abc import Generator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from nscc.diagnostics.model import Diagnostic, Rejected, Severity
+from nscc.limits.certain import bits_needed, impossible_from
+from nscc.limits.families import Family, families
+from nscc.limits.search import Trial, candidates, explore
+from nscc.pipeline import Compiled, Options, compile_source
+from nscc.program.limits import MOST_SLOTS
+from nscc.source import Source
+from nscc.target.model import Target
+
+BUDGET = 40
+"""Most programs compiled for one class at one slot length."""
+
+
+@dataclass(frozen=True)
+class Limit:
+    """What is known of a family on a target: sizes built, impossible, and neither.
+
+    `built` is the largest trial that fits, None if none does. From `impossible` on no program
+    exists, for `impossible_reason`; None where nothing is proved. `unknown_reason` says why the
+    sizes between are neither, "" if there are none.
+    """
+
+    family: Family
+    slot: str
+    tried: tuple[Trial, ...]
+    built: Trial | None
+    impossible: int | None
+    impossible_reason: str
+    unknown_reason: str
+
+    @property
+    def unknown_from(self) -> int:
+        """The smallest size above the largest that was built."""
+        return self.built.size + 1 if self.built else self.family.least
+
+    @property
+    def gaps(self) -> tuple[Trial, ...]:
+        """Sizes below the largest built that did not fit."""
+        built = self.built.size if self.built else 0
+        return tuple(trial for trial in self.tried if trial.size < built and not trial.fits)
+
+
+def survey(
+    target: Target, options: Options, slots: tuple[str, ...]
+) -> Generator[Trial, None, list[Limit]]:
+    """Yields each trial as it is made and returns a limit for every slot length and family."""
+    options = replace(options, target=target, codes="open", suggest=False)
+    found = []
+    for slot in slots:
+        for family in families():
+            found.append((yield from _limit(family, target, options, slot)))
+    return found
+
+
+def _limit(
+    family: Family, target: Target, options: Options, slot: str
+) -> Generator[Trial, None, Limit]:
+    capacity = impossible_from(family.shutters, target)
+    most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
+    sizes = candidates(family.shutters, family.least, most)
+    trials = yield from explore(sizes, lambda size: _attempt(family, size, slot, options), BUDGET)
+    tried = tuple(trials[size] for size in sorted(trials))
+    built = next((trial for trial in reversed(tried) if trial.fits), None)
+    proved = [t for t in tried if t.proved] if family.nested else []
+    impossible, reason = capacity, ""
+    if capacity is not None:
+        reason = _capacity_reason(family, capacity, target)
+    if proved:
+        impossible, reason = proved[0].size, proved[0].reason
+    limit = Limit(family, slot, tried, built, impossible, reason, "")
+    return replace(limit, unknown_reason=_unknown(limit))
+
+
+def _attempt(family: Family, size: int, slot: str, options: Options) -> Trial:
+    try:
+        source = Source("limits.nsl", family.text(size, slot))
+        compiled = compile_source(source, Path(), options)
+    except Rejected as rejected:
+        return _failed(size, rejected.diagnostics)
+    return _fits(size, compiled)
+
+
+def _failed(size: int, found: tuple[Diagnostic, ...]) -> Trial:
+    errors = [d for d in found if d.severity is Severity.ERROR]
+    worst = next((d for d in errors if d.data.get("proved")), errors[0])
+    proved = worst.data.get("proved") is True
+    return Trial(size, False, {}, worst.code, worst.message, proved)
+
+
+def _fits(size: int, compiled: Compiled) -> Trial:
+    lowered, proof = compiled.lowered, compiled.proof
+    assert lowered is not None
+    assert proof is not None
+    assert proof.holds
+    schedule, slots = lowered.schedule, len(lowered.program.frame.slot_us)
+    figures = {
+        "lowering": lowered.plan.lowering,
+        "encoding": lowered.solution.encoding,
+        "registers": len(schedule.allocation.holders),
+        "words_total": schedule.words_total,
+        "words_a_slot": round(schedule.words_total / slots, 6),
+        "largest_slot_words": max(lowered.words_per_boundary),
+        "words_stored": schedule.words_stored,
+        "shortest_slot_us": round(lowered.shortest_slot_us, 6),
+    }
+    return Trial(size, True, figures)
+
+
+def _capacity_reason(family: Family, size: int, target: Target) -> str:
+    shutters = family.shutters(size)
+    return (
+        f"{family.counted_as}: {shutters} shutters need {bits_needed(shutters)} digital registers "
+        f"whatever the encoding, {target.name} has {len(target.digital_registers)}"
+    )
+
+
+def _unknown(limit: Limit) -> str:
+    """Why the sizes between those built and those impossible are neither."""
+    family, first = limit.family, limit.unknown_from
+    if first > MOST_SLOTS or (limit.impossible is not None and first >= limit.impossible):
+        return ""
+    reasons = []
+    nearest = next((trial for trial in limit.tried if trial.size >= first), None)
+    if nearest is not None and (limit.impossible is None or nearest.size < limit.impossible):
+        proves = "certain, but only for these rows" if nearest.proved else "which proves nothing"
+        reasons.append(f"{nearest.size} was tried: {nearest.reason} [{nearest.code}], {proves}")
+    if limit.impossible is None or family.ceiling < limit.impossible - 1:
+        reasons.append(f"above {family.ceiling}: {family.ceiling_reason}")
+    return "; ".join(reasons)

@@ -1,0 +1,128 @@
+"""A survey as a table for people and as JSON values for programs."""
+
+from __future__ import annotations
+
+from itertools import groupby
+from typing import Any
+
+from nscc.limits.search import Trial
+from nscc.limits.survey import Limit
+from nscc.lower.resources import time_text
+from nscc.target.model import Target
+
+_HEAD = (
+    "class",
+    "built up to",
+    "impossible from",
+    "words a slot",
+    "largest slot",
+    "stored",
+    "shortest slot",
+)
+
+
+def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
+    """One block for each slot length: the figures first, then every reason in words."""
+    blocks = [
+        f"{target.name} at -O{level}, every legal code compiled; built: compiled and proved; "
+        f"the store has {target.store_words} words"
+    ]
+    for slot, group in groupby(limits, key=lambda limit: limit.slot):
+        rows = list(group)
+        blocks.append(f"slots of {slot}\n" + _columns([_HEAD, *map(_row, rows)]))
+        blocks.append("\n".join(line for limit in rows for line in _reasons(limit)))
+    return "\n\n".join(blocks)
+
+
+def _row(limit: Limit) -> tuple[str, ...]:
+    unit, built = limit.family.unit, limit.built
+    impossible = "-" if limit.impossible is None else f"{limit.impossible} {unit}"
+    if built is None:
+        return (limit.family.name, "none", impossible, "", "", "", "")
+    figures = built.figures
+    return (
+        limit.family.name,
+        f"{built.size} {unit}",
+        impossible,
+        f"{figures['words_a_slot']:.3g}",
+        f"{figures['largest_slot_words']} words",
+        f"{figures['words_stored']} words",
+        time_text(figures["shortest_slot_us"]) if figures["shortest_slot_us"] else "any",
+    )
+
+
+def _columns(rows: list[tuple[str, ...]]) -> str:
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = (
+        "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True))
+        for row in rows
+    )
+    return "\n".join("  " + line.rstrip() for line in lines)
+
+
+def _reasons(limit: Limit) -> list[str]:
+    family = limit.family
+    lines = [f"  {family.name}: {family.what}", f"    built       {_tried(limit)}"]
+    if limit.impossible is not None:
+        lines.append(f"    impossible  from {limit.impossible}: {limit.impossible_reason}")
+    if limit.unknown_reason:
+        first = limit.unknown_from
+        sizes = (
+            f"from {first} on" if limit.impossible is None else f"{first}..{limit.impossible - 1}"
+        )
+        lines.append(f"    unknown     {sizes}: {limit.unknown_reason}")
+    elif limit.impossible is None:
+        lines.append(f"    no more     {family.ceiling_reason}")
+    return lines
+
+
+def _tried(limit: Limit) -> str:
+    """What was compiled, with every size below the largest that did not fit."""
+    if limit.built is None:
+        return "nothing that was tried fits"
+    count = sum(trial.size <= limit.built.size for trial in limit.tried)
+    if not limit.gaps:
+        return f"{limit.built.size}; so did all {count} sizes tried up to it"
+    gaps = "; ".join(f"{t.size} did not: {t.reason} [{t.code}]" for t in limit.gaps)
+    return f"{limit.built.size}; of {count} sizes tried up to it {gaps}"
+
+
+def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, Any]:
+    """Everything that was found: the table's figures, reasons, and every trial."""
+    return {
+        "target": target.name,
+        "level": level,
+        "digital_registers": len(target.digital_registers),
+        "store_words": target.store_words,
+        "limits": [_limit_values(limit) for limit in limits],
+    }
+
+
+def _limit_values(limit: Limit) -> dict[str, Any]:
+    unknown = None
+    if limit.unknown_reason:
+        last = None if limit.impossible is None else limit.impossible - 1
+        unknown = {"from": limit.unknown_from, "to": last, "reason": limit.unknown_reason}
+    return {
+        "class": limit.family.name,
+        "shutters": limit.family.what,
+        "slot": limit.slot,
+        "unit": limit.family.unit,
+        "built_up_to": limit.built.size if limit.built else None,
+        "impossible_from": limit.impossible,
+        "impossible_reason": limit.impossible_reason or None,
+        "unknown": unknown,
+        "tried": [_trial_values(trial) for trial in limit.tried],
+    }
+
+
+def _trial_values(trial: Trial) -> dict[str, Any]:
+    if trial.fits:
+        return {"size": trial.size, "fits": True, **trial.figures}
+    return {
+        "size": trial.size,
+        "fits": False,
+        "code": trial.code,
+        "reason": trial.reason,
+        "proved": trial.proved,
+    }

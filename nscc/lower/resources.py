@@ -1,0 +1,38 @@
+"""Parts of every error about a resource: where its limit comes from, what is needed, times."""
+
+from __future__ import annotations
+
+from math import ceil, floor, log10
+
+from nscc.diagnostics.model import Label
+from nscc.program.model import Program
+
+
+def chip_label(program: Program, text: str) -> tuple[Label, ...]:
+    """The second place of a resource error: where the program names its chip."""
+    return (Label(program.target_span, text),) if program.target_span is not None else ()
+
+
+def chip_note(program: Program, text: str) -> tuple[str, ...]:
+    """What `_chip` says, for a program that does not name its chip."""
+    return () if program.target_span is not None else (f"{program.target.name}: {text}",)
+
+
+def resource(
+    name: str, required: float, available: float, *, proved: bool
+) -> dict[str, str | float | bool]:
+    return {"resource": name, "required": required, "available": available, "proved": proved}
+
+
+def at_least(us: float) -> str:
+    """A time rounded up, in words; never less than `us`."""
+    digit_us = 10.0 ** (floor(log10(us)) - 2)
+    return time_text(ceil(us / digit_us - 1e-9) * digit_us)
+
+
+def time_text(us: float) -> str:
+    """A time in the unit that suits it."""
+    for unit, size in (("s", 1e6), ("ms", 1e3), ("us", 1.0)):
+        if us >= size:
+            return f"{us / size:.4g} {unit}"
+    return f"{us * 1e3:.4g} ns"

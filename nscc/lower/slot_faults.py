@@ -1,0 +1,156 @@
+"""Slots that are too short for their words, too full, or too long for memory."""
+
+from __future__ import annotations
+
+from nscc.diagnostics.model import Diagnostic, Label
+from nscc.lower.choose import Choice
+from nscc.lower.lowered import Lowered
+from nscc.lower.resources import at_least, chip_label, chip_note, resource, time_text
+from nscc.program.problems import counted
+from nscc.target.model import Target
+
+
+def retention_fault(lowered: Lowered) -> Diagnostic:
+    """NS0602: a slot, or the readout, outlasts digital memory. Certain."""
+    program = lowered.program
+    longest = max(range(len(program.frame.slot_us)), key=program.frame.slot_us.__getitem__)
+    slot_us = program.frame.slot_us[longest]
+    keep_us = lowered.time.keep_us
+    return Diagnostic(
+        "NS0602",
+        f"digital registers forget within this frame: slot {longest} lasts "
+        f"{time_text(slot_us)}, and the readout {time_text(lowered.time.between_us)}; "
+        f"{program.target.name} keeps a bit for {time_text(program.target.digital_retention_us)}",
+        source=program.source,
+        label=Label(program.frame.span, "registers are refreshed between slots, not inside them"),
+        notes=(
+            f"nothing is left untouched for more than {time_text(keep_us)}, with a margin of 10 %",
+        ),
+        helps=("split the slot into several: the rule may treat them alike",),
+        data=resource("retention_us", slot_us, keep_us, proved=True),
+    )
+
+
+def late_fault(choice: Choice, lowered: Lowered, level: int) -> Diagnostic:
+    """NS0601: words take longer than the slot at whose start they run.
+
+    Certain where, in every lowering, the analog words and one launch alone do.
+    """
+    program, target = lowered.program, lowered.program.target
+    slots_us = program.frame.slot_us
+    certain = _nothing_untried(choice) and all(_too_short(tried) for tried in choice.tried)
+    if certain:
+        worst = _too_short(lowered)[0]
+        needed_us = _least_us(lowered, worst)
+        why = f"its analog words and one launch take {time_text(needed_us)}"
+    else:
+        worst = max(lowered.late, key=lambda n: lowered.busy_us[n] - slots_us[n])
+        needed_us = lowered.busy_us[worst]
+        words = lowered.words_per_boundary[worst]
+        why = f"its {words} words take {time_text(needed_us)} at -O{level}"
+    return Diagnostic(
+        "NS0601",
+        f"slot {worst} is shorter than its own instructions: it lasts "
+        f"{time_text(slots_us[worst])}, and {why}",
+        source=program.source,
+        label=Label(program.frame.span, f"{len(lowered.late)} of {len(slots_us)} slots too short"),
+        related=chip_label(program, _times(target)),
+        notes=(
+            *chip_note(program, _times(target)),
+            "certain: the light must be read and a kernel launched"
+            if certain
+            else "not proved: fewer words may be found",
+        ),
+        helps=(f"slots of {at_least(lowered.shortest_slot_us)} or longer fit the words found",),
+        data=resource("slot_us", needed_us, slots_us[worst], proved=certain),
+    )
+
+
+def overfull_fault(choice: Choice, lowered: Lowered, level: int) -> Diagnostic:
+    """NS0603: more words at a boundary than `--max-words-per-slot` allows.
+
+    Certain where, in every lowering, the analog words of a boundary alone are more.
+    """
+    program, allowed = lowered.program, lowered.most_words
+    assert allowed is not None
+    words = lowered.words_per_boundary
+    worst = max(lowered.overfull, key=lambda n: (words[n], -n))
+    certain = _nothing_untried(choice) and all(
+        any(_analog_words(tried, n) > allowed for n in tried.overfull) for tried in choice.tried
+    )
+    slots = len(program.frame.slot_us)
+    place = f"slot {worst}" if worst < slots else "the end of the last slot"
+    return Diagnostic(
+        "NS0603",
+        f"{place} executes {words[worst]} words at -O{level}, "
+        f"and --max-words-per-slot allows {allowed}",
+        source=program.source,
+        label=Label(program.frame.span, _how_many(len(lowered.overfull), slots)),
+        notes=(
+            f"{words[worst]} words: {_where_they_go(lowered, worst)}",
+            f"lowered as {lowered.plan.lowering}, encoding: {lowered.solution.encoding}",
+            "certain: the words that read the light are more than that"
+            if certain
+            else "not proved: fewer words may be found",
+        ),
+        helps=(f"--max-words-per-slot {words[worst]} accepts the words found",),
+        data={
+            **resource("words_per_slot", words[worst], allowed, proved=certain),
+            "slot": worst,
+        },
+    )  # fmt: skip
+
+
+def _how_many(overfull: int, slots: int) -> str:
+    return f"{counted(overfull, 'boundary', 'boundaries')} of {slots + 1} over the limit"
+
+
+def _where_they_go(lowered: Lowered, boundary: int) -> str:
+    """The words of a boundary by purpose, and what launching them takes."""
+    kernels, launch_us = lowered.schedule.kernels, lowered.program.target.launch_us
+    launched = [kernels[kernel] for n, kernel in lowered.schedule.launches if n == boundary]
+    words = [word for kernel in launched for word in kernel]
+    analog = sum(word.analog for word in words)
+    refresh = sum(word.operation.name.startswith("REFRESH") for word in words)
+    light = _analog_words(lowered, boundary)
+    shares = (
+        (len(words) - analog - refresh, "to decode"),
+        (light, "to read the light"),
+        (analog - light, "to set up and reset"),
+        (refresh, "to refresh registers"),
+    )
+    said = ", ".join(f"{count} {purpose}" for count, purpose in shares if count)
+    launches = counted(len(launched), "kernel")
+    return f"{said}; launching {launches} takes {time_text(len(launched) * launch_us)} more"
+
+
+def _times(target: Target) -> str:
+    return (
+        f"{target.digital_word_us:g} us a digital word, {target.analog_word_us:g} us an analog "
+        f"one, {target.launch_us:g} us a launch"
+    )
+
+
+def _nothing_untried(choice: Choice) -> bool:
+    """Whether every lowering was laid out, or cannot be."""
+    return not any(misfit.searched for misfit in choice.misfits.values())
+
+
+def _too_short(lowered: Lowered) -> list[int]:
+    """Slots in which no gates at all would leave time enough; the worst one first."""
+    slots_us = lowered.program.frame.slot_us
+    lacking = {n: _least_us(lowered, n) - slots_us[n] for n in lowered.late}
+    return sorted((n for n in lacking if lacking[n] > 0), key=lambda n: (-lacking[n], n))
+
+
+def _least_us(lowered: Lowered, boundary: int) -> float:
+    """Time that no program can do without at a boundary: its analog words and one launch."""
+    target = lowered.program.target
+    analog = _analog_words(lowered, boundary)
+    return target.launch_us + analog * target.analog_word_us if analog else 0.0
+
+
+def _analog_words(lowered: Lowered, boundary: int) -> int:
+    """Words that move a boundary's light, whatever the gates."""
+    steps = [s for s in lowered.plan.steps if s.boundary == boundary and s.bucket >= 0]
+    return sum(len(step.words) for step in steps)
