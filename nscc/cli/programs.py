@@ -74,6 +74,8 @@ def build_options(function: Command) -> Command:
             "--cache/--no-cache",
             default=True,
             help="Keep search results of -O2 and -O3 and reuse them (default), or search anew.",
+        ),
+        click.option(
             "--max-words-per-slot",
             metavar="W",
             type=click.IntRange(min=1),
