@@ -355,7 +355,7 @@ def test_the_recording_notices_a_changed_word_wait_or_plane(tmp_path: Path) -> N
 def test_patterns_cover_random_tiles_exactly() -> None:
     random = np.random.default_rng(5)
     row, col = np.mgrid[0:256, 0:256]
-    sizes = ((256, 256, 8, 8), (256, 256, 1, 32), (7, 100, 4, 2), (3, 3, 4, 4))
+    sizes = ((256, 256, 8, 8), (256, 256, 1, 32), (256, 256, 64, 64), (7, 100, 4, 2), (3, 3, 4, 4))
     for rows, cols, height, width in sizes:
         tile = random.random((height, width)) < 0.4
         plane = np.tile(tile, (256, 256))[:rows, :cols]

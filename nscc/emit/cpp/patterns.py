@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 ADDRESS_BITS = 8
 """Bits of a row's address, and of a column's."""
 
-MOST_BITS = 10
-"""Most address bits that a plane may hang on to be made of patterns: a tile of 32 x 32 pixels.
-Beyond that an image, drawn pixel by pixel, is shorter."""
+MOST_BITS = 12
+"""Most address bits that a plane may hang on to be made of patterns: a tile of 64 x 64 pixels, and
+some 700 patterns at worst. Beyond that an image, drawn pixel by pixel, is no slower."""
 
 _SIDE = 1 << ADDRESS_BITS
 _OPEN = _SIDE - 1

@@ -59,7 +59,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     if fault is not None:
         raise Rejected(_no_cpp(program, f"{container.target.name} {fault}", _OTHER_CHIP))
     if container.pixel_codes is None:
-        raise Rejected(_no_cpp(program, "the program says of no pixel which code it has", _DATA))
+        raise Rejected(_no_cpp(program, "without `pixels` no pixel has a code to load", _DATA))
     planes = container.planes()
     loading = loading_of(planes, container.target, stem)
     _check_store(program, container, loading)
