@@ -112,9 +112,10 @@ def _fewer_rows(program: Program, attempt: Attempt) -> Iterator[WayOut]:
     count = largest(1, most, fits, _ROW_TRIALS)
     if count is None:
         return
-    last = int(table.codes[count - 1, 0])
-    whose = "in use" if program.mode == "fixed" else "of the book"
-    why = f"the first {count} of the {rows} rows {whose}, up to row {last}"
+    field, last = program.fields[0], table.codes[count - 1, 0]
+    whose = "in use" if program.mode == "fixed" else "allowed"
+    until = f"up to row {last}" if field.kind == "row" else f"up to {field.name} = {last}"
+    why = f"the first {count} of the {rows} rows {whose}, {until}"
     if count == most:
         why += untried
     fullest = max(built[count].words_per_boundary)
