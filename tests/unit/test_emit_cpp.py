@@ -101,7 +101,7 @@ def test_no_compiler_has_anything_to_say(name: str, standard: str, tmp_path: Pat
 @needs_compiler
 def test_tables_run_where_the_library_has_a_function_for_them(tmp_path: Path) -> None:
     text = (ROOT / "examples" / "class_c.nsl").read_text()
-    file, container = build(tmp_path, text)
+    file, container = build(tmp_path, text, "-O", "1")
     assert "_words[][5]" in file.read_text()
     check(record(file, "-std=c++11", "-DDEVKIT_STUB_TABLE_FUNCTION"), container)
 

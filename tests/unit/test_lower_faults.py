@@ -79,15 +79,15 @@ def test_a_large_codebook(tmp_path):
 
 
 def bump(slots):
-    """Any one bump a pixel, compiled."""
-    return compiled(f"frame {slots} slots of 1ms\n{BUMPS}")
+    """Any one bump a pixel, compiled as ways out are."""
+    return compiled(f"frame {slots} slots of 1ms\n{BUMPS}", level=1)
 
 
 def check_ways_out(found, slots, more=None):
     """Every way out compiles when it is written as a program, at the price that it states."""
     ways = {
         "`start <= n < stop`": lambda: bump(slots),
-        "`n < stop`": lambda: compiled(f"frame {slots} slots of 1ms\n{STOPS}"),
+        "`n < stop`": lambda: compiled(f"frame {slots} slots of 1ms\n{STOPS}", level=1),
         "`code id : row of book`": None,
         **(more or {}),
     }
@@ -200,7 +200,7 @@ def test_what_check_cannot_tell():
     ("slot", "proved"), [("1us", True), ("1.39us", True), ("1.41us", False), ("1.7us", False)]
 )
 def test_slots_that_are_too_short(slot, proved):
-    found = fault(f"frame 64 slots of {slot}\n{STOPS}")
+    found = fault(f"frame 64 slots of {slot}\n{STOPS}", level=1)
     assert (found.code, found.data["proved"]) == ("NS0601", proved)
     assert found.data["required"] > found.data["available"] == float(slot[:-2])
     enough = re.search(r"slots of ([0-9.]+) us or longer", found.helps[0])[1]

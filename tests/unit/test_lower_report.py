@@ -104,9 +104,14 @@ def test_logic(name, chip):
     logic = values["logic"]
     gates = ("WHERE", "SET", "CLR", "MOV", "NOT", "OR", "NOR", "OR.read", "OR.write", "NOR.read",
              "NOR.write")  # fmt: skip
-    per_boundary = [
-        [name for name, _, _ in here if name in gates] for here in words_at(compiled.container)
-    ]
+    per_boundary = []
+    for here in words_at(compiled.container):
+        names = " ".join(f"{name}.FLAG" if "FLAG" in sources else name for name, _, sources in here)
+        # The masked register's refresh sets its mask, whose own code waits in FLAG: no gates.
+        pair = "REFRESH.read REFRESH.write"
+        names = names.replace(f"WHERE SET {pair} MOV.FLAG", pair).replace(f"SET {pair}", pair)
+        names = names.replace(".FLAG", "")
+        per_boundary.append([name for name in names.split() if name in gates])
     every = [name for here in per_boundary for name in here]
     assert logic["words"] == len(every)
     assert logic["in_place"] == sum(name.endswith(".read") for name in every)

@@ -4,16 +4,17 @@
 // class      b: every shutter is open from slot 0 up to a stop of its own, in all codes that the
 //            fields allow
 // slots      16 of 125 us, 2000 us in all
-// lowering   edges; encoding: shutter number in Gray code, both polarities
-// digital    R0 scratch; R1 shutter number, Gray bit 0; R2 shutter number, Gray bit 0, inverted; R3
-//            shutter number, Gray bit 1; R4 shutter number, Gray bit 1, inverted; R5 shutter
-//            number, Gray bit 2; R6 shutter number, Gray bit 2, inverted; R7 shutter number, Gray
-//            bit 3; R8 shutter number, Gray bit 3, inverted
+// lowering   edges; encoding: event times in digits 4 x 4
+// digital    R0 scratch; R1 fall time, digit 1 is not 1; R2 fall time, digit 1 is not 2; R3 fall
+//            time, digit 1 is not 3; R4 fall time, digit 0 is not 0; R5 fall time, digit 0 is not
+//            1; R6 fall time, digit 0 is not 2; R7 fall time, digit 0 is not 3; R8 fall at boundary
+//            13; R9 fall at boundary 14; R10 fall at boundary 15; R11 fall at boundary 16; R12 fall
+//            time, digit 1 is not 0
 // analog     A exposure of frame; B reset level of PIX; NEWS scratch of analog words
-// words      88 stored in 17 kernels, 88 a frame; 49 more load the codes and prepare readout
+// words      93 stored in 17 kernels, 93 a frame; 67 more load the codes and prepare readout
 // time       waits fill the slots after the words, at 0.2 us an analog word, 0.1 us a digital one
 //            and 1 us a launch; they are whole microseconds, rounded up so that no slot is too
-//            short, which makes a frame 9.6 us longer
+//            short, which makes a frame 9.3 us longer
 // array      256 x 256 pixels; the devkit's (0, 0) is the top right one
 // source     SHA-256 cd259a6c4288e26103fef310f636ff119a46e34e165ead89360ece9fa9cb243e
 
@@ -39,7 +40,7 @@ void k0() {
 // writes A: stops.nsl:4: open when n < stop
 void k1() {
     scamp5_kernel_begin();
-        NOR(R0, R1, R3, R5, R7);            // NOR R0, R1, R3, R5, R7
+        NOR(R0, R4, R12);                   // NOR R0, R4, R12
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -50,7 +51,7 @@ void k1() {
 // writes A: stops.nsl:4: open when n < stop
 void k2() {
     scamp5_kernel_begin();
-        NOR(R0, R2, R3, R5, R7);            // NOR R0, R2, R3, R5, R7
+        NOR(R0, R5, R12);                   // NOR R0, R5, R12
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -61,7 +62,7 @@ void k2() {
 // writes A: stops.nsl:4: open when n < stop
 void k3() {
     scamp5_kernel_begin();
-        NOR(R0, R2, R4, R5, R7);            // NOR R0, R2, R4, R5, R7
+        NOR(R0, R6, R12);                   // NOR R0, R6, R12
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -72,7 +73,7 @@ void k3() {
 // writes A: stops.nsl:4: open when n < stop
 void k4() {
     scamp5_kernel_begin();
-        NOR(R0, R1, R4, R5, R7);            // NOR R0, R1, R4, R5, R7
+        NOR(R0, R7, R12);                   // NOR R0, R7, R12
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -83,7 +84,7 @@ void k4() {
 // writes A: stops.nsl:4: open when n < stop
 void k5() {
     scamp5_kernel_begin();
-        NOR(R0, R1, R4, R6, R7);            // NOR R0, R1, R4, R6, R7
+        NOR(R0, R1, R4);                    // NOR R0, R1, R4
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -94,7 +95,7 @@ void k5() {
 // writes A: stops.nsl:4: open when n < stop
 void k6() {
     scamp5_kernel_begin();
-        NOR(R0, R2, R4, R6, R7);            // NOR R0, R2, R4, R6, R7
+        NOR(R0, R1, R5);                    // NOR R0, R1, R5
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -105,7 +106,7 @@ void k6() {
 // writes A: stops.nsl:4: open when n < stop
 void k7() {
     scamp5_kernel_begin();
-        NOR(R0, R2, R3, R6, R7);            // NOR R0, R2, R3, R6, R7
+        NOR(R0, R1, R6);                    // NOR R0, R1, R6
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -116,7 +117,7 @@ void k7() {
 // writes A: stops.nsl:4: open when n < stop
 void k8() {
     scamp5_kernel_begin();
-        NOR(R0, R1, R3, R6, R7);            // NOR R0, R1, R3, R6, R7
+        NOR(R0, R1, R7);                    // NOR R0, R1, R7
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -127,7 +128,7 @@ void k8() {
 // writes A: stops.nsl:4: open when n < stop
 void k9() {
     scamp5_kernel_begin();
-        NOR(R0, R1, R3, R6, R8);            // NOR R0, R1, R3, R6, R8
+        NOR(R0, R2, R4);                    // NOR R0, R2, R4
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -138,7 +139,7 @@ void k9() {
 // writes A: stops.nsl:4: open when n < stop
 void k10() {
     scamp5_kernel_begin();
-        NOR(R0, R2, R3, R6, R8);            // NOR R0, R2, R3, R6, R8
+        NOR(R0, R2, R5);                    // NOR R0, R2, R5
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -149,7 +150,7 @@ void k10() {
 // writes A: stops.nsl:4: open when n < stop
 void k11() {
     scamp5_kernel_begin();
-        NOR(R0, R2, R4, R6, R8);            // NOR R0, R2, R4, R6, R8
+        NOR(R0, R2, R6);                    // NOR R0, R2, R6
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -160,54 +161,52 @@ void k11() {
 // writes A: stops.nsl:4: open when n < stop
 void k12() {
     scamp5_kernel_begin();
-        NOR(R0, R1, R4, R6, R8);            // NOR R0, R1, R4, R6, R8
+        NOR(R0, R2, R7);                    // NOR R0, R2, R7
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 4 words, 1.6 us; launched at boundary 13
+// 3 words, 1.5 us; launched at boundary 13
 // writes A: stops.nsl:4: open when n < stop
 void k13() {
     scamp5_kernel_begin();
-        NOR(R0, R1, R4, R5, R8);            // NOR R0, R1, R4, R5, R8
-        WHERE(R0);                          // WHERE R0
+        WHERE(R8);                          // WHERE R8
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 4 words, 1.6 us; launched at boundary 14
+// 3 words, 1.5 us; launched at boundary 14
 // writes A: stops.nsl:4: open when n < stop
 void k14() {
     scamp5_kernel_begin();
-        NOR(R0, R2, R4, R5, R8);            // NOR R0, R2, R4, R5, R8
-        WHERE(R0);                          // WHERE R0
+        WHERE(R9);                          // WHERE R9
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 4 words, 1.6 us; launched at boundary 15
+// 3 words, 1.5 us; launched at boundary 15
 // writes A: stops.nsl:4: open when n < stop
 void k15() {
     scamp5_kernel_begin();
-        NOR(R0, R2, R3, R5, R8);            // NOR R0, R2, R3, R5, R8
-        WHERE(R0);                          // WHERE R0
+        WHERE(R10);                         // WHERE R10
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
     scamp5_kernel_end();
 }
 
-// 20 words, 3.2 us; launched at boundary 16
+// 28 words, 4 us; launched at boundary 16
 // writes A: stops.nsl:4: open when n < stop
 void k16() {
     scamp5_kernel_begin();
-        NOR(R0, R1, R3, R5, R8);            // NOR R0, R1, R3, R5, R8
-        WHERE(R0);                          // WHERE R0
+        WHERE(R11);                         // WHERE R11
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
+        SET(R0);                            // SET R0
+        REFRESH(R12);                       // REFRESH.read R12; REFRESH.write R12
         REFRESH(R1);                        // REFRESH.read R1; REFRESH.write R1
         REFRESH(R2);                        // REFRESH.read R2; REFRESH.write R2
         REFRESH(R3);                        // REFRESH.read R3; REFRESH.write R3
@@ -216,6 +215,9 @@ void k16() {
         REFRESH(R6);                        // REFRESH.read R6; REFRESH.write R6
         REFRESH(R7);                        // REFRESH.read R7; REFRESH.write R7
         REFRESH(R8);                        // REFRESH.read R8; REFRESH.write R8
+        REFRESH(R9);                        // REFRESH.read R9; REFRESH.write R9
+        REFRESH(R10);                       // REFRESH.read R10; REFRESH.write R10
+        REFRESH(R11);                       // REFRESH.read R11; REFRESH.write R11
     scamp5_kernel_end();
 }
 
@@ -267,6 +269,8 @@ void expose() {
 // plane, and again and again during what takes long.
 void refresh_codes() {
     scamp5_kernel_begin();
+        SET(R0);
+        REFRESH(R12);
         REFRESH(R1);
         REFRESH(R2);
         REFRESH(R3);
@@ -275,6 +279,9 @@ void refresh_codes() {
         REFRESH(R6);
         REFRESH(R7);
         REFRESH(R8);
+        REFRESH(R9);
+        REFRESH(R10);
+        REFRESH(R11);
     scamp5_kernel_end();
 }
 
@@ -283,8 +290,30 @@ struct Match {
     uint8_t row, col, row_mask, col_mask;
 };
 
+const Match code_r12[] = {
+    {0, 3, 252, 252}, {1, 0, 252, 252}, {2, 1, 252, 252}, {3, 2, 252, 252},
+};
+
+void load_r12() {
+    scamp5_kernel_begin();
+        SET(R0);
+        CLR(R12, R1);
+    scamp5_kernel_end();
+    for (const Match &match : code_r12) {
+        scamp5_load_pattern(R1, match.row, match.col, match.row_mask,
+                            match.col_mask);
+        scamp5_kernel_begin();
+            OR(R12, R1);
+            CLR(R1);
+        scamp5_kernel_end();
+    }
+    scamp5_kernel_begin();
+        NOT(R12);
+    scamp5_kernel_end();
+}
+
 const Match code_r1[] = {
-    {0, 1, 255, 252}, {0, 2, 255, 252},
+    {0, 0, 253, 253}, {0, 1, 254, 254}, {1, 0, 254, 254}, {2, 2, 253, 253},
 };
 
 void load_r1() {
@@ -302,7 +331,7 @@ void load_r1() {
 }
 
 const Match code_r2[] = {
-    {0, 0, 255, 252}, {0, 3, 255, 252},
+    {0, 1, 252, 252}, {1, 2, 252, 252}, {2, 3, 252, 252}, {3, 0, 252, 252},
 };
 
 void load_r2() {
@@ -317,10 +346,13 @@ void load_r2() {
             CLR(R0);
         scamp5_kernel_end();
     }
+    scamp5_kernel_begin();
+        NOT(R2);
+    scamp5_kernel_end();
 }
 
 const Match code_r3[] = {
-    {0, 1, 254, 252}, {0, 2, 254, 252}, {1, 0, 254, 252}, {1, 3, 254, 252},
+    {0, 1, 254, 254}, {0, 2, 253, 253}, {1, 0, 254, 254}, {2, 0, 253, 253},
 };
 
 void load_r3() {
@@ -338,7 +370,7 @@ void load_r3() {
 }
 
 const Match code_r4[] = {
-    {0, 0, 254, 252}, {0, 3, 254, 252}, {1, 1, 254, 252}, {1, 2, 254, 252},
+    {0, 1, 254, 252}, {0, 2, 253, 252}, {1, 0, 254, 254}, {2, 0, 253, 253},
 };
 
 void load_r4() {
@@ -356,8 +388,7 @@ void load_r4() {
 }
 
 const Match code_r5[] = {
-    {0, 1, 252, 252}, {0, 2, 253, 252}, {1, 2, 252, 253}, {2, 0, 253, 252},
-    {2, 3, 252, 252}, {3, 0, 252, 253},
+    {0, 0, 255, 253}, {0, 1, 255, 254}, {2, 0, 252, 255},
 };
 
 void load_r5() {
@@ -375,8 +406,7 @@ void load_r5() {
 }
 
 const Match code_r6[] = {
-    {0, 0, 253, 252}, {0, 3, 252, 252}, {1, 0, 252, 253}, {2, 1, 252, 252},
-    {2, 2, 253, 252}, {3, 2, 252, 253},
+    {0, 0, 255, 254}, {0, 2, 255, 253}, {1, 0, 252, 255},
 };
 
 void load_r6() {
@@ -394,8 +424,7 @@ void load_r6() {
 }
 
 const Match code_r7[] = {
-    {0, 0, 252, 253}, {0, 1, 253, 252}, {1, 2, 252, 252}, {2, 2, 252, 253},
-    {2, 3, 253, 252}, {3, 0, 252, 252},
+    {0, 0, 252, 255}, {0, 1, 255, 254}, {0, 2, 255, 253},
 };
 
 void load_r7() {
@@ -412,26 +441,37 @@ void load_r7() {
     }
 }
 
-const Match code_r8[] = {
-    {0, 2, 252, 253}, {0, 3, 253, 252}, {1, 0, 252, 252}, {2, 0, 252, 253},
-    {2, 1, 253, 252}, {3, 2, 252, 252},
-};
-
 void load_r8() {
     scamp5_kernel_begin();
-        CLR(R8, R0);
+        CLR(R8);
     scamp5_kernel_end();
-    for (const Match &match : code_r8) {
-        scamp5_load_pattern(R0, match.row, match.col, match.row_mask,
-                            match.col_mask);
-        scamp5_kernel_begin();
-            OR(R8, R0);
-            CLR(R0);
-        scamp5_kernel_end();
-    }
+    scamp5_load_pattern(R8, 3, 3, 252, 252);
+}
+
+void load_r9() {
+    scamp5_kernel_begin();
+        CLR(R9);
+    scamp5_kernel_end();
+    scamp5_load_pattern(R9, 2, 2, 252, 252);
+}
+
+void load_r10() {
+    scamp5_kernel_begin();
+        CLR(R10);
+    scamp5_kernel_end();
+    scamp5_load_pattern(R10, 1, 1, 252, 252);
+}
+
+void load_r11() {
+    scamp5_kernel_begin();
+        CLR(R11);
+    scamp5_kernel_end();
+    scamp5_load_pattern(R11, 0, 0, 252, 252);
 }
 
 void load_codes() {
+    load_r12();
+    refresh_codes();
     load_r1();
     refresh_codes();
     load_r2();
@@ -447,6 +487,12 @@ void load_codes() {
     load_r7();
     refresh_codes();
     load_r8();
+    refresh_codes();
+    load_r9();
+    refresh_codes();
+    load_r10();
+    refresh_codes();
+    load_r11();
     refresh_codes();
 }
 
