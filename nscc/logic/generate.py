@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from nscc.logic import encodings, states
+from nscc.logic.chain import chain
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -48,6 +49,8 @@ COVERS: tuple[Generator, ...] = (
     _emitted(encodings.covered_stored),
     _emitted(encodings.covered_gray_index),
 )
+# Arbitrary shutters, by search over several levels of gates: from -O2 on.
+CHAINS: tuple[Generator, ...] = (chain,)
 # The dearest: every shutter of every predicate by itself. Few kernels serve all of them.
 LAST: tuple[Generator, ...] = (_emitted(encodings.gray_index_wide),)
 
@@ -66,7 +69,10 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
     if direct:
         yield min(direct, key=lambda s: len(s.planes))
         return
+    groups: list[tuple[tuple[Generator, ...], int]]
     groups = [(EQUALITIES, steps), (COVERS, steps), ((*COVERS, *LAST), PATIENT_STEPS)]
+    if level >= 2:
+        groups.insert(1, (CHAINS, steps))
     found = False
     for group, allowed in groups:
         for solution in _tries(group, problem, machine, allowed):
