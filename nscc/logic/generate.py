@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from nscc.logic import chains, encodings, events, fields, spans, states, windows
+from nscc.logic.chain import chain
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -49,6 +50,8 @@ COVERS: tuple[Generator, ...] = (
     _emitted(encodings.covered_stored),
     _emitted(encodings.covered_gray_index),
 )
+# Arbitrary shutters, by search over several levels of gates: from -O2 on.
+CHAINS: tuple[Generator, ...] = (chain,)
 # The dearest: every shutter of every predicate by itself. Few kernels serve all of them.
 LAST: tuple[Generator, ...] = (_emitted(encodings.gray_index_wide),)
 # Families with parameters (radices, polarities), all of whose members are worth a price; from -O2.
@@ -84,7 +87,10 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
                 yield from family(problem, machine, steps)
             except GaveUp:
                 continue
+    groups: list[tuple[tuple[Generator, ...], int]]
     groups = [(EQUALITIES, steps), (COVERS, steps), ((*COVERS, *LAST), PATIENT_STEPS)]
+    if level >= 2:
+        groups.insert(1, (CHAINS, steps))
     found = False
     for group, allowed in groups:
         for solution in _tries(group, problem, machine, allowed):

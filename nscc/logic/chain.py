@@ -1,0 +1,318 @@
+"""Arbitrary shutters: some predicates stored, the others made from those planes by chains.
+
+Every demand whose predicate is stored costs one word. Which predicates are stored decides what
+the others cost, so sets of them are compared by quick searches before the search for chains in
+earnest. Where the stored predicates do not tell all shutters apart, a few shutters' bits of the
+last ones are changed, and those predicates are made by chains too (short ones).
+"""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.chain_search import Chain, Planes, Points, Search, packed
+from nscc.logic.cubes import Budget
+from nscc.logic.gates import Gates
+from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
+from nscc.truth import columns, rows
+
+# More scratch registers leave too few planes to make anything of.
+_MOST_SCRATCH = 3
+_QUICK_WIDTH = 6
+# The share of the steps after which the choice of planes ends, and the widths that follow.
+_CHOOSING = 0.5
+_WIDTHS = (30, 100, 300, 1000)
+_LONGEST = 4096
+# What a choice of planes costs before any search.
+_STEPS_A_CHOICE = 100
+
+
+@dataclass(frozen=True)
+class _Points:
+    """Shutters that no demand tells apart are one point.
+
+    `bits` (predicates, points) are the distinct predicates that planes may hold, the first
+    `demanded` of them asked for; `names` say what they are; `shutters` (shutters,) are points.
+    """
+
+    bits: NDArray[np.bool_]
+    demanded: int
+    names: tuple[str, ...]
+    shutters: NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class _Choice:
+    """Which predicates planes hold (numbers into `_Points.bits`) and which stand inverted."""
+
+    stored: tuple[int, ...]
+    inverted: tuple[bool, ...]
+
+
+@dataclass(frozen=True)
+class _Plan:
+    """A choice, its planes (planes, points), scratch registers, and the chain of every task."""
+
+    choice: _Choice
+    planes: NDArray[np.bool_]
+    scratch: int
+    chains: dict[_Task, Chain]
+    words: int
+
+
+_Task = tuple[int, int]
+"""Number of a predicate, and of that which FLAG holds before, -1 if that is not known."""
+
+
+def chain(problem: Problem, machine: Machine, budget: Budget) -> Solution:
+    """Stores some predicates and makes the others by chains of cubes.
+
+    Raises GaveUp where the steps do not suffice for a first solution. Once there is one, the steps
+    left improve it, and running out of them only ends the search.
+    """
+    finder = _Finder(problem, machine, budget)
+    best: _Plan | None = None
+    try:
+        for plan in finder.plans():
+            if best is None or plan.words < best.words:
+                best = plan
+    except GaveUp:
+        if best is None:
+            raise
+    if best is None:
+        raise GaveUp("no chains were found")
+    return finder.solution(best)
+
+
+class _Finder:
+    """Looks for plans of one problem."""
+
+    def __init__(self, problem: Problem, machine: Machine, budget: Budget) -> None:
+        self._problem = problem
+        self._machine = machine
+        self._budget = budget
+        budget.spend(len(problem.demands) * problem.shutters // 512)
+        self._points = _points(problem)
+        self._sets = packed(self._points.bits)
+        self._tasks = self._tasks_of_demands()
+
+    def plans(self) -> Iterator[_Plan]:
+        """Plans, each better than the last; raises GaveUp when the steps run out."""
+        count = self._points.bits.shape[1]
+        least = max(1, (count - 1).bit_length())
+        most = min(self._machine.registers - 1, len(self._points.bits))
+        if least > most:
+            raise GaveUp(f"{count} kinds of shutters leave no register to compute with")
+        allowed = self._budget.left
+        quick = self._quick_width()
+        best: _Plan | None = None
+        for scratch in (2, 1, *range(3, _MOST_SCRATCH + 1)):
+            width = min(self._machine.registers - scratch, most)
+            if width < least or scratch > self._machine.registers - width:
+                continue
+            for stored in self._first_choices(width):
+                plan = self._quick(_Choice(stored, (False,) * width), scratch, best, quick)
+                if plan is not None:
+                    best = plan
+                    yield plan
+        if best is None:
+            return
+        if best.words == sum(self._times().values()):
+            return
+        for plan in self._chosen(best, int(allowed * (1 - _CHOOSING)), quick):
+            best = plan
+            yield plan
+        for width in _WIDTHS:
+            for plan in self._widened(best, width):
+                best = plan
+                yield plan
+
+    def solution(self, plan: _Plan) -> Solution:
+        """The gates of a plan."""
+        points = self._points
+        answers: list[tuple[Segment, ...]] = []
+        for task in self._tasks:
+            gates = Gates(self._machine)
+            if task is not None:
+                _write(gates, plan.chains[task], plan.scratch)
+            segment = gates.take()
+            answers.append((segment,) if segment else ())
+        shutters = plan.planes[:, points.shutters]
+        holders = [
+            points.names[number]
+            + (", inverted" if turned else "")
+            + ("" if (plane == (points.bits[number] ^ turned)).all() else ", changed in places")
+            for number, turned, plane in zip(
+                plan.choice.stored, plan.choice.inverted, plan.planes, strict=True
+            )
+        ]
+        return Solution(
+            "predicates stored, the rest by chains of cubes",
+            tuple(columns(shutters.T)),
+            tuple(holders),
+            0,
+            plan.scratch,
+            (),
+            tuple(answers),
+            (),
+        )  # fmt: skip
+
+    def _tasks_of_demands(self) -> list[_Task | None]:
+        """Every demand's task; None where FLAG already holds what is asked for."""
+        problem = self._problem
+        number: dict[int, int] = {}
+        for demand in problem.demands:
+            number.setdefault(demand.predicate, len(number))
+        tasks: list[_Task | None] = []
+        for i, demand in enumerate(problem.demands):
+            before = problem.demands[i - 1].predicate if demand.flag_kept else None
+            held = -1 if before is None else number[before]
+            tasks.append(None if problem.answered(i) else (number[demand.predicate], held))
+        return tasks
+
+    def _quick_width(self) -> int:
+        """The width of quick searches: narrower where even one of them takes many steps."""
+        sets = self._sets.shape[1]
+        chains = max(1, self._points.demanded - self._machine.registers + 2)
+        # Every chain halves what is left in a few words, and looks at all cubes for each of them.
+        links = self._points.bits.shape[1] // 2
+        cubes = min(self._points.bits.shape[1] * 8, 1 << (self._machine.registers - 2))
+        steps = chains * links * (20 + cubes * sets * 8 // 512)
+        return max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps)))
+
+    def _first_choices(self, width: int) -> Iterator[tuple[int, ...]]:
+        """Planes to begin with: first what is no demand's (levels make edges), then demands."""
+        others = range(self._points.demanded, len(self._points.bits))
+        if others:
+            yield tuple((*others, *range(self._points.demanded))[:width])
+        yield tuple(range(width))
+
+    def _quick(self, choice: _Choice, scratch: int, best: _Plan | None, width: int) -> _Plan | None:
+        """A plan found with a narrow beam, None if it takes no fewer words than `best`."""
+        planes = _separating(self._points.bits, choice)
+        times = self._times()
+        most = best.words - 1 if best is not None else _LONGEST * len(times)
+        repeats = sum(times.values()) - len(times)
+        found = self._search(planes, scratch).find(
+            *self._wanted(list(times)), [min(most, _LONGEST)] * len(times), width, most - repeats
+        )
+        chains = {task: one for task, one in zip(times, found, strict=True) if one is not None}
+        if len(chains) < len(times):
+            return None
+        words = sum(count * chains[task].words for task, count in times.items())
+        return _Plan(choice, planes, scratch, chains, words) if words <= most else None
+
+    def _times(self) -> dict[_Task, int]:
+        """How often each task comes in a frame."""
+        times: dict[_Task, int] = {}
+        for task in self._tasks:
+            if task is not None:
+                times[task] = times.get(task, 0) + 1
+        return times
+
+    def _search(self, planes: NDArray[np.bool_], scratch: int) -> Search:
+        sets = packed(planes)
+        self._budget.spend(_STEPS_A_CHOICE + (sets.shape[1] << len(planes)) // 64)
+        table = Planes(sets, planes.shape[1], self._machine)
+        return Search(table, self._machine, scratch, self._budget)
+
+    def _wanted(self, tasks: list[_Task]) -> tuple[Points, Points]:
+        """The predicate of every task and what FLAG holds before (nothing where unknown)."""
+        predicates, held = np.array(tasks).T
+        known = np.where((held >= 0)[:, None], self._sets[held], np.uint64(0))
+        return self._sets[predicates], known
+
+    def _chosen(self, best: _Plan, until: int, width: int) -> Iterator[_Plan]:
+        """Better choices of planes near the best one, until `until` steps are left."""
+        choose = random.Random(0)
+        everyone = range(len(self._points.bits))
+        while self._budget.left > until:
+            stored = list(best.choice.stored)
+            inverted = list(best.choice.inverted)
+            place = choose.randrange(len(stored))
+            others = [number for number in everyone if number not in stored]
+            if others and choose.random() < 0.8:
+                stored[place], inverted[place] = choose.choice(others), False
+            else:
+                inverted[place] = not inverted[place]
+            turned = _Choice(tuple(stored), tuple(inverted))
+            plan = self._quick(turned, best.scratch, best, width)
+            if plan is not None:
+                best = plan
+                yield plan
+
+    def _widened(self, best: _Plan, width: int) -> Iterator[_Plan]:
+        """Shorter chains for the same planes, the longest first."""
+        search = self._search(best.planes, best.scratch)
+        for task, times in sorted(self._times().items(), key=lambda t: -best.chains[t[0]].words):
+            old = best.chains[task].words
+            (found,) = search.find(*self._wanted([task]), [old - 1], width, _LONGEST)
+            if found is not None:
+                chains = {**best.chains, task: found}
+                words = best.words - times * (old - found.words)
+                best = replace(best, chains=chains, words=words)
+                yield best
+
+
+def _points(problem: Problem) -> _Points:
+    """The points of a problem, with the open slots of its buckets as further planes."""
+    names: dict[int, str] = {}
+    for demand in problem.demands:
+        names.setdefault(demand.predicate, f"{demand.edge} at boundary {demand.boundary}")
+    demanded = len(names)
+    for bucket in problem.opens:
+        for slot, level in enumerate(bucket):
+            if level not in (0, problem.everything):
+                names.setdefault(level, f"open in slot {slot}")
+    bits = rows(list(names), problem.shutters)
+    asked = np.packbits(bits[:, :demanded], axis=1)
+    _, first, shutters = np.unique(asked, axis=0, return_index=True, return_inverse=True)
+    return _Points(
+        np.ascontiguousarray(bits[first].T), demanded, tuple(names.values()), shutters.reshape(-1)
+    )
+
+
+def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
+    """The planes of a choice, changed in as few points as tell all points apart."""
+    planes: NDArray[np.bool_] = bits[list(choice.stored)] ^ np.array(choice.inverted)[:, None]
+    count = planes.shape[1]
+    kinds = np.zeros(count, dtype=np.int64)
+    for place, plane in enumerate(planes):
+        # Planes to come can tell this many points apart that have been alike so far.
+        room = 1 << (len(planes) - 1 - place)
+        halves = np.bincount(2 * kinds + plane, minlength=2 * (int(kinds.max()) + 1))
+        for half in np.flatnonzero(halves > room):
+            inside = np.flatnonzero((kinds == half >> 1) & (plane == (half & 1)))
+            plane[inside[room:]] ^= True
+        _, kinds = np.unique(2 * kinds + plane, return_inverse=True)
+        kinds = kinds.reshape(-1)
+    return planes
+
+
+def _write(gates: Gates, found: Chain, scratch: int) -> None:
+    """The gates of a chain, the innermost link first. Values in scratch stand in t0."""
+    registers = [*(f"t{i}" for i in range(1, scratch)), "t0"]
+    inner: list[str] = []
+    for link in reversed(found.links):
+        sources = inner + ["FLAG"] * link.held
+        free = [register for register in registers if register not in sources]
+        for register, mask in zip(free, link.cubes, strict=False):
+            gates.nor(register, _names(i for i in range(mask.bit_length()) if mask >> i & 1))
+            sources.append(register)
+        sources += _names(link.planes)
+        if link.to_flag:
+            gates.where(sources, None)
+        elif link.negated:
+            gates.nor("t0", sources)
+        else:
+            gates.or_("t0", sources)
+        inner = ["FLAG" if link.to_flag else "t0"]
+
+
+def _names(planes: Iterable[int]) -> list[str]:
+    return [f"p{plane}" for plane in planes]

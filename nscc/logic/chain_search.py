@@ -1,0 +1,434 @@
+"""Chains of cubes: one predicate from code planes, found from its last gate backwards.
+
+The value sought must be 1 at the points `on`, 0 at the points `off` and may be anything elsewhere.
+Its last word is an OR or a NOR of cubes (each a NOR of planes, one word in a scratch register), of
+single planes, and of a value of the same kind with fewer points left to decide, which stands in
+FLAG or in a scratch register. So FLAG and scratch take turns, and a complement costs nothing. A
+beam keeps, for every number of words, the values with the fewest points left.
+
+Sets of points are arrays of uint64 words (.., W), bit i of word w being point 64 w + i.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections import defaultdict
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from math import log
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.cubes import Budget
+from nscc.logic.problem import Machine
+
+Points = NDArray[np.uint64]
+Indices = NDArray[np.int64]
+
+# Words of 64 points that one step of a budget stands for.
+_WORDS_A_STEP = 512
+# Steps for numpy's own overhead, each time that a batch of values is expanded.
+_STEPS_A_BATCH = 4
+# Words of 64 points looked at in one go: what fits a cache.
+_BATCH = 1 << 18
+# Beside the best cube, this many more are followed from each value of the beam, fewer afterwards.
+_FIRST_CUBES = 8
+_NEXT_CUBES = 3
+
+
+@dataclass(frozen=True)
+class Link:
+    """One link of a chain: what its value is an OR of, or a NOR if `negated`.
+
+    The value goes to FLAG or to a scratch register. `cubes` are masks of planes, each a NOR in a
+    scratch register of its own; `planes` are read as they are, `held` is FLAG as it stood before
+    the chain. Every link but the innermost also reads the value of the next one.
+    """
+
+    to_flag: bool
+    negated: bool
+    cubes: tuple[int, ...]
+    planes: tuple[int, ...]
+    held: bool
+
+
+@dataclass(frozen=True)
+class Chain:
+    """Links, the last to run first, and the words they take."""
+
+    links: tuple[Link, ...]
+    words: int
+
+
+def fan_in_words(sources: int, limit: int | None) -> int:
+    """Words of a NOR into a register that is not among its sources."""
+    if limit is None or sources <= limit:
+        return 1
+    return 1 + 2 * -(-(sources - limit) // (limit - 1))
+
+
+# Odd numbers, two for every word of the largest set.
+_FACTORS = np.random.default_rng(0).integers(1 << 63, size=256, dtype=np.uint64) * 2 + 1
+
+# What a value leaves to decide, in bits: which of its points are on, and a little for each point
+# and for having points of both kinds (found by trying).
+_CHOICES = np.cumsum([0.0, *(log(n, 2) for n in range(1, 1 << 13))])
+_A_POINT = 0.2
+_A_PAIR = 0.5
+
+
+class Planes:
+    """Code planes and all the cubes that one NOR of them can be, by price.
+
+    `planes` (P, W) are sets of points; `groups` are (words, cubes (M, W), masks (M,)).
+    """
+
+    def __init__(self, planes: Points, points: int, machine: Machine) -> None:
+        self.planes = planes
+        self.everything = full(points)
+        limit = machine.or_sources
+        ors = np.zeros((1, planes.shape[1]), dtype=np.uint64)
+        for plane in planes:
+            ors = np.concatenate((ors, ors | plane))
+        masks = np.arange(len(ors), dtype=np.int64)
+        size = np.bitwise_count(masks)
+        order = np.lexsort((masks, size))[1:]
+        cubes = self.everything & ~ors[order]
+        # Of equal cubes the one with the fewest planes; never the empty cube.
+        _, first = np.unique(cubes, axis=0, return_index=True)
+        first = np.sort(first[cubes[first].any(axis=1)])
+        cubes, masks, size = cubes[first], masks[order][first], size[order][first]
+        price = np.array([fan_in_words(n, limit) for n in range(len(planes) + 1)])[size]
+        self.groups = [
+            (int(words), cubes[price == words], masks[price == words]) for words in np.unique(price)
+        ]
+
+
+def full(points: int) -> Points:
+    """The set of all points (W,)."""
+    return packed(np.ones((1, points), dtype=np.bool_))[0]
+
+
+def packed(bits: NDArray[np.bool_]) -> Points:
+    """Rows of `bits` (n, points) as sets of points (n, W)."""
+    width = -(-bits.shape[1] // 64) * 8
+    raw = np.packbits(bits, axis=1, bitorder="little")
+    padded = np.zeros((len(bits), width), dtype=np.uint8)
+    padded[:, : raw.shape[1]] = raw
+    return np.frombuffer(padded.tobytes(), dtype="<u8").astype(np.uint64).reshape(len(bits), -1)
+
+
+def _count(sets: Points) -> Indices:
+    counts: Indices = np.bitwise_count(sets).sum(axis=-1, dtype=np.int64)
+    return counts
+
+
+def _disjoint(some: Points, others: Points) -> NDArray[np.bool_]:
+    none: NDArray[np.bool_] = ~np.any(some & others, axis=-1)
+    return none
+
+
+@dataclass(frozen=True)
+class _Values:
+    """Values that a beam considers: what is left to decide, and how each one is reached.
+
+    `task` says for which predicate. `via` is the number of the value that reads this one, `negated`
+    how, and `cubes` (n, scratch) are masks of the cubes beside it, 0 where there are fewer.
+    """
+
+    on: Points
+    off: Points
+    task: Indices
+    via: Indices
+    negated: NDArray[np.bool_]
+    cubes: Indices
+
+    def __len__(self) -> int:
+        return len(self.on)
+
+    def take(self, which: Indices | NDArray[np.bool_]) -> _Values:
+        return _Values(
+            self.on[which], self.off[which], self.task[which],
+            self.via[which], self.negated[which], self.cubes[which],
+        )  # fmt: skip
+
+    def swapped(self) -> _Values:
+        """The values as complements."""
+        return _Values(self.off, self.on, self.task, self.via, ~self.negated, self.cubes)
+
+    def best(self, width: int) -> _Values:
+        """For every task the `width` values that leave the least to decide, each once."""
+        ones, zeros = _count(self.on), _count(self.off)
+        left = _CHOICES[ones + zeros] - _CHOICES[ones] - _CHOICES[zeros]
+        left = left + _A_POINT * (ones + zeros) + _A_PAIR * np.minimum(ones, zeros)
+        # Equal values have equal digests; two that share one by chance are no loss.
+        factors = _FACTORS[: 2 * self.on.shape[1]].reshape(2, -1)
+        digest = (self.on * factors[0] + self.off * factors[1]).sum(axis=1, dtype=np.uint64)
+        order = np.lexsort((digest, left, self.task))
+        task, digest = self.task[order], digest[order]
+        new = np.ones(len(order), dtype=np.bool_)
+        new[1:] = (digest[1:] != digest[:-1]) | (task[1:] != task[:-1])
+        order, task = order[new], task[new]
+        rank = np.arange(len(order)) - np.searchsorted(task, task)
+        return self.take(order[rank < width])
+
+    @staticmethod
+    def joined(parts: Sequence[_Values]) -> _Values:
+        if len(parts) == 1:
+            return parts[0]
+        return _Values(
+            np.concatenate([p.on for p in parts]),
+            np.concatenate([p.off for p in parts]),
+            np.concatenate([p.task for p in parts]),
+            np.concatenate([p.via for p in parts]),
+            np.concatenate([p.negated for p in parts]),
+            np.concatenate([p.cubes for p in parts]),
+        )
+
+
+_Way = tuple[int, bool, tuple[int, ...], bool]
+"""The value that reads this one, whether complemented, with which cubes; whether this one stands
+in FLAG (for the way that ends a chain: whether FLAG is read as it was before)."""
+
+
+class Search:
+    """Looks for chains over one set of planes, with `scratch` registers to compute in."""
+
+    def __init__(self, planes: Planes, machine: Machine, scratch: int, budget: Budget) -> None:
+        self._table = planes
+        self._scratch = scratch
+        self._budget = budget
+        self._reads_flag = machine.where_reads_flag
+        self._or_limit = machine.or_sources or 1 << 30
+        self._where_limit = machine.where_sources or 1 << 30
+
+    def find(
+        self, on: Points, held: Points, most_words: Sequence[int], width: int, most_total: int
+    ) -> list[Chain | None]:
+        """For every predicate of `on` (n, W) a chain of at most `most_words` words that leaves it
+        in FLAG; None where a beam of `width` finds none.
+
+        FLAG holds `held` (n, W) before, the empty set where that is not known. The search ends
+        when the chains are certain to take more than `most_total` words together.
+        """
+        count = len(on)
+        none = np.zeros(count, dtype=np.int64)
+        start = _Values(
+            on, self._table.everything & ~on, np.arange(count), none - 1, none > 0,
+            np.zeros((count, self._scratch), dtype=np.int64),
+        )  # fmt: skip
+        self._recorded: list[tuple[int, _Values, bool]] = []
+        self._held = held
+        self._ends: list[tuple[int, _Way] | None] = [None] * count
+        self._most = np.array(most_words, dtype=np.int64)
+        waiting: dict[tuple[int, bool], list[_Values]] = defaultdict(list)
+        waiting[0, True].append(start)
+        words = 0
+        while waiting and (self._most > words).any():
+            open_still = self._most > words
+            found = sum(end[0] for end, more in zip(self._ends, open_still, strict=True)
+                        if end is not None and not more)  # fmt: skip
+            if found + int(open_still.sum()) * (words + 1) > most_total:
+                break
+            for in_flag in (True, False):
+                parts = waiting.pop((words, in_flag), None)
+                if parts is None:
+                    continue
+                joined = _Values.joined(parts)
+                joined = joined.take(open_still[joined.task])
+                if len(joined):
+                    values = self._numbered(joined.best(width), in_flag)
+                    forms = (values,) if in_flag else (values, values.swapped())
+                    for form in forms:
+                        for more, inner_in_flag, inner in self._links(form, in_flag, words, width):
+                            waiting[words + more, inner_in_flag].append(inner)
+            words += 1
+        return [self._traced(end, on[i]) for i, end in enumerate(self._ends)]
+
+    def _numbered(self, values: _Values, in_flag: bool) -> _Values:
+        """The same values as roots of further links, the way to them recorded."""
+        first = 0
+        if self._recorded:
+            before, last, _ = self._recorded[-1]
+            first = before + len(last)
+        self._recorded.append((first, values, in_flag))
+        count = len(values)
+        return _Values(
+            values.on, values.off, values.task, np.arange(first, first + count),
+            np.zeros(count, dtype=np.bool_), np.zeros_like(values.cubes),
+        )  # fmt: skip
+
+    def _links(
+        self, values: _Values, in_flag: bool, words: int, width: int
+    ) -> Iterator[tuple[int, bool, _Values]]:
+        """(words of the link, whether the inner value stands in FLAG, inner values)."""
+        scratch = self._scratch
+        most = self._most_cubes(in_flag)
+        alone = self._without_planes(values, self._room(in_flag, cubes=False, inner=False))
+        self._finish(alone, in_flag, words + 1, inner=False)
+        alone = self._without_planes(values, self._room(in_flag, cubes=False, inner=True))
+        self._finish(alone, in_flag, words + 1, inner=True)
+        yield 1, not in_flag, alone
+        grown: dict[tuple[int, int], list[_Values]] = defaultdict(list)
+        grown[0, 0].append(
+            self._without_planes(values, self._room(in_flag, cubes=True, inner=True))
+        )
+        for used in range(most + 1):
+            for spent in sorted(s for u, s in grown if u == used):
+                current = _Values.joined(grown.pop((used, spent)))
+                if used:
+                    current = current.best(2 * width)
+                # In place, that is with every scratch register holding a cube, is a word more.
+                more = spent + 1 + (not in_flag and used == scratch)
+                if used:
+                    self._finish(current, in_flag, words + more, inner=False)
+                    if not in_flag or used < self._where_limit:
+                        self._finish(current, in_flag, words + more, inner=True)
+                    if not in_flag:
+                        yield more, True, current
+                    else:
+                        if used < scratch and used < self._where_limit:
+                            yield more, False, current
+                        if self._reads_flag and used < self._where_limit:
+                            yield more, True, current
+                if used < most:
+                    for price, wider in self._with_cube(current, used):
+                        grown[used + 1, spent + price].append(wider)
+
+    def _most_cubes(self, to_flag: bool) -> int:
+        """Most cubes in one link: a word into scratch also reads FLAG, and may read in place."""
+        return min(self._scratch, self._where_limit if to_flag else self._or_limit - 1)
+
+    def _room(self, to_flag: bool, *, cubes: bool, inner: bool) -> int:
+        """How many planes a link may read, with any cubes and an inner value or without."""
+        if not to_flag:
+            return self._or_limit - 1 - (self._most_cubes(to_flag) if cubes else 0)
+        if not cubes:
+            return self._where_limit - inner
+        return max(0, self._where_limit - self._most_cubes(to_flag) - self._reads_flag)
+
+    def _without_planes(self, values: _Values, room: int) -> _Values:
+        """The values less what single planes of their own decide, `room` of them at most."""
+        planes = self._table.planes
+        if room <= 0:
+            return values
+        self._budget.spend(_STEPS_A_BATCH)
+        pure = _disjoint(planes[None], values.off[:, None])
+        on = values.on
+        if room >= len(planes):
+            read = np.where(pure[..., None], planes[None], np.uint64(0))
+            on = on & ~np.bitwise_or.reduce(read, axis=1)
+        else:
+            each = np.arange(len(on))
+            for _ in range(room):
+                gain = np.where(pure, _count(planes[None] & on[:, None]), 0)
+                choice = gain.argmax(axis=1)
+                useful = (gain[each, choice] > 0)[:, None]
+                on = np.where(useful, on & ~planes[choice], on)
+        return replace(values, on=on)
+
+    def _with_cube(self, values: _Values, used: int) -> Iterator[tuple[int, _Values]]:
+        """(price, values less one cube more): the cubes that decide most, none that is wrong."""
+        top = _FIRST_CUBES if used == 0 else _NEXT_CUBES
+        for price, cubes, masks in self._table.groups:
+            batch = max(1, _BATCH // cubes.size)
+            for start in range(0, len(values), batch):
+                part = values.take(np.arange(start, min(len(values), start + batch)))
+                self._budget.spend(_STEPS_A_BATCH + len(part) * cubes.size // _WORDS_A_STEP)
+                gain = _gains(cubes, part.on, part.off)
+                most = min(top, len(cubes))
+                # Ties go to the first, whatever the processor's way of partitioning.
+                rank = gain * -len(cubes) + np.arange(len(cubes), dtype=np.int32)
+                best = np.sort(np.argpartition(rank, most - 1, axis=1)[:, :most], axis=1)
+                rows, columns = np.nonzero(np.take_along_axis(gain, best, 1) > 0)
+                if len(rows):
+                    chosen = best[rows, columns]
+                    wider = part.take(rows)
+                    wider.cubes[:, used] = masks[chosen]
+                    yield price, replace(wider, on=wider.on & ~cubes[chosen])
+
+    def _finish(self, values: _Values, in_flag: bool, words: int, *, inner: bool) -> None:
+        """Remembers, for every task, the first value that has nothing left to decide.
+
+        With `inner`, what FLAG held before the chain may decide the rest.
+        """
+        left = values.on
+        if inner:
+            if in_flag and not self._reads_flag:
+                return
+            held = self._held[values.task]
+            pure = _disjoint(held, values.off)
+            left = np.where(pure[:, None], left & ~held, left)
+        done = np.flatnonzero(~left.any(axis=1) & (self._most[values.task] >= words))
+        for i, task in zip(done.tolist(), values.task[done].tolist(), strict=True):
+            if words <= self._most[task]:
+                cubes = tuple(c for c in values.cubes[i].tolist() if c)
+                way = (int(values.via[i]), bool(values.negated[i]), cubes, inner)
+                self._ends[task] = (words, way)
+                self._most[task] = words - 1
+
+    def _traced(self, end: tuple[int, _Way] | None, on: Points) -> Chain | None:
+        """The links of a chain that was found for `on`, with the planes that each one reads."""
+        if end is None:
+            return None
+        words, way = end
+        ways = [way]
+        while (way := self._way(way[0]))[0] >= 0:
+            ways.append(way)
+        off = self._table.everything & ~on
+        links = []
+        for i, (via, negated, cubes, held) in reversed(list(enumerate(ways))):
+            to_flag = self._way(via)[3]
+            held = held and i == 0
+            if negated:
+                on, off = off, on
+            room = self._room(to_flag, cubes=bool(cubes), inner=held or i > 0)
+            planes, on = self._read(on, off, cubes, room)
+            links.append(Link(to_flag, negated, cubes, planes, held))
+        return Chain(tuple(links), words)
+
+    def _way(self, number: int) -> _Way:
+        at = bisect_right(self._recorded, number, key=lambda entry: entry[0]) - 1
+        first, values, in_flag = self._recorded[at]
+        i = number - first
+        cubes = tuple(c for c in values.cubes[i].tolist() if c)
+        return int(values.via[i]), bool(values.negated[i]), cubes, in_flag
+
+    def _read(
+        self, on: Points, off: Points, cubes: tuple[int, ...], room: int
+    ) -> tuple[tuple[int, ...], Points]:
+        """The planes that a link reads beside its cubes, no more than needed, and what is left."""
+        wanted = on
+        table = self._table.planes
+        pure = _disjoint(table, off[None])
+        picked: list[int] = []
+        for _ in range(min(room, len(table))):
+            gain = np.where(pure, _count(table & on), 0)
+            choice = int(gain.argmax())
+            if gain[choice] == 0:
+                break
+            picked.append(choice)
+            on = on & ~table[choice]
+        covered = np.zeros_like(on)
+        for mask in cubes:
+            read = table[[i for i in range(len(table)) if mask >> i & 1]]
+            covered |= self._table.everything & ~np.bitwise_or.reduce(read, axis=0)
+        planes = []
+        for choice in picked:
+            if (table[choice] & wanted & ~covered).any():
+                planes.append(choice)
+                covered |= table[choice]
+        return tuple(sorted(planes)), wanted & ~covered
+
+
+def _gains(cubes: Points, on: Points, off: Points) -> NDArray[np.int32]:
+    """(n, M): how many points of `on` each cube decides, 0 if it holds one of `off`."""
+    gain = np.zeros((len(on), len(cubes)), dtype=np.int32)
+    wrong = np.zeros(gain.shape, dtype=np.bool_)
+    for word in range(cubes.shape[1]):
+        row = cubes[:, word][None]
+        wrong |= (row & off[:, word, None]) != 0
+        gain += np.bitwise_count(row & on[:, word, None])
+    gain[wrong] = 0
+    return gain

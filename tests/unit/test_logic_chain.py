@@ -1,0 +1,180 @@
+"""Chains: arbitrary shutters by stored predicates and several levels of gates."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from lowering_oracle import container_of, does_as_told, lowered_as, program_from
+
+from nscc.logic import generate
+from nscc.logic.chain import chain
+from nscc.logic.cubes import Budget
+from nscc.logic.problem import Demand, GaveUp, Machine, Problem
+from nscc.lower.lowered import problem_of
+from nscc.lower.plan import levels, plan_exposure
+from nscc.lower.timeline import timeline
+from nscc.prove.proof import prove
+from nscc.target.load import load_target
+from nscc.words.legality import decoded
+
+SCAMP5 = Machine(13, True, None, None, False)
+MACHINES = {
+    "scamp5": SCAMP5,
+    "reads FLAG": replace(SCAMP5, where_reads_flag=True),
+    "library calls": replace(SCAMP5, or_sources=4, where_sources=3),
+    "two sources": replace(SCAMP5, or_sources=2, where_sources=2),
+    "two sources, reads FLAG": Machine(9, False, 2, 2, True),
+    "few registers": Machine(8, False, None, None, False),
+}
+
+
+def book(shutters, slots, seed, density=0.5):
+    """A table of random rows."""
+    return np.random.default_rng(seed).random((shutters, slots)) < density
+
+
+def asked_of(table, lowering="accumulate"):
+    """The demands of a table in one lowering."""
+    program = program_from(table)
+    opens = levels(program)
+    plan = plan_exposure(program, lowering, opens)
+    time = timeline(program.frame.slot_us, len(program.buckets), program.target)
+    return problem_of(program, plan, time, opens)[0]
+
+
+def bits(vector, shutters):
+    """A truth vector as booleans (shutters,)."""
+    return np.array([vector >> i & 1 for i in range(shutters)], dtype=bool)
+
+
+def words_if_right(asked, machine, solution, seed=0):
+    """Runs two frames of the gates over all shutters, one boolean array a register; their words."""
+    random = np.random.default_rng(seed)
+    noise = lambda: random.random(asked.shutters) < 0.5  # noqa: E731
+    code = {f"p{i}": bits(plane, asked.shutters) for i, plane in enumerate(solution.planes)}
+    held = {name: plane.copy() for name, plane in code.items()}
+    held |= {f"t{i}": noise() for i in range(solution.scratch)}
+    assert len(held) <= machine.registers
+    assert len(solution.holders) == len(code)
+    written = set()
+    for _ in range(2):
+        words = 0
+        for demand, answer in zip(asked.demands, solution.answers, strict=True):
+            if not demand.flag_kept:
+                held["FLAG"] = noise()
+            for gate in (gate for segment in answer for gate in segment):
+                sources = [held[name] for name in gate.sources]
+                most = machine.where_sources if gate.name == "WHERE" else machine.or_sources
+                assert most is None or len(sources) <= most
+                any_on = np.any(sources, axis=0) if sources else np.zeros(asked.shutters, bool)
+                if gate.name == "WHERE":
+                    assert sources
+                    assert gate.destination == "FLAG"
+                    assert machine.where_reads_flag or "FLAG" not in gate.sources
+                else:
+                    assert gate.destination in held
+                    assert gate.destination != "FLAG"
+                    assert len(sources) >= 2 or gate.name in ("NOT", "MOV", "SET", "CLR")
+                held[gate.destination] = any_on ^ (gate.name in ("NOR", "NOT", "SET"))
+                written.add(gate.destination)
+                words += 1 + (gate.destination in gate.sources)
+            assert (held["FLAG"] == bits(demand.predicate, asked.shutters)).all()
+        assert solution.opening == solution.closing == ()
+        assert all((held[name] == plane).all() for name, plane in code.items())
+    # One plane at least may live in the register that takes no write without its mask.
+    assert not written & set(code)
+    return words
+
+
+@pytest.mark.parametrize("machine", MACHINES)
+@pytest.mark.parametrize("lowering", ["accumulate", "edges"])
+@pytest.mark.parametrize("density", [0.1, 0.5, 0.8])
+def test_random_books(machine, lowering, density):
+    asked = asked_of(book(24, 18, 4, density), lowering)
+    solution = chain(asked, MACHINES[machine], Budget(30_000))
+    assert words_if_right(asked, MACHINES[machine], solution) >= len(asked.demands)
+
+
+@pytest.mark.parametrize(("shutters", "registers"), [(65, 9), (200, 11), (480, 12)])
+def test_planes_are_changed_until_they_tell_all_shutters_apart(shutters, registers):
+    """More shutters than predicates alone tell apart: sets of several words, one not full."""
+    asked = asked_of(book(shutters, 12, 8))
+    machine = replace(SCAMP5, registers=registers)
+    solution = chain(asked, machine, Budget(300_000))
+    words_if_right(asked, machine, solution)
+    codes = np.array([bits(plane, asked.shutters) for plane in solution.planes])
+    assert len(np.unique(codes.T, axis=0)) == asked.shutters
+    assert any("changed" in holder for holder in solution.holders)
+
+
+def test_the_known_codebook_takes_a_tenth_less_than_the_best_known():
+    for seed in (1, 2):
+        table = np.random.default_rng(seed).integers(0, 2, (64, 16))
+        asked = asked_of(table)
+        solution = chain(asked, SCAMP5, Budget(60_000))
+        assert words_if_right(asked, SCAMP5, solution) <= 187
+
+
+def test_more_steps_take_no_more_words():
+    asked = asked_of(book(40, 17, 3))
+    words = [
+        words_if_right(asked, SCAMP5, chain(asked, SCAMP5, Budget(steps)))
+        for steps in (10_000, 40_000, 160_000)
+    ]
+    assert words == sorted(words, reverse=True)
+    assert words[-1] < words[0]
+
+
+def test_the_same_every_time():
+    asked = asked_of(book(40, 16, 5))
+    assert chain(asked, SCAMP5, Budget(20_000)) == chain(asked, SCAMP5, Budget(20_000))
+
+
+def test_shutters_that_no_demand_tells_apart_share_a_code():
+    wanted = [0b1100, 0b0011, 0b1100]
+    demands = tuple(Demand(i + 1, "open", 0, p, i == 2) for i, p in enumerate(wanted))
+    asked = Problem(demands, 4, (tuple(wanted),), True, {})
+    solution = chain(asked, replace(SCAMP5, registers=2), Budget(10_000))
+    assert len(solution.planes) == 1
+    assert words_if_right(asked, SCAMP5, solution) <= 4
+
+
+def test_what_flag_still_holds_is_used():
+    """Pairs of predicates that differ in one shutter, more of them than planes."""
+    table = np.repeat(book(30, 8, 6), 2, axis=1)
+    table[np.arange(8), 1::2] ^= True
+    machine = Machine(7, False, None, None, False)
+    words = []
+    for kept in (True, False):
+        asked = asked_of(table)
+        demands = tuple(replace(d, flag_kept=kept and i > 0) for i, d in enumerate(asked.demands))
+        asked = replace(asked, demands=demands)
+        words.append(words_if_right(asked, machine, chain(asked, machine, Budget(40_000))))
+    assert words[0] < words[1]
+
+
+def test_gives_up():
+    asked = asked_of(book(64, 16, 1))
+    with pytest.raises(GaveUp, match="steps"):
+        chain(asked, SCAMP5, Budget(100))
+    with pytest.raises(GaveUp, match="64 kinds of shutters"):
+        chain(asked, replace(SCAMP5, registers=6), Budget(10_000))
+
+
+@pytest.mark.parametrize("lowering", ["accumulate", "edges"])
+@pytest.mark.parametrize("fan_in", [None, 4])
+def test_the_words_do_as_told(monkeypatch, lowering, fan_in):
+    """Through the whole compiler: proved, and executed by an emulator of its own."""
+    monkeypatch.setitem(generate.SEARCH_STEPS, 2, 100_000)
+    target = load_target("scamp5", Path())
+    if fan_in:
+        target = replace(target, or_sources=fan_in, where_sources=3)
+    program = program_from(book(48, 16, 9), target=target)
+    lowered = lowered_as(program, lowering, level=2)
+    assert "chains" in lowered.solution.encoding
+    container = container_of(lowered, level=2)
+    assert prove(container, decoded(container)).holds
+    assert does_as_told(container)
