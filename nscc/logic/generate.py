@@ -81,23 +81,48 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
     if direct:
         yield min(direct, key=lambda s: len(s.planes))
         return
+    found, fewest = False, _NONE
     if level >= 2:
-        for family in FAMILIES:
-            try:
-                yield from family(problem, machine, steps)
-            except GaveUp:
-                continue
-    groups: list[tuple[tuple[Generator, ...], int]]
-    groups = [(EQUALITIES, steps), (COVERS, steps), ((*COVERS, *LAST), PATIENT_STEPS)]
-    if level >= 2:
-        groups.insert(1, (CHAINS, steps))
-    found = False
-    for group, allowed in groups:
+        for solution in _members(problem, machine, steps):
+            yield solution
+            found = True
+            fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
+    close = fewest <= _CLOSE[level] * _fewest_words(problem, machine)
+    for solution in _tries(EQUALITIES, problem, machine, steps):
+        yield solution
+        found = True
+    if level >= 2 and not close:
+        for solution in _tries(CHAINS, problem, machine, steps):
+            yield solution
+            found = True
+    if found and (close or problem.shutters > MOST_COVERED):
+        return
+    for group, allowed in ((COVERS, steps), ((*COVERS, *LAST), PATIENT_STEPS)):
         for solution in _tries(group, problem, machine, allowed):
             yield solution
             found = True
-        if found and (group is COVERS or problem.shutters > MOST_COVERED):
+        if found:
             return
+
+
+_NONE = 1 << 62
+
+# A family's member of so many times the fewest words that are possible ends the search.
+_CLOSE = {0: 0.0, 1: 0.0, 2: 1.5, 3: 1.1}
+
+
+def _fewest_words(problem: Problem, machine: Machine) -> int:
+    """Words that every solution needs: one a demand, two for what cannot be stored as well."""
+    asked = [d.predicate for i, d in enumerate(problem.demands) if not problem.answered(i)]
+    return len(asked) + max(0, len(set(asked)) - machine.registers)
+
+
+def _members(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
+    for family in FAMILIES:
+        try:
+            yield from family(problem, machine, steps)
+        except GaveUp:
+            continue
 
 
 def _tries(
