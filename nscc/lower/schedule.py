@@ -7,8 +7,9 @@ has room, and separate kernels, shared between boundaries, where it has not.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from itertools import groupby
 
 from nscc.logic.problem import Segment, Solution
 from nscc.lower.allocate import Allocation, allocate, refresh_words, words
@@ -98,8 +99,11 @@ def schedule(
             boundaries[n].insert(0, refresh_words(held, allocation))
     if refreshed:
         boundaries[plan.slots].append(refresh_words(refreshed, allocation))
-    for form in (_merged, _shared):
-        kernels, launches = form(boundaries)
+    # A refresh inside the frame comes at a few boundaries only, each unlike the others: launched
+    # by itself it is stored once and leaves them alike.
+    apart = {refresh_words(held, allocation)} if held and time.refresh_at else set()
+    for form in (_merged(boundaries, apart), boundaries):
+        kernels, launches = _shared(form)
         result = Schedule(allocation, kernels, launches, setup_us, refreshed)
         if result.words_stored <= target.store_words:
             break
@@ -170,15 +174,20 @@ def _refreshed(
     )
 
 
-_Form = tuple[tuple[Words, ...], tuple[tuple[int, int], ...]]
+def _merged(boundaries: Sequence[Sequence[Words]], apart: Collection[Words]) -> list[list[Words]]:
+    """One segment for each boundary, but for segments that stay `apart`."""
+    merged: list[list[Words]] = []
+    for segments in boundaries:
+        run: list[Words] = []
+        for alone, group in groupby(segments, key=lambda segment: segment in apart):
+            run += group if alone else [tuple(word for segment in group for word in segment)]
+        merged.append(run)
+    return merged
 
 
-def _merged(boundaries: Sequence[Sequence[Words]]) -> _Form:
-    """One kernel for each boundary; equal ones are one."""
-    return _shared([[tuple(w for s in segments for w in s)] for segments in boundaries])
-
-
-def _shared(boundaries: Sequence[Sequence[Words]]) -> _Form:
+def _shared(
+    boundaries: Sequence[Sequence[Words]],
+) -> tuple[tuple[Words, ...], tuple[tuple[int, int], ...]]:
     """One kernel for each distinct segment."""
     number: dict[Words, int] = {}
     launches: list[tuple[int, int]] = []
