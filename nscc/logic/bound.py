@@ -2,14 +2,15 @@
 
 Proved for the level lowering with one FLAG load a slot and no code bit in analog registers: at slot
 n the loaded registers are contained in the open set, some code needs a register that no other slot
-can use, a content serves one slot, and only M contents exist at the start.
+can use, a content serves one slot, and only M contents exist at the start. A slot in which all
+shutters are open, or none is, needs no load.
 """
 
 from __future__ import annotations
 
 ASSUMES = (
-    "level lowering with one FLAG load a slot; codes held in digital registers only; "
-    "every shutter of the class compiled"
+    "level lowering with one FLAG load for each slot that some shutters share and others do not; "
+    "codes held in digital registers only; every shutter of the class compiled"
 )
 
 
@@ -20,15 +21,18 @@ def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> i
     d has all N (N + 1) / 2 bumps, with or without the never-open shutter.
     """
     bumps = slots * (slots + 1) // 2
+    loads = slots
     match class_name:
         case "b" if shutters == slots:
-            bound = 2 * slots - 1 - registers
+            # As many loads as stops that differ: one slot is the same for all.
+            loads = slots - 1
+            contents = loads
         case "b" if shutters == slots + 1:
-            bound = 2 * slots - registers
+            contents = slots
         case "c" if 1 < shutters <= slots:
-            bound = slots + shutters - registers
+            contents = shutters
         case "d" if shutters in (bumps, bumps + 1):
-            bound = 2 * slots - registers
+            contents = slots
         case _:
             return None
-    return max(bound, 0)
+    return loads + max(contents - registers, 0)

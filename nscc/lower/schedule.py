@@ -180,7 +180,8 @@ def _merged(boundaries: Sequence[Sequence[Words]], apart: Collection[Words]) -> 
     for segments in boundaries:
         run: list[Words] = []
         for alone, group in groupby(segments, key=lambda segment: segment in apart):
-            run += group if alone else [tuple(word for segment in group for word in segment)]
+            found = list(group)
+            run += found if alone else [tuple(word for segment in found for word in segment)]
         merged.append(run)
     return merged
 
