@@ -1,0 +1,88 @@
+"""The passes over a finished solution, in turn for as long as they gain and steps are left."""
+
+from __future__ import annotations
+
+from nscc.logic.cubes import Budget
+from nscc.logic.improve.code import Frame, Illegal, Item, flatten, states_before, unflatten
+from nscc.logic.improve.recolour import recoloured
+from nscc.logic.improve.run import Run
+from nscc.logic.improve.shrink import drop_pairs, drop_singles
+from nscc.logic.improve.wander import wander
+from nscc.logic.problem import GaveUp, Machine, Problem, Solution
+
+# Operations this far apart are dropped together.
+PAIR_SPAN = 8
+# Steps of one walk; after it the sweeps follow.
+WALK_STEPS = 50_000
+
+
+def improve(
+    solution: Solution, problem: Problem, machine: Machine, budget: Budget
+) -> Solution:
+    """A solution of the same problem in as many words a frame or fewer.
+
+    The encoding stays as it is. All steps of `budget` are used, unless nothing is left to gain;
+    the same input gives the same result. Segments that were equal may be so no longer.
+    """
+    try:
+        frame, items = flatten(solution, problem, machine)
+        states_before(frame, items)
+    except Illegal:
+        return solution
+    search = _Search(frame, items, budget)
+    search.exhaust()
+    return settled(solution, problem, machine, frame, search.run.items)
+
+
+def settled(
+    solution: Solution, problem: Problem, machine: Machine, frame: Frame, items: list[Item]
+) -> Solution:
+    """`items` as a solution if they are one and take no more words than `solution`, which
+    otherwise comes back itself."""
+    try:
+        found = unflatten(frame, items)
+        checked, again = flatten(found, problem, machine)
+        states_before(checked, again)
+        before, gates = flatten(solution, problem, machine)
+    except Illegal:
+        return solution
+    return found if checked.total(again) < before.total(gates) else solution
+
+
+class _Search:
+    """The run as it gets shorter."""
+
+    def __init__(self, frame: Frame, items: list[Item], budget: Budget) -> None:
+        self.frame = frame
+        self.budget = budget
+        self.run = Run(frame, items, budget)
+
+    def exhaust(self) -> None:
+        """Sweeps until they gain nothing, then walks and sweeps until no step is left."""
+        try:
+            self._sweep()
+            for seed in range(self.budget.left // WALK_STEPS + 1):
+                wander(self.run, seed, WALK_STEPS)
+                self._sweep()
+        except GaveUp:
+            self._recolour()
+
+    def _sweep(self) -> None:
+        words = self.run.words()
+        while True:
+            drop_singles(self.run)
+            drop_pairs(self.run, PAIR_SPAN)
+            self._recolour()
+            now = self.run.words()
+            if now >= words:
+                return
+            words = now
+
+    def _recolour(self) -> None:
+        items = recoloured(self.frame, self.run.items)
+        if items is None or self.frame.total(items) >= self.run.words():
+            return
+        try:
+            self.run = Run(self.frame, items, self.budget)
+        except Illegal:
+            return
