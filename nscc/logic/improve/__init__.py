@@ -1,5 +1,5 @@
 """Fewer words for a finished solution: what its gates compute is known for every shutter."""
 
-from nscc.logic.improve.improve import improve
+from nscc.logic.improve.search import improve
 
 __all__ = ["improve"]

@@ -84,7 +84,8 @@ class Frame:
     """What does not change while a solution is improved: registers, limits and the first state.
 
     `masked` is the plane that lives in the masked register, if one does: a write to it costs a word
-    more and destroys t0 (`mask`).
+    more and destroys t0 (`mask`). `ends` is None for a whole frame, at whose end the planes must be
+    as they were; for a part of one, the registers (a bit mask) that are read after it.
     """
 
     solution: Solution
@@ -95,6 +96,7 @@ class Frame:
     everything: int
     start: tuple[Content, ...]
     masked: int | None
+    ends: int | None = None
 
     @property
     def flag(self) -> int:
@@ -108,8 +110,8 @@ class Frame:
 
     @property
     def unscathed(self) -> int:
-        """Registers, as a bit mask, that must end as they began: the planes."""
-        return (1 << self.planes) - 1
+        """Registers, as a bit mask, whose content matters at the end."""
+        return (1 << self.planes) - 1 if self.ends is None else self.ends
 
     def words(self, item: Item) -> int:
         """ICWs that an item takes."""
@@ -127,6 +129,8 @@ class Frame:
             count += self.words(item)
             if isinstance(item, Op):
                 written |= 1 << item.destination
+        if self.ends is not None:
+            return count
         left_alone = (~written & self.unscathed).bit_count()
         return count + REFRESH_WORDS * left_alone
 
@@ -270,9 +274,11 @@ def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
         if isinstance(item, Check):
             continue
         segments = parts[item.place]
+        # An operation that moved stays behind those that it follows now.
+        last = max((i for i, segment in enumerate(segments) if segment), default=0)
         while len(segments) <= item.segment:
             segments.append([])
-        segments[item.segment].append(_gate(item, names, frame.flag))
+        segments[max(last, item.segment)].append(_gate(item, names, frame.flag))
         used |= item.reads | 1 << item.destination
     scratch = _highest(used >> (frame.planes + frame.states) & ((1 << frame.scratch) - 1))
     return replace(
@@ -326,6 +332,8 @@ def states_before(frame: Frame, items: Sequence[Item]) -> list[tuple[Content, ..
         if item.destination == frame.masked and frame.mask is not None:
             state[frame.mask] = None
     found.append(tuple(state))
+    if frame.ends is not None:
+        return found
     if state[: frame.planes] != list(frame.start[: frame.planes]):
         raise Illegal("the planes are not as they were")
     if not frame.quiet(items):

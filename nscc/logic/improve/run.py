@@ -19,6 +19,9 @@ from nscc.logic.improve.code import (
 # How far an influence is followed; what reaches further is taken to matter in every shutter.
 HORIZON = 4000
 
+# A step of the budget is one look at all registers; more shutters than this take longer.
+STEP_SHUTTERS = 16384
+
 
 class Run:
     """Items; `before[k]` is the state before item k, `live[k]` the registers (a bit mask) whose
@@ -29,7 +32,7 @@ class Run:
         self.items = list(items)
         self.before = states_before(frame, items)
         self.budget = budget
-        self.step = 1 + frame.everything.bit_length() // 512
+        self.step = 1 + frame.everything.bit_length() // STEP_SHUTTERS
         self.live = [0] * (len(items) + 1)
         self.live[-1] = frame.unscathed
         self._cares: list[tuple[int, int] | None] = [None] * len(items)
@@ -49,13 +52,15 @@ class Run:
 
     def refresh(self, old: Sequence[Item], new: Sequence[Item]) -> int:
         """Words more that refresh costs where `new` replaces `old`."""
+        if self.frame.ends is not None:
+            return 0
         after = self._after(old, new)
         return REFRESH_WORDS * (after.count(0) - self._writes.count(0))
 
     def disquiets(self, old: Sequence[Item], new: Sequence[Item]) -> bool:
         """Whether another plane would get the masked register if `new` replaced `old`."""
         masked = self.frame.masked
-        if masked is None:
+        if masked is None or self.frame.ends is not None:
             return False
         after = self._after(old, new)
         return after[masked] > 0 and masked != quietest(after)
@@ -187,7 +192,7 @@ class Run:
         self.budget.spend(self.step * (1 + (last - k) // 8))
         if last < len(items):
             return everything, last - k
-        for register in range(frame.planes):
-            if register in other:
-                matters |= other[register] ^ before[-1][register]  # type: ignore[operator]
+        for register, content in other.items():
+            if frame.unscathed >> register & 1:
+                matters |= content ^ before[-1][register]  # type: ignore[operator]
         return matters, last - k

@@ -7,6 +7,7 @@ it unless it costs more words. The walk is random and the same every time.
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 
 from nscc.logic.improve.code import Check, Op, op
 from nscc.logic.improve.rewrite import Rewrite, rewrite
@@ -54,9 +55,11 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
         lead = (op(item.inverted, target, item.sources, item.place, item.segment),)
     elif kind == 6:
         start = _earlier(run, k, choose)
-        lead = (item,)
         if start == k:
             return None
+        first = run.items[start]
+        assert isinstance(first, Op)
+        lead = (replace(item, segment=first.segment),)
     else:
         target = choose.randrange(run.frame.flag)
         if run.live[k] >> target & 1 or target == run.frame.masked:

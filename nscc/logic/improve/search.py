@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.code import Frame, Illegal, Item, flatten, states_before, unflatten
+from nscc.logic.improve.kernels import improve_kernels
 from nscc.logic.improve.recolour import recoloured
 from nscc.logic.improve.run import Run
 from nscc.logic.improve.shrink import drop_pairs, drop_singles
@@ -14,24 +15,50 @@ from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 PAIR_SPAN = 8
 # Steps of one walk; after it the sweeps follow.
 WALK_STEPS = 50_000
+# Steps of a walk over one kernel.
+KERNEL_STEPS = 2_000
 
 
 def improve(
-    solution: Solution, problem: Problem, machine: Machine, budget: Budget
+    solution: Solution,
+    problem: Problem,
+    machine: Machine,
+    budget: Budget,
+    *,
+    keep_kernels: bool = False,
 ) -> Solution:
     """A solution of the same problem in as many words a frame or fewer.
 
     The encoding stays as it is. All steps of `budget` are used, unless nothing is left to gain;
-    the same input gives the same result. Segments that were equal may be so no longer.
+    the same input gives the same result. With `keep_kernels`, segments that were equal still are;
+    without, they may be so no longer.
     """
     try:
         frame, items = flatten(solution, problem, machine)
         states_before(frame, items)
     except Illegal:
         return solution
-    search = _Search(frame, items, budget)
-    search.exhaust()
-    return settled(solution, problem, machine, frame, search.run.items)
+    if keep_kernels:
+        items = improve_kernels(frame, items, budget, _exhaust)
+    else:
+        search = _Search(frame, items, budget)
+        search.exhaust()
+        items = search.run.items
+    return settled(solution, problem, machine, frame, items)
+
+
+def _exhaust(run: Run) -> None:
+    """Sweeps over a run until they gain nothing, then walks a little."""
+    try:
+        words = run.words() + 1
+        while run.words() < words:
+            words = run.words()
+            drop_singles(run)
+            drop_pairs(run, PAIR_SPAN)
+            if run.words() == words:
+                wander(run, 0, KERNEL_STEPS)
+    except GaveUp:
+        return
 
 
 def settled(
