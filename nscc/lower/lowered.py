@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.generate import solutions
+from nscc.logic.improve import refine
 from nscc.logic.problem import Demand, Machine, Problem, Solution
 from nscc.lower.plan import ExposurePlan, Misfit, Step
 from nscc.lower.schedule import Schedule, schedule
@@ -204,22 +205,27 @@ def lower(
     """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found.
 
     `opens` is `levels(program)` and `writes` is `analog_writes(program, plan)`. Level 0 takes the
-    first solution that fits.
+    first solution that fits; levels 2 and 3 improve the best ones.
     """
     time = timeline(program.frame.slot_us, len(program.buckets), program.target)
     problem, actions = problem_of(program, plan, time, opens)
-    best: Lowered | None = None
-    for solution in solutions(problem, Machine.of(program.target), level):
+    machine = Machine.of(program.target)
+
+    def priced(solution: Solution) -> Lowered:
         laid = schedule(plan, solution, actions, time, program.target)
-        candidate = Lowered(program, plan, solution, laid, time, writes)
-        if best is None or candidate.price < best.price:
-            best = candidate
-        if level == 0 and best.fits:
+        return Lowered(program, plan, solution, laid, time, writes)
+
+    found: list[Lowered] = []
+    for solution in solutions(problem, machine, level):
+        found.append(priced(solution))
+        if level == 0 and found[-1].fits:
             break
-    if best is None:
+    if not found:
         return Misfit(
             "no generator found gates in "
             f"{len(program.target.digital_registers)} digital registers",
             searched=True,
         )
-    return best
+    if level >= 2 and problem.demands:
+        return refine(found, problem, machine, level, priced)
+    return min(found, key=lambda candidate: candidate.price)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.search import improve
@@ -28,31 +28,38 @@ class Priced(Protocol):
         """Sort key: less is better; the first part is False where everything fits."""
 
 
-def refine[P: Priced](
+P = TypeVar("P", bound=Priced)
+
+
+def refine(
     candidates: Sequence[P],
     problem: Problem,
     machine: Machine,
     level: int,
     priced: Callable[[Solution], P],
 ) -> P:
-    """The best candidate, or the best that improvement makes of one; levels 2 and 3."""
+    """The best candidate, or the best that improvement makes of one; levels 2 and 3.
 
-    def shorter(candidate: P, steps: int) -> P:
-        return priced(improve(candidate.solution, problem, machine, Budget(steps)))
+    Rewritten freely, a solution's segments share no kernels any more; where they then take more
+    store than there is, those that were equal are kept so.
+    """
 
-    def alike(candidate: P, steps: int) -> P:
+    def improved(candidate: P, steps: int, *, keep_kernels: bool) -> P:
         budget = Budget(steps)
-        return priced(
-            improve(candidate.solution, problem, machine, budget, keep_kernels=True)
-        )  # fmt: skip
+        solution = candidate.solution
+        return priced(improve(solution, problem, machine, budget, keep_kernels=keep_kernels))
 
     first = []
     for candidate in candidates:
-        found = shorter(candidate, FIRST_STEPS[level])
+        found, kept = improved(candidate, FIRST_STEPS[level], keep_kernels=False), False
         if found.price[0]:
-            # Rewritten apart, its segments take more store than there is.
-            found = min(found, alike(candidate, FIRST_STEPS[level]), key=lambda p: p.price)
-        first.append(found)
-    first.sort(key=lambda p: p.price)
-    more = [shorter(found, MORE_STEPS[level]) for found in first[: BEST[level]]]
-    return min([*more, *first, *candidates], key=lambda p: p.price)
+            other = improved(candidate, FIRST_STEPS[level], keep_kernels=True)
+            if other.price < found.price:
+                found, kept = other, True
+        first.append((found, kept))
+    first.sort(key=lambda pair: pair[0].price)
+    more = [
+        improved(found, MORE_STEPS[level], keep_kernels=kept)
+        for found, kept in first[: BEST[level]]
+    ]
+    return min([*more, *(found for found, _ in first), *candidates], key=lambda p: p.price)
