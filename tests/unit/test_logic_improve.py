@@ -11,7 +11,7 @@ from lowering_oracle import program_from
 
 from nscc.logic.cubes import Budget
 from nscc.logic.generate import COVERS, EQUALITIES
-from nscc.logic.improve import improve
+from nscc.logic.improve import balance, improve
 from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
 from nscc.lower.lowered import problem_of
 from nscc.lower.plan import levels, plan_exposure
@@ -85,12 +85,17 @@ def test_what_is_not_needed_goes(predicates, answers, closing, least):
 
 
 def test_a_plane_turned_in_place_wanders_through_a_free_register():
-    """Two planes written in place twice: eight words; five if there is a place to go."""
-    predicates = [ALL ^ A, ALL ^ (A | B), ALL ^ B]
-    answers = ["p0 = NOT p0 | FLAG = WHERE p0"]
-    problem, solution = solved(predicates[:1] * 1, answers, closing="p0 = NOT p0")
-    assert words_of(solution, problem, SCAMP) == 9
-    assert improved(problem, solution)[1] == 8
+    """Turned and turned back, a plane is two pairs of words in place; one word each elsewhere."""
+    reads = [ALL ^ A, ALL ^ (A | B), ALL ^ (A | C), ALL ^ A]
+    answers = [
+        "p0 = NOT p0 | FLAG = WHERE p0",
+        "t0 = NOT p0; t0 = NOR t0 p1; FLAG = WHERE t0",
+        "t0 = NOT p0; t0 = NOR t0 p2; FLAG = WHERE t0",
+        "FLAG = WHERE p0",
+    ]
+    problem, solution = solved(reads, answers, closing="p0 = NOT p0")
+    assert words_of(solution, problem, SCAMP) == 14 + 4
+    assert improved(problem, solution)[1] <= 6 + REFRESH
 
 
 def test_registers_are_free_for_more_than_the_generator_took():
@@ -120,7 +125,7 @@ def test_flag_is_a_source_where_it_is_kept():
     first = ALL ^ (A | B)
     problem, solution = solved([first, ALL ^ first], answers, scratch=2)
     kept = tuple(replace(d, flag_kept=i > 0) for i, d in enumerate(problem.demands))
-    found, words = improved(replace(problem, demands=kept), solution)
+    _, words = improved(replace(problem, demands=kept), solution)
     assert words == 3 + REFRESH
 
 
@@ -214,7 +219,27 @@ def test_what_generators_make(table, lowering, keep_kernels):
             solution = generate(asked, MACHINE, Budget(100_000))
         except GaveUp:
             continue
-        found, words = improved(asked, solution, steps=6000, keep_kernels=keep_kernels)
+        _, words = improved(asked, solution, steps=6000, keep_kernels=keep_kernels)
         gains.append(words_of(solution, asked, SCAMP) - words)
     assert gains
     assert keep_kernels or max(gains) > 5
+
+
+def test_work_moves_to_slots_that_have_time():
+    """Three NORs for one demand: two of them can be computed in the slots before."""
+    reads = [A, B, (ALL ^ (A | B)) | (ALL ^ (A | C)) | (ALL ^ (B | C))]
+    answers = [
+        "FLAG = WHERE p0",
+        "FLAG = WHERE p1",
+        "t0 = NOR p0 p1; t1 = NOR p0 p2; t2 = NOR p1 p2; FLAG = WHERE t0 t1 t2",
+    ]
+    problem, solution = solved(reads, answers, scratch=3)
+    found = balance(solution, problem, MACHINE, Budget(3000), [0, 0, 0, 0])
+    assert words_of(found, problem, SCAMP) == words_of(solution, problem, SCAMP)
+    assert [sum(map(len, answer)) for answer in found.answers] == [2, 2, 2]
+    busy = balance(solution, problem, MACHINE, Budget(3000), [0, 9, 0, 0])
+    assert [sum(map(len, answer)) for answer in busy.answers] == [1, 2, 3]
+    limited = balance(solution, problem, MACHINE, Budget(3000), [0, 0, 0, 0], limit=3)
+    assert max(sum(map(len, answer)) for answer in limited.answers) == 3
+    wrong = replace(solution, planes=(A, B, A))
+    assert balance(wrong, problem, MACHINE, Budget(3000), [0, 0, 0, 0]) is wrong

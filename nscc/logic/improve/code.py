@@ -156,9 +156,7 @@ class Frame:
                 and (limit is None or count <= limit)
                 and (self.machine.where_reads_flag or not reads_flag)
             )
-        if item.destination == self.masked and (
-            self.mask is None or item.reads >> self.mask & 1
-        ):
+        if item.destination == self.masked and (self.mask is None or item.reads >> self.mask & 1):
             return False
         limit = self.machine.or_sources
         alone = count == 1 and item.reads >> item.destination & 1

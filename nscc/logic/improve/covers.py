@@ -55,9 +55,7 @@ def _irredundant(wanted: int, chosen: list[tuple[int, int]]) -> list[tuple[int, 
     return chosen
 
 
-def _within(
-    wanted: int, sources: Sequence[tuple[int, int]], limit: int
-) -> tuple[int, ...] | None:
+def _within(wanted: int, sources: Sequence[tuple[int, int]], limit: int) -> tuple[int, ...] | None:
     """At most `limit` sources that cover `wanted`, found by trying all."""
     if not wanted:
         return ()

@@ -146,9 +146,7 @@ class _Painter:
             away = value.home >= 0 and register != value.home
             # A value in the way when a plane comes home makes that plane go elsewhere first.
             plane = register < self.frame.planes
-            in_the_way = (
-                plane and register != value.home and value.last > self.homing[register] > k
-            )
+            in_the_way = plane and register != value.home and value.last > self.homing[register] > k
             price = (
                 in_place + away,
                 int(in_the_way),
@@ -189,4 +187,3 @@ class _Painter:
             copy(free[0], astray[plane])
             astray[plane] = where[plane] = free[0]
         return out
-

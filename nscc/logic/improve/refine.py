@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Protocol, TypeVar
 
 from nscc.logic.cubes import Budget
+from nscc.logic.improve.balance import balance, words_at
 from nscc.logic.improve.search import improve
 from nscc.logic.problem import Machine, Problem, Solution
 
@@ -26,6 +27,10 @@ class Priced(Protocol):
     @property
     def price(self) -> tuple[bool, int, int]:
         """Sort key: less is better; the first part is False where everything fits."""
+
+    @property
+    def words_per_boundary(self) -> Sequence[int]:
+        """Words, gates and all others, at each boundary 0..N."""
 
 
 P = TypeVar("P", bound=Priced)
@@ -62,4 +67,17 @@ def refine(
         improved(found, MORE_STEPS[level], keep_kernels=kept)
         for found, kept in first[: BEST[level]]
     ]
-    return min([*more, *(found for found, _ in first), *candidates], key=lambda p: p.price)
+    best = min([*more, *(found for found, _ in first), *candidates], key=lambda p: p.price)
+    return min(best, _balanced(best, problem, machine, level, priced), key=lambda p: p.price)
+
+
+def _balanced(
+    candidate: P, problem: Problem, machine: Machine, level: int, priced: Callable[[Solution], P]
+) -> P:
+    """The candidate with its largest boundary made smaller."""
+    solution = candidate.solution
+    others = list(candidate.words_per_boundary)
+    for n, words in enumerate(words_at(solution, problem, machine, len(others) - 1)):
+        others[n] -= words
+    budget = Budget(FIRST_STEPS[level])
+    return priced(balance(solution, problem, machine, budget, others))

@@ -64,8 +64,8 @@ class _Walk:
         run.budget.spend(run.step)
         self.gain = sum(frame.words(items[k]) for k in dropped)
         last = max(dropped, default=self.start - 1)
-        for item in lead:
-            if not frame.legal(item) or not self._put(item):
+        for new in lead:
+            if not frame.legal(new) or not self._put(new):
                 return None
         self._compare(run.before[self.start], -1)
         k = self.start

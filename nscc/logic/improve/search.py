@@ -62,18 +62,25 @@ def _exhaust(run: Run) -> None:
 
 
 def settled(
-    solution: Solution, problem: Problem, machine: Machine, frame: Frame, items: list[Item]
+    solution: Solution,
+    problem: Problem,
+    machine: Machine,
+    frame: Frame,
+    items: list[Item],
+    *,
+    as_long: bool = False,
 ) -> Solution:
-    """`items` as a solution if they are one and take no more words than `solution`, which
-    otherwise comes back itself."""
+    """`items` as a solution if they are one and take fewer words than `solution` (`as_long`: or as
+    many), which otherwise comes back itself."""
     try:
         found = unflatten(frame, items)
         checked, again = flatten(found, problem, machine)
         states_before(checked, again)
-        before, gates = flatten(solution, problem, machine)
     except Illegal:
         return solution
-    return found if checked.total(again) < before.total(gates) else solution
+    before, gates = flatten(solution, problem, machine)
+    gain = before.total(gates) - checked.total(again)
+    return found if gain > 0 or (as_long and gain == 0) else solution
 
 
 class _Search:

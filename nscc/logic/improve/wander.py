@@ -94,4 +94,3 @@ def _earlier(run: Run, k: int, choose: random.Random) -> int:
     while low > 0 and k - low < SPAN and not isinstance(run.items[low - 1], Check):
         low -= 1
     return choose.randrange(low, k + 1)
-
