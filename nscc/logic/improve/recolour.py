@@ -28,12 +28,15 @@ class _Value:
     sources: tuple[int, ...] = field(default=())
 
 
-def recoloured(frame: Frame, items: Sequence[Item]) -> list[Item] | None:
+def recoloured(frame: Frame, items: Sequence[Item], without: int = 0) -> list[Item] | None:
     """The same operations in other registers; None where registers do not go round.
 
-    Every operation's result must be read by somebody.
+    Every operation's result must be read by somebody. No value is put into the registers `without`
+    (a bit mask).
     """
     values, written = _values(frame, items)
+    for value in values:
+        value.banned |= without
     if frame.masked is not None:
         _ban_mask(frame, items, values, written)
     return _Painter(frame, items, values, written).paint()

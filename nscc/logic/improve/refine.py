@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Protocol, TypeVar
+from dataclasses import replace
+from typing import Generic, Protocol, TypeVar
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.balance import balance, words_at
+from nscc.logic.improve.enrich import enrich
 from nscc.logic.improve.search import improve
 from nscc.logic.problem import Machine, Problem, Solution
 
@@ -14,6 +16,7 @@ from nscc.logic.problem import Machine, Problem, Solution
 FIRST_STEPS = {2: 20_000, 3: 60_000}
 # Each of the best gets so many more. A hundred thousand steps are about a second.
 MORE_STEPS = {2: 250_000, 3: 2_000_000}
+ENRICH_STEPS = {2: 60_000, 3: 400_000}
 BEST = {2: 2, 3: 3}
 
 
@@ -43,41 +46,75 @@ def refine(
     level: int,
     priced: Callable[[Solution], P],
 ) -> P:
-    """The best candidate, or the best that improvement makes of one; levels 2 and 3.
+    """The best candidate, or the best that improvement makes of one; levels 2 and 3."""
+    return _Refinery(problem, machine, level, priced).best(candidates)
 
-    Rewritten freely, a solution's segments share no kernels any more; where they then take more
-    store than there is, those that were equal are kept so.
-    """
 
-    def improved(candidate: P, steps: int, *, keep_kernels: bool) -> P:
-        budget = Budget(steps)
-        solution = candidate.solution
-        return priced(improve(solution, problem, machine, budget, keep_kernels=keep_kernels))
+class _Refinery(Generic[P]):
+    def __init__(
+        self, problem: Problem, machine: Machine, level: int, priced: Callable[[Solution], P]
+    ) -> None:
+        self._problem = problem
+        self._machine = machine
+        self._level = level
+        self._priced = priced
 
-    first = []
-    for candidate in candidates:
-        found, kept = improved(candidate, FIRST_STEPS[level], keep_kernels=False), False
+    def best(self, candidates: Sequence[P]) -> P:
+        """Improves all a little and the best of them more."""
+        steps = FIRST_STEPS[self._level]
+        first = sorted((self._first(c, steps) for c in candidates), key=_price)
+        more = [self._more(found, kept) for _, found, kept in first[: BEST[self._level]]]
+        best = min([*more, *(found for _, found, _ in first), *candidates], key=_least)
+        return min(best, self._balanced(best), key=_least)
+
+    def _first(self, candidate: P, steps: int) -> tuple[tuple[bool, int, int], P, bool]:
+        """(price, improved, whether equal segments had to be kept equal)."""
+        found = self._form(self._improved(candidate.solution, steps))
         if found.price[0]:
-            other = improved(candidate, FIRST_STEPS[level], keep_kernels=True)
+            # Rewritten freely, segments share no kernels any more.
+            other = self._priced(self._improved(candidate.solution, steps, keep_kernels=True))
             if other.price < found.price:
-                found, kept = other, True
-        first.append((found, kept))
-    first.sort(key=lambda pair: pair[0].price)
-    more = [
-        improved(found, MORE_STEPS[level], keep_kernels=kept)
-        for found, kept in first[: BEST[level]]
-    ]
-    best = min([*more, *(found for found, _ in first), *candidates], key=lambda p: p.price)
-    return min(best, _balanced(best, problem, machine, level, priced), key=lambda p: p.price)
+                return other.price, other, True
+        return found.price, found, False
+
+    def _more(self, candidate: P, kept: bool) -> P:
+        steps = MORE_STEPS[self._level]
+        solution = self._improved(candidate.solution, steps // 2, keep_kernels=kept)
+        if kept:
+            return self._priced(solution)
+        budget = Budget(ENRICH_STEPS[self._level])
+        richer = enrich(solution, self._problem, self._machine, budget)
+        return self._form(self._improved(richer, steps // 2))
+
+    def _improved(self, solution: Solution, steps: int, *, keep_kernels: bool = False) -> Solution:
+        budget = Budget(steps)
+        return improve(solution, self._problem, self._machine, budget, keep_kernels=keep_kernels)
+
+    def _form(self, solution: Solution) -> P:
+        """The solution priced; if its words do not fit, with gates and analog words apart."""
+        found = self._priced(solution)
+        return min(found, self._priced(apart(solution)), key=_least) if found.price[0] else found
+
+    def _balanced(self, candidate: P) -> P:
+        """The candidate with its largest boundary made smaller."""
+        solution = candidate.solution
+        others = list(candidate.words_per_boundary)
+        gates = words_at(solution, self._problem, self._machine, len(others) - 1)
+        others = [all_ - own for all_, own in zip(others, gates, strict=True)]
+        budget = Budget(FIRST_STEPS[self._level])
+        return self._form(balance(solution, self._problem, self._machine, budget, others))
 
 
-def _balanced(
-    candidate: P, problem: Problem, machine: Machine, level: int, priced: Callable[[Solution], P]
-) -> P:
-    """The candidate with its largest boundary made smaller."""
-    solution = candidate.solution
-    others = list(candidate.words_per_boundary)
-    for n, words in enumerate(words_at(solution, problem, machine, len(others) - 1)):
-        others[n] -= words
-    budget = Budget(FIRST_STEPS[level])
-    return priced(balance(solution, problem, machine, budget, others))
+def apart(solution: Solution) -> Solution:
+    """The solution with no gates in the segments that precede analog words: these are the same in
+    every slot, and stored once."""
+    answers = tuple((*answer, ()) if answer else answer for answer in solution.answers)
+    return replace(solution, answers=answers)
+
+
+def _price(found: tuple[tuple[bool, int, int], P, bool]) -> tuple[bool, int, int]:
+    return found[0]
+
+
+def _least(candidate: Priced) -> tuple[bool, int, int]:
+    return candidate.price
