@@ -131,7 +131,8 @@ class _Painter:
                 target = chosen
                 self.holds[target] = number
             self.place[number] = target
-            out.append(op(item.inverted, target, sources, item.place, item.segment))
+            if not _copies(item) or sources != [target]:
+                out.append(op(item.inverted, target, sources, item.place, item.segment))
         return self._bring_home(out)
 
     def _choose(self, k: int, item: Op, value: _Value, sources: Sequence[int]) -> int | None:
@@ -145,7 +146,9 @@ class _Painter:
                 continue
             if self.values[self.holds[register]].last > k:
                 continue
-            in_place = register in sources
+            in_place = int(register in sources)
+            if in_place and _copies(item):
+                in_place = -1  # nothing to do at all
             away = value.home >= 0 and register != value.home
             # A value in the way when a plane comes home makes that plane go elsewhere first.
             plane = register < self.frame.planes
@@ -190,3 +193,7 @@ class _Painter:
             copy(free[0], astray[plane])
             astray[plane] = where[plane] = free[0]
         return out
+
+
+def _copies(item: Op) -> bool:
+    return not item.inverted and len(item.sources) == 1

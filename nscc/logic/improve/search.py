@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import count
+
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.code import Frame, Illegal, Item, flatten, states_before, unflatten
 from nscc.logic.improve.kernels import improve_kernels
@@ -15,6 +17,8 @@ from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 PAIR_SPAN = 8
 # Steps of one walk; after it the sweeps follow.
 WALK_STEPS = 50_000
+# So many walks in vain are the last.
+PATIENCE = 6
 # Steps of a walk over one kernel.
 KERNEL_STEPS = 2_000
 
@@ -95,9 +99,14 @@ class _Search:
         """Sweeps until they gain nothing, then walks and sweeps until no step is left."""
         try:
             self._sweep()
-            for seed in range(self.budget.left // WALK_STEPS + 1):
-                wander(self.run, seed, WALK_STEPS)
+            idle = 0
+            for seed in count():
+                gained = wander(self.run, seed, WALK_STEPS)
+                words = self.run.words()
                 self._sweep()
+                idle = 0 if gained or self.run.words() < words else idle + 1
+                if idle == PATIENCE:
+                    return
         except GaveUp:
             self._recolour()
 
