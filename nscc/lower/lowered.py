@@ -227,5 +227,5 @@ def lower(
             searched=True,
         )
     if level >= 2 and problem.demands:
-        return refine(found, problem, machine, level, priced)
+        return refine(found, problem, machine, level, priced, program.target.store_words)
     return min(found, key=lambda candidate: candidate.price)

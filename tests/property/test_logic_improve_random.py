@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from hypothesis import given
 from hypothesis import strategies as st
 from improve_oracle import chip, random_solution, words_of
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve import balance, improve
+from nscc.logic.improve.enrich import enrich
 from nscc.logic.problem import Machine
 
 
@@ -23,17 +26,58 @@ def chips(draw):
     )
 
 
-@given(chips(), st.integers(0, 2**32), st.sampled_from([0, 30, 500, 4000]), st.booleans())
-def test_improved_gates_do_the_same(target, seed, steps, keep_kernels):
+STEPS = st.sampled_from([0, 30, 500, 4000])
+
+
+@given(chips(), st.integers(0, 2**32), STEPS)
+def test_improved_gates_do_the_same(target, seed, steps):
     machine = Machine.of(target)
     problem, solution = random_solution(seed, machine)
     before = words_of(solution, problem, target)
-    improved = improve(solution, problem, machine, Budget(steps), keep_kernels=keep_kernels)
-    after = words_of(improved, problem, target, seed=1)
-    assert after <= before
+    improved = improve(solution, problem, machine, Budget(steps))
+    assert words_of(improved, problem, target, seed=1) <= before
     assert improved.planes == solution.planes
-    if keep_kernels:
+
+
+@given(chips(), st.integers(0, 2**32), STEPS, st.sampled_from([0, 20, 100]), st.integers(1, 4))
+def test_kernels_are_improved_alike(target, seed, steps, room, times):
+    """Gates whose answers come `times` times over; without room no new kernels come about."""
+    machine = Machine.of(target)
+    problem, solution = repeated(*random_solution(seed, machine), times)
+    before = words_of(solution, problem, target)
+    improved = improve(
+        solution, problem, machine, Budget(steps), keep_kernels=True, room=room
+    )  # fmt: skip
+    assert words_of(improved, problem, target, seed=1) <= before
+    if not room:
         assert len(set(improved.segments())) <= len(set(solution.segments()))
+
+
+@given(chips(), st.integers(0, 2**32), STEPS)
+def test_enriched_solutions_answer_the_same_demands(target, seed, steps):
+    machine = Machine.of(target)
+    problem, solution = random_solution(seed, machine)
+    before = words_of(solution, problem, target)
+    richer = enrich(solution, problem, machine, Budget(steps))
+    assert words_of(richer, problem, target, seed=1) <= before
+    assert richer.planes[: len(solution.planes)] == solution.planes
+
+
+def repeated(problem, solution, times):
+    """A frame that answers the same demands over and over, each time from the opening on."""
+    if solution.state_in_flag:
+        return problem, solution
+    last = problem.demands[-1].boundary + 1
+    demands, answers = [], []
+    for i in range(times):
+        for k, (demand, answer) in enumerate(
+            zip(problem.demands, solution.answers, strict=True)
+        ):  # fmt: skip
+            demands.append(replace(demand, boundary=demand.boundary + i * last))
+            again = (*solution.closing, *solution.opening) if i and not k else ()
+            answers.append((*again, *answer))
+    problem = replace(problem, demands=tuple(demands))
+    return problem, replace(solution, answers=tuple(answers))
 
 
 @given(chips(), st.integers(0, 2**32), st.sampled_from([0, 300, 4000]), st.integers(0, 6))

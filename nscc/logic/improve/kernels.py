@@ -1,7 +1,7 @@
 """Segments that are equal stay equal: one rewriting serves all places where a kernel runs.
 
-What a kernel does is a problem of its own, in which every shutter counts once for each place where
-the kernel runs: the truth vectors of all places are laid end to end.
+What a sequence of segments does is a problem of its own, in which every shutter counts once for
+each place where the sequence runs: the truth vectors of all places are laid end to end.
 """
 
 from __future__ import annotations
@@ -10,90 +10,73 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import Check, Content, Frame, Illegal, Item, Op
+from nscc.logic.improve.blocks import Block, Token, blocks_of
+from nscc.logic.improve.code import Check, Content, Frame, Illegal, Item
 from nscc.logic.improve.run import Run
 
-Kernel = tuple[tuple[bool, int, int], ...]
-"""The functions of a segment's operations."""
-
-Pass = Callable[[Run], None]
+Pass = Callable[[Frame, list[Item], Budget], list[Item]]
+"""Makes items shorter that a frame, or a part of one, consists of."""
 
 
-def kernels_of(items: Sequence[Item]) -> dict[Kernel, list[int]]:
-    """Every distinct segment, and the items with which it begins."""
-    found: dict[Kernel, list[int]] = {}
-    k = 0
-    while k < len(items):
-        first = items[k]
-        if isinstance(first, Check):
-            k += 1
-            continue
-        end = _end(items, k)
-        key = tuple(item.function for item in items[k:end] if isinstance(item, Op))
-        found.setdefault(key, []).append(k)
-        k = end
-    return found
-
-
-def _end(items: Sequence[Item], k: int) -> int:
-    first = items[k]
-    assert isinstance(first, Op)
-    end = k
-    while end < len(items):
-        item = items[end]
-        if isinstance(item, Check) or item.segment != first.segment:
-            break
-        end += 1
-    return end
-
-
-def improve_kernels(frame: Frame, items: list[Item], budget: Budget, shorten: Pass) -> list[Item]:
+def improve_kernels(
+    frame: Frame, items: list[Item], budget: Budget, shorten: Pass, room: int
+) -> list[Item]:
     """`items` with each kernel shortened by `shorten`, in all its places alike.
 
-    Kernels come in the order of the words that they take in a frame.
+    Sequences of kernels are rewritten as one where there is `room` for all words (see `blocks_of`).
     """
-    queue = kernels_of(items)
-    order = sorted(queue, key=lambda kernel: -len(queue[kernel]) * len(kernel))
     run = Run(frame, items, budget)
-    for kernel in order:
-        places = kernels_of(run.items).get(kernel)
-        if places is None:
-            continue
-        new = _shortened(frame, run, places, len(kernel), budget, shorten)
+    blocks = blocks_of(frame, run.items, room)
+    # Where each item of the run has gone: rewriting a block replaces its items by others.
+    parts: list[list[Item]] = [[item] for item in run.items]
+    for block in blocks:
+        new = _shortened(frame, run, block, budget, shorten)
         if new is None:
             continue
+        before = {}
+        for tokens in block.places:
+            moved = _moved(run.items, block.places[0], tokens, new)
+            for k in range(tokens[0].start, tokens[-1].end):
+                before[k] = parts[k]
+                parts[k] = []
+            parts[tokens[0].start] = moved
         try:
-            run = Run(frame, _replaced(run.items, places, len(kernel), new), budget)
+            Run(frame, [item for part in parts for item in part], budget)
         except Illegal:
-            continue
-    return run.items
+            for k, part in before.items():
+                parts[k] = part
+    return [item for part in parts for item in part]
 
 
 def _shortened(
-    frame: Frame, run: Run, places: Sequence[int], length: int, budget: Budget, shorten: Pass
-) -> list[Op] | None:
-    """The operations of a shorter kernel; None if there is none."""
+    frame: Frame, run: Run, block: Block, budget: Budget, shorten: Pass
+) -> list[Item] | None:
+    """Items in place of those of the block's first place; None if there are no shorter ones."""
     size = (frame.everything.bit_length() + 7) // 8
+    starts = [tokens[0].start for tokens in block.places]
+    length = block.places[0][-1].end - starts[0]
     live = 0
-    for k in places:
+    for k in starts:
         live |= run.live[k + length]
     start = tuple(
-        _joined([run.before[k][register] for k in places], size)
+        _joined([run.before[k][register] for k in starts], size)
         for register in range(frame.flag + 1)
     )
-    everything = _joined([frame.everything] * len(places), size)
+    everything = _joined([frame.everything] * len(starts), size)
     assert everything is not None
     part = replace(frame, everything=everything, start=start, ends=live)
-    kernel = run.items[places[0] : places[0] + length]
+    items: list[Item] = []
+    for offset, item in enumerate(run.items[starts[0] : starts[0] + length]):
+        if isinstance(item, Check) and item.need is not None:
+            checks = [run.items[k + offset] for k in starts]
+            needs = [check.need for check in checks if isinstance(check, Check)]
+            item = replace(item, need=_joined(needs, size))
+        items.append(item)
     try:
-        inner = Run(part, kernel, budget)
+        found = shorten(part, items, budget)
     except Illegal:
         return None
-    before = part.total(kernel)
-    shorten(inner)
-    if inner.words() >= before:
-        return None
-    return [item for item in inner.items if isinstance(item, Op)]
+    return found if part.total(found) < part.total(items) else None
 
 
 def _joined(contents: Sequence[Content], size: int) -> Content:
@@ -102,16 +85,24 @@ def _joined(contents: Sequence[Content], size: int) -> Content:
     return int.from_bytes(b"".join(known), "little") if len(known) == len(contents) else None
 
 
-def _replaced(
-    items: Sequence[Item], places: Sequence[int], length: int, new: Sequence[Op]
+def _moved(
+    items: Sequence[Item], first: Sequence[Token], here: Sequence[Token], new: Sequence[Item]
 ) -> list[Item]:
+    """Items written for the block's first place, in another one."""
+    segments: dict[tuple[int, int], tuple[int, int]] = {}
+    checks = []
+    for one, other in zip(first, here, strict=True):
+        a, b = items[one.start], items[other.start]
+        if isinstance(a, Check) or isinstance(b, Check):
+            checks.append(b)
+        else:
+            segments[a.place, a.segment] = b.place, b.segment
     out: list[Item] = []
-    at = 0
-    for k in places:
-        out.extend(items[at:k])
-        first = items[k]
-        assert isinstance(first, Op)
-        out.extend(replace(item, place=first.place, segment=first.segment) for item in new)
-        at = k + length
-    out.extend(items[at:])
+    coming = iter(checks)
+    for item in new:
+        if isinstance(item, Check):
+            out.append(next(coming))
+        else:
+            place, segment = segments[item.place, item.segment]
+            out.append(replace(item, place=place, segment=segment))
     return out

@@ -10,14 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op, op
+from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op, bits, op
 
 
 @dataclass(slots=True)
 class _Value:
     """What one operation writes, or what a register holds at the start.
 
-    `last` is the last item that reads it; `home` the plane that it is when the frame ends.
+    `last` is the last item that reads it; `home` the register in which it is needed at the end.
     `banned` are the registers (a bit mask) in which it would be lost meanwhile.
     """
 
@@ -59,9 +59,10 @@ def _values(frame: Frame, items: Sequence[Item]) -> tuple[list[_Value], list[int
         holds[item.destination] = len(values)
         written.append(len(values))
         values.append(_Value(k, k, sources=sources))
-    for plane in range(frame.planes):
-        values[holds[plane]].last = len(items)
-        values[holds[plane]].home = plane
+    for register in bits(frame.unscathed):
+        values[holds[register]].last = len(items)
+        if register != frame.flag:
+            values[holds[register]].home = register
     checks = [(k, item.forgets) for k, item in enumerate(items) if isinstance(item, Check)]
     lossy = [(k, forgets & ~(1 << frame.flag)) for k, forgets in checks]
     lossy = [(k, forgets) for k, forgets in lossy if forgets]
@@ -107,7 +108,8 @@ class _Painter:
         self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
         # Which value a register holds; the first ones that nobody reads do not count.
         self.holds: list[int] = list(range(frame.flag))
-        self.homing = [-1] * frame.planes
+        # Where the value is written that must be in a register at the end.
+        self.homing = [-1] * frame.flag
         for value in values:
             if value.home >= 0:
                 self.homing[value.home] = value.first
@@ -154,10 +156,10 @@ class _Painter:
             plane = register < self.frame.planes
             in_the_way = plane and register != value.home and value.last > self.homing[register] > k
             price = (
-                in_place + away,
+                in_place + away * (1 if self.frame.ends is None else 2),
                 int(in_the_way),
                 int(register != item.destination),
-                -self.homing[register] if plane else -len(self.items),
+                -self.homing[register] if self.homing[register] >= 0 else -len(self.items),
             )
             if best is None or price < best_price:
                 best, best_price = register, price
@@ -179,6 +181,8 @@ class _Painter:
             out.append(op(False, target, (source,), CLOSING, segment))
 
         astray = {plane: at for plane, at in where.items() if plane != at}
+        if astray and frame.ends is not None:
+            return None
         while astray:
             occupied = set(where.values())
             ready = next((plane for plane in astray if plane not in occupied), None)

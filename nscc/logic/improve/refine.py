@@ -17,6 +17,11 @@ FIRST_STEPS = {2: 20_000, 3: 60_000}
 # Each of the best gets so many more. A hundred thousand steps are about a second.
 MORE_STEPS = {2: 250_000, 3: 2_000_000}
 ENRICH_STEPS = {2: 60_000, 3: 400_000}
+# Where kernels are kept, the first steps are so many times more: less is left to chance.
+KERNEL_SHARE = 4
+# The store's share for gates when segments are given kernels of their own; the rest is for analog
+# words.
+ROOM_SHARE = 0.75
 BEST = {2: 2, 3: 3}
 
 
@@ -45,19 +50,29 @@ def refine(
     machine: Machine,
     level: int,
     priced: Callable[[Solution], P],
+    store_words: int,
 ) -> P:
-    """The best candidate, or the best that improvement makes of one; levels 2 and 3."""
-    return _Refinery(problem, machine, level, priced).best(candidates)
+    """The best candidate, or the best that improvement makes of one; levels 2 and 3.
+
+    `store_words` is how many words all kernels may have.
+    """
+    return _Refinery(problem, machine, level, priced, store_words).best(candidates)
 
 
 class _Refinery(Generic[P]):
     def __init__(
-        self, problem: Problem, machine: Machine, level: int, priced: Callable[[Solution], P]
+        self,
+        problem: Problem,
+        machine: Machine,
+        level: int,
+        priced: Callable[[Solution], P],
+        store_words: int,
     ) -> None:
         self._problem = problem
         self._machine = machine
         self._level = level
         self._priced = priced
+        self._room = int(store_words * ROOM_SHARE)
 
     def best(self, candidates: Sequence[P]) -> P:
         """Improves all a little and the best of them more."""
@@ -72,23 +87,36 @@ class _Refinery(Generic[P]):
         found = self._form(self._improved(candidate.solution, steps))
         if found.price[0]:
             # Rewritten freely, segments share no kernels any more.
-            other = self._priced(self._improved(candidate.solution, steps, keep_kernels=True))
+            other = self._kept(candidate.solution, KERNEL_SHARE * steps)
             if other.price < found.price:
                 return other.price, other, True
         return found.price, found, False
 
     def _more(self, candidate: P, kept: bool) -> P:
         steps = MORE_STEPS[self._level]
-        solution = self._improved(candidate.solution, steps // 2, keep_kernels=kept)
         if kept:
-            return self._priced(solution)
+            return self._kept(candidate.solution, steps)
+        solution = self._improved(candidate.solution, steps // 2)
         budget = Budget(ENRICH_STEPS[self._level])
         richer = enrich(solution, self._problem, self._machine, budget)
         return self._form(self._improved(richer, steps // 2))
 
-    def _improved(self, solution: Solution, steps: int, *, keep_kernels: bool = False) -> Solution:
-        budget = Budget(steps)
-        return improve(solution, self._problem, self._machine, budget, keep_kernels=keep_kernels)
+    def _improved(self, solution: Solution, steps: int) -> Solution:
+        return improve(solution, self._problem, self._machine, Budget(steps))
+
+    def _kept(self, solution: Solution, steps: int) -> P:
+        """The solution improved with equal segments kept equal: with room for more of them than
+        there are now, and without."""
+        found = []
+        for room in (self._room, 0):
+            budget = Budget(steps)
+            shorter = improve(
+                solution, self._problem, self._machine, budget, keep_kernels=True, room=room
+            )
+            found.append(self._form(shorter))
+            if not found[-1].price[0]:
+                break
+        return min(found, key=_least)
 
     def _form(self, solution: Solution) -> P:
         """The solution priced; if its words do not fit, with gates and analog words apart."""

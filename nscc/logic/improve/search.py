@@ -30,12 +30,14 @@ def improve(
     budget: Budget,
     *,
     keep_kernels: bool = False,
+    room: int = 0,
 ) -> Solution:
     """A solution of the same problem in as many words a frame or fewer.
 
     The encoding stays as it is. All steps of `budget` are used, unless nothing is left to gain;
     the same input gives the same result. With `keep_kernels`, segments that were equal still are;
-    without, they may be so no longer.
+    without, they may be so no longer. Then sequences of segments that come again are rewritten as
+    one, while all distinct segments together take no more than `room` words.
     """
     try:
         frame, items = flatten(solution, problem, machine)
@@ -43,26 +45,28 @@ def improve(
     except Illegal:
         return solution
     if keep_kernels:
-        items = improve_kernels(frame, items, budget, _exhaust)
+        items = _kernels(frame, items, budget, room)
     else:
         search = _Search(frame, items, budget)
-        search.exhaust()
+        search.exhaust(WALK_STEPS, patience=PATIENCE)
         items = search.run.items
     return settled(solution, problem, machine, frame, items)
 
 
-def _exhaust(run: Run) -> None:
-    """Sweeps over a run until they gain nothing, then walks a little."""
-    try:
-        words = run.words() + 1
-        while run.words() < words:
-            words = run.words()
-            drop_singles(run)
-            drop_pairs(run, PAIR_SPAN)
-            if run.words() == words:
-                wander(run, 0, KERNEL_STEPS)
-    except GaveUp:
-        return
+def _kernels(frame: Frame, items: list[Item], budget: Budget, room: int) -> list[Item]:
+    """Kernels made shorter until that gains nothing: what is shorter leaves room for more."""
+    words = frame.total(items) + 1
+    while frame.total(items) < words and budget.left > 0:
+        words = frame.total(items)
+        items = improve_kernels(frame, items, budget, _kernel, room)
+    return items
+
+
+def _kernel(frame: Frame, items: list[Item], budget: Budget) -> list[Item]:
+    """Shorter items, found by sweeps and a short walk."""
+    search = _Search(frame, items, budget)
+    search.exhaust(KERNEL_STEPS, patience=1)
+    return search.run.items
 
 
 def settled(
@@ -95,17 +99,18 @@ class _Search:
         self.budget = budget
         self.run = Run(frame, items, budget)
 
-    def exhaust(self) -> None:
-        """Sweeps until they gain nothing, then walks and sweeps until no step is left."""
+    def exhaust(self, steps: int, *, patience: int) -> None:
+        """Sweeps until they gain nothing, then walks of so many steps and sweeps, until no step is
+        left or `patience` walks gained nothing."""
         try:
             self._sweep()
             idle = 0
             for seed in count():
-                gained = wander(self.run, seed, WALK_STEPS)
+                gained = wander(self.run, seed, steps)
                 words = self.run.words()
                 self._sweep()
                 idle = 0 if gained or self.run.words() < words else idle + 1
-                if idle == PATIENCE:
+                if idle == patience:
                     return
         except GaveUp:
             self._recolour()
