@@ -12,6 +12,8 @@ from lowering_oracle import program_from
 from nscc.logic.cubes import Budget
 from nscc.logic.generate import COVERS, EQUALITIES
 from nscc.logic.improve import balance, improve
+from nscc.logic.improve.blocks import blocks_of
+from nscc.logic.improve.code import flatten
 from nscc.logic.improve.enrich import enrich
 from nscc.logic.improve.refine import apart
 from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
@@ -286,3 +288,28 @@ def test_gates_and_analog_words_apart():
     assert parted.answers == ((*solution.answers[0], ()), ())
     assert [s for s in parted.segments() if s] == [s for s in solution.segments() if s]
     assert problem.demands
+
+
+def test_a_sequence_that_comes_again_is_rewritten_as_one():
+    """p2 is turned at every demand, in place: two words. Over two demands it can wander and come
+    home, one word each; the pair of demands is stored once and comes six times."""
+    turned = "p2 = NOT p2 | FLAG = WHERE p2"
+    problem, solution = solved([ALL ^ C, C] * 6, [turned] * 12, flag_lasts=True)
+    problem = replace(problem, demands=tuple(replace(d, flag_kept=False) for d in problem.demands))
+    assert words_of(solution, problem, SCAMP) == 36 + 4
+    alone, words = improved(problem, solution, keep_kernels=True)
+    assert words == 36 + 4
+    assert len(set(alone.segments())) == 2
+    found, words = improved(problem, solution, keep_kernels=True, room=12)
+    assert words <= 24 + REFRESH
+    assert sum(map(len, set(found.segments()))) <= 12
+
+
+def test_sequences_stay_within_their_room():
+    turned = "p2 = NOT p2 | FLAG = WHERE p2"
+    problem, solution = solved([ALL ^ C, C] * 6, [turned] * 12)
+    frame, items = flatten(solution, problem, MACHINE)
+    assert [len(block.places) for block in blocks_of(frame, items, 0)] == [12, 12]
+    (block,) = blocks_of(frame, items, 3)
+    assert len(block.places) == 12
+    assert [token.end - token.start for token in block.places[0]] == [1, 1, 1]

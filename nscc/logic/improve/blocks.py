@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 
 from nscc.logic.improve.code import Check, Frame, Item
 
@@ -88,20 +89,29 @@ class _Merger:
 
     def merge(self, room: int) -> bool:
         """Merges the pair of symbols that comes most often; False where nothing is to be done."""
-        pairs = Counter(zip(self.sequence, self.sequence[1:], strict=False))
+        pairs = self._pairs()
         counts = Counter(self.sequence)
         stored = sum(self.words[symbol] for symbol in counts)
         for (left, right), times in pairs.most_common():
             if times < FEWEST:
                 return False
-            if left == right:
-                continue
             merged = self.words[left] + self.words[right]
-            kept = sum(self.words[s] for s in (left, right) if counts[s] == times)
-            if stored + merged - kept <= room:
+            each = 2 if left == right else 1
+            gone = sum(self.words[s] for s in {left, right} if counts[s] == times * each)
+            if stored + merged - gone <= room:
                 self._replace(left, right, merged)
                 return True
         return False
+
+    def _pairs(self) -> Counter[tuple[int, int]]:
+        """How often each pair of neighbours comes, of equal ones those that do not overlap."""
+        pairs: Counter[tuple[int, int]] = Counter()
+        run = 1
+        for left, right in pairwise(self.sequence):
+            run = run + 1 if left == right else 1
+            if run % 2 == 0 or left != right:
+                pairs[left, right] += 1
+        return pairs
 
     def _replace(self, left: int, right: int, words: int) -> None:
         symbol = len(self.words)
