@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from nscc.cache.results import Result, Results
 from nscc.logic.generate import solutions
+from nscc.logic.improve import refine
 from nscc.logic.problem import Demand, Machine, Problem, Solution
 from nscc.lower.plan import ExposurePlan, Misfit, Step
 from nscc.lower.schedule import Schedule, schedule
@@ -19,6 +20,9 @@ from nscc.program.model import Program
 from nscc.truth import members
 from nscc.words.container import DecodeTable
 from nscc.words.operations import Effect
+
+# Solutions, the best first, that are worth steps of improvement.
+MOST_IMPROVED = 8
 
 # Times are sums of decimal fractions: a slot just as long as its words is long enough.
 _ROUNDING = 1 + 1e-9
@@ -241,8 +245,8 @@ def lower(
     """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found.
 
     `opens` is `levels(program)` and `writes` is `analog_writes(program, plan)`; `most_words` as
-    in Lowered. Level 0 takes the first solution that fits. What is already known comes from
-    `results`.
+    in Lowered. Level 0 takes the first solution that fits, levels 2 and 3 improve the best ones.
+    What is already known comes from `results`.
     """
     time = timeline(program.frame.slot_us, len(program.buckets), program.target)
     problem, actions = problem_of(program, plan, time, opens)
@@ -250,19 +254,24 @@ def lower(
     known = Result()
     if results is not None:
         known = results.find(problem, machine, level, plan, time, program.target, most_words)
-    best: Lowered | None = None
-    for solution in known.or_else(solutions(problem, machine, level)):
+
+    def priced(solution: Solution) -> Lowered:
         laid = schedule(plan, solution, actions, time, program.target)
-        candidate = Lowered(program, plan, solution, laid, time, writes, most_words)
-        if best is None or candidate.price < best.price:
-            best = candidate
-        if level == 0 and best.fits:
+        return Lowered(program, plan, solution, laid, time, writes, most_words)
+
+    found: list[Lowered] = []
+    for solution in known.or_else(solutions(problem, machine, level)):
+        found = sorted([*found, priced(solution)], key=lambda other: other.price)[:MOST_IMPROVED]
+        if level == 0 and found[0].fits:
             break
-    if best is None:
+    if not found:
         return Misfit(
             "no generator found gates in "
             f"{len(program.target.digital_registers)} digital registers",
             searched=True,
         )
+    if level < 2 or known.known is not None or not problem.demands:
+        return found[0]
+    best = refine(found, problem, machine, level, priced, program.target.store_words)
     known.keep(best.solution)
     return best

@@ -1,0 +1,158 @@
+"""Work moved to earlier slots: the slot with most words sets how short slots may be."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from nscc.logic.cubes import Budget
+from nscc.logic.improve.code import (
+    CLOSING,
+    OPENING,
+    Check,
+    Frame,
+    Illegal,
+    Item,
+    Op,
+    flatten,
+    states_before,
+)
+from nscc.logic.improve.rewrite import Rewrite, rewrite
+from nscc.logic.improve.run import Run
+from nscc.logic.improve.search import settled
+from nscc.logic.problem import GaveUp, Machine, Problem, Solution
+
+# How many answers earlier a gate may go.
+REACH = 6
+
+
+def balance(
+    solution: Solution,
+    problem: Problem,
+    machine: Machine,
+    budget: Budget,
+    others: Sequence[int],
+    limit: int = 0,
+) -> Solution:
+    """The solution with gates moved to earlier boundaries, in no more words a frame.
+
+    `others` says how many words run at each boundary 0..N besides the solution's gates. The largest
+    boundary gets as small as was found, but nothing is done below `limit` words. Comes back itself
+    where nothing can be moved.
+    """
+    try:
+        frame, items = flatten(solution, problem, machine)
+        states_before(frame, items)
+    except Illegal:
+        return solution
+    run = Run(frame, items, budget)
+    loads = _Loads(frame, items, problem, others)
+    try:
+        while loads.largest() > limit and _flatten_one(run, loads, loads.largest()):
+            pass
+    except GaveUp:
+        pass
+    if loads.largest() >= max(loads.counted(items)):
+        return solution
+    return settled(solution, problem, machine, frame, run.items, as_long=True)
+
+
+def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int) -> list[int]:
+    """Words of a solution's gates at each boundary 0..slots."""
+    frame, items = flatten(solution, problem, machine)
+    return _Loads(frame, items, problem, [0] * (slots + 1)).words
+
+
+class _Loads:
+    """Words at each boundary."""
+
+    def __init__(
+        self, frame: Frame, items: Sequence[Item], problem: Problem, others: Sequence[int]
+    ) -> None:
+        self._frame = frame
+        self._boundaries = [demand.boundary for demand in problem.demands]
+        self._others = others
+        self.words = self.counted(items)
+
+    def boundary(self, place: int) -> int:
+        """The boundary at which a place runs."""
+        if place == OPENING:
+            return 0
+        return len(self._others) - 1 if place == CLOSING else self._boundaries[place]
+
+    def largest(self) -> int:
+        """Most words at one boundary."""
+        return max(self.words)
+
+    def counted(self, items: Sequence[Item]) -> list[int]:
+        """Words at each boundary with these items."""
+        words = list(self._others)
+        for item in items:
+            words[self.boundary(item.place)] += self._frame.words(item)
+        return words
+
+
+def _flatten_one(run: Run, loads: _Loads, most: int) -> bool:
+    """Moves one gate away from each boundary of `most` words; False where that fails."""
+    full = [n for n, words in enumerate(loads.words) if words >= most]
+    return all(_relieve(run, loads, n, most) for n in full)
+
+
+def _relieve(run: Run, loads: _Loads, boundary: int, most: int) -> bool:
+    for k, item in enumerate(run.items):
+        if isinstance(item, Check) or loads.boundary(item.place) != boundary:
+            continue
+        if item.destination == run.frame.flag:
+            continue
+        for start, place, segment in _earlier(run, k, loads, most):
+            for target in _targets(run, start, item):
+                moved = replace(item, destination=target, place=place, segment=segment)
+                done = rewrite(run, start, (moved,), (k,), least=0)
+                if done is not None and _take(run, loads, done, boundary, most):
+                    return True
+    return False
+
+
+def _earlier(run: Run, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
+    """(item, place, segment) at the ends of earlier answers with room for another word."""
+    found = []
+    segment = -1
+    own = loads.boundary(run.items[k].place)
+    checks = 0
+    for at in range(k - 1, -1, -1):
+        item = run.items[at]
+        if not isinstance(item, Check):
+            continue
+        checks += 1
+        if checks > REACH:
+            break
+        boundary = loads.boundary(item.place)
+        if boundary == own or loads.words[boundary] + 1 >= most:
+            continue
+        before = run.items[at - 1] if at else item
+        segment = before.segment if isinstance(before, Op) else 0
+        found.append((at, item.place, segment))
+    return found
+
+
+def _targets(run: Run, start: int, item: Op) -> list[int]:
+    """The operation's own destination, then registers that are free where it is to go."""
+    frame = run.frame
+    if item.destination == frame.masked:
+        return []
+    taken = run.live[start] | 1 << item.destination
+    if frame.masked is not None:
+        taken |= 1 << frame.masked
+    return [item.destination, *(r for r in range(frame.flag) if not taken >> r & 1)]
+
+
+def _take(run: Run, loads: _Loads, done: Rewrite, boundary: int, most: int) -> bool:
+    """Accepts a rewriting that leaves the boundary below `most` and fills no other up to it."""
+    words = loads.counted([*run.items[: done.start], *done.items, *run.items[done.end :]])
+    if words[boundary] >= most or any(
+        now >= most and now > was for now, was in zip(words, loads.words, strict=True)
+    ):
+        return False
+    run.splice(done.start, done.end, done.items)
+    loads.words = loads.counted(run.items)
+    return True

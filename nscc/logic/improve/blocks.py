@@ -1,0 +1,129 @@
+"""Sequences of segments that come again and again, found by merging the most frequent pairs.
+
+(Re-Pair; Larsson and Moffat, Proc. IEEE 2000.) Rewritten as one, a sequence gains more than its
+segments do each alone; but every sequence that is treated by itself has segments of its own in the
+store.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+
+from nscc.logic.improve.code import Check, Frame, Item
+
+FEWEST = 2
+"""A pair that comes less often is not merged."""
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """items[start:end] of a run: a segment, or one check. `key` says what it does."""
+
+    start: int
+    end: int
+    key: Hashable
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Equal sequences of tokens: `places` has the tokens of each one."""
+
+    places: tuple[tuple[Token, ...], ...]
+
+
+def tokens_of(items: Sequence[Item]) -> list[Token]:
+    """The segments and checks of a run."""
+    found = []
+    k = 0
+    while k < len(items):
+        first = items[k]
+        end = k + 1
+        if isinstance(first, Check):
+            found.append(Token(k, end, (first.need is None, first.forgets)))
+        else:
+            while end < len(items):
+                item = items[end]
+                if isinstance(item, Check) or item.segment != first.segment:
+                    break
+                end += 1
+            key = tuple(item.function for item in items[k:end] if not isinstance(item, Check))
+            found.append(Token(k, end, key))
+        k = end
+    return found
+
+
+def blocks_of(frame: Frame, items: Sequence[Item], room: int) -> list[Block]:
+    """Every distinct sequence; all their distinct segments stay within `room` words.
+
+    Without room, every segment is a sequence of its own. Those that take most words a frame come
+    first.
+    """
+    tokens = tokens_of(items)
+    merger = _Merger(frame, items, tokens)
+    while merger.merge(room):
+        pass
+    places: dict[int, list[tuple[Token, ...]]] = {}
+    at = 0
+    for symbol in merger.sequence:
+        length = merger.lengths[symbol]
+        places.setdefault(symbol, []).append(tuple(tokens[at : at + length]))
+        at += length
+    order = sorted(places, key=lambda symbol: -merger.words[symbol] * len(places[symbol]))
+    return [Block(tuple(places[symbol])) for symbol in order if merger.words[symbol]]
+
+
+class _Merger:
+    """The run as a sequence of symbols, each standing for some tokens."""
+
+    def __init__(self, frame: Frame, items: Sequence[Item], tokens: Sequence[Token]) -> None:
+        number: dict[Hashable, int] = {}
+        self.sequence = [number.setdefault(token.key, len(number)) for token in tokens]
+        self.lengths = [1] * len(number)
+        self.words = [0] * len(number)
+        for token in tokens:
+            words = sum(frame.words(item) for item in items[token.start : token.end])
+            self.words[number[token.key]] = words
+
+    def merge(self, room: int) -> bool:
+        """Merges the pair of symbols that comes most often; False where nothing is to be done."""
+        pairs = self._pairs()
+        counts = Counter(self.sequence)
+        stored = sum(self.words[symbol] for symbol in counts)
+        for (left, right), times in pairs.most_common():
+            if times < FEWEST:
+                return False
+            merged = self.words[left] + self.words[right]
+            each = 2 if left == right else 1
+            gone = sum(self.words[s] for s in {left, right} if counts[s] == times * each)
+            if stored + merged - gone <= room:
+                self._replace(left, right, merged)
+                return True
+        return False
+
+    def _pairs(self) -> Counter[tuple[int, int]]:
+        """How often each pair of neighbours comes, of equal ones those that do not overlap."""
+        pairs: Counter[tuple[int, int]] = Counter()
+        run = 1
+        for left, right in pairwise(self.sequence):
+            run = run + 1 if left == right else 1
+            if run % 2 == 0 or left != right:
+                pairs[left, right] += 1
+        return pairs
+
+    def _replace(self, left: int, right: int, words: int) -> None:
+        symbol = len(self.words)
+        self.words.append(words)
+        self.lengths.append(self.lengths[left] + self.lengths[right])
+        out: list[int] = []
+        k = 0
+        while k < len(self.sequence):
+            if self.sequence[k : k + 2] == [left, right]:
+                out.append(symbol)
+                k += 2
+            else:
+                out.append(self.sequence[k])
+                k += 1
+        self.sequence = out

@@ -1,0 +1,339 @@
+"""A solution as one straight run of operations on numbered registers, and back again.
+
+Registers are numbered: planes, states, scratch, FLAG last. Because the shutters are known, what a
+register holds at any point is a truth vector, or None where nothing is known about it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+
+from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution
+
+Content = int | None
+"""What a register holds: a truth vector, None if unknown."""
+
+OPENING, CLOSING = -1, -2
+"""Places of operations that belong to no answer."""
+
+REFRESH_WORDS = 2
+"""What the schedule adds at the end of a frame for every plane that the frame does not write."""
+
+
+class Illegal(Exception):
+    """Operations that do not meet the problem, or that hang on what nobody knows."""
+
+
+@dataclass(frozen=True, slots=True)
+class Op:
+    """destination := OR(sources), or NOR if `inverted`; sources in rising order, without doubles.
+
+    `place` is the answer to which the operation belongs, OPENING or CLOSING, and `segment` its
+    segment there. `reads` is the set of sources as a bit mask.
+    """
+
+    inverted: bool
+    destination: int
+    sources: tuple[int, ...]
+    place: int
+    segment: int
+    reads: int
+
+    @property
+    def function(self) -> tuple[bool, int, int]:
+        """What the operation does, wherever it stands."""
+        return self.inverted, self.destination, self.reads
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """A point where FLAG must equal `need` (if not None), and what is unknown after it.
+
+    It ends `place`. `forgets` is a bit mask of registers.
+    """
+
+    need: int | None
+    forgets: int
+    place: int
+
+
+Item = Op | Check
+
+
+def op(inverted: bool, destination: int, sources: Iterable[int], place: int, segment: int) -> Op:
+    """An operation; sources in any order."""
+    reads = 0
+    for source in sources:
+        reads |= 1 << source
+    return Op(inverted, destination, bits(reads), place, segment, reads)
+
+
+def bits(mask: int) -> tuple[int, ...]:
+    """The registers of a bit mask in rising order."""
+    found = []
+    while mask:
+        low = mask & -mask
+        found.append(low.bit_length() - 1)
+        mask ^= low
+    return tuple(found)
+
+
+@dataclass(frozen=True)
+class Frame:
+    """What does not change while a solution is improved: registers, limits and the first state.
+
+    `masked` is the plane that lives in the masked register, if one does: a write to it costs a word
+    more and destroys t0 (`mask`). `ends` is None for a whole frame, at whose end the planes must be
+    as they were; for a part of one, the registers (a bit mask) that are read after it.
+    """
+
+    solution: Solution
+    machine: Machine
+    planes: int
+    states: int
+    scratch: int
+    everything: int
+    start: tuple[Content, ...]
+    masked: int | None
+    ends: int | None = None
+
+    @property
+    def flag(self) -> int:
+        """The number of FLAG."""
+        return self.planes + self.states + self.scratch
+
+    @property
+    def mask(self) -> int | None:
+        """The number of t0; None if there is no scratch."""
+        return self.planes + self.states if self.scratch else None
+
+    @property
+    def unscathed(self) -> int:
+        """Registers, as a bit mask, whose content matters at the end."""
+        return (1 << self.planes) - 1 if self.ends is None else self.ends
+
+    def words(self, item: Item) -> int:
+        """ICWs that an item takes."""
+        if isinstance(item, Check):
+            return 0
+        target = item.destination
+        in_place = target != self.flag and item.reads >> target & 1
+        return 1 + in_place + (target == self.masked)
+
+    def total(self, items: Iterable[Item]) -> int:
+        """ICWs of a frame, with those that refresh planes nobody writes."""
+        written = 0
+        count = 0
+        for item in items:
+            count += self.words(item)
+            if isinstance(item, Op):
+                written |= 1 << item.destination
+        if self.ends is not None:
+            return count
+        left_alone = (~written & self.unscathed).bit_count()
+        return count + REFRESH_WORDS * left_alone
+
+    def value(self, item: Op, state: Sequence[Content]) -> Content:
+        """What an operation writes in a state; None where a source is unknown."""
+        some = 0
+        for source in item.sources:
+            content = state[source]
+            if content is None:
+                return None
+            some |= content
+        return some ^ self.everything if item.inverted else some
+
+    def legal(self, item: Op) -> bool:
+        """Whether the machine has a word, or a pair, for an operation."""
+        count = len(item.sources)
+        if item.destination == self.flag:
+            limit = self.machine.where_sources
+            reads_flag = item.reads >> self.flag & 1
+            return (
+                not item.inverted
+                and count > 0
+                and (limit is None or count <= limit)
+                and (self.machine.where_reads_flag or not reads_flag)
+            )
+        if item.destination == self.masked and (self.mask is None or item.reads >> self.mask & 1):
+            return False
+        limit = self.machine.or_sources
+        alone = count == 1 and item.reads >> item.destination & 1
+        return (limit is None or count <= max(limit, 1)) and (item.inverted or not alone)
+
+    def quiet(self, items: Iterable[Item]) -> bool:
+        """Whether the masked register would still go to the plane for which it is meant."""
+        if self.masked is None:
+            return True
+        writes = [0] * self.planes
+        for item in items:
+            if isinstance(item, Op) and item.destination < self.planes:
+                writes[item.destination] += 1
+        return writes[self.masked] == 0 or quietest(writes) == self.masked
+
+
+def quietest(writes: Sequence[int]) -> int:
+    """The plane that `nscc.lower.allocate` gives the masked register, by the planes' writes."""
+    return min(range(len(writes)), key=lambda i: (writes[i], f"p{i}"))
+
+
+def flatten(solution: Solution, problem: Problem, machine: Machine) -> tuple[Frame, list[Item]]:
+    """A solution as items, with as much scratch as the machine leaves room for."""
+    planes, states = len(solution.planes), solution.states
+    scratch, masked = _scratch(solution, machine)
+    count = planes + states + scratch
+    everything = problem.everything
+    flag: Content = everything if solution.state_in_flag else None
+    frame = Frame(
+        solution, machine, planes, states, scratch, everything,
+        (*solution.planes, *[None] * (states + scratch), flag), masked,
+    )  # fmt: skip
+    number = {f"p{i}": i for i in range(planes)}
+    number |= {f"s{i}": planes + i for i in range(states)}
+    number |= {f"t{i}": planes + states + i for i in range(scratch)}
+    number["FLAG"] = count
+    spare = ((1 << scratch) - 1) << (planes + states)
+    items: list[Item] = []
+
+    def add(segments: Sequence[Segment], place: int) -> None:
+        for index, segment in enumerate(segments):
+            for gate in segment:
+                items.append(
+                    op(
+                        gate.name in ("NOR", "NOT", "SET"),
+                        number[gate.destination],
+                        (number[name] for name in gate.sources),
+                        place,
+                        index,
+                    )
+                )
+
+    add(solution.opening, OPENING)
+    items.append(Check(None, _forgotten(frame, problem, 0, spare), OPENING))
+    for index, (demand, answer) in enumerate(zip(problem.demands, solution.answers, strict=True)):
+        add(answer, index)
+        forgets = _forgotten(frame, problem, index + 1, spare)
+        items.append(Check(demand.predicate, forgets, index))
+    add(solution.closing, CLOSING)
+    return frame, items
+
+
+def _scratch(solution: Solution, machine: Machine) -> tuple[int, int | None]:
+    """How many scratch registers there may be, and the plane in the masked register if any."""
+    planes, states, scratch = len(solution.planes), solution.states, solution.scratch
+    room = machine.registers - planes - states
+    if not machine.masked or not planes:
+        return max(scratch, room - (machine.masked and not planes)), None
+    writes = [0] * planes
+    for segment in solution.segments():
+        for gate in segment:
+            if gate.destination.startswith("p"):
+                writes[int(gate.destination[1:])] += 1
+    quiet = quietest(writes)
+    if scratch == room or (writes[quiet] == 0 and room > 0):
+        return room, quiet
+    return max(scratch, room - 1), None
+
+
+def _forgotten(frame: Frame, problem: Problem, coming: int, spare: int) -> int:
+    """Registers of which nothing is known when the answer `coming` begins.
+
+    `spare` is the mask of all scratch.
+    """
+    demands = problem.demands
+    forgets = 0
+    if frame.solution.state_in_flag:
+        # Analog words meanwhile may keep FLAG in t0.
+        forgets |= 1 << frame.mask if frame.mask is not None else 0
+    elif coming == len(demands) or not demands[coming].flag_kept:
+        forgets |= 1 << frame.flag
+    # Only planes and states are refreshed in a frame that is longer than memory lasts.
+    kept = problem.flag_lasts if coming == len(demands) else demands[coming].scratch_kept
+    if not kept:
+        forgets |= spare
+    return forgets
+
+
+def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
+    """Items as a solution again; raises Illegal where no answer is left for a demand's segment."""
+    solution = frame.solution
+    parts: dict[int, list[list[Gate]]] = {
+        OPENING: [[] for _ in solution.opening],
+        CLOSING: [[] for _ in solution.closing],
+    }
+    parts |= {i: [[] for _ in answer] for i, answer in enumerate(solution.answers)}
+    names = [f"p{i}" for i in range(frame.planes)]
+    names += [f"s{i}" for i in range(frame.states)]
+    names += [f"t{i}" for i in range(frame.scratch)]
+    names.append("FLAG")
+    used = 0
+    for item in items:
+        if isinstance(item, Check):
+            continue
+        segments = parts[item.place]
+        # An operation that moved stays behind those that it follows now.
+        last = max((i for i, segment in enumerate(segments) if segment), default=0)
+        while len(segments) <= item.segment:
+            segments.append([])
+        segments[max(last, item.segment)].append(_gate(item, names, frame.flag))
+        used |= item.reads | 1 << item.destination
+    scratch = _highest(used >> (frame.planes + frame.states) & ((1 << frame.scratch) - 1))
+    return replace(
+        solution,
+        scratch=max(scratch, 1 if solution.state_in_flag else 0),
+        opening=_kept(parts[OPENING]),
+        answers=tuple(_kept(parts[i]) for i in range(len(solution.answers))),
+        closing=_kept(parts[CLOSING]),
+    )
+
+
+def _highest(mask: int) -> int:
+    return mask.bit_length()
+
+
+def _kept(segments: Sequence[Sequence[Gate]]) -> tuple[Segment, ...]:
+    return tuple(tuple(segment) for segment in segments if segment)
+
+
+def _gate(item: Op, names: Sequence[str], flag: int) -> Gate:
+    sources = tuple(names[i] for i in item.sources)
+    if item.destination == flag:
+        return Gate("WHERE", "FLAG", sources)
+    if not sources:
+        kind = "SET" if item.inverted else "CLR"
+    elif len(sources) == 1:
+        kind = "NOT" if item.inverted else "MOV"
+    else:
+        kind = "NOR" if item.inverted else "OR"
+    return Gate(kind, names[item.destination], sources)
+
+
+def states_before(frame: Frame, items: Sequence[Item]) -> list[tuple[Content, ...]]:
+    """The state before every item, and after the last; raises Illegal on anything wrong."""
+    state = list(frame.start)
+    found = []
+    for item in items:
+        found.append(tuple(state))
+        if isinstance(item, Check):
+            if item.need is not None and state[frame.flag] != item.need:
+                raise Illegal("FLAG is not what the demand asks for")
+            for register in bits(item.forgets):
+                state[register] = None
+            continue
+        value = frame.value(item, state)
+        if value is None:
+            raise Illegal("an operation reads what nobody knows")
+        if not frame.legal(item):
+            raise Illegal("the machine has no such word")
+        state[item.destination] = value
+        if item.destination == frame.masked and frame.mask is not None:
+            state[frame.mask] = None
+    found.append(tuple(state))
+    if frame.ends is not None:
+        return found
+    if state[: frame.planes] != list(frame.start[: frame.planes]):
+        raise Illegal("the planes are not as they were")
+    if not frame.quiet(items):
+        raise Illegal("another plane would get the masked register")
+    return found

@@ -1,0 +1,158 @@
+"""Spare registers filled before the frame: what many gates compute is part of the code instead.
+
+A plane that no word writes costs its refresh and nothing else, and it may live in the masked
+register. So wherever a register can be spared, it may hold any truth vector from the start.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from nscc.logic.cubes import Budget
+from nscc.logic.improve.code import (
+    REFRESH_WORDS,
+    Check,
+    Illegal,
+    flatten,
+    states_before,
+    unflatten,
+)
+from nscc.logic.improve.recolour import recoloured
+from nscc.logic.improve.run import Run
+from nscc.logic.improve.shrink import drop_pairs, drop_singles
+from nscc.logic.problem import GaveUp, Machine, Problem, Solution
+
+# So many of the most promising vectors are tried for each register.
+TRIED = 12
+# Operations this far apart are dropped together.
+NEAR = 3
+HOLDER = "computed before the frame"
+
+
+def enrich(solution: Solution, problem: Problem, machine: Machine, budget: Budget) -> Solution:
+    """A solution with more planes and fewer words, or `solution` itself where none was found."""
+    try:
+        while True:
+            richer = _richer(solution, problem, machine, budget)
+            if richer is None:
+                return solution
+            solution = richer
+    except (GaveUp, Illegal):
+        return solution
+
+
+def _richer(
+    solution: Solution, problem: Problem, machine: Machine, budget: Budget
+) -> Solution | None:
+    """The best solution with one more plane; None if it is no better."""
+    slim = _with_room(solution, problem, machine)
+    if slim is None:
+        return None
+    frame, items = flatten(solution, problem, machine)
+    run = Run(frame, items, budget)
+    best: Solution | None = None
+    least = run.words()
+    for vector in _promising(run)[:TRIED]:
+        planes = (*slim.planes, vector)
+        wider = replace(slim, planes=planes, holders=(*slim.holders, HOLDER))
+        try:
+            found, words = _shortened(wider, problem, machine, budget)
+        except GaveUp:
+            break
+        except Illegal:
+            continue
+        if words < least:
+            best, least = found, words
+    return best
+
+
+def _shortened(
+    solution: Solution, problem: Problem, machine: Machine, budget: Budget
+) -> tuple[Solution, int]:
+    """A shorter solution, and its words."""
+    run = Run(*flatten(solution, problem, machine), budget)
+    drop_singles(run)
+    drop_pairs(run, NEAR)
+    found = unflatten(run.frame, run.items)
+    frame, items = flatten(found, problem, machine)
+    states_before(frame, items)
+    return found, frame.total(items)
+
+
+def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Solution | None:
+    """The solution with a register to spare, its work done in fewer where need be."""
+    used = len(solution.planes) + solution.states + solution.scratch
+    if used < machine.registers:
+        return solution
+    least = 1 if machine.masked or solution.state_in_flag else 0
+    if solution.scratch <= least:
+        return None
+    frame, items = flatten(solution, problem, machine)
+    items = Run(frame, items, Budget(1)).items
+    narrow = recoloured(frame, items, 1 << (frame.flag - 1))
+    return None if narrow is None else unflatten(frame, narrow)
+
+
+def _promising(run: Run) -> list[int]:
+    """Truth vectors, those first that would save most words if they were there from the start."""
+    frame = run.frame
+    makers, feeds, uses = _uses(run)
+    held = set(frame.start[: frame.planes])
+    gains = []
+    for vector, numbers in makers.items():
+        if vector in held:
+            continue
+        gain = _saved(run, numbers, feeds, uses) - REFRESH_WORDS
+        if gain > 0:
+            gains.append((gain, vector))
+    gains.sort(key=lambda pair: -pair[0])
+    return [vector for _, vector in gains]
+
+
+def _uses(run: Run) -> tuple[dict[int, list[int]], dict[int, list[int]], dict[int, int]]:
+    """Which items write each vector; which items each one reads from; how often each is read."""
+    frame = run.frame
+    makers: dict[int, list[int]] = {}
+    feeds: dict[int, list[int]] = {}
+    uses: dict[int, int] = {}
+    writer = [-1] * (frame.flag + 1)
+    for k, item in enumerate(run.items):
+        if isinstance(item, Check):
+            if item.need is not None and writer[frame.flag] >= 0:
+                uses[writer[frame.flag]] = uses.get(writer[frame.flag], 0) + 1
+            continue
+        feeds[k] = [writer[r] for r in item.sources if writer[r] >= 0]
+        for number in feeds[k]:
+            uses[number] = uses.get(number, 0) + 1
+        value = run.before[k + 1][item.destination]
+        assert value is not None
+        makers.setdefault(value, []).append(k)
+        writer[item.destination] = k
+    for register in range(frame.planes):
+        if writer[register] >= 0:
+            uses[writer[register]] = uses.get(writer[register], 0) + 1
+    return makers, feeds, uses
+
+
+def _saved(
+    run: Run, numbers: Sequence[int], feeds: dict[int, list[int]], uses: dict[int, int]
+) -> int:
+    """Words that fall away with items whose results could be read elsewhere."""
+    left: dict[int, int] = {}
+    saved = 0
+    gone = list(numbers)
+    for k in numbers:
+        # FLAG must be loaded all the same.
+        item = run.items[k]
+        saved -= int(not isinstance(item, Check) and item.destination == run.frame.flag)
+    seen = set(gone)
+    while gone:
+        k = gone.pop()
+        saved += run.frame.words(run.items[k])
+        for source in feeds[k]:
+            left[source] = left.get(source, uses[source]) - 1
+            if left[source] == 0 and source not in seen:
+                seen.add(source)
+                gone.append(source)
+    return saved

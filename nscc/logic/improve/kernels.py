@@ -1,0 +1,108 @@
+"""Segments that are equal stay equal: one rewriting serves all places where a kernel runs.
+
+What a sequence of segments does is a problem of its own, in which every shutter counts once for
+each place where the sequence runs: the truth vectors of all places are laid end to end.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+from nscc.logic.cubes import Budget
+from nscc.logic.improve.blocks import Block, Token, blocks_of
+from nscc.logic.improve.code import Check, Content, Frame, Illegal, Item
+from nscc.logic.improve.run import Run
+
+Pass = Callable[[Frame, list[Item], Budget], list[Item]]
+"""Makes items shorter that a frame, or a part of one, consists of."""
+
+
+def improve_kernels(
+    frame: Frame, items: list[Item], budget: Budget, shorten: Pass, room: int
+) -> list[Item]:
+    """`items` with each kernel shortened by `shorten`, in all its places alike.
+
+    Sequences of kernels are rewritten as one where there is `room` for all words (see `blocks_of`).
+    """
+    run = Run(frame, items, budget)
+    blocks = blocks_of(frame, run.items, room)
+    # Where each item of the run has gone: rewriting a block replaces its items by others.
+    parts: list[list[Item]] = [[item] for item in run.items]
+    for block in blocks:
+        new = _shortened(frame, run, block, budget, shorten)
+        if new is None:
+            continue
+        before = {}
+        for tokens in block.places:
+            moved = _moved(run.items, block.places[0], tokens, new)
+            for k in range(tokens[0].start, tokens[-1].end):
+                before[k] = parts[k]
+                parts[k] = []
+            parts[tokens[0].start] = moved
+        try:
+            Run(frame, [item for part in parts for item in part], budget)
+        except Illegal:
+            for k, part in before.items():
+                parts[k] = part
+    return [item for part in parts for item in part]
+
+
+def _shortened(
+    frame: Frame, run: Run, block: Block, budget: Budget, shorten: Pass
+) -> list[Item] | None:
+    """Items in place of those of the block's first place; None if there are no shorter ones."""
+    size = (frame.everything.bit_length() + 7) // 8
+    starts = [tokens[0].start for tokens in block.places]
+    length = block.places[0][-1].end - starts[0]
+    live = 0
+    for k in starts:
+        live |= run.live[k + length]
+    start = tuple(
+        _joined([run.before[k][register] for k in starts], size)
+        for register in range(frame.flag + 1)
+    )
+    everything = _joined([frame.everything] * len(starts), size)
+    assert everything is not None
+    part = replace(frame, everything=everything, start=start, ends=live)
+    items: list[Item] = []
+    for offset, item in enumerate(run.items[starts[0] : starts[0] + length]):
+        if isinstance(item, Check) and item.need is not None:
+            checks = [run.items[k + offset] for k in starts]
+            needs = [check.need for check in checks if isinstance(check, Check)]
+            item = replace(item, need=_joined(needs, size))
+        items.append(item)
+    try:
+        found = shorten(part, items, budget)
+    except Illegal:
+        return None
+    return found if part.total(found) < part.total(items) else None
+
+
+def _joined(contents: Sequence[Content], size: int) -> Content:
+    """Truth vectors end to end, each in `size` bytes; None if one of them is unknown."""
+    known = [content.to_bytes(size, "little") for content in contents if content is not None]
+    return int.from_bytes(b"".join(known), "little") if len(known) == len(contents) else None
+
+
+def _moved(
+    items: Sequence[Item], first: Sequence[Token], here: Sequence[Token], new: Sequence[Item]
+) -> list[Item]:
+    """Items written for the block's first place, in another one."""
+    segments: dict[tuple[int, int], tuple[int, int]] = {}
+    checks = []
+    for one, other in zip(first, here, strict=True):
+        a, b = items[one.start], items[other.start]
+        if isinstance(a, Check) or isinstance(b, Check):
+            checks.append(b)
+        else:
+            segments[a.place, a.segment] = b.place, b.segment
+    out: list[Item] = []
+    coming = iter(checks)
+    for item in new:
+        if isinstance(item, Check):
+            out.append(next(coming))
+        else:
+            place, segment = segments[item.place, item.segment]
+            out.append(replace(item, place=place, segment=segment))
+    return out

@@ -1,0 +1,203 @@
+"""Registers given out anew: a value written in place goes where a register is free instead.
+
+NOT of a plane in place is two words; NOT of it into a free register is one, and leaves the old
+place free for the next. So planes wander in the frame; those that are not at home when it ends are
+copied there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op, bits, op
+
+
+@dataclass(slots=True)
+class _Value:
+    """What one operation writes, or what a register holds at the start.
+
+    `last` is the last item that reads it; `home` the register in which it is needed at the end.
+    `banned` are the registers (a bit mask) in which it would be lost meanwhile.
+    """
+
+    first: int
+    last: int
+    home: int = -1
+    banned: int = 0
+    sources: tuple[int, ...] = field(default=())
+
+
+def recoloured(frame: Frame, items: Sequence[Item], without: int = 0) -> list[Item] | None:
+    """The same operations in other registers; None where registers do not go round.
+
+    Every operation's result must be read by somebody. No value is put into the registers `without`
+    (a bit mask).
+    """
+    values, written = _values(frame, items)
+    for value in values:
+        value.banned |= without
+    if frame.masked is not None:
+        _ban_mask(frame, items, values, written)
+    return _Painter(frame, items, values, written).paint()
+
+
+def _values(frame: Frame, items: Sequence[Item]) -> tuple[list[_Value], list[int]]:
+    """All values, those of the start first, and for each item the number of what it writes."""
+    values = [_Value(-1, -1) for _ in range(frame.flag + 1)]
+    holds = list(range(frame.flag + 1))
+    written = []
+    for k, item in enumerate(items):
+        if isinstance(item, Check):
+            written.append(-1)
+            if item.need is not None:
+                values[holds[frame.flag]].last = k
+            continue
+        for register in item.sources:
+            values[holds[register]].last = k
+        sources = tuple(holds[register] for register in item.sources)
+        holds[item.destination] = len(values)
+        written.append(len(values))
+        values.append(_Value(k, k, sources=sources))
+    for register in bits(frame.unscathed):
+        values[holds[register]].last = len(items)
+        if register != frame.flag:
+            values[holds[register]].home = register
+    checks = [(k, item.forgets) for k, item in enumerate(items) if isinstance(item, Check)]
+    lossy = [(k, forgets & ~(1 << frame.flag)) for k, forgets in checks]
+    lossy = [(k, forgets) for k, forgets in lossy if forgets]
+    at = 0
+    for value in values:
+        while at < len(lossy) and lossy[at][0] < value.first:
+            at += 1
+        for k, forgets in lossy[at:]:
+            if k >= value.last:
+                break
+            value.banned |= forgets
+    return values, written
+
+
+def _ban_mask(
+    frame: Frame, items: Sequence[Item], values: Sequence[_Value], written: Sequence[int]
+) -> None:
+    """A write to the masked register destroys its mask."""
+    assert frame.masked is not None
+    writes = [k for k, item in enumerate(items) if isinstance(item, Op)]
+    writes = [k for k in writes if items[k].destination == frame.masked]  # type: ignore[union-attr]
+    if not writes or frame.mask is None:
+        return
+    for value in values:
+        if any(value.first < k <= value.last for k in writes):
+            value.banned |= 1 << frame.mask
+
+
+class _Painter:
+    """Gives out registers from front to back."""
+
+    def __init__(
+        self,
+        frame: Frame,
+        items: Sequence[Item],
+        values: list[_Value],
+        written: list[int],
+    ) -> None:
+        self.frame = frame
+        self.items = items
+        self.values = values
+        self.written = written
+        self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
+        # Which value a register holds; the first ones that nobody reads do not count.
+        self.holds: list[int] = list(range(frame.flag))
+        # Where the value is written that must be in a register at the end.
+        self.homing = [-1] * frame.flag
+        for value in values:
+            if value.home >= 0:
+                self.homing[value.home] = value.first
+
+    def paint(self) -> list[Item] | None:
+        """The items with new registers, planes brought home at the end."""
+        out: list[Item] = []
+        for k, item in enumerate(self.items):
+            if isinstance(item, Check):
+                out.append(item)
+                continue
+            number = self.written[k]
+            value = self.values[number]
+            sources = [self.place[source] for source in value.sources]
+            if item.destination == self.frame.flag:
+                target = self.frame.flag
+            else:
+                chosen = self._choose(k, item, value, sources)
+                if chosen is None:
+                    return None
+                target = chosen
+                self.holds[target] = number
+            self.place[number] = target
+            if not _copies(item) or sources != [target]:
+                out.append(op(item.inverted, target, sources, item.place, item.segment))
+        return self._bring_home(out)
+
+    def _choose(self, k: int, item: Op, value: _Value, sources: Sequence[int]) -> int | None:
+        masked = self.frame.masked
+        if item.destination == masked:
+            return masked
+        best: int | None = None
+        best_price = (9, 0, 0, 0)
+        for register in range(self.frame.flag):
+            if register == masked or value.banned >> register & 1:
+                continue
+            if self.values[self.holds[register]].last > k:
+                continue
+            in_place = int(register in sources)
+            if in_place and _copies(item):
+                in_place = -1  # nothing to do at all
+            away = value.home >= 0 and register != value.home
+            # A value in the way when a plane comes home makes that plane go elsewhere first.
+            plane = register < self.frame.planes
+            in_the_way = plane and register != value.home and value.last > self.homing[register] > k
+            price = (
+                in_place + away * (1 if self.frame.ends is None else 2),
+                int(in_the_way),
+                int(register != item.destination),
+                -self.homing[register] if self.homing[register] >= 0 else -len(self.items),
+            )
+            if best is None or price < best_price:
+                best, best_price = register, price
+        return best
+
+    def _bring_home(self, out: list[Item]) -> list[Item] | None:
+        frame = self.frame
+        where = {
+            value.home: self.place[number]
+            for number, value in enumerate(self.values)
+            if value.home >= 0
+        }
+        segment = max(
+            (item.segment for item in out if isinstance(item, Op) and item.place == CLOSING),
+            default=0,
+        )
+
+        def copy(target: int, source: int) -> None:
+            out.append(op(False, target, (source,), CLOSING, segment))
+
+        astray = {plane: at for plane, at in where.items() if plane != at}
+        if astray and frame.ends is not None:
+            return None
+        while astray:
+            occupied = set(where.values())
+            ready = next((plane for plane in astray if plane not in occupied), None)
+            if ready is not None:
+                copy(ready, astray.pop(ready))
+                where[ready] = ready
+                continue
+            free = [r for r in range(frame.flag) if r not in occupied and r != frame.masked]
+            if not free:
+                return None
+            plane = next(iter(astray))
+            copy(free[0], astray[plane])
+            astray[plane] = where[plane] = free[0]
+        return out
+
+
+def _copies(item: Op) -> bool:
+    return not item.inverted and len(item.sources) == 1

@@ -1,0 +1,214 @@
+"""One change, and the repair of everything behind it until the run is as it was again.
+
+A change drops operations or puts others in front. From there the run is followed with the changed
+registers: an operation that would now write something else than before is given other sources, is
+preceded by a new gate in a free register, or is dropped, if its register holds what is wanted
+already. Only what matters later must come out the same.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+from nscc.logic.improve.code import Check, Content, Item, Op, op
+from nscc.logic.improve.covers import gate, inner
+from nscc.logic.improve.run import HORIZON, Run
+
+
+@dataclass(frozen=True)
+class Rewrite:
+    """`items` in place of items[start:end] of a run; `gain` words fewer."""
+
+    start: int
+    end: int
+    items: list[Item]
+    gain: int
+
+
+def rewrite(
+    run: Run,
+    start: int,
+    lead: Sequence[Op],
+    dropped: Collection[int],
+    *,
+    least: int,
+    deepen: bool = False,
+    order: Sequence[int] | None = None,
+) -> Rewrite | None:
+    """`lead` in front of item `start`, without the items `dropped`: at least `least` words gained.
+
+    None if no repair was found. With `deepen`, new gates may be put in. `order` is the registers
+    in the order in which they are preferred as sources.
+    """
+    return _Walk(run, start, least, deepen, order).go(lead, dropped)
+
+
+class _Walk:
+    def __init__(
+        self, run: Run, start: int, least: int, deepen: bool, order: Sequence[int] | None
+    ) -> None:
+        self.run = run
+        self.frame = run.frame
+        self.start = start
+        self.least = least
+        self.deepen = deepen
+        self.order = order if order is not None else range(run.frame.flag + 1)
+        self.state: list[Content] = list(run.before[start])
+        self.changed = 0
+        self.gain = 0
+        self.out: list[Item] = []
+
+    def go(self, lead: Sequence[Op], dropped: Collection[int]) -> Rewrite | None:
+        run, frame, items = self.run, self.frame, self.run.items
+        run.budget.spend(run.step)
+        self.gain = sum(frame.words(items[k]) for k in dropped)
+        last = max(dropped, default=self.start - 1)
+        for new in lead:
+            if not frame.legal(new) or not self._put(new):
+                return None
+        self._compare(run.before[self.start], -1)
+        k = self.start
+        end = min(len(items), self.start + HORIZON)
+        while k <= last or self.changed & run.live[k]:
+            if k >= end or self.gain < self.least:
+                return None
+            item = items[k]
+            if isinstance(item, Check):
+                if item.need is not None and self.state[frame.flag] != item.need:
+                    return None
+                self.out.append(item)
+                for register in range(frame.flag + 1):
+                    if item.forgets >> register & 1:
+                        self.state[register] = None
+                self.changed &= ~item.forgets
+            else:
+                if k not in dropped and not self._follow(k, item):
+                    return None
+                self._compare(run.before[k + 1], item.destination)
+            k += 1
+        run.budget.spend((k - self.start) * run.step // 4)
+        gain = self.gain - run.refresh(items[self.start : k], self.out)
+        if gain < self.least or run.disquiets(items[self.start : k], self.out):
+            return None
+        return Rewrite(self.start, k, self.out, gain)
+
+    def _compare(self, reference: Sequence[Content], register: int) -> None:
+        """Brings `changed` up to date where `register` (-1: any) may have been written."""
+        mask = self.frame.mask
+        if register < 0 or (register == self.frame.masked and mask is not None):
+            self.changed = 0
+            for i, content in enumerate(self.state):
+                if content != reference[i]:
+                    self.changed |= 1 << i
+        elif self.state[register] == reference[register]:
+            self.changed &= ~(1 << register)
+        else:
+            self.changed |= 1 << register
+
+    def _put(self, item: Op) -> bool:
+        value = self.frame.value(item, self.state)
+        if value is None:
+            return False
+        self._store(item, value)
+        self.gain -= self.frame.words(item)
+        return True
+
+    def _store(self, item: Op, value: Content) -> None:
+        self.out.append(item)
+        self.state[item.destination] = value
+        if item.destination == self.frame.masked and self.frame.mask is not None:
+            self.state[self.frame.mask] = None
+
+    def _follow(self, k: int, item: Op) -> bool:
+        """Operation k in the present state: as it is, dropped or repaired."""
+        target = item.destination
+        wanted = self.run.before[k + 1][target]
+        assert wanted is not None
+        held = self.state[target]
+        value = self.frame.value(item, self.state) if item.reads & self.changed else wanted
+        if held == wanted and self.changed >> target & 1:
+            self.gain += self.frame.words(item)
+            return True
+        if value == wanted:
+            self._store(item, value)
+            return True
+        matters = self.run.care(k)
+        if held is not None and not (held ^ wanted) & matters:
+            self.gain += self.frame.words(item)
+            return True
+        if value is not None and not (value ^ wanted) & matters:
+            self._store(item, value)
+            return True
+        self.gain += self.frame.words(item)
+        return self._repair(k, item, wanted & matters, matters & ~wanted)
+
+    def _repair(self, k: int, item: Op, one: int, zero: int) -> bool:
+        """Other sources for operation k, or another gate before it; `gain` is kept up to date."""
+        self.run.budget.spend(self.run.step)
+        new = self._single(item, one, zero, in_place=False)
+        if new is not None:
+            return self._put(new)
+        if self.gain - 2 < self.least:
+            return False
+        new = self._single(item, one, zero, in_place=True)
+        if new is not None:
+            return self._put(new)
+        return self.deepen and self._double(k, item, one, zero)
+
+    def _readable(self, target: int) -> list[int]:
+        frame = self.frame
+        banned = -1
+        if target == frame.flag and not frame.machine.where_reads_flag:
+            banned = frame.flag
+        elif target == frame.masked and frame.mask is not None:
+            banned = frame.mask
+        return [r for r in self.order if self.state[r] is not None and r != banned]
+
+    def _single(self, item: Op, one: int, zero: int, *, in_place: bool) -> Op | None:
+        frame, target = self.frame, item.destination
+        readable = self._readable(target)
+        if target == frame.flag:
+            if in_place:
+                return None
+            limit = frame.machine.where_sources
+            found = gate(one, zero, self.state, readable, limit, inverted=(False,), fewest=1)
+        else:
+            if not in_place:
+                readable = [r for r in readable if r != target]
+            found = gate(one, zero, self.state, readable, frame.machine.or_sources)
+        if found is None:
+            return None
+        new = op(found[0], target, found[1], item.place, item.segment)
+        return new if frame.legal(new) else None
+
+    def _double(self, k: int, item: Op, one: int, zero: int) -> bool:
+        """A new gate in a free register, then operation k with other sources."""
+        frame, target = self.frame, item.destination
+        kinds = (False,) if target == frame.flag else (False, True)
+        readable = [r for r in self._readable(target) if r != target]
+        for _, one_, zero_ in inner(one, zero, self.state, readable, kinds):
+            for spare in self._spares(k, target):
+                sources = [r for r in self._readable(spare) if r != spare]
+                found = gate(one_, zero_, self.state, sources, frame.machine.or_sources)
+                if found is None:
+                    continue
+                new = op(found[0], spare, found[1], item.place, item.segment)
+                value = frame.value(new, self.state)
+                held = self.state[spare]
+                self.state[spare] = value
+                outer = self._single(item, one, zero, in_place=False)
+                self.state[spare] = held
+                if outer is not None and frame.legal(new):
+                    self._put(new)
+                    self._compare(self.run.before[k], spare)
+                    return self._put(outer)
+        return False
+
+    def _spares(self, k: int, target: int) -> list[int]:
+        """Digital registers that nobody reads from here on."""
+        frame = self.frame
+        taken = self.run.live[k + 1] | 1 << target
+        if frame.masked is not None:
+            taken |= 1 << frame.masked
+        return [r for r in range(frame.flag) if not taken >> r & 1]

@@ -1,0 +1,198 @@
+"""Operations with what is known about every point between them, kept up to date as they change."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nscc.logic.cubes import Budget
+from nscc.logic.improve.code import (
+    REFRESH_WORDS,
+    Check,
+    Content,
+    Frame,
+    Item,
+    Op,
+    quietest,
+    states_before,
+)
+
+# How far an influence is followed; what reaches further is taken to matter in every shutter.
+HORIZON = 4000
+
+# A step of the budget is one look at all registers; more shutters than this take longer.
+STEP_SHUTTERS = 16384
+
+
+class Run:
+    """Items; `before[k]` is the state before item k, `live[k]` the registers (a bit mask) whose
+    content there is still read, or must be there when the frame ends."""
+
+    def __init__(self, frame: Frame, items: Sequence[Item], budget: Budget) -> None:
+        self.frame = frame
+        self.items = list(items)
+        self.before = states_before(frame, items)
+        self.budget = budget
+        self.step = 1 + frame.everything.bit_length() // STEP_SHUTTERS
+        self.live = [0] * (len(items) + 1)
+        self.live[-1] = frame.unscathed
+        self._cares: list[tuple[int, int] | None] = [None] * len(items)
+        self._writes = self._written(items)
+        self._settle(self._revive(0, len(items)), len(items))
+
+    def words(self) -> int:
+        """ICWs of a frame, refresh of unwritten planes included."""
+        return self.frame.total(self.items)
+
+    def care(self, k: int) -> int:
+        """Shutters in which it matters what operation k writes: all others may hold either bit."""
+        known = self._cares[k]
+        if known is None:
+            known = self._cares[k] = self._follow(k)
+        return known[0]
+
+    def refresh(self, old: Sequence[Item], new: Sequence[Item]) -> int:
+        """Words more that refresh costs where `new` replaces `old`."""
+        if self.frame.ends is not None:
+            return 0
+        after = self._after(old, new)
+        return REFRESH_WORDS * (after.count(0) - self._writes.count(0))
+
+    def disquiets(self, old: Sequence[Item], new: Sequence[Item]) -> bool:
+        """Whether another plane would get the masked register if `new` replaced `old`."""
+        masked = self.frame.masked
+        if masked is None or self.frame.ends is not None:
+            return False
+        after = self._after(old, new)
+        return after[masked] > 0 and masked != quietest(after)
+
+    def _written(self, items: Sequence[Item]) -> list[int]:
+        writes = [0] * self.frame.planes
+        for item in items:
+            if isinstance(item, Op) and item.destination < self.frame.planes:
+                writes[item.destination] += 1
+        return writes
+
+    def _after(self, old: Sequence[Item], new: Sequence[Item]) -> list[int]:
+        changes = zip(self._writes, self._written(old), self._written(new), strict=True)
+        return [count - less + more for count, less, more in changes]
+
+    def splice(self, start: int, end: int, new: Sequence[Item]) -> None:
+        """Replaces items[start:end]; the state after them must stay as it is where it is read."""
+        self._writes = self._after(self.items[start:end], new)
+        self.items[start:end] = new
+        self.before[start:end] = [self.before[start]] * len(new)
+        self.live[start:end] = [0] * len(new)
+        self._cares[start:end] = [None] * len(new)
+        tail = start + len(new)
+        for k in range(max(0, start - HORIZON), tail):
+            known = self._cares[k]
+            if known is not None and k + known[1] >= start:
+                self._cares[k] = None
+        first = self._revive(start, tail)
+        self._settle(min(first, start), tail)
+
+    def _settle(self, first: int, last: int) -> None:
+        """Computes states anew from item `first` to `last`, and on for as long as they change.
+
+        What nobody reads may differ for a while.
+        """
+        if first:
+            state = list(self.before[first - 1])
+            self._apply(self.items[first - 1], state)
+        else:
+            state = list(self.frame.start)
+        for k in range(first, len(self.items) + 1):
+            now = tuple(state)
+            if k > last and now == self.before[k]:
+                return
+            self.before[k] = now
+            if k < len(self.items):
+                self._apply(self.items[k], state)
+
+    def _apply(self, item: Item, state: list[Content]) -> None:
+        frame = self.frame
+        if isinstance(item, Check):
+            rest, register = item.forgets, 0
+            while rest:
+                if rest & 1:
+                    state[register] = None
+                rest >>= 1
+                register += 1
+            return
+        state[item.destination] = frame.value(item, state)
+        if item.destination == frame.masked and frame.mask is not None:
+            state[frame.mask] = None
+
+    def _revive(self, start: int, end: int) -> int:
+        """Computes liveness anew from `end` backwards, beyond `start` for as long as it changes.
+
+        Operations whose result nobody reads are dropped; returns the first place of a change.
+        """
+        frame = self.frame
+        dead: list[int] = []
+        for k in range(end - 1, -1, -1):
+            item = self.items[k]
+            live = self.live[k + 1]
+            if isinstance(item, Check):
+                live &= ~item.forgets
+                if item.need is not None:
+                    live |= 1 << frame.flag
+            elif live >> item.destination & 1:
+                live = live & ~(1 << item.destination) | item.reads
+            else:
+                dead.append(k)
+            if k < start and live == self.live[k]:
+                break
+            self.live[k] = live
+        self._writes = self._after([self.items[k] for k in dead], ())
+        for k in dead:
+            del self.items[k], self.before[k], self.live[k], self._cares[k]
+        return dead[-1] if dead else end
+
+    def _follow(self, k: int) -> tuple[int, int]:
+        """Where it matters what operation k writes, and how many items its influence reaches."""
+        frame, items, before = self.frame, self.items, self.before
+        everything, flag = frame.everything, frame.flag
+        source = items[k]
+        assert not isinstance(source, Check)
+        written = before[k + 1][source.destination]
+        assert written is not None
+        other: dict[int, int] = {source.destination: written ^ everything}
+        touched = 1 << source.destination
+        matters = 0
+        last = min(len(items), k + 1 + HORIZON)
+        for at in range(k + 1, last):
+            item = items[at]
+            if isinstance(item, Check):
+                if item.need is not None and flag in other:
+                    matters |= other[flag] ^ item.need
+                for register in [r for r in other if item.forgets >> r & 1]:
+                    del other[register]
+                    touched &= ~(1 << register)
+            elif item.reads & touched:
+                some = 0
+                state = before[at]
+                for register in item.sources:
+                    content = other[register] if register in other else state[register]
+                    some |= content  # type: ignore[operator]
+                if item.inverted:
+                    some ^= everything
+                if some == before[at + 1][item.destination]:
+                    other.pop(item.destination, None)
+                    touched &= ~(1 << item.destination)
+                else:
+                    other[item.destination] = some
+                    touched |= 1 << item.destination
+            elif touched >> item.destination & 1:
+                del other[item.destination]
+                touched &= ~(1 << item.destination)
+            if not touched or matters == everything:
+                self.budget.spend(self.step * (1 + (at - k) // 8))
+                return matters, at - k
+        self.budget.spend(self.step * (1 + (last - k) // 8))
+        if last < len(items):
+            return everything, last - k
+        for register, content in other.items():
+            if frame.unscathed >> register & 1:
+                matters |= content ^ before[-1][register]  # type: ignore[operator]
+        return matters, last - k

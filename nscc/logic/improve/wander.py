@@ -1,0 +1,96 @@
+"""A walk among solutions of the same price, in search of a cheaper one nearby.
+
+Every step drops one to three operations, or puts one elsewhere, and keeps what the repair makes of
+it unless it costs more words. The walk is random and the same every time.
+"""
+
+from __future__ import annotations
+
+import random
+from dataclasses import replace
+
+from nscc.logic.improve.code import Check, Op, op
+from nscc.logic.improve.rewrite import Rewrite, rewrite
+from nscc.logic.improve.run import Run
+
+SPAN = 12
+
+
+def wander(run: Run, seed: int, steps: int) -> int:
+    """At most `steps` steps of the budget; returns the words gained."""
+    choose = random.Random(seed)
+    until = max(run.budget.left - steps, 0)
+    gained = 0
+    while run.budget.left > until and run.items:
+        done = _try(run, choose)
+        if done is not None:
+            run.splice(done.start, done.end, done.items)
+            gained += done.gain
+    return gained
+
+
+def _try(run: Run, choose: random.Random) -> Rewrite | None:
+    k = choose.randrange(len(run.items))
+    item = run.items[k]
+    run.budget.spend(1)
+    if isinstance(item, Check):
+        return None
+    order = list(range(run.frame.flag + 1))
+    choose.shuffle(order)
+    kind = choose.randrange(8)
+    lead: tuple[Op, ...] = ()
+    dropped = [k]
+    start = k
+    if kind <= 3:
+        others = _near(run, k)
+        choose.shuffle(others)
+        dropped += others[: choose.randrange(3)]
+        start = min(dropped)
+    elif kind <= 5:
+        target = choose.choice(order)
+        if target == run.frame.flag or item.destination == run.frame.flag:
+            return None
+        if target == item.destination or run.frame.masked in (target, item.destination):
+            return None
+        lead = (op(item.inverted, target, item.sources, item.place, item.segment),)
+    elif kind == 6:
+        start = _earlier(run, k, choose)
+        if start == k:
+            return None
+        first = run.items[start]
+        assert isinstance(first, Op)
+        lead = (replace(item, segment=first.segment),)
+    else:
+        target = choose.randrange(run.frame.flag)
+        if run.live[k] >> target & 1 or target == run.frame.masked:
+            return None
+        known = [r for r in order if run.before[k][r] is not None]
+        sources = known[: choose.randrange(1, 4)]
+        lead = (op(True, target, sources, item.place, item.segment),)
+        dropped = _near(run, k)
+        choose.shuffle(dropped)
+        dropped = dropped[: choose.randrange(1, 3)]
+        start = min([k, *dropped])
+    done = rewrite(run, start, lead, dropped, least=0, deepen=True, order=order)
+    if done is None or (done.gain == 0 and done.items == run.items[done.start : done.end]):
+        return None
+    return done
+
+
+def _near(run: Run, k: int) -> list[int]:
+    """Operations of the same answer around k, without k."""
+    found: list[int] = []
+    for way in (range(k - 1, max(-1, k - SPAN), -1), range(k + 1, min(len(run.items), k + SPAN))):
+        for j in way:
+            if isinstance(run.items[j], Check):
+                break
+            found.append(j)
+    return found
+
+
+def _earlier(run: Run, k: int, choose: random.Random) -> int:
+    """A place before k in the same answer."""
+    low = k
+    while low > 0 and k - low < SPAN and not isinstance(run.items[low - 1], Check):
+        low -= 1
+    return choose.randrange(low, k + 1)

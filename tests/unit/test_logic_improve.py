@@ -1,0 +1,315 @@
+"""What `improve` removes from gates written by hand and from those of the generators."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from improve_oracle import chip, random_solution, words_of
+from lowering_oracle import program_from
+
+from nscc.logic.cubes import Budget
+from nscc.logic.generate import COVERS, EQUALITIES
+from nscc.logic.improve import balance, improve
+from nscc.logic.improve.blocks import blocks_of
+from nscc.logic.improve.code import flatten
+from nscc.logic.improve.enrich import enrich
+from nscc.logic.improve.refine import apart
+from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
+from nscc.lower.lowered import problem_of
+from nscc.lower.plan import levels, plan_exposure
+from nscc.lower.timeline import timeline
+
+SCAMP = chip()
+MACHINE = Machine.of(SCAMP)
+
+A, B, C = 0b00001111, 0b00110011, 0b01010101
+ALL = 0b11111111
+
+
+def gates(text):
+    """Gates from `t0 = NOR p0 p1; FLAG = WHERE t0`."""
+    found = []
+    for part in filter(None, (part.strip() for part in text.split(";"))):
+        destination, rest = part.split("=")
+        name, *sources = rest.split()
+        found.append(Gate(name, destination.strip(), tuple(sources)))
+    return tuple(found)
+
+
+def solved(predicates, answers, *, closing="", states=0, scratch=1, planes=(A, B, C), **more):
+    """A problem over eight shutters with one demand a boundary, and its solution."""
+    demands = tuple(Demand(i + 1, "open", 0, p, False) for i, p in enumerate(predicates))
+    problem = Problem(demands, 8, ((),), True, {})
+    problem = replace(problem, **more)
+    parts = tuple(
+        tuple(gates(part) for part in answer.split("|") if part.strip()) for answer in answers
+    )
+    end = tuple(gates(part) for part in closing.split("|") if part.strip())
+    names = tuple(f"plane {i}" for i in range(len(planes)))
+    return problem, Solution("by hand", planes, names, states, scratch, (), parts, end)
+
+
+def improved(problem, solution, target=SCAMP, steps=3000, **options):
+    """The improved solution and its words, checked; the words include refresh."""
+    machine = Machine.of(target)
+    before = words_of(solution, problem, target)
+    found = improve(solution, problem, machine, Budget(steps), **options)
+    after = words_of(found, problem, target, seed=3)
+    assert after <= before
+    return found, after
+
+
+REFRESH = 6  # three planes that nobody writes
+
+
+@pytest.mark.parametrize(
+    ("predicates", "answers", "closing", "least"),
+    [
+        # A gate that nobody reads.
+        ([A], ["t0 = NOR p1 p2; t0 = MOV p0; FLAG = WHERE t0"], "", 1),
+        # Turned over and back.
+        ([ALL ^ A], ["p0 = NOT p0 | FLAG = WHERE p0"], "p0 = NOT p0", 2),
+        # The same gate twice.
+        ([ALL ^ (A | B)] * 2, ["t0 = NOR p0 p1; FLAG = WHERE t0"] * 2, "", 3),
+        # A source that is covered by another one.
+        ([A | B], ["t0 = NOR p0 p1; t1 = NOT t0; FLAG = WHERE t1 p0"], "", 1),
+        # NOT NOT.
+        ([A], ["t0 = NOT p0; t1 = NOT t0; FLAG = WHERE t1"], "", 1),
+        # A state that is no better than the plane it came from.
+        ([A, A], ["s0 = MOV p0; FLAG = WHERE s0", "FLAG = WHERE s0"], "", 2),
+    ],
+)
+def test_what_is_not_needed_goes(predicates, answers, closing, least):
+    problem, solution = solved(predicates, answers, closing=closing, states=1, scratch=2)
+    found, words = improved(problem, solution)
+    assert words == least + REFRESH
+    assert len(found.segments()) == len(predicates)
+
+
+def test_a_plane_turned_in_place_wanders_through_a_free_register():
+    """Turned and turned back, a plane is two pairs of words in place; one word each elsewhere."""
+    reads = [ALL ^ A, ALL ^ (A | B), ALL ^ (A | C), ALL ^ A]
+    answers = [
+        "p0 = NOT p0 | FLAG = WHERE p0",
+        "t0 = NOT p0; t0 = NOR t0 p1; FLAG = WHERE t0",
+        "t0 = NOT p0; t0 = NOR t0 p2; FLAG = WHERE t0",
+        "FLAG = WHERE p0",
+    ]
+    problem, solution = solved(reads, answers, closing="p0 = NOT p0")
+    assert words_of(solution, problem, SCAMP) == 14 + 4
+    assert improved(problem, solution)[1] == 7 + REFRESH
+
+
+def test_registers_are_free_for_more_than_the_generator_took():
+    """s := s OR t in place is a pair; with another register it is a word."""
+    answers = [
+        "t0 = NOR p0 p1; s0 = MOV t0; FLAG = WHERE s0",
+        "t0 = NOR p0 p2; s0 = OR s0 t0; FLAG = WHERE s0",
+        "t0 = NOR p1 p2; s0 = OR s0 t0; FLAG = WHERE s0",
+    ]
+    one, two, three = (ALL ^ (x | y) for x, y in ((A, B), (A, C), (B, C)))
+    problem, solution = solved([one, one | two, one | two | three], answers, states=1)
+    _, words = improved(problem, solution)
+    assert words <= 3 + 3 + REFRESH
+
+
+def test_values_do_not_outlast_memory():
+    """Where scratch decays before the next demand, a value is computed anew."""
+    answers = ["t0 = NOR p0 p1; FLAG = WHERE t0"] * 2
+    predicate = ALL ^ (A | B)
+    problem, solution = solved([predicate] * 2, answers, flag_lasts=False)
+    _, words = improved(problem, solution)
+    assert words == 4 + REFRESH
+
+
+def test_flag_is_a_source_where_it_is_kept():
+    answers = ["t0 = NOR p0 p1; FLAG = WHERE t0", "t0 = NOR p0 p1; t1 = NOT t0; FLAG = WHERE t1"]
+    first = ALL ^ (A | B)
+    problem, solution = solved([first, ALL ^ first], answers, scratch=2)
+    kept = tuple(replace(d, flag_kept=i > 0) for i, d in enumerate(problem.demands))
+    _, words = improved(replace(problem, demands=kept), solution)
+    assert words == 3 + REFRESH
+
+
+def test_all_registers_in_use():
+    """Twelve planes and one to compute with: the plane in the masked register costs a word more
+    for every write, which takes away its mask as well."""
+    random = np.random.default_rng(1)
+    planes = tuple(int(x) for x in random.integers(1, 255, 12))
+    turn = " | ".join(f"p{i} = NOT p{i}" for i in range(12))
+    shown = [planes[i] for i in range(12)]
+    answers = [f"{turn if i == 0 else ''} | t0 = NOT p{i}; FLAG = WHERE t0" for i in range(12)]
+    problem, solution = solved(shown, answers, closing=turn, planes=planes)
+    assert words_of(solution, problem, SCAMP) == 48 + 24 + 2
+    _, words = improved(problem, solution)
+    assert words == 12 + 24
+
+
+def test_few_sources_a_word():
+    narrow = chip(or_sources=2, where_sources=1)
+    answers = ["t0 = NOR p0 p1; t1 = OR t0 p2; t1 = OR t1 p0; FLAG = WHERE t1"]
+    problem, solution = solved([(ALL ^ (A | B)) | C | A], answers, scratch=2)
+    found, _ = improved(problem, solution, narrow)
+    assert all(len(g.sources) <= 2 for s in found.segments() for g in s)
+
+
+def test_state_in_flag_keeps_t0_for_the_analog_words():
+    """FLAG holds the state, and t0 is lost at every demand."""
+    answers = ["t0 = NOT p0; FLAG = WHERE t0", "t0 = NOT p0; t0 = NOR t0 p1; FLAG = WHERE t0"]
+    demands_of = [ALL ^ A, A & ~B]
+    problem, solution = solved(demands_of, answers, scratch=2)
+    solution = replace(solution, state_in_flag=True)
+    found, words = improved(problem, solution)
+    assert found.state_in_flag
+    assert found.scratch >= 1
+    assert words <= 4 + REFRESH
+
+
+def test_equal_segments_stay_equal():
+    answers = [
+        "t0 = NOR p0 p1; t0 = NOT t0; t0 = NOT t0; FLAG = WHERE t0",
+        "p2 = NOT p2 | FLAG = WHERE p2",
+        "t0 = NOR p0 p1; t0 = NOT t0; t0 = NOT t0; FLAG = WHERE t0",
+    ]
+    nor = ALL ^ (A | B)
+    problem, solution = solved([nor, ALL ^ C, nor], answers, closing="p2 = NOT p2")
+    found, words = improved(problem, solution, keep_kernels=True)
+    assert found.answers[0] == found.answers[2]
+    assert words == 2 + 3 + 2 + 2 + 4
+
+
+def test_what_is_wrong_from_the_start_is_left_alone():
+    problem, solution = solved([A], ["FLAG = WHERE p1"])
+    assert improve(solution, problem, MACHINE, Budget(1000)) is solution
+
+
+def test_no_steps_no_change():
+    problem, solution = random_solution(5, MACHINE)
+    same = improve(solution, problem, MACHINE, Budget(0))
+    assert words_of(same, problem, SCAMP) <= words_of(solution, problem, SCAMP)
+
+
+def test_the_same_every_time():
+    problem, solution = random_solution(7, MACHINE)
+    first = improve(solution, problem, MACHINE, Budget(5000))
+    assert first == improve(solution, problem, MACHINE, Budget(5000))
+
+
+N = np.arange(12)
+TABLES = {
+    "stops": [stop > N for stop in range(13)],
+    "windows": [(start <= N) & (start + 3 > N) for start in range(10)],
+    "bumps": [(a <= N) & (b > N) for a in range(12) for b in range(a + 1, 13)],
+    "book": np.random.default_rng(2).integers(0, 2, (16, 9)),
+}
+
+
+@pytest.mark.parametrize("keep_kernels", [False, True])
+@pytest.mark.parametrize("lowering", ["accumulate", "edges"])
+@pytest.mark.parametrize("table", TABLES)
+def test_what_generators_make(table, lowering, keep_kernels):
+    """All generators' gates still answer; those of free rewriting gain in every table."""
+    program = program_from(TABLES[table])
+    plan = plan_exposure(program, lowering, levels(program))
+    time = timeline(program.frame.slot_us, 1, program.target)
+    asked, _ = problem_of(program, plan, time, levels(program))
+    rows = program.table.shutters.reshape(asked.shutters, -1)
+    asked = replace(asked, values={"first": rows.argmax(axis=1), "count": rows.sum(axis=1)})
+    gains = []
+    for generate in (*EQUALITIES, *COVERS):
+        try:
+            solution = generate(asked, MACHINE, Budget(100_000))
+        except GaveUp:
+            continue
+        _, words = improved(asked, solution, steps=6000, keep_kernels=keep_kernels)
+        gains.append(words_of(solution, asked, SCAMP) - words)
+    assert gains
+    assert keep_kernels or max(gains) > 5
+
+
+def test_work_moves_to_slots_that_have_time():
+    """Three NORs for one demand: two of them can be computed in the slots before."""
+    reads = [A, B, (ALL ^ (A | B)) | (ALL ^ (A | C)) | (ALL ^ (B | C))]
+    answers = [
+        "FLAG = WHERE p0",
+        "FLAG = WHERE p1",
+        "t0 = NOR p0 p1; t1 = NOR p0 p2; t2 = NOR p1 p2; FLAG = WHERE t0 t1 t2",
+    ]
+    problem, solution = solved(reads, answers, scratch=3)
+    found = balance(solution, problem, MACHINE, Budget(3000), [0, 0, 0, 0])
+    assert words_of(found, problem, SCAMP) == words_of(solution, problem, SCAMP)
+    assert max(sum(map(len, answer)) for answer in found.answers) == 2
+    busy = balance(solution, problem, MACHINE, Budget(3000), [2, 1, 0, 0])
+    assert [sum(map(len, answer)) for answer in busy.answers] == [1, 2, 3]
+    limited = balance(solution, problem, MACHINE, Budget(3000), [0, 0, 0, 0], limit=3)
+    assert max(sum(map(len, answer)) for answer in limited.answers) == 3
+    wrong = replace(solution, planes=(A, B, A))
+    assert balance(wrong, problem, MACHINE, Budget(3000), [0, 0, 0, 0]) is wrong
+
+
+def test_a_spare_register_holds_what_many_gates_compute():
+    """The same NOR for four demands, each time lost with the scratch: stored, it costs its refresh
+    and is read like any plane."""
+    nor = ALL ^ (A | B)
+    answers = ["t0 = NOR p0 p1; FLAG = WHERE t0"] * 4
+    problem, solution = solved([nor] * 4, answers, flag_lasts=False)
+    found = enrich(solution, problem, MACHINE, Budget(10_000))
+    assert found.planes == (A, B, C, nor)
+    assert len(found.holders) == 4
+    assert words_of(solution, problem, SCAMP) == 8 + REFRESH
+    assert words_of(found, problem, SCAMP) == 4 + REFRESH + 2
+
+
+def test_a_register_is_spared_for_a_plane():
+    """Four registers in use, one of them scratch that the work does not need."""
+    nor = ALL ^ (A | B)
+    answers = ["t0 = NOR p0 p1; t1 = MOV t0; FLAG = WHERE t1"] * 4
+    problem, solution = solved([nor] * 4, answers, flag_lasts=False, scratch=2)
+    small = chip(5)
+    found = enrich(solution, problem, Machine.of(small), Budget(10_000))
+    assert nor in found.planes
+    assert words_of(found, problem, small) == 4 + REFRESH + 2
+
+
+def test_nothing_is_stored_where_it_does_not_pay():
+    answers = ["t0 = NOR p0 p1; FLAG = WHERE t0"]
+    problem, solution = solved([ALL ^ (A | B)], answers)
+    assert enrich(solution, problem, MACHINE, Budget(10_000)) is solution
+    full = chip(4)
+    problem, solution = solved([ALL ^ (A | B)] * 4, answers * 4, flag_lasts=False)
+    assert enrich(solution, problem, Machine.of(full), Budget(10_000)) is solution
+
+
+def test_gates_and_analog_words_apart():
+    problem, solution = solved([A, A], ["t0 = NOT p0; t0 = NOT t0; FLAG = WHERE t0", ""])
+    parted = apart(solution)
+    assert parted.answers == ((*solution.answers[0], ()), ())
+    assert [s for s in parted.segments() if s] == [s for s in solution.segments() if s]
+    assert problem.demands
+
+
+def test_a_sequence_that_comes_again_is_rewritten_as_one():
+    """p2 is turned at every demand, in place: two words. Over two demands it can wander and come
+    home, one word each; the pair of demands is stored once and comes six times."""
+    turned = "p2 = NOT p2 | FLAG = WHERE p2"
+    problem, solution = solved([ALL ^ C, C] * 6, [turned] * 12, flag_lasts=True)
+    problem = replace(problem, demands=tuple(replace(d, flag_kept=False) for d in problem.demands))
+    assert words_of(solution, problem, SCAMP) == 36 + 4
+    alone, words = improved(problem, solution, keep_kernels=True)
+    assert words == 36 + 4
+    assert len(set(alone.segments())) == 2
+    found, words = improved(problem, solution, keep_kernels=True, room=12)
+    assert words <= 24 + REFRESH
+    assert sum(map(len, set(found.segments()))) <= 12
+
+
+def test_sequences_stay_within_their_room():
+    turned = "p2 = NOT p2 | FLAG = WHERE p2"
+    problem, solution = solved([ALL ^ C, C] * 6, [turned] * 12)
+    frame, items = flatten(solution, problem, MACHINE)
+    assert [len(block.places) for block in blocks_of(frame, items, 0)] == [12, 12]
+    (block,) = blocks_of(frame, items, 3)
+    assert len(block.places) == 12
+    assert [token.end - token.start for token in block.places[0]] == [1, 1, 1]
