@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 from nscc.logic.chains import radices_of, turn_over
 from nscc.logic.cubes import Budget
 from nscc.logic.encodings import event_fields, event_name
+from nscc.logic.gray import cycle
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
-from nscc.logic.windows import cycle
 from nscc.truth import columns, members, number_planes, vector
 
 

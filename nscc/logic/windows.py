@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from nscc.logic.bumps import Bumps, bumps_of
 from nscc.logic.chains import Planes, radices_of, turn_over
 from nscc.logic.cubes import Budget
+from nscc.logic.gray import cycle, rotation
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns, number_planes
@@ -29,6 +30,8 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
     bumps = bumps_of(problem)
     length = _length(bumps)
     bits = max(1, (-(-bumps.steps // length) - 1).bit_length())
+    groups = -(-bumps.steps // length)
+    orders = [codes for codes in (cycle(groups, bits), rotation(groups, bits)) if codes]
     room = machine.registers - 1 - bits
     tried = 0
     choices = radices_of(room + length.bit_length(), length)
@@ -38,17 +41,18 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
             if held * (1 + doubled) + low > room:
                 continue
             for turns in _Turns if low < bits else (_Turns.WITH,):
-                script = _script(bumps, length, chosen, bits, doubled, low, turns)
-                try:
-                    yield walk(problem, machine, script, Budget(steps))
-                except GaveUp:
-                    continue
-                tried += 1
+                for codes in orders:
+                    script = _script(bumps, length, chosen, codes, bits, doubled, low, turns)
+                    try:
+                        yield walk(problem, machine, script, Budget(steps))
+                    except GaveUp:
+                        continue
+                    tried += 1
             if tried >= (_MOST_TRIED if bumps.steps <= 256 else _MOST_TRIED // 4):
                 return
 
 
-_MOST_TRIED = 32
+_MOST_TRIED = 48
 
 
 class _Turns(Enum):
@@ -58,18 +62,6 @@ class _Turns(Enum):
     WITH = "with the group"
     AFTER = "with the next group"
     EVEN = "with the group if that is even, else with the next"
-
-
-def cycle(groups: int, bits: int) -> tuple[int, ...]:
-    """Codes of groups, neighbours differing in one bit, the last one or the last but one next to
-    the first: so few bits have to be turned back."""
-    half = groups // 2
-    gray = [i ^ i >> 1 for i in range(half)]
-    top = 1 << bits - 1
-    codes = gray + [top | code for code in reversed(gray)]
-    if groups % 2:
-        codes.append(codes[-1] ^ max(top >> 1, 1) if half else 0)
-    return tuple(codes)
 
 
 def toggled_windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
@@ -176,16 +168,18 @@ def _script(
     bumps: Bumps,
     length: int,
     chosen: Sequence[int],
+    codes: Sequence[int],
     bits: int,
     doubled: bool,
     low: int,
     turns: _Turns,
 ) -> Script:
-    """`doubled`: offset planes both ways round; so are the `low` lowest bits of the group."""
+    """`codes` are those of the groups. `doubled`: offset planes both ways round; so are the `low`
+    lowest bits of the group.
+    """
     group = np.where(bumps.never, 0, bumps.start // length)
     odd = group % 2 == 1
     offset = _offset_planes(bumps.start % length, chosen, odd)
-    codes = cycle(-(-bumps.steps // length), bits)
     gray = np.array(codes, dtype=np.int64)[group]
     everything = (1 << len(bumps.start)) - 1
     planes = list(offset[0])

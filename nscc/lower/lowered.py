@@ -22,7 +22,7 @@ from nscc.words.container import DecodeTable
 from nscc.words.operations import Effect
 
 # Solutions, the best first, that are worth steps of improvement.
-MOST_IMPROVED = 8
+MOST_IMPROVED = 5
 
 # Times are sums of decimal fractions: a slot just as long as its words is long enough.
 _ROUNDING = 1 + 1e-9
