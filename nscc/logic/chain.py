@@ -25,9 +25,13 @@ from nscc.truth import columns, rows
 _MOST_SCRATCH = 3
 _QUICK_WIDTH = 6
 # The share of the steps after which the choice of planes ends, and the widths that follow.
-_CHOOSING = 0.5
+_CHOOSING = 0.6
 _WIDTHS = (30, 100, 300, 1000)
 _LONGEST = 4096
+# Of the steps from choice to choice, the share that exchanges a predicate (the others invert one),
+# and by how much the words may grow at first.
+_EXCHANGED = 0.8
+_SLACK = 0.03
 # What a choice of planes costs before any search.
 _STEPS_A_CHOICE = 100
 
@@ -116,7 +120,8 @@ class _Finder:
             if width < least or scratch > self._machine.registers - width:
                 continue
             for stored in self._first_choices(width):
-                plan = self._quick(_Choice(stored, (False,) * width), scratch, best, quick)
+                most = best.words - 1 if best is not None else _LONGEST * len(self._tasks)
+                plan = self._quick(_Choice(stored, (False,) * width), scratch, quick, most)
                 if plan is not None:
                     best = plan
                     yield plan
@@ -177,13 +182,13 @@ class _Finder:
 
     def _quick_width(self) -> int:
         """The width of quick searches: narrower where even one of them takes many steps."""
-        sets = self._sets.shape[1]
+        sets, points = self._sets.shape[1], self._points.bits.shape[1]
         chains = max(1, self._points.demanded - self._machine.registers + 2)
         # Every chain halves what is left in a few words, and looks at all cubes for each of them.
-        links = self._points.bits.shape[1] // 2
-        cubes = min(self._points.bits.shape[1] * 8, 1 << (self._machine.registers - 2))
-        steps = chains * links * (20 + cubes * sets * 8 // 512)
-        return max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps)))
+        links = points // 2
+        cubes = min(points * 8, 1 << (self._machine.registers - 2))
+        steps = chains * (1 + links) * (20 + cubes * sets * 8 // 512)
+        return int(max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps))))
 
     def _first_choices(self, width: int) -> Iterator[tuple[int, ...]]:
         """Planes to begin with: first what is no demand's (levels make edges), then demands."""
@@ -192,11 +197,10 @@ class _Finder:
             yield tuple((*others, *range(self._points.demanded))[:width])
         yield tuple(range(width))
 
-    def _quick(self, choice: _Choice, scratch: int, best: _Plan | None, width: int) -> _Plan | None:
-        """A plan found with a narrow beam, None if it takes no fewer words than `best`."""
+    def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
+        """A plan of at most `most` words found with a narrow beam."""
         planes = _separating(self._points.bits, choice)
         times = self._times()
-        most = best.words - 1 if best is not None else _LONGEST * len(times)
         repeats = sum(times.values()) - len(times)
         found = self._search(planes, scratch).find(
             *self._wanted(list(times)), [min(most, _LONGEST)] * len(times), width, most - repeats
@@ -231,20 +235,26 @@ class _Finder:
         """Better choices of planes near the best one, until `until` steps are left."""
         choose = random.Random(0)
         everyone = range(len(self._points.bits))
+        current = best
+        span = max(1, self._budget.left - until)
         while self._budget.left > until:
-            stored = list(best.choice.stored)
-            inverted = list(best.choice.inverted)
+            stored = list(current.choice.stored)
+            inverted = list(current.choice.inverted)
             place = choose.randrange(len(stored))
             others = [number for number in everyone if number not in stored]
-            if others and choose.random() < 0.8:
+            if others and choose.random() < _EXCHANGED:
                 stored[place], inverted[place] = choose.choice(others), False
             else:
                 inverted[place] = not inverted[place]
-            turned = _Choice(tuple(stored), tuple(inverted))
-            plan = self._quick(turned, best.scratch, best, width)
+            # A little worse is allowed at first: most choices have no better neighbour.
+            slack = round(_SLACK * current.words * (self._budget.left - until) / span)
+            near = _Choice(tuple(stored), tuple(inverted))
+            plan = self._quick(near, current.scratch, width, current.words + slack)
             if plan is not None:
-                best = plan
-                yield plan
+                current = plan
+                if plan.words < best.words:
+                    best = plan
+                    yield plan
 
     def _widened(self, best: _Plan, width: int) -> Iterator[_Plan]:
         """Shorter chains for the same planes, the longest first."""

@@ -144,9 +144,9 @@ def test_shutters_that_no_demand_tells_apart_share_a_code():
 
 def test_what_flag_still_holds_is_used():
     """Pairs of predicates that differ in one shutter, more of them than planes."""
-    table = np.repeat(book(30, 8, 6), 2, axis=1)
-    table[np.arange(8), 1::2] ^= True
-    machine = Machine(7, False, None, None, False)
+    table = np.repeat(book(40, 12, 6), 2, axis=1)
+    table[np.arange(12), np.arange(1, 24, 2)] ^= True
+    machine = Machine(11, False, None, None, False)
     words = []
     for kept in (True, False):
         asked = asked_of(table)
