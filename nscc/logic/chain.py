@@ -109,14 +109,14 @@ class _Finder:
         """Plans, each better than the last; raises GaveUp when the steps run out."""
         count = self._points.bits.shape[1]
         least = max(1, (count - 1).bit_length())
-        most = min(self._machine.registers - 1, len(self._points.bits))
-        if least > most:
+        widest = min(self._machine.registers - 1, len(self._points.bits))
+        if least > widest:
             raise GaveUp(f"{count} kinds of shutters leave no register to compute with")
         allowed = self._budget.left
         quick = self._quick_width()
         best: _Plan | None = None
         for scratch in (2, 1, *range(3, _MOST_SCRATCH + 1)):
-            width = min(self._machine.registers - scratch, most)
+            width = min(self._machine.registers - scratch, widest)
             if width < least or scratch > self._machine.registers - width:
                 continue
             for stored in self._first_choices(width):
