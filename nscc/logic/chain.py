@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from nscc.logic.chain_search import Chain, Planes, Points, Search, packed
 from nscc.logic.cubes import Budget
+from nscc.logic.encodings import asked
 from nscc.logic.gates import Gates
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.truth import columns, rows
@@ -273,15 +274,15 @@ def _points(problem: Problem) -> _Points:
     """The points of a problem, with the open slots of its buckets as further planes."""
     names: dict[int, str] = {}
     for demand in problem.demands:
-        names.setdefault(demand.predicate, f"{demand.edge} at boundary {demand.boundary}")
+        names.setdefault(demand.predicate, asked(demand))
     demanded = len(names)
     for bucket in problem.opens:
         for slot, level in enumerate(bucket):
             if level not in (0, problem.everything):
                 names.setdefault(level, f"open in slot {slot}")
     bits = rows(list(names), problem.shutters)
-    asked = np.packbits(bits[:, :demanded], axis=1)
-    _, first, shutters = np.unique(asked, axis=0, return_index=True, return_inverse=True)
+    rows_asked = np.packbits(bits[:, :demanded], axis=1)
+    _, first, shutters = np.unique(rows_asked, axis=0, return_index=True, return_inverse=True)
     return _Points(
         np.ascontiguousarray(bits[first].T), demanded, tuple(names.values()), shutters.reshape(-1)
     )
