@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from nscc.logic.chain_search import Chain, Planes, Points, Search, packed
 from nscc.logic.cubes import Budget
+from nscc.logic.encodings import asked
 from nscc.logic.gates import Gates
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.truth import columns, rows
@@ -25,9 +26,13 @@ from nscc.truth import columns, rows
 _MOST_SCRATCH = 3
 _QUICK_WIDTH = 6
 # The share of the steps after which the choice of planes ends, and the widths that follow.
-_CHOOSING = 0.5
+_CHOOSING = 0.6
 _WIDTHS = (30, 100, 300, 1000)
 _LONGEST = 4096
+# Of the steps from choice to choice, the share that exchanges a predicate (the others invert one),
+# and by how much the words may grow at first.
+_EXCHANGED = 0.8
+_SLACK = 0.03
 # What a choice of planes costs before any search.
 _STEPS_A_CHOICE = 100
 
@@ -105,18 +110,19 @@ class _Finder:
         """Plans, each better than the last; raises GaveUp when the steps run out."""
         count = self._points.bits.shape[1]
         least = max(1, (count - 1).bit_length())
-        most = min(self._machine.registers - 1, len(self._points.bits))
-        if least > most:
+        widest = min(self._machine.registers - 1, len(self._points.bits))
+        if least > widest:
             raise GaveUp(f"{count} kinds of shutters leave no register to compute with")
         allowed = self._budget.left
         quick = self._quick_width()
         best: _Plan | None = None
         for scratch in (2, 1, *range(3, _MOST_SCRATCH + 1)):
-            width = min(self._machine.registers - scratch, most)
+            width = min(self._machine.registers - scratch, widest)
             if width < least or scratch > self._machine.registers - width:
                 continue
             for stored in self._first_choices(width):
-                plan = self._quick(_Choice(stored, (False,) * width), scratch, best, quick)
+                most = best.words - 1 if best is not None else _LONGEST * len(self._tasks)
+                plan = self._quick(_Choice(stored, (False,) * width), scratch, quick, most)
                 if plan is not None:
                     best = plan
                     yield plan
@@ -177,13 +183,13 @@ class _Finder:
 
     def _quick_width(self) -> int:
         """The width of quick searches: narrower where even one of them takes many steps."""
-        sets = self._sets.shape[1]
+        sets, points = self._sets.shape[1], self._points.bits.shape[1]
         chains = max(1, self._points.demanded - self._machine.registers + 2)
         # Every chain halves what is left in a few words, and looks at all cubes for each of them.
-        links = self._points.bits.shape[1] // 2
-        cubes = min(self._points.bits.shape[1] * 8, 1 << (self._machine.registers - 2))
-        steps = chains * links * (20 + cubes * sets * 8 // 512)
-        return max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps)))
+        links = points // 2
+        cubes = min(points * 8, 1 << (self._machine.registers - 2))
+        steps = chains * (1 + links) * (20 + cubes * sets * 8 // 512)
+        return int(max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps))))
 
     def _first_choices(self, width: int) -> Iterator[tuple[int, ...]]:
         """Planes to begin with: first what is no demand's (levels make edges), then demands."""
@@ -192,11 +198,10 @@ class _Finder:
             yield tuple((*others, *range(self._points.demanded))[:width])
         yield tuple(range(width))
 
-    def _quick(self, choice: _Choice, scratch: int, best: _Plan | None, width: int) -> _Plan | None:
-        """A plan found with a narrow beam, None if it takes no fewer words than `best`."""
+    def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
+        """A plan of at most `most` words found with a narrow beam."""
         planes = _separating(self._points.bits, choice)
         times = self._times()
-        most = best.words - 1 if best is not None else _LONGEST * len(times)
         repeats = sum(times.values()) - len(times)
         found = self._search(planes, scratch).find(
             *self._wanted(list(times)), [min(most, _LONGEST)] * len(times), width, most - repeats
@@ -231,20 +236,26 @@ class _Finder:
         """Better choices of planes near the best one, until `until` steps are left."""
         choose = random.Random(0)
         everyone = range(len(self._points.bits))
+        current = best
+        span = max(1, self._budget.left - until)
         while self._budget.left > until:
-            stored = list(best.choice.stored)
-            inverted = list(best.choice.inverted)
+            stored = list(current.choice.stored)
+            inverted = list(current.choice.inverted)
             place = choose.randrange(len(stored))
             others = [number for number in everyone if number not in stored]
-            if others and choose.random() < 0.8:
+            if others and choose.random() < _EXCHANGED:
                 stored[place], inverted[place] = choose.choice(others), False
             else:
                 inverted[place] = not inverted[place]
-            turned = _Choice(tuple(stored), tuple(inverted))
-            plan = self._quick(turned, best.scratch, best, width)
+            # A little worse is allowed at first: most choices have no better neighbour.
+            slack = round(_SLACK * current.words * (self._budget.left - until) / span)
+            near = _Choice(tuple(stored), tuple(inverted))
+            plan = self._quick(near, current.scratch, width, current.words + slack)
             if plan is not None:
-                best = plan
-                yield plan
+                current = plan
+                if plan.words < best.words:
+                    best = plan
+                    yield plan
 
     def _widened(self, best: _Plan, width: int) -> Iterator[_Plan]:
         """Shorter chains for the same planes, the longest first."""
@@ -263,15 +274,15 @@ def _points(problem: Problem) -> _Points:
     """The points of a problem, with the open slots of its buckets as further planes."""
     names: dict[int, str] = {}
     for demand in problem.demands:
-        names.setdefault(demand.predicate, f"{demand.edge} at boundary {demand.boundary}")
+        names.setdefault(demand.predicate, asked(demand))
     demanded = len(names)
     for bucket in problem.opens:
         for slot, level in enumerate(bucket):
             if level not in (0, problem.everything):
                 names.setdefault(level, f"open in slot {slot}")
     bits = rows(list(names), problem.shutters)
-    asked = np.packbits(bits[:, :demanded], axis=1)
-    _, first, shutters = np.unique(asked, axis=0, return_index=True, return_inverse=True)
+    rows_asked = np.packbits(bits[:, :demanded], axis=1)
+    _, first, shutters = np.unique(rows_asked, axis=0, return_index=True, return_inverse=True)
     return _Points(
         np.ascontiguousarray(bits[first].T), demanded, tuple(names.values()), shutters.reshape(-1)
     )

@@ -72,9 +72,12 @@ def fan_in_words(sources: int, limit: int | None) -> int:
 _FACTORS = np.random.default_rng(0).integers(1 << 63, size=256, dtype=np.uint64) * 2 + 1
 
 # What a value leaves to decide, in bits: which of its points are on, and a little for each point
-# and for having points of both kinds (found by trying).
+# and for having points of both kinds. The last few words decide _LAST_BITS of them, the others
+# seldom more than _MOST_BITS_A_WORD. All found by trying.
 _CHOICES = np.cumsum([0.0, *(log(n, 2) for n in range(1, 1 << 13))])
 _A_POINT = 0.2
+_LAST_BITS = 16.0
+_MOST_BITS_A_WORD = 4.0
 _A_PAIR = 0.5
 
 
@@ -107,7 +110,8 @@ class Planes:
 
 def full(points: int) -> Points:
     """The set of all points (W,)."""
-    return packed(np.ones((1, points), dtype=np.bool_))[0]
+    everything: Points = packed(np.ones((1, points), dtype=np.bool_))[0]
+    return everything
 
 
 def packed(bits: NDArray[np.bool_]) -> Points:
@@ -116,7 +120,7 @@ def packed(bits: NDArray[np.bool_]) -> Points:
     raw = np.packbits(bits, axis=1, bitorder="little")
     padded = np.zeros((len(bits), width), dtype=np.uint8)
     padded[:, : raw.shape[1]] = raw
-    return np.frombuffer(padded.tobytes(), dtype="<u8").astype(np.uint64).reshape(len(bits), -1)
+    return padded.view("<u8").astype(np.uint64)
 
 
 def _count(sets: Points) -> Indices:
@@ -157,11 +161,15 @@ class _Values:
         """The values as complements."""
         return _Values(self.off, self.on, self.task, self.via, ~self.negated, self.cubes)
 
+    def left(self) -> NDArray[np.float64]:
+        """What each value leaves to decide, in bits, more or less."""
+        ones, zeros = _count(self.on), _count(self.off)
+        bits: NDArray[np.float64] = _CHOICES[ones + zeros] - _CHOICES[ones] - _CHOICES[zeros]
+        return bits + _A_POINT * (ones + zeros) + _A_PAIR * np.minimum(ones, zeros)
+
     def best(self, width: int) -> _Values:
         """For every task the `width` values that leave the least to decide, each once."""
-        ones, zeros = _count(self.on), _count(self.off)
-        left = _CHOICES[ones + zeros] - _CHOICES[ones] - _CHOICES[zeros]
-        left = left + _A_POINT * (ones + zeros) + _A_PAIR * np.minimum(ones, zeros)
+        left = self.left()
         # Equal values have equal digests; two that share one by chance are no loss.
         factors = _FACTORS[: 2 * self.on.shape[1]].reshape(2, -1)
         digest = (self.on * factors[0] + self.off * factors[1]).sum(axis=1, dtype=np.uint64)
@@ -210,7 +218,7 @@ class Search:
         in FLAG; None where a beam of `width` finds none.
 
         FLAG holds `held` (n, W) before, the empty set where that is not known. The search ends
-        when the chains are certain to take more than `most_total` words together.
+        when the chains will hardly take as few as `most_total` words together.
         """
         count = len(on)
         none = np.zeros(count, dtype=np.int64)
@@ -225,12 +233,18 @@ class Search:
         waiting: dict[tuple[int, bool], list[_Values]] = defaultdict(list)
         waiting[0, True].append(start)
         words = 0
+        left = np.zeros(count)
         while waiting and (self._most > words).any():
             open_still = self._most > words
-            found = sum(end[0] for end, more in zip(self._ends, open_still, strict=True)
-                        if end is not None and not more)  # fmt: skip
-            if found + int(open_still.sum()) * (words + 1) > most_total:
+            done = sum(
+                end[0]
+                for end, more in zip(self._ends, open_still, strict=True)
+                if end is not None and not more
+            )
+            ahead = words + 1 + np.maximum(left - _LAST_BITS, 0) / _MOST_BITS_A_WORD
+            if done + float(ahead[open_still].sum()) > most_total:
                 break
+            left = np.full(count, np.inf)
             for in_flag in (True, False):
                 parts = waiting.pop((words, in_flag), None)
                 if parts is None:
@@ -238,11 +252,14 @@ class Search:
                 joined = _Values.joined(parts)
                 joined = joined.take(open_still[joined.task])
                 if len(joined):
-                    values = self._numbered(joined.best(width), in_flag)
+                    values = joined.best(width)
+                    np.minimum.at(left, values.task, values.left())
+                    values = self._numbered(values, in_flag)
                     forms = (values,) if in_flag else (values, values.swapped())
                     for form in forms:
                         for more, inner_in_flag, inner in self._links(form, in_flag, words, width):
                             waiting[words + more, inner_in_flag].append(inner)
+            left[np.isinf(left)] = 0.0
             words += 1
         return [self._traced(end, on[i]) for i, end in enumerate(self._ends)]
 

@@ -32,13 +32,13 @@ def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Enc
     return Encoding(
         "one register for each predicate",
         tuple(distinct),
-        tuple(_asked(first[i]) for i in range(len(distinct))),
+        tuple(asked(first[i]) for i in range(len(distinct))),
         cubes,
         (False,) * len(cubes),
     )
 
 
-def _asked(demand: Demand) -> str:
+def asked(demand: Demand) -> str:
     """What a demand asks, in words."""
     if demand.edge == "open":
         return f"open in slot {demand.boundary - 1}"
