@@ -34,10 +34,11 @@ def improve(
 ) -> Solution:
     """A solution of the same problem in as many words a frame or fewer.
 
-    The encoding stays as it is. All steps of `budget` are used, unless nothing is left to gain;
-    the same input gives the same result. With `keep_kernels`, segments that were equal still are;
-    without, they may be so no longer. Then sequences of segments that come again are rewritten as
-    one, while all distinct segments together take no more than `room` words.
+    The encoding stays as it is. Steps of `budget` are taken until nothing seems left to gain; the
+    same input gives the same result. Segments that were equal may no longer be so, and then share
+    no kernel. With `keep_kernels` they stay equal: kernels are rewritten in all places alike, and
+    sequences of kernels that come again are rewritten as one while all distinct segments together
+    take no more than `room` words.
     """
     try:
         frame, items = flatten(solution, problem, machine)
