@@ -87,11 +87,12 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
             yield solution
             found = True
             fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
-    close = fewest <= _CLOSE[level] * _fewest_words(problem, machine)
+    least = _fewest_words(problem, machine)
+    close = fewest <= _CLOSE * least
     for solution in _tries(EQUALITIES, problem, machine, steps):
         yield solution
         found = True
-    if level >= 2 and not close:
+    if level >= 2 and fewest > _WORTH_CHAINS[level] * least:
         for solution in _tries(CHAINS, problem, machine, steps):
             yield solution
             found = True
@@ -107,8 +108,11 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
 
 _NONE = 1 << 62
 
-# A family's member of so many times the fewest words that are possible ends the search.
-_CLOSE = {0: 0.0, 1: 0.0, 2: 1.5, 3: 1.1}
+# A family's member of at most so many times the words that every solution needs ends the search.
+_CLOSE = 1.1
+
+# Chains take seconds to search; they are tried where no family's member comes so near.
+_WORTH_CHAINS = {2: 3.0, 3: 1.1}
 
 
 def _fewest_words(problem: Problem, machine: Machine) -> int:

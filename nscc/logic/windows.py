@@ -213,4 +213,6 @@ def _script(
     name = f"groups of {length} in Gray code, offset in digits {digits}"
     if doubled or low:
         name += ", some both ways round"
+    if tuple(codes) != cycle(len(codes), bits):
+        name += ", for turns into a free register"
     return Script(name, tuple(planes), tuple(holders), 0, (), before, closing)

@@ -21,8 +21,8 @@ from nscc.truth import members
 from nscc.words.container import DecodeTable
 from nscc.words.operations import Effect
 
-# Solutions, the best first, that are worth steps of improvement.
-MOST_IMPROVED = 5
+# Solutions, the best of each encoding, that are worth steps of improvement at each level.
+MOST_IMPROVED = {0: 1, 1: 1, 2: 8, 3: 16}
 
 # Times are sums of decimal fractions: a slot just as long as its words is long enough.
 _ROUNDING = 1 + 1e-9
@@ -259,11 +259,15 @@ def lower(
         laid = schedule(plan, solution, actions, time, program.target)
         return Lowered(program, plan, solution, laid, time, writes, most_words)
 
-    found: list[Lowered] = []
+    by_encoding: dict[str, Lowered] = {}
     for solution in known.or_else(solutions(problem, machine, level)):
-        found = sorted([*found, priced(solution)], key=lambda other: other.price)[:MOST_IMPROVED]
-        if level == 0 and found[0].fits:
+        candidate = priced(solution)
+        other = by_encoding.get(solution.encoding)
+        if other is None or candidate.price < other.price:
+            by_encoding[solution.encoding] = candidate
+        if level == 0 and candidate.fits:
             break
+    found = sorted(by_encoding.values(), key=lambda each: each.price)[: MOST_IMPROVED[level]]
     if not found:
         return Misfit(
             "no generator found gates in "

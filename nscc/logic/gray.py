@@ -1,0 +1,87 @@
+"""Codes of groups that follow one another: neighbours differ in one bit.
+
+Which bits are turned over when decides what it costs to have all of them back at the frame's end.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+# Codes that the search for a rotation may visit, and the widest ones that it looks at.
+_MOST_VISITED = 20_000
+_WIDEST = 5
+_GOOD = 2
+
+
+def cycle(groups: int, bits: int) -> tuple[int, ...]:
+    """Codes whose last one, or last but one, is next to the first: few bits are turned back."""
+    half = groups // 2
+    gray = [i ^ i >> 1 for i in range(half)]
+    top = 1 << bits - 1
+    codes = gray + [top | code for code in reversed(gray)]
+    if groups % 2:
+        codes.append(codes[-1] ^ max(top >> 1, 1) if half else 0)
+    return tuple(codes)
+
+
+@cache
+def rotation(groups: int, bits: int) -> tuple[int, ...] | None:
+    """Codes for bits that are turned over by a NOT into a free register, which costs one word.
+
+    Each turn moves a bit to another register. The codes are those after which fewest words bring
+    every bit back to where it was, as it was; None if the search is too large or finds none.
+    """
+    if bits > _WIDEST or groups > 1 << bits:
+        return None
+    search = _Rotation(groups, bits)
+    search.visit([0], list(range(bits)), bits)
+    return search.best
+
+
+class _Rotation:
+    """A depth-first search over codes; `place[b]` is the register of bit b, `free` the free one."""
+
+    def __init__(self, groups: int, bits: int) -> None:
+        self.groups, self.bits = groups, bits
+        self.left = _MOST_VISITED
+        self.best: tuple[int, ...] | None = None
+        self.words = 1 << 30
+
+    def visit(self, codes: list[int], place: list[int], free: int) -> None:
+        """Tries all ways on from `codes`."""
+        self.left -= 1
+        if self.left < 0 or self.words <= _GOOD:
+            return
+        if len(codes) == self.groups:
+            words = self._way_back(codes[-1], place)
+            if words < self.words:
+                self.best, self.words = tuple(codes), words
+            return
+        for bit in range(self.bits):
+            code = codes[-1] ^ 1 << bit
+            if code in codes:
+                continue
+            was, place[bit] = place[bit], free
+            codes.append(code)
+            self.visit(codes, place, was)
+            codes.pop()
+            place[bit] = was
+
+    def _way_back(self, code: int, place: list[int]) -> int:
+        """Words that move every bit home, the right way round: one a move, two to turn in place."""
+        holder = {register: bit for bit, register in enumerate(place)}
+        words = 2 * sum(place[b] == b and code >> b & 1 for b in range(self.bits))
+        left = {b for b in range(self.bits) if place[b] != b}
+        while left:
+            start = bit = min(left)
+            closed = False
+            while bit in left:
+                left.discard(bit)
+                words += 1
+                following = holder.get(bit)
+                if following is None:
+                    break
+                closed = following == start
+                bit = following
+            words += closed
+        return words
