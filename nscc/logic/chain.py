@@ -15,10 +15,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.chain_search import Chain, Planes, Points, Search, packed
+from nscc.logic.chain_search import MOST_POINTS, Chain, Search
 from nscc.logic.cubes import Budget
 from nscc.logic.encodings import asked
 from nscc.logic.gates import Gates
+from nscc.logic.point_sets import Planes, Points, packed
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.truth import columns, rows
 
@@ -111,6 +112,8 @@ class _Finder:
         count = self._points.bits.shape[1]
         least = max(1, (count - 1).bit_length())
         widest = min(self._machine.registers - 1, len(self._points.bits))
+        if count > MOST_POINTS:
+            raise GaveUp(f"{count} kinds of shutters, more than {MOST_POINTS}")
         if least > widest:
             raise GaveUp(f"{count} kinds of shutters leave no register to compute with")
         allowed = self._budget.left
@@ -188,7 +191,7 @@ class _Finder:
         # Every chain halves what is left in a few words, and looks at all cubes for each of them.
         links = points // 2
         cubes = min(points * 8, 1 << (self._machine.registers - 2))
-        steps = chains * (1 + links) * (20 + cubes * sets * 8 // 512)
+        steps = chains * (1 + links) * (20 + cubes * sets * 8 // 640)
         return int(max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps))))
 
     def _first_choices(self, width: int) -> Iterator[tuple[int, ...]]:

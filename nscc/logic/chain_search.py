@@ -4,9 +4,7 @@ The value sought must be 1 at the points `on`, 0 at the points `off` and may be 
 Its last word is an OR or a NOR of cubes (each a NOR of planes, one word in a scratch register), of
 single planes, and of a value of the same kind with fewer points left to decide, which stands in
 FLAG or in a scratch register. So FLAG and scratch take turns, and a complement costs nothing. A
-beam keeps, for every number of words, the values with the fewest points left.
-
-Sets of points are arrays of uint64 words (.., W), bit i of word w being point 64 w + i.
+beam keeps, for every number of words, the values that leave the least to decide.
 """
 
 from __future__ import annotations
@@ -21,20 +19,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget
+from nscc.logic.point_sets import Indices, Planes, Points, disjoint, gains, sizes
 from nscc.logic.problem import Machine
 
-Points = NDArray[np.uint64]
-Indices = NDArray[np.int64]
-
 # Words of 64 points that one step of a budget stands for.
-_WORDS_A_STEP = 512
+_WORDS_A_STEP = 640
 # Steps for numpy's own overhead, each time that a batch of values is expanded.
-_STEPS_A_BATCH = 4
+_STEPS_A_BATCH = 8
 # Words of 64 points looked at in one go: what fits a cache.
 _BATCH = 1 << 18
-# Beside the best cube, this many more are followed from each value of the beam, fewer afterwards.
-_FIRST_CUBES = 8
-_NEXT_CUBES = 3
+# So many of the best cubes are tried as the first one of a link, so many as each further one.
+_FIRST_CUBES = 4
+_NEXT_CUBES = 2
 
 
 @dataclass(frozen=True)
@@ -61,76 +57,20 @@ class Chain:
     words: int
 
 
-def fan_in_words(sources: int, limit: int | None) -> int:
-    """Words of a NOR into a register that is not among its sources."""
-    if limit is None or sources <= limit:
-        return 1
-    return 1 + 2 * -(-(sources - limit) // (limit - 1))
-
-
 # Odd numbers, two for every word of the largest set.
-_FACTORS = np.random.default_rng(0).integers(1 << 63, size=256, dtype=np.uint64) * 2 + 1
+_FACTORS = np.random.default_rng(0).integers(1 << 63, size=128, dtype=np.uint64) * 2 + 1
+
+# More points than this are not served.
+MOST_POINTS = 4096
 
 # What a value leaves to decide, in bits: which of its points are on, and a little for each point
 # and for having points of both kinds. The last few words decide _LAST_BITS of them, the others
 # seldom more than _MOST_BITS_A_WORD. All found by trying.
-_CHOICES = np.cumsum([0.0, *(log(n, 2) for n in range(1, 1 << 13))])
+_CHOICES = np.cumsum([0.0, *(log(n, 2) for n in range(1, MOST_POINTS + 1))])
 _A_POINT = 0.2
 _LAST_BITS = 16.0
 _MOST_BITS_A_WORD = 4.0
 _A_PAIR = 0.5
-
-
-class Planes:
-    """Code planes and all the cubes that one NOR of them can be, by price.
-
-    `planes` (P, W) are sets of points; `groups` are (words, cubes (M, W), masks (M,)).
-    """
-
-    def __init__(self, planes: Points, points: int, machine: Machine) -> None:
-        self.planes = planes
-        self.everything = full(points)
-        limit = machine.or_sources
-        ors = np.zeros((1, planes.shape[1]), dtype=np.uint64)
-        for plane in planes:
-            ors = np.concatenate((ors, ors | plane))
-        masks = np.arange(len(ors), dtype=np.int64)
-        size = np.bitwise_count(masks)
-        order = np.lexsort((masks, size))[1:]
-        cubes = self.everything & ~ors[order]
-        # Of equal cubes the one with the fewest planes; never the empty cube.
-        _, first = np.unique(cubes, axis=0, return_index=True)
-        first = np.sort(first[cubes[first].any(axis=1)])
-        cubes, masks, size = cubes[first], masks[order][first], size[order][first]
-        price = np.array([fan_in_words(n, limit) for n in range(len(planes) + 1)])[size]
-        self.groups = [
-            (int(words), cubes[price == words], masks[price == words]) for words in np.unique(price)
-        ]
-
-
-def full(points: int) -> Points:
-    """The set of all points (W,)."""
-    everything: Points = packed(np.ones((1, points), dtype=np.bool_))[0]
-    return everything
-
-
-def packed(bits: NDArray[np.bool_]) -> Points:
-    """Rows of `bits` (n, points) as sets of points (n, W)."""
-    width = -(-bits.shape[1] // 64) * 8
-    raw = np.packbits(bits, axis=1, bitorder="little")
-    padded = np.zeros((len(bits), width), dtype=np.uint8)
-    padded[:, : raw.shape[1]] = raw
-    return padded.view("<u8").astype(np.uint64)
-
-
-def _count(sets: Points) -> Indices:
-    counts: Indices = np.bitwise_count(sets).sum(axis=-1, dtype=np.int64)
-    return counts
-
-
-def _disjoint(some: Points, others: Points) -> NDArray[np.bool_]:
-    none: NDArray[np.bool_] = ~np.any(some & others, axis=-1)
-    return none
 
 
 @dataclass(frozen=True)
@@ -163,7 +103,7 @@ class _Values:
 
     def left(self) -> NDArray[np.float64]:
         """What each value leaves to decide, in bits, more or less."""
-        ones, zeros = _count(self.on), _count(self.off)
+        ones, zeros = sizes(self.on), sizes(self.off)
         bits: NDArray[np.float64] = _CHOICES[ones + zeros] - _CHOICES[ones] - _CHOICES[zeros]
         return bits + _A_POINT * (ones + zeros) + _A_PAIR * np.minimum(ones, zeros)
 
@@ -331,7 +271,7 @@ class Search:
         if room <= 0:
             return values
         self._budget.spend(_STEPS_A_BATCH)
-        pure = _disjoint(planes[None], values.off[:, None])
+        pure = disjoint(planes[None], values.off[:, None])
         on = values.on
         if room >= len(planes):
             read = np.where(pure[..., None], planes[None], np.uint64(0))
@@ -339,7 +279,7 @@ class Search:
         else:
             each = np.arange(len(on))
             for _ in range(room):
-                gain = np.where(pure, _count(planes[None] & on[:, None]), 0)
+                gain = np.where(pure, sizes(planes[None] & on[:, None]), 0)
                 choice = gain.argmax(axis=1)
                 useful = (gain[each, choice] > 0)[:, None]
                 on = np.where(useful, on & ~planes[choice], on)
@@ -353,7 +293,7 @@ class Search:
             for start in range(0, len(values), batch):
                 part = values.take(np.arange(start, min(len(values), start + batch)))
                 self._budget.spend(_STEPS_A_BATCH + len(part) * cubes.size // _WORDS_A_STEP)
-                gain = _gains(cubes, part.on, part.off)
+                gain = gains(cubes, part.on, part.off)
                 most = min(top, len(cubes))
                 # Ties go to the first, whatever the processor's way of partitioning.
                 rank = gain * -len(cubes) + np.arange(len(cubes), dtype=np.int32)
@@ -375,7 +315,7 @@ class Search:
             if in_flag and not self._reads_flag:
                 return
             held = self._held[values.task]
-            pure = _disjoint(held, values.off)
+            pure = disjoint(held, values.off)
             left = np.where(pure[:, None], left & ~held, left)
         done = np.flatnonzero(~left.any(axis=1) & (self._most[values.task] >= words))
         for i, task in zip(done.tolist(), values.task[done].tolist(), strict=True):
@@ -418,10 +358,10 @@ class Search:
         """The planes that a link reads beside its cubes, no more than needed, and what is left."""
         wanted = on
         table = self._table.planes
-        pure = _disjoint(table, off[None])
+        pure = disjoint(table, off[None])
         picked: list[int] = []
         for _ in range(min(room, len(table))):
-            gain = np.where(pure, _count(table & on), 0)
+            gain = np.where(pure, sizes(table & on), 0)
             choice = int(gain.argmax())
             if gain[choice] == 0:
                 break
@@ -437,15 +377,3 @@ class Search:
                 planes.append(choice)
                 covered |= table[choice]
         return tuple(sorted(planes)), wanted & ~covered
-
-
-def _gains(cubes: Points, on: Points, off: Points) -> NDArray[np.int32]:
-    """(n, M): how many points of `on` each cube decides, 0 if it holds one of `off`."""
-    gain = np.zeros((len(on), len(cubes)), dtype=np.int32)
-    wrong = np.zeros(gain.shape, dtype=np.bool_)
-    for word in range(cubes.shape[1]):
-        row = cubes[:, word][None]
-        wrong |= (row & off[:, word, None]) != 0
-        gain += np.bitwise_count(row & on[:, word, None])
-    gain[wrong] = 0
-    return gain

@@ -102,6 +102,9 @@ def test_gives_up():
         chain(asked, SCAMP5, Budget(100))
     with pytest.raises(GaveUp, match="64 kinds of shutters"):
         chain(asked, replace(SCAMP5, registers=6), Budget(10_000))
+    many = np.arange(5000)[:, None] >> np.arange(13) & 1
+    with pytest.raises(GaveUp, match="5000 kinds of shutters, more than 4096"):
+        chain(asked_of(many), SCAMP5, Budget(10_000))
 
 
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])

@@ -1,0 +1,87 @@
+"""Sets of points as arrays of words, and all the cubes that one NOR of some planes can be.
+
+A set is an array of uint64 words (.., W), bit i of word w being point 64 w + i.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.problem import Machine
+
+Points = NDArray[np.uint64]
+Indices = NDArray[np.int64]
+
+
+def fan_in_words(sources: int, limit: int | None) -> int:
+    """Words of a NOR into a register that is not among its sources."""
+    if limit is None or sources <= limit:
+        return 1
+    return 1 + 2 * -(-(sources - limit) // (limit - 1))
+
+
+class Planes:
+    """Code planes and all the cubes that one NOR of them can be, by price.
+
+    `planes` (P, W) are sets of points; `groups` are (words, cubes (M, W), masks (M,)).
+    """
+
+    def __init__(self, planes: Points, points: int, machine: Machine) -> None:
+        self.planes = planes
+        self.everything = full(points)
+        limit = machine.or_sources
+        ors = np.zeros((1, planes.shape[1]), dtype=np.uint64)
+        for plane in planes:
+            ors = np.concatenate((ors, ors | plane))
+        masks = np.arange(len(ors), dtype=np.int64)
+        size = np.bitwise_count(masks)
+        order = np.lexsort((masks, size))[1:]
+        cubes = self.everything & ~ors[order]
+        # Of equal cubes the one with the fewest planes; never the empty cube.
+        _, first = np.unique(cubes, axis=0, return_index=True)
+        first = np.sort(first[cubes[first].any(axis=1)])
+        cubes, masks, size = cubes[first], masks[order][first], size[order][first]
+        price = np.array([fan_in_words(n, limit) for n in range(len(planes) + 1)])[size]
+        self.groups = [
+            (int(words), cubes[price == words], masks[price == words]) for words in np.unique(price)
+        ]
+
+
+def full(points: int) -> Points:
+    """The set of all points (W,)."""
+    everything: Points = packed(np.ones((1, points), dtype=np.bool_))[0]
+    return everything
+
+
+def packed(bits: NDArray[np.bool_]) -> Points:
+    """Rows of `bits` (n, points) as sets of points (n, W)."""
+    width = -(-bits.shape[1] // 64) * 8
+    raw = np.packbits(bits, axis=1, bitorder="little")
+    padded = np.zeros((len(bits), width), dtype=np.uint8)
+    padded[:, : raw.shape[1]] = raw
+    return padded.view("<u8").astype(np.uint64)
+
+
+def sizes(sets: Points) -> Indices:
+    """How many points are in each set of (.., W)."""
+    counts: Indices = np.bitwise_count(sets).sum(axis=-1, dtype=np.int64)
+    return counts
+
+
+def disjoint(some: Points, others: Points) -> NDArray[np.bool_]:
+    """Which sets of `some` (.., W) have no point of their counterpart in `others`."""
+    none: NDArray[np.bool_] = ~np.any(some & others, axis=-1)
+    return none
+
+
+def gains(cubes: Points, on: Points, off: Points) -> NDArray[np.int32]:
+    """(n, M): how many points of `on` each cube decides, 0 if it holds one of `off`."""
+    gain = np.zeros((len(on), len(cubes)), dtype=np.int32)
+    wrong = np.zeros(gain.shape, dtype=np.bool_)
+    for word in range(cubes.shape[1]):
+        row = cubes[:, word][None]
+        wrong |= (row & off[:, word, None]) != 0
+        gain += np.bitwise_count(row & on[:, word, None])
+    gain[wrong] = 0
+    return gain
