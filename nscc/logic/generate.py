@@ -11,7 +11,7 @@ from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
 # Search steps of one generator at -O0 and -O1; a step is one cofactor of a truth vector
 # of up to 512 shutters.
-SEARCH_STEPS = {0: 50_000, 1: 400_000, 2: 1_000_000, 3: 4_000_000}
+SEARCH_STEPS = {0: 50_000, 1: 400_000, 2: 500_000, 3: 4_000_000}
 
 # Where all of them gave up, they are tried again with this many: seconds instead of none at all.
 PATIENT_STEPS = 4_000_000

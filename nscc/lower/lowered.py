@@ -22,7 +22,7 @@ from nscc.words.container import DecodeTable
 from nscc.words.operations import Effect
 
 # Solutions, the best of each encoding, that are worth steps of improvement at each level.
-MOST_IMPROVED = {0: 1, 1: 1, 2: 8, 3: 16}
+MOST_IMPROVED = {0: 1, 1: 1, 2: 6, 3: 16}
 
 # Times are sums of decimal fractions: a slot just as long as its words is long enough.
 _ROUNDING = 1 + 1e-9

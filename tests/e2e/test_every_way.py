@@ -105,8 +105,8 @@ MAY_FAIL = {"NS0414", "NS0501", "NS0502", "NS0601"}
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
-def test_at_the_default_level(name: str, tmp_path: Path) -> None:
-    sweep(name, tmp_path, ("plain",), ("2",))
+def test_at_the_level_of_check(name: str, tmp_path: Path) -> None:
+    sweep(name, tmp_path, ("plain",), ("1",))
 
 
 @pytest.mark.slow

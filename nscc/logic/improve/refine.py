@@ -13,16 +13,16 @@ from nscc.logic.improve.search import improve
 from nscc.logic.problem import Machine, Problem, Solution
 
 # Every solution gets so many steps before the best go on; which is best shows only then.
-FIRST_STEPS = {2: 12_000, 3: 60_000}
+FIRST_STEPS = {2: 8_000, 3: 60_000}
 # Each of the best gets so many more. A hundred thousand steps are about a second.
-MORE_STEPS = {2: 100_000, 3: 2_000_000}
-ENRICH_STEPS = {2: 30_000, 3: 400_000}
+MORE_STEPS = {2: 60_000, 3: 2_000_000}
+ENRICH_STEPS = {2: 20_000, 3: 400_000}
 # Where kernels are kept, the first steps are so many times more: less is left to chance.
 KERNEL_SHARE = 4
 # The store's share for gates when segments are given kernels of their own; the rest is for analog
 # words.
 ROOM_SHARE = 0.75
-BEST = {2: 2, 3: 3}
+BEST = {2: 1, 3: 3}
 
 
 Price = tuple[bool, float, int, int, int]
