@@ -9,7 +9,7 @@ from nscc.logic.chain import chain
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# Search steps of one generator at -O0 and -O1; a step is one cofactor of a truth vector
+# Search steps of one generator at each level; a step is one cofactor of a truth vector
 # of up to 512 shutters.
 SEARCH_STEPS = {0: 50_000, 1: 400_000, 2: 500_000, 3: 4_000_000}
 
@@ -18,6 +18,12 @@ PATIENT_STEPS = 4_000_000
 
 # Covers of more shutters than this are tried only where nothing else works: they would not win.
 MOST_COVERED = 512
+
+# A family's member of at most so many times the words that every solution needs ends the search.
+_CLOSE = 1.1
+
+# Chains take seconds to search; they are tried where no family's member comes so near.
+_WORTH_CHAINS = {2: 3.0, 3: 1.1}
 
 Generator = Callable[[Problem, Machine, Budget], Solution]
 Family = Callable[[Problem, Machine, int], Iterator[Solution]]
@@ -81,7 +87,7 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
     if direct:
         yield min(direct, key=lambda s: len(s.planes))
         return
-    found, fewest = False, _NONE
+    found, fewest = False, float("inf")
     if level >= 2:
         for solution in _members(problem, machine, steps):
             yield solution
@@ -104,15 +110,6 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
             found = True
         if found:
             return
-
-
-_NONE = 1 << 62
-
-# A family's member of at most so many times the words that every solution needs ends the search.
-_CLOSE = 1.1
-
-# Chains take seconds to search; they are tried where no family's member comes so near.
-_WORTH_CHAINS = {2: 3.0, 3: 1.1}
 
 
 def _fewest_words(problem: Problem, machine: Machine) -> int:

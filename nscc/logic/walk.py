@@ -136,6 +136,8 @@ class _Walker:
                 self.values.pop("FLAG", None)
             if not demand.scratch_kept:
                 self.values = {k: v for k, v in self.values.items() if k[0] != "t"}
+            if script.state_in_flag:
+                self.values.pop("t0", None)  # FLAG may have waited there
             scripted = script.before.get(i, ())
             self._run(scripted)
             if self.values.get("FLAG") == demand.predicate:
