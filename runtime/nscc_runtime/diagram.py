@@ -79,7 +79,7 @@ def diagram_png(panels: Sequence[Panel], title: str, subtitle: str, error_label:
 def _figure(panels: Sequence[Panel], title: str, subtitle: str, error_label: str) -> Figure:
     from matplotlib.figure import Figure
 
-    columns = min(_MOST_COLUMNS, len(panels))
+    columns = _columns(len(panels))
     rows = math.ceil(len(panels) / columns)
     width = _LEFT + columns * _PANEL_WIDTH + (columns - 1) * _BETWEEN + _RIGHT
     height = _TOP + rows * _PANEL_HEIGHT + (rows - 1) * _ABOVE + _BOTTOM
@@ -102,6 +102,12 @@ def _figure(panels: Sequence[Panel], title: str, subtitle: str, error_label: str
         if number + columns >= len(panels):
             axes.set_xlabel("time, s", color=_INK, size=9)
     return figure
+
+
+def _columns(panels: int) -> int:
+    """The fewest that need no more rows than _MOST_COLUMNS do: no row is left half empty."""
+    rows = math.ceil(panels / _MOST_COLUMNS)
+    return math.ceil(panels / rows)
 
 
 def _time_range(panels: Sequence[Panel]) -> tuple[float, float]:
@@ -154,8 +160,8 @@ def _draw_line(axes: Axes, line: Line, colour: str, times: tuple[float, float]) 
     if line.bound:
         axes.plot(times, [line.bound] * 2, color=colour, linewidth=1, dashes=(5, 3), zorder=1)
         axes.annotate(
-            f"proved bound of {line.name}: {line.bound:g}", (times[1], line.bound), xytext=(0, 3),
-            textcoords="offset points", size=7.5, color=colour, ha="right",
+            f"proved bound of {line.name}: {line.bound:g}", (times[0], line.bound), xytext=(5, 3),
+            textcoords="offset points", size=7.5, color=colour, ha="left",
         )  # fmt: skip
     at_s, errors = [m.time_s for m in line.marks], [m.error for m in line.marks]
     axes.plot(at_s, errors, color=colour, linewidth=1.4, zorder=2)
@@ -201,7 +207,8 @@ def _name(axes: Axes, line: Line, colour: str, placed: list[float]) -> None:
     right_s = max(m.most_s for m in line.marks if abs(math.log(m.error / last.error)) < 0.03)
     low, high = (math.log(value) for value in axes.get_ylim())
     share = (math.log(last.error) - low) / (high - low)
-    step = 11 / (_PANEL_HEIGHT * 72)
+    # The number above the other line's last mark is cleared, too.
+    step = 15 / (_PANEL_HEIGHT * 72)
     while any(abs(share - other) < step for other in placed):
         share += step / 4
     placed.append(share)

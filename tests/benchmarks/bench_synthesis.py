@@ -1,4 +1,4 @@
-"""The words of decode logic at -O2 and -O3, beside the best counts known for the same cases.
+"""The words of decode logic, beside the best counts known for the same cases.
 
     python tests/benchmarks/bench_synthesis.py [--levels 2,3] [--rows TEXT] [--tables level,edges]
         [--markdown]
@@ -219,7 +219,7 @@ def lines(row: Row, lowering: str, level: int) -> Iterator[Line]:
 def main() -> None:
     """Prints the tables."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
-    parser.add_argument("--levels", default="2,3")
+    parser.add_argument("--levels", default="2", help="such as 2,3: -O3 takes a minute a row")
     parser.add_argument("--rows", default="", help="only rows whose name begins so")
     parser.add_argument("--tables", default="level,edges")
     parser.add_argument("--markdown", action="store_true")

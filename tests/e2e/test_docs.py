@@ -15,6 +15,7 @@ PAGES = (
     "README.md",
     "docs/language.md",
     "docs/levels.md",
+    "docs/encodings.md",
     "docs/cpp.md",
     "examples/README.md",
 )
