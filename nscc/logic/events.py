@@ -15,8 +15,8 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.chains import radices_of, turn_over
 from nscc.logic.cubes import Budget
+from nscc.logic.digits import radices_of, turn_over
 from nscc.logic.encodings import event_fields, event_name
 from nscc.logic.gray import cycle
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution

@@ -8,8 +8,8 @@ from itertools import islice, product
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.chains import Planes, radices_of, thermometers
 from nscc.logic.cubes import Budget
+from nscc.logic.digits import Planes, radices_of, thermometers
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from nscc.logic import chains, encodings, events, fields, spans, states, windows
-from nscc.logic.chain import chain
+from nscc.logic import encodings, events, fields, nested, spans, states, windows
+from nscc.logic.cascade import cascade
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -22,8 +22,8 @@ MOST_COVERED = 512
 # A family's member of at most so many times the words that every solution needs ends the search.
 _CLOSE = 1.1
 
-# Chains take seconds to search; they are tried where no family's member comes so near.
-_WORTH_CHAINS = {2: 3.0, 3: 1.1}
+# Cascades take seconds to search; they are tried where no family's member comes so near.
+_WORTH_CASCADES = {2: 3.0, 3: 1.1}
 
 Generator = Callable[[Problem, Machine, Budget], Solution]
 Family = Callable[[Problem, Machine, int], Iterator[Solution]]
@@ -57,13 +57,13 @@ COVERS: tuple[Generator, ...] = (
     _emitted(encodings.covered_gray_index),
 )
 # Arbitrary shutters, by search over several levels of gates: from -O2 on.
-CHAINS: tuple[Generator, ...] = (chain,)
+CASCADES: tuple[Generator, ...] = (cascade,)
 # The dearest: every shutter of every predicate by itself. Few kernels serve all of them.
 LAST: tuple[Generator, ...] = (_emitted(encodings.gray_index_wide),)
 # Families with parameters (radices, polarities), all of whose members are worth a price; from -O2.
 FAMILIES: tuple[Family, ...] = (
-    chains.digits,
-    chains.counted,
+    nested.digits,
+    nested.counted,
     windows.windows,
     windows.toggled_windows,
     spans.stored_spans,
@@ -98,8 +98,8 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
     for solution in _tries(EQUALITIES, problem, machine, steps):
         yield solution
         found = True
-    if level >= 2 and fewest > _WORTH_CHAINS[level] * least:
-        for solution in _tries(CHAINS, problem, machine, steps):
+    if level >= 2 and fewest > _WORTH_CASCADES[level] * least:
+        for solution in _tries(CASCADES, problem, machine, steps):
             yield solution
             found = True
     if found and (close or problem.shutters > MOST_COVERED):

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.bumps import Bumps, bumps_of
-from nscc.logic.chains import Planes, turn_over
 from nscc.logic.cubes import Budget
+from nscc.logic.digits import Planes, turn_over
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns, number_planes

@@ -17,8 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.bumps import Bumps, bumps_of
-from nscc.logic.chains import Planes, radices_of, turn_over
 from nscc.logic.cubes import Budget
+from nscc.logic.digits import Planes, radices_of, turn_over
 from nscc.logic.gray import cycle, rotation
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk

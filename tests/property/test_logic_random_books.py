@@ -1,4 +1,4 @@
-"""Chains for any book and any machine: every demand answered in two frames, the code kept."""
+"""Cascades for any book and any machine: every demand answered in two frames, the code kept."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from gates_oracle import asked_of, words_if_right
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nscc.logic.chain import chain
+from nscc.logic.cascade import cascade
 from nscc.logic.cubes import Budget
 from nscc.logic.problem import GaveUp, Machine
 
@@ -33,12 +33,12 @@ def books(draw):
 
 
 @given(books(), machines, st.sampled_from(["accumulate", "edges"]), st.sampled_from([3000, 20_000]))
-def test_chains_answer_every_demand(table, machine, lowering, steps):
+def test_cascades_answer_every_demand(table, machine, lowering, steps):
     asked = asked_of(table, lowering)
     if not asked.demands:
         return
     try:
-        solution = chain(asked, machine, Budget(steps))
+        solution = cascade(asked, machine, Budget(steps))
     except GaveUp:
         return
     words_if_right(asked, machine, solution)

@@ -1,4 +1,4 @@
-"""Chains: demands each of which contains the next (open until a stop) or the one before it.
+"""Nested demands: each contains the next (open until a stop) or the one before it.
 
 Every shutter then has a rank, the number of demands that hold for it, and demand d asks whether
 rank > d. Ranks are written in digits, and digits in whatever makes that comparison cheap.
@@ -16,13 +16,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget
+from nscc.logic.digits import binary_planes, radices_of, thermometers, turn_over
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
-from nscc.truth import columns, number_planes, rows
+from nscc.truth import columns, rows
 
 
 @dataclass(frozen=True)
-class Chain:
+class Nest:
     """`ranks` (shutters,) in 0 .. steps; demand i asks for rank > step[i], or, where
     `complemented[i]`, for rank <= step[i]."""
 
@@ -32,8 +33,8 @@ class Chain:
     steps: int
 
 
-def chain_of(problem: Problem) -> Chain:
-    """The chain that the demands are. Raises GaveUp where they are none."""
+def nest_of(problem: Problem) -> Nest:
+    """The ranks that nested demands give. Raises GaveUp where they are not nested."""
     kinds: dict[tuple[str, int], list[int]] = {}
     for demand in problem.demands:
         kinds.setdefault((demand.edge, demand.bucket), []).append(demand.predicate)
@@ -45,11 +46,11 @@ def chain_of(problem: Problem) -> Chain:
         for d, flip in zip(problem.demands, flips, strict=True)
     ]
     if len(wanted) < 2 or any(b & ~a for a, b in pairwise(wanted)):
-        raise GaveUp("the demands are no chain")
+        raise GaveUp("the demands are not nested")
     distinct = list(dict.fromkeys(wanted))
     number = {predicate: i for i, predicate in enumerate(distinct)}
     ranks = rows(distinct, problem.shutters).sum(axis=1).astype(np.int64)
-    return Chain(ranks, tuple(number[p] for p in wanted), flips, len(distinct))
+    return Nest(ranks, tuple(number[p] for p in wanted), flips, len(distinct))
 
 
 def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
@@ -58,21 +59,21 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
     When a digit changes, one cube per higher digit says "greater already"; what is left of each
     demand is a cube of one plane a digit.
     """
-    chain = chain_of(problem)
+    nest = nest_of(problem)
     for bits in range(4):
         turns = _turns(bits)
         room = machine.registers - bits - turns.most_cubes
         tried = 0
-        for stored in range(min(room, chain.steps), -1, -1):
-            values = chain.steps + 1 - stored
+        for stored in range(min(room, nest.steps), -1, -1):
+            values = nest.steps + 1 - stored
             if bits and values <= 1 << bits:
                 continue
             inner = radices_of(room - stored, -(-values // (1 << bits)))
             for radices in inner[:2]:
                 for negative in (False, True):
-                    if negative and (bits or not any(chain.complemented)):
+                    if negative and (bits or not any(nest.complemented)):
                         continue
-                    script = _digit_script(chain, stored, radices, bits, turns, negative)
+                    script = _digit_script(nest, stored, radices, bits, turns, negative)
                     try:
                         yield walk(problem, machine, script, Budget(steps))
                     except GaveUp:
@@ -84,28 +85,6 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
 
 # Numbers of demands stored raw that are tried, the most that fit first.
 _MOST_STORED = 2
-
-
-@cache
-def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
-    """Mixed radices, highest first, whose sum is at most `most` and product at least `least`.
-
-    Those of the smallest sum first; without digits of 1.
-    """
-    found: list[tuple[int, ...]] = []
-
-    def extend(chosen: tuple[int, ...], total: int, left: int) -> None:
-        if left <= 1:
-            found.append(chosen)
-            return
-        for radix in range(2, min(left, most - total) + 1):
-            if not chosen or radix >= chosen[-1]:
-                extend((*chosen, radix), total + radix, -(-left // radix))
-
-    if least <= 1:
-        return ((1,),)
-    extend((), 0, least)
-    return tuple(sorted(found, key=lambda r: (sum(r), len(r), int(np.prod(r))))[:6])
 
 
 @dataclass(frozen=True)
@@ -176,7 +155,7 @@ def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
 
 
 def _digit_script(
-    chain: Chain,
+    nest: Nest,
     stored: int,
     radices: tuple[int, ...],
     bits: int,
@@ -185,17 +164,17 @@ def _digit_script(
 ) -> Script:
     per_group = int(np.prod(radices))
     # The last demands are planes of their own; before them those ranks are all alike.
-    ranks = np.minimum(chain.ranks, chain.steps - stored)
-    top = _binary_planes("highest digit of the rank", ranks // per_group, bits)
+    ranks = np.minimum(nest.ranks, nest.steps - stored)
+    top = binary_planes("highest digit of the rank", ranks // per_group, bits)
     inner = thermometers(ranks % per_group, radices, negative)
-    last = range(chain.steps - stored, chain.steps)
-    raw = tuple(columns((chain.ranks > d)[:, None])[0] for d in last)
+    last = range(nest.steps - stored, nest.steps)
+    raw = tuple(columns((nest.ranks > d)[:, None])[0] for d in last)
     named = tuple(f"rank > {d}" for d in last)
     before: dict[int, tuple[Segment, ...]] = {}
     standing = [0] * bits
     done = 0
-    for i, step in enumerate(chain.step):
-        while done < min(step, chain.steps - stored) // per_group:
+    for i, step in enumerate(nest.step):
+        while done < min(step, nest.steps - stored) // per_group:
             done += 1
             for bit in turns.flips[done]:
                 standing[bit] ^= 1
@@ -207,36 +186,8 @@ def _digit_script(
     return Script(name, top[0] + inner[0] + raw, top[1] + inner[1] + named, 0, (), before, closing)
 
 
-Planes = tuple[tuple[int, ...], tuple[str, ...]]
-"""Truth vectors of planes, and what each one carries."""
-
-
-def _binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
-    return tuple(number_planes(numbers, bits)), tuple(f"{name}, bit {i}" for i in range(bits))
-
-
-def thermometers(numbers: NDArray[np.int64], radices: Sequence[int], negative: bool) -> Planes:
-    """For each digit, the highest first, a plane for each m: digit <= m, or > m if `negative`."""
-    planes: list[int] = []
-    holders: list[str] = []
-    size = int(np.prod(radices))
-    for place, radix in enumerate(radices):
-        size //= radix
-        digit = numbers // size % radix
-        for m in range(radix - 1):
-            planes += columns(((digit > m) if negative else (digit <= m))[:, None])
-            sign = ">" if negative else "<="
-            holders.append(f"digit {len(radices) - 1 - place} {sign} {m}")
-    return tuple(planes), tuple(holders)
-
-
-def turn_over(plane: int) -> Gate:
-    """Inverts a plane in place."""
-    return Gate("NOT", f"p{plane}", (f"p{plane}",))
-
-
 class _Form(Enum):
-    """Where the state of a counted chain lives: (name, registers beside the planes)."""
+    """Where the state of a counted digit lives: (name, registers beside the planes)."""
 
     DIGITS = "state in a register, digits inside"
     STATE = "state in a register"
@@ -258,13 +209,13 @@ def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
     values only. Taking it out of "greater" at each step leaves exactly what is greater, and
     no plane is ever turned over. High bits in Gray code that are turned over let kernels repeat.
     """
-    chain = chain_of(problem)
-    values = chain.steps + 1
+    nest = nest_of(problem)
+    values = nest.steps + 1
     for bits in range(2, (values - 1).bit_length() + 1):
         least = -(-values // (1 << bits))
         for form in _Form:
             if form in (_Form.PAIR, _Form.FLAG):
-                kept = problem.flag_lasts and not any(chain.complemented)
+                kept = problem.flag_lasts and not any(nest.complemented)
                 if not kept:
                     continue
             room = machine.registers - bits - _BESIDE[form]
@@ -276,7 +227,7 @@ def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
                 choices = ((inner,),) if fits else ()
             for radices in choices:
                 for low in sorted({min(low, bits) for low in _SUBMASK_BITS}, reverse=True):
-                    script = _counted_script(chain, radices, bits, low, form)
+                    script = _counted_script(nest, radices, bits, low, form)
                     try:
                         yield walk(problem, machine, script, Budget(steps))
                     except GaveUp:
@@ -284,14 +235,14 @@ def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
 
 
 def _counted_script(
-    chain: Chain, radices: tuple[int, ...], bits: int, low: int, form: _Form
+    nest: Nest, radices: tuple[int, ...], bits: int, low: int, form: _Form
 ) -> Script:
     per_group = int(np.prod(radices))
-    groups = chain.ranks // per_group
+    groups = nest.ranks // per_group
     high = groups >> low
     coded = (high ^ high >> 1) << low | groups & (1 << low) - 1
-    top = _binary_planes("highest digit of the rank", coded, bits)
-    inner = thermometers(chain.ranks % per_group, radices, False) if per_group > 1 else ((), ())
+    top = binary_planes("highest digit of the rank", coded, bits)
+    inner = thermometers(nest.ranks % per_group, radices, False) if per_group > 1 else ((), ())
     states = {_Form.DIGITS: 2, _Form.STATE: 1, _Form.TIGHT: 1}.get(form, 0)
     opening: tuple[Segment, ...] = ()
     if states:
@@ -299,7 +250,7 @@ def _counted_script(
     before: dict[int, tuple[Segment, ...]] = {}
     turned: list[int] = []
     done = -1
-    for i, step in enumerate(chain.step):
+    for i, step in enumerate(nest.step):
         while done < step // per_group:
             done += 1
             run: list[Segment] = []

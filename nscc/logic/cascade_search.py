@@ -1,4 +1,4 @@
-"""Chains of cubes: one predicate from code planes, found from its last gate backwards.
+"""Cascades of cubes: one predicate from code planes, found from its last gate backwards.
 
 The value sought must be 1 at the points `on`, 0 at the points `off` and may be anything elsewhere.
 Its last word is an OR or a NOR of cubes (each a NOR of planes, one word in a scratch register), of
@@ -35,11 +35,11 @@ _NEXT_CUBES = 2
 
 @dataclass(frozen=True)
 class Link:
-    """One link of a chain: what its value is an OR of, or a NOR if `negated`.
+    """One link of a cascade: what its value is an OR of, or a NOR if `negated`.
 
     The value goes to FLAG or to a scratch register. `cubes` are masks of planes, each a NOR in a
     scratch register of its own; `planes` are read as they are, `held` is FLAG as it stood before
-    the chain. Every link but the innermost also reads the value of the next one.
+    the cascade. Every link but the innermost also reads the value of the next one.
     """
 
     to_flag: bool
@@ -50,7 +50,7 @@ class Link:
 
 
 @dataclass(frozen=True)
-class Chain:
+class Cascade:
     """Links, the last to run first, and the words they take."""
 
     links: tuple[Link, ...]
@@ -137,11 +137,11 @@ class _Values:
 
 _Way = tuple[int, bool, tuple[int, ...], bool]
 """The value that reads this one, whether complemented, with which cubes; whether this one stands
-in FLAG (for the way that ends a chain: whether FLAG is read as it was before)."""
+in FLAG (for the way that ends a cascade: whether FLAG is read as it was before)."""
 
 
 class Search:
-    """Looks for chains over one set of planes, with `scratch` registers to compute in."""
+    """Looks for cascades over one set of planes, with `scratch` registers to compute in."""
 
     def __init__(self, planes: Planes, machine: Machine, scratch: int, budget: Budget) -> None:
         self._table = planes
@@ -153,12 +153,12 @@ class Search:
 
     def find(
         self, on: Points, held: Points, most_words: Sequence[int], width: int, most_total: int
-    ) -> list[Chain | None]:
-        """For every predicate of `on` (n, W) a chain of at most `most_words` words that leaves it
+    ) -> list[Cascade | None]:
+        """For every predicate of `on` (n, W) a cascade of at most `most_words` words that leaves it
         in FLAG; None where a beam of `width` finds none.
 
         FLAG holds `held` (n, W) before, the empty set where that is not known. The search ends
-        when the chains will hardly take as few as `most_total` words together.
+        when the cascades will hardly take as few as `most_total` words together.
         """
         count = len(on)
         none = np.zeros(count, dtype=np.int64)
@@ -308,7 +308,7 @@ class Search:
     def _finish(self, values: _Values, in_flag: bool, words: int, *, inner: bool) -> None:
         """Remembers, for every task, the first value that has nothing left to decide.
 
-        With `inner`, what FLAG held before the chain may decide the rest.
+        With `inner`, what FLAG held before the cascade may decide the rest.
         """
         left = values.on
         if inner:
@@ -325,8 +325,8 @@ class Search:
                 self._ends[task] = (words, way)
                 self._most[task] = words - 1
 
-    def _traced(self, end: tuple[int, _Way] | None, on: Points) -> Chain | None:
-        """The links of a chain that was found for `on`, with the planes that each one reads."""
+    def _traced(self, end: tuple[int, _Way] | None, on: Points) -> Cascade | None:
+        """The links of a cascade that was found for `on`, with the planes that each one reads."""
         if end is None:
             return None
         words, way = end
@@ -343,7 +343,7 @@ class Search:
             room = self._room(to_flag, cubes=bool(cubes), inner=held or i > 0)
             planes, on = self._read(on, off, cubes, room)
             links.append(Link(to_flag, negated, cubes, planes, held))
-        return Chain(tuple(links), words)
+        return Cascade(tuple(links), words)
 
     def _way(self, number: int) -> _Way:
         at = bisect_right(self._recorded, number, key=lambda entry: entry[0]) - 1

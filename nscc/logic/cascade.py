@@ -1,9 +1,9 @@
-"""Arbitrary shutters: some predicates stored, the others made from those planes by chains.
+"""Arbitrary shutters: some predicates stored, the others made from those planes by cascades.
 
 Every demand whose predicate is stored costs one word. Which predicates are stored decides what
-the others cost, so sets of them are compared by quick searches before the search for chains in
+the others cost, so sets of them are compared by quick searches before the search for cascades in
 earnest. Where the stored predicates do not tell all shutters apart, a few shutters' bits of the
-last ones are changed, and those predicates are made by chains too (short ones).
+last ones are changed, and those predicates are made by cascades too (short ones).
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.chain_search import MOST_POINTS, Chain, Search
+from nscc.logic.cascade_search import MOST_POINTS, Cascade, Search
 from nscc.logic.cubes import Budget
 from nscc.logic.encodings import asked
 from nscc.logic.gates import Gates
@@ -62,12 +62,12 @@ class _Choice:
 
 @dataclass(frozen=True)
 class _Plan:
-    """A choice, its planes (planes, points), scratch registers, and the chain of every task."""
+    """A choice, its planes (planes, points), scratch registers, and the cascade of every task."""
 
     choice: _Choice
     planes: NDArray[np.bool_]
     scratch: int
-    chains: dict[_Task, Chain]
+    cascades: dict[_Task, Cascade]
     words: int
 
 
@@ -75,8 +75,8 @@ _Task = tuple[int, int]
 """Number of a predicate, and of that which FLAG holds before, -1 if that is not known."""
 
 
-def chain(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """Stores some predicates and makes the others by chains of cubes.
+def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
+    """Stores some predicates and makes the others by cascades of cubes.
 
     Raises GaveUp where the steps do not suffice for a first solution. Once there is one, the steps
     left improve it, and running out of them only ends the search.
@@ -91,7 +91,7 @@ def chain(problem: Problem, machine: Machine, budget: Budget) -> Solution:
         if best is None:
             raise
     if best is None:
-        raise GaveUp("no chains were found")
+        raise GaveUp("no cascades were found")
     return finder.solution(best)
 
 
@@ -148,7 +148,7 @@ class _Finder:
         for task in self._tasks:
             gates = Gates(self._machine)
             if task is not None:
-                _write(gates, plan.chains[task], plan.scratch)
+                _write(gates, plan.cascades[task], plan.scratch)
             segment = gates.take()
             answers.append((segment,) if segment else ())
         shutters = plan.planes[:, points.shutters]
@@ -161,7 +161,7 @@ class _Finder:
             )
         ]
         return Solution(
-            "predicates stored, the rest by chains of cubes",
+            "predicates stored, the rest by cascades of cubes",
             tuple(columns(shutters.T)),
             tuple(holders),
             0,
@@ -187,11 +187,11 @@ class _Finder:
     def _quick_width(self) -> int:
         """The width of quick searches: narrower where even one of them takes many steps."""
         sets, points = self._sets.shape[1], self._points.bits.shape[1]
-        chains = max(1, self._points.demanded - self._machine.registers + 2)
-        # Every chain halves what is left in a few words, and looks at all cubes for each of them.
+        cascades = max(1, self._points.demanded - self._machine.registers + 2)
+        # Every cascade halves what is left in a few words, and looks at all cubes for each of them.
         links = points // 2
         cubes = min(points * 8, 1 << (self._machine.registers - 2))
-        steps = chains * (1 + links) * (20 + cubes * sets * 8 // 640)
+        steps = cascades * (1 + links) * (20 + cubes * sets * 8 // 640)
         return int(max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps))))
 
     def _first_choices(self, width: int) -> Iterator[tuple[int, ...]]:
@@ -209,11 +209,11 @@ class _Finder:
         found = self._search(planes, scratch).find(
             *self._wanted(list(times)), [min(most, _LONGEST)] * len(times), width, most - repeats
         )
-        chains = {task: one for task, one in zip(times, found, strict=True) if one is not None}
-        if len(chains) < len(times):
+        cascades = {task: one for task, one in zip(times, found, strict=True) if one is not None}
+        if len(cascades) < len(times):
             return None
-        words = sum(count * chains[task].words for task, count in times.items())
-        return _Plan(choice, planes, scratch, chains, words) if words <= most else None
+        words = sum(count * cascades[task].words for task, count in times.items())
+        return _Plan(choice, planes, scratch, cascades, words) if words <= most else None
 
     def _times(self) -> dict[_Task, int]:
         """How often each task comes in a frame."""
@@ -261,15 +261,15 @@ class _Finder:
                     yield plan
 
     def _widened(self, best: _Plan, width: int) -> Iterator[_Plan]:
-        """Shorter chains for the same planes, the longest first."""
+        """Shorter cascades for the same planes, the longest first."""
         search = self._search(best.planes, best.scratch)
-        for task, times in sorted(self._times().items(), key=lambda t: -best.chains[t[0]].words):
-            old = best.chains[task].words
+        for task, times in sorted(self._times().items(), key=lambda t: -best.cascades[t[0]].words):
+            old = best.cascades[task].words
             (found,) = search.find(*self._wanted([task]), [old - 1], width, _LONGEST)
             if found is not None:
-                chains = {**best.chains, task: found}
+                cascades = {**best.cascades, task: found}
                 words = best.words - times * (old - found.words)
-                best = replace(best, chains=chains, words=words)
+                best = replace(best, cascades=cascades, words=words)
                 yield best
 
 
@@ -308,8 +308,8 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
     return planes
 
 
-def _write(gates: Gates, found: Chain, scratch: int) -> None:
-    """The gates of a chain, the innermost link first. Values in scratch stand in t0."""
+def _write(gates: Gates, found: Cascade, scratch: int) -> None:
+    """The gates of a cascade, the innermost link first. Values in scratch stand in t0."""
     registers = [*(f"t{i}" for i in range(1, scratch)), "t0"]
     inner: list[str] = []
     for link in reversed(found.links):

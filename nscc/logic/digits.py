@@ -1,0 +1,62 @@
+"""Digits of numbers as planes: mixed radices, binary digits, thermometers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.problem import Gate
+from nscc.truth import columns, number_planes
+
+Planes = tuple[tuple[int, ...], tuple[str, ...]]
+"""Truth vectors of planes, and what each one carries."""
+
+
+@cache
+def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
+    """Mixed radices, highest first, whose sum is at most `most` and product at least `least`.
+
+    Those of the smallest sum first; without digits of 1.
+    """
+    found: list[tuple[int, ...]] = []
+
+    def extend(chosen: tuple[int, ...], total: int, left: int) -> None:
+        if left <= 1:
+            found.append(chosen)
+            return
+        for radix in range(2, min(left, most - total) + 1):
+            if not chosen or radix >= chosen[-1]:
+                extend((*chosen, radix), total + radix, -(-left // radix))
+
+    if least <= 1:
+        return ((1,),)
+    extend((), 0, least)
+    return tuple(sorted(found, key=lambda r: (sum(r), len(r), int(np.prod(r))))[:6])
+
+
+def binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
+    """The lowest `bits` binary digits of numbers (shutters,), the lowest first."""
+    return tuple(number_planes(numbers, bits)), tuple(f"{name}, bit {i}" for i in range(bits))
+
+
+def thermometers(numbers: NDArray[np.int64], radices: Sequence[int], negative: bool) -> Planes:
+    """For each digit, the highest first, a plane for each m: digit <= m, or > m if `negative`."""
+    planes: list[int] = []
+    holders: list[str] = []
+    size = int(np.prod(radices))
+    for place, radix in enumerate(radices):
+        size //= radix
+        digit = numbers // size % radix
+        for m in range(radix - 1):
+            planes += columns(((digit > m) if negative else (digit <= m))[:, None])
+            sign = ">" if negative else "<="
+            holders.append(f"digit {len(radices) - 1 - place} {sign} {m}")
+    return tuple(planes), tuple(holders)
+
+
+def turn_over(plane: int) -> Gate:
+    """Inverts a plane in place."""
+    return Gate("NOT", f"p{plane}", (f"p{plane}",))
