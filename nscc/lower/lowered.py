@@ -246,7 +246,8 @@ def lower(
 
     `opens` is `levels(program)` and `writes` is `analog_writes(program, plan)`; `most_words` as
     in Lowered. Level 0 takes the first solution that fits, levels 2 and 3 improve the best ones.
-    What is already known comes from `results`.
+    No level's solution is dearer than that of the level below. What is already known comes from
+    `results`.
     """
     time = timeline(program.frame.slot_us, len(program.buckets), program.target)
     problem, actions = problem_of(program, plan, time, opens)
@@ -268,14 +269,22 @@ def lower(
         if level == 0 and candidate.fits:
             break
     found = sorted(by_encoding.values(), key=lambda each: each.price)[: MOST_IMPROVED[level]]
+    searched = known.known is None and bool(problem.demands)
+    if level >= 2 and searched and found:
+        store = program.target.store_words
+        found.insert(0, refine(found, problem, machine, level, priced, store))
+    if level > 0 and searched and (level > 1 or not found or not found[0].fits):
+        # More steps end some generators elsewhere and leave out others: not always better.
+        below = lower(program, plan, level - 1, opens, writes, results, most_words)
+        if isinstance(below, Lowered):
+            found.append(below)
     if not found:
         return Misfit(
             "no generator found gates in "
             f"{len(program.target.digital_registers)} digital registers",
             searched=True,
         )
-    if level < 2 or known.known is not None or not problem.demands:
-        return found[0]
-    best = refine(found, problem, machine, level, priced, program.target.store_words)
-    known.keep(best.solution)
+    best = min(found, key=lambda each: each.price)
+    if level >= 2 and searched:
+        known.keep(best.solution)
     return best

@@ -2,14 +2,21 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import pytest
+from lowering_oracle import lowered_as, program_from
 from nscc_command import invoke
 
 from nscc.diagnostics.model import Rejected
+from nscc.logic.problem import Machine, Problem
+from nscc.lower import lowered
 from nscc.pipeline import LEVELS, Options, compile_file, compile_source
 from nscc.source import Source
+from nscc.target.load import builtin_target
 
 TEXTS = {
     "b": "frame 40 slots of 1ms code stop : 0..39 open when n < stop",
@@ -29,6 +36,36 @@ def test_more_effort_never_costs_words(name: str, lowering: str) -> None:
         compiled = compile_source(Source("p.nsl", f"nsl 1 {TEXTS[name]}"), Path(), options)
         words.append(compiled.lowered.schedule.words_total)
     assert words == sorted(words, reverse=True)
+
+
+def test_more_effort_fits_where_less_does() -> None:
+    """A cover of many small equalities takes more words, but fits a small store."""
+    n = np.arange(33)
+    bumps = np.array([(a <= n) & (b > n) for a in range(33) for b in range(a + 1, 34)])
+    some = np.random.default_rng(0).permutation(len(bumps))[:505]
+    target = replace(builtin_target("scamp5"), store_words=300)
+    program = program_from(bumps[some], target=target)
+    prices = [lowered_as(program, "accumulate", level).price for level in (0, 1)]
+    assert not prices[0][0]
+    assert prices == sorted(prices, reverse=True)
+
+
+def test_the_levels_below_are_tried_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever more steps make of a search that ends elsewhere."""
+    n = np.arange(9)
+    program = program_from([(a <= n) & (n < b) for a in range(9) for b in range(a + 1, 10)])
+    real = lowered.solutions
+    prices = []
+    for level in (1, 2, 3):
+        worse = 0 if level == 1 else level
+
+        def stunted(problem: Problem, machine: Machine, asked: int, worse: int = worse) -> Any:
+            found = real(problem, machine, 1)
+            return iter(()) if asked == worse else found
+
+        monkeypatch.setattr(lowered, "solutions", stunted)
+        prices.append(lowered_as(program, "accumulate", level).price)
+    assert prices == sorted(prices, reverse=True)
 
 
 @pytest.mark.parametrize("level", [-1, 4])
