@@ -93,15 +93,19 @@ def schedule(
         i for i, w in enumerate(boundaries[0][0]) if w.operation.effect is Effect.RESET_PIX
     )
     setup_us = _time_us(boundaries[0][0][: exposed + 1], target) + target.launch_us
-    held = (*refreshed, *allocation.state_registers)
-    if held:
-        for n in time.refresh_at or ():
+    apart: set[Words] = set()
+    for n in time.refresh_at or ():
+        # A state that nobody has written yet in this frame is nobody's.
+        written = {register for run in boundaries[:n] for words_ in run for word in words_
+                   for register in word.destinations}  # fmt: skip
+        held = (*refreshed, *(r for r in allocation.state_registers if r in written))
+        if held:
             boundaries[n].insert(0, refresh_words(held, allocation))
+            apart.add(boundaries[n][0])
     if refreshed:
         boundaries[plan.slots].append(refresh_words(refreshed, allocation))
     # A refresh inside the frame comes at a few boundaries only, each unlike the others: launched
     # by itself it is stored once and leaves them alike.
-    apart = {refresh_words(held, allocation)} if held and time.refresh_at else set()
     for form in (_merged(boundaries, apart), boundaries):
         kernels, launches = _shared(form)
         result = Schedule(allocation, kernels, launches, setup_us, refreshed)

@@ -23,6 +23,8 @@ KERNEL_SHARE = 4
 # words.
 ROOM_SHARE = 0.75
 BEST = {2: 1, 3: 3}
+# Where words do not fit, so many of the cheapest are improved with their kernels kept as well.
+MOST_KEPT = 2
 
 
 Price = tuple[bool, float, int, int, int]
@@ -76,20 +78,31 @@ class _Refinery(Generic[P]):
         self._machine = machine
         self._level = level
         self._priced = priced
-        self._room = int(store_words * ROOM_SHARE)
+        # With more demands than words in the store, kernels must come again and again: few of them
+        # are worth more than the words that many would save.
+        self._scarce = len(problem.demands) > store_words
+        self._room = 0 if self._scarce else int(store_words * ROOM_SHARE)
 
     def best(self, candidates: Sequence[P]) -> P:
         """Improves all a little and the best of them more."""
         steps = FIRST_STEPS[self._level]
-        first = sorted((self._first(c, steps) for c in candidates), key=_price)
+        first = sorted(
+            (self._first(c, steps, i < MOST_KEPT) for i, c in enumerate(candidates)), key=_price
+        )
         more = [self._more(found, kept) for _, found, kept in first[: BEST[self._level]]]
         best = min([*more, *(found for _, found, _ in first), *candidates], key=_least)
-        return min(best, self._balanced(best), key=_least)
+        return best if self._scarce else min(best, self._balanced(best), key=_least)
 
-    def _first(self, candidate: P, steps: int) -> tuple[Price, P, bool]:
-        """(price, improved, whether equal segments had to be kept equal)."""
+    def _first(self, candidate: P, steps: int, patient: bool) -> tuple[Price, P, bool]:
+        """(price, improved, whether equal segments had to be kept equal).
+
+        Unless `patient`, they are not: what does not fit then is given up.
+        """
+        if self._scarce:
+            kept = self._kept(candidate.solution, steps)
+            return kept.price, kept, True
         found = self._form(self._improved(candidate.solution, steps))
-        if found.price[0]:
+        if found.price[0] and patient:
             # Rewritten freely, segments share no kernels any more.
             other = self._kept(candidate.solution, KERNEL_SHARE * steps)
             if other.price < found.price:
@@ -112,7 +125,7 @@ class _Refinery(Generic[P]):
         """The solution improved with equal segments kept equal: with room for more of them than
         there are now, and without."""
         found = []
-        for room in (self._room, 0):
+        for room in sorted({self._room, 0}, reverse=True):
             budget = Budget(steps)
             shorter = improve(
                 solution, self._problem, self._machine, budget, keep_kernels=True, room=room
