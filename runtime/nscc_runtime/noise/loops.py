@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.noise.binomial import binomial
-from nscc_runtime.noise.counter import bits, compiled, unit
+from nscc_runtime.noise.counter import bits, compiled, inlined, unit
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.poisson import (
     SEARCH_BELOW,
@@ -31,7 +31,7 @@ _FIRST_LANE = np.uint64(0)
 _SLOT_LANES = np.uint64(1 << 32)
 
 
-@compiled
+@inlined
 def uniform(key: np.uint64, pixel: int) -> float:
     """The first uniform number of a key at a pixel."""
     return unit(bits(key, pixel, _FIRST_LANE))
