@@ -7,7 +7,7 @@ from scipy.special import ndtr
 from scipy.stats import poisson as law
 
 from nscc_runtime.noise.keys import philox
-from nscc_runtime.noise.poisson import SEARCH_BELOW, SETTLED_ABOVE, quantile
+from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
 
 HALF = 1 << 32
 

@@ -10,10 +10,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.noise.binomial import binomial
+from nscc_runtime.noise.binomial_law import binomial
 from nscc_runtime.noise.counter import bits, compiled, inlined, unit
 from nscc_runtime.noise.gaussian import normal
-from nscc_runtime.noise.poisson import (
+from nscc_runtime.noise.poisson_law import (
     SEARCH_BELOW,
     SETTLED_ABOVE,
     poisson_exact,

@@ -1,7 +1,7 @@
 """Binomial counts from one uniform number, for spreading a count over slots.
 
 The count never decreases in u, in the chance p of each trial or in the number n of trials while
-the other two stay, up to rounding (see `nscc_runtime.noise.poisson`). Importing this module
+the other two stay, up to rounding (see `nscc_runtime.noise.poisson_law`). Importing this module
 imports numba.
 """
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from nscc_runtime.noise.counter import compiled
 from nscc_runtime.noise.gaussian import normal
-from nscc_runtime.noise.poisson import deviance, stirling_error
+from nscc_runtime.noise.poisson_law import deviance, stirling_error
 
 SEARCH_BELOW = 10.0
 """Below this mean (of the rarer outcome) the search starts from 0."""
