@@ -100,6 +100,9 @@ def _above(k: float, rate: float, mass: float) -> float:
 @compiled
 def search(u: float, rate: float) -> float:
     """The smallest count whose distribution function reaches u, for rates up to SEARCH_BELOW."""
+    # exp(-rate) is not below 1 - rate, which costs nothing.
+    if u <= 1.0 - rate:
+        return 0.0
     mass = math.exp(-rate)
     total, k = mass, 0
     while u > total and k < _SEARCHED - 1:
