@@ -1,0 +1,12 @@
+"""Random numbers for the sensor's effects: each a pure function of a key and of a pixel's place.
+
+A pixel's place is its flat index row * cols + col in the whole array, so that tiles, threads and
+order change no bit.
+"""
+
+from __future__ import annotations
+
+from nscc_runtime.noise.arrays import RATE_CAP, normals, poisson, thin, uniforms
+from nscc_runtime.noise.keys import key
+
+__all__ = ["RATE_CAP", "key", "normals", "poisson", "thin", "uniforms"]
