@@ -1,4 +1,4 @@
-"""What readers of a user's TOML files share: the text with its values, places of keys, spellings."""
+"""What readers of TOML files share: the text with its values, places of keys, spellings."""
 
 from __future__ import annotations
 

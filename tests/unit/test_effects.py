@@ -63,7 +63,8 @@ def test_predictions_follow_the_formulas() -> None:
     scene = Statistics(mean_e=900.0, rms_e=1000.0, reads=4.0, resets=2.0, open_s=0.5, rms_open_s=1)
     sensor = replace(
         SENSOR, read_noise_e=3.0, reset_noise_e=5.0, prnu_fraction=0.02,
-        dark_current_e_per_s=8.0, dark_spread_fraction=0.0, adc_noise_lsb=2.0, electrons_per_lsb=6.0,
+        dark_current_e_per_s=8.0, dark_spread_fraction=0.0,
+        adc_noise_lsb=2.0, electrons_per_lsb=6.0,
     )  # fmt: skip
     expected = {
         "shot": 30.0, "prnu": 20.0, "read": 6.0, "reset": 50**0.5, "dark": 68**0.5,

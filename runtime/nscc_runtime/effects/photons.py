@@ -13,6 +13,7 @@ from nscc_runtime.sensor.model import Sensor
 
 LIGHT, DARK = 0, 1
 """Sources of charge, in the keys of counts."""
+_SOURCES = 2
 
 SHOT = Effect(
     name="shot",
@@ -48,3 +49,13 @@ def response(sensor: Sensor, device_seed: int, pixels: NDArray[np.int64]) -> NDA
     """The factor of each pixel."""
     z = normals(key(device_seed, PRNU.stream), pixels)
     return np.asarray(np.maximum(1.0 + sensor.prnu_fraction * z, 0.0))
+
+
+def count_key(seed: int, effect: Effect, source: int, frame: int, group: int) -> np.uint64:
+    """The key of the counts of a group of slots."""
+    return key(seed, effect.stream, source, frame, group)
+
+
+def thinning_key(seed: int, effect: Effect, source: int, frame: int, group: int) -> np.uint64:
+    """The key with which these counts are spread over the slots of the group."""
+    return key(seed, effect.stream, _SOURCES + source, frame, group)
