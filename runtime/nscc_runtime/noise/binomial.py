@@ -1,0 +1,169 @@
+"""Binomial counts from one uniform number, for spreading a count over slots.
+
+The count never decreases in u, in the chance p of each trial or in the number n of trials while
+the other two stay, up to rounding (see `nscc_runtime.noise.poisson`). Importing this module
+imports numba.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from nscc_runtime.noise.counter import compiled
+from nscc_runtime.noise.gaussian import normal
+from nscc_runtime.noise.poisson import deviance, stirling_error
+
+SEARCH_BELOW = 10.0
+"""Below this mean (of the rarer outcome) the search starts from 0."""
+
+EXACT_BELOW = 1e8
+"""From this variance on the formula gives another count than the search with a probability that is
+about 1e-15 n p, by rounding."""
+
+_SEARCHED = 80
+_INVERSE = np.array([0.0, *(1.0 / k for k in range(1, _SEARCHED))])
+
+
+@compiled
+def _log1p(x: float) -> float:
+    """log(1 + x) for x > -1, a few last places off (Kahan's quotient)."""
+    w = 1.0 + x
+    return x if w == 1.0 else x * (np.log(w) / (w - 1.0))
+
+
+@compiled
+def _mass(k: float, n: float, p: float, q: float) -> float:
+    """The probability of k: Loader, "Fast and accurate computation of binomial probabilities"."""
+    if k == 0.0:
+        return np.exp(n * _log1p(-p))
+    if k == n:
+        return np.exp(n * np.log(p))
+    rest = n - k
+    log_mass = stirling_error(n) - stirling_error(k) - stirling_error(rest)
+    log_mass -= deviance(k, n * p) + deviance(rest, n * q)
+    return np.exp(log_mass) * math.sqrt(n / (2.0 * np.pi * k * rest))
+
+
+@compiled
+def _up_to(k: float, n: float, odds: float, mass: float) -> float:
+    """The probability of at most k, from that of k; `odds` is p / q."""
+    total, term, j = mass, mass, k
+    while j > 0.0 and term > 1e-17 * total:
+        term *= j / ((n - j + 1.0) * odds)
+        total += term
+        j -= 1.0
+    return total
+
+
+@compiled
+def _above(k: float, n: float, odds: float, mass: float) -> float:
+    """The probability of more than k, from that of k."""
+    if k >= n:
+        return 0.0
+    j = k + 1.0
+    term = mass * (n - k) * odds / j
+    total = term
+    while j < n and term > 1e-17 * total:
+        term *= (n - j) * odds / (j + 1.0)
+        total += term
+        j += 1.0
+    return total
+
+
+@compiled
+def _search(u: float, n: float, p: float) -> float:
+    """The smallest count whose distribution function reaches u, for n p up to SEARCH_BELOW."""
+    odds = p / (1.0 - p)
+    mass = np.exp(n * _log1p(-p))
+    total, k = mass, 0
+    while u > total and k < _SEARCHED - 1 and k < n:
+        mass *= (n - k) * odds * _INVERSE[k + 1]
+        if total + mass == total:
+            break
+        total += mass
+        k += 1
+    return float(k)
+
+
+@compiled
+def _walk(u: float, n: float, p: float, near: float) -> float:
+    """The smallest count whose distribution function reaches u, sought from `near` on."""
+    q = 1.0 - p
+    odds = p / q
+    k = min(max(near, 0.0), n)
+    mass = _mass(k, n, p, q)
+    if u < 0.5:
+        total = _up_to(k, n, odds, mass)
+        while k > 0.0 and total - mass >= u:
+            total -= mass
+            mass *= k / ((n - k + 1.0) * odds)
+            k -= 1.0
+        while k < n and total < u:
+            mass *= (n - k) * odds / (k + 1.0)
+            total += mass
+            k += 1.0
+        return k
+    v = 1.0 - u
+    total = _above(k, n, odds, mass)
+    while k > 0.0 and total + mass <= v:
+        total += mass
+        mass *= k / ((n - k + 1.0) * odds)
+        k -= 1.0
+    while k < n and total > v:
+        mass *= (n - k) * odds / (k + 1.0)
+        total -= mass
+        k += 1.0
+    return k
+
+
+@compiled
+def quantile(z: float, n: float, p: float) -> float:
+    """What rounded down is the count at the normal quantile z, for n p from SEARCH_BELOW on.
+
+    Cornish and Fisher's expansion of the smooth distribution that agrees at all k + 1/2 (Sheppard's
+    correction of the cumulants), to order 1 / sigma.
+    """
+    q = 1.0 - p
+    spread = n * p * q
+    variance = spread - 1 / 12
+    sigma = math.sqrt(variance)
+    skew = spread * (q - p) / (variance * sigma)
+    excess = (spread * (1.0 - 6.0 * p * q) + 1 / 120) / (variance * variance)
+    square = z * z
+    shape = skew * (square - 1.0) / 6 + z * (square - 3.0) * excess / 24
+    shape -= skew * skew * z * (2.0 * square - 5.0) / 36
+    return n * p + 0.5 + sigma * (z + shape)
+
+
+@compiled
+def _rarer(u: float, n: float, p: float) -> float:
+    """The count for p up to 1/2."""
+    if n * p < SEARCH_BELOW:
+        return _search(u, n, p)
+    z = normal(u)
+    x = quantile(z, n, p)
+    k = np.floor(x)
+    variance = n * p * (1.0 - p)
+    if variance < EXACT_BELOW:
+        square = z * z
+        error = 0.02 * (1.0 + square * square) / variance + 1e-15 * n * p
+        if x - k <= error or x - k >= 1.0 - error:
+            return _walk(u, n, p, k)
+    return min(max(k, 0.0), n)
+
+
+@compiled
+def binomial(u: float, n: float, p: float) -> float:
+    """How many of n trials succeed: the smallest count whose distribution function reaches u.
+
+    n is a whole number from 0 to 2**53, p lies in [0, 1], u in [2**-53, 1 - 2**-53].
+    """
+    if n <= 0.0 or p <= 0.0:
+        return 0.0
+    if p >= 1.0:
+        return n
+    if p <= 0.5:
+        return _rarer(u, n, p)
+    return n - _rarer(1.0 - u, n, 1.0 - p)

@@ -1,0 +1,68 @@
+"""Uniform numbers from a key and a counter: a hash, so no state and no order.
+
+Philox4x32-10: Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3",
+SC 2011, which passes BigCrush. `nscc_runtime.noise.keys.philox` is the same function for Python.
+
+The functions are scalar and compiled by numba: other loops may call them, and LLVM makes vectors of
+them. Importing this module imports numba.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeVar, cast
+
+import numba
+import numpy as np
+
+_F = TypeVar("_F", bound=Callable[..., object])
+
+
+def compiled(function: _F) -> _F:
+    """A function that compiled loops may call."""
+    return cast(_F, numba.njit(nogil=True, error_model="numpy")(function))
+
+
+_HALF = np.uint64(32)
+_MASK = np.uint64(0xFFFF_FFFF)
+_MULTIPLIER_0 = np.uint64(0xD251_1F53)
+_MULTIPLIER_1 = np.uint64(0xCD9E_8D57)
+_WEYL_0 = np.uint64(0x9E37_79B9)
+_WEYL_1 = np.uint64(0xBB67_AE85)
+
+_SHIFT_52 = np.uint64(12)
+_ONE_TO_TWO = np.uint64(0x3FF0_0000_0000_0000)
+_SHIFT_23 = np.uint64(9)
+
+
+@compiled
+def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
+    """64 random bits. `lane` tells several numbers of one key and pixel apart; 0 is the first."""
+    place = np.uint64(pixel)
+    a, b = place & _MASK, place >> _HALF
+    c, d = lane & _MASK, lane >> _HALF
+    k, m = key & _MASK, key >> _HALF
+    for _ in range(10):
+        x, y = a * _MULTIPLIER_0, c * _MULTIPLIER_1
+        a, b, c, d = (y >> _HALF) ^ b ^ k, y & _MASK, (x >> _HALF) ^ d ^ m, x & _MASK
+        k, m = (k + _WEYL_0) & _MASK, (m + _WEYL_1) & _MASK
+    return a | (b << _HALF)
+
+
+@compiled
+def unit(random: np.uint64) -> float:
+    """The odd multiple of 2**-53 inside (0, 1) that the upper 52 of 64 bits pick.
+
+    Symmetric about 1/2, and 1 - u is exact.
+    """
+    # The bits become the fraction of a number in [1, 2): no conversion of integers, which not
+    # every processor has for vectors.
+    fraction = np.uint64((random >> _SHIFT_52) | _ONE_TO_TWO).view(np.float64) - 1.0
+    return fraction + 2.0**-53
+
+
+@compiled
+def unit32(random: np.uint32) -> np.float32:
+    """The odd multiple of 2**-24 inside (0, 1) that the upper 23 of 32 bits pick, in float32."""
+    index = np.float32(np.int32(np.uint64(random) >> _SHIFT_23))
+    return (index + np.float32(0.5)) * np.float32(2.0**-23)
