@@ -23,7 +23,7 @@ from nscc_runtime.effects.photons import (
 )
 from nscc_runtime.effects.timing import LAG, MOTION
 from nscc_runtime.light import Light
-from nscc_runtime.noise import poisson, thin
+from nscc_runtime.noise import RATE_CAP, poisson, thin
 from nscc_runtime.sensor.model import Sensor
 
 Charge = NDArray[np.float64]
@@ -108,7 +108,12 @@ def _counted(
     stream: tuple[int, Effect, int, int],
     valid: NDArray[np.bool_],
 ) -> Charge:
-    """Counts (N, pixels) of Poisson processes with these rates; clears `valid` where none is."""
+    """Counts (N, pixels) of Poisson processes with these rates.
+
+    Clears `valid` where a rate is NaN; rates below 0 count as 0, above `RATE_CAP` as that.
+    """
+    valid &= ~np.isnan(rates).any(axis=0)
+    rates = np.clip(np.nan_to_num(rates, nan=0.0, posinf=RATE_CAP), 0.0, RATE_CAP)
     counted = np.zeros_like(rates)
     for group in np.unique(groups.of_slot[lanes]):
         among = group == groups.of_slot[lanes].T
