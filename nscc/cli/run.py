@@ -181,8 +181,11 @@ def _exposed(
         exact = expose(container, light, device_seed=options["device_seed"])
         frame = frame_file.read_out(exact, container.target, sensor)
         return frame_file.repeated(frame, repeat) if repeat else frame
+    from nscc_runtime.noise.compiled import is_compiled as noise_is_compiled
     from nscc_runtime.reference import frames
 
+    if not noise_is_compiled():
+        done("compiling the noise's loops for this processor: once, some seconds")
     made = frames(
         container,
         light,
