@@ -19,7 +19,7 @@ SHELL := /bin/bash
 
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
-LOOPS := $(BIN)/python -m nscc_runtime.emulator.compiled
+LOOPS := nscc_runtime.emulator.compiled nscc_runtime.noise.compiled
 EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
@@ -50,9 +50,9 @@ $(VENV)/.test-installed: $(VENV)/.installed
 	@touch $@
 
 # Compiled ahead, so that no command has to wait for a compiler, even where Python may not cache.
-$(VENV)/.compiled: $(VENV)/.installed $(wildcard runtime/nscc_runtime/emulator/*.py)
+$(VENV)/.compiled: $(VENV)/.installed $(wildcard runtime/nscc_runtime/*/*.py)
 	@echo "compiling the emulator's loops"
-	$(LOOPS)
+	for module in $(LOOPS); do $(BIN)/python -m $$module; done
 	$(BIN)/python -m compileall -q nscc runtime/nscc_runtime training/nscc_training
 	@touch $@
 

@@ -12,8 +12,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.noise.compiled import entry_points
-
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.int64]
 
@@ -44,9 +42,9 @@ def poisson(
     Rates below 0 count as 0, rates above `RATE_CAP` as `RATE_CAP`. Where the rate is NaN the count
     is 0 and not valid. The count never decreases in the rate.
 
-    Both samplers invert the distribution function at `uniforms` of the same key and pixel. `exact`
-    is the reference (`nscc_runtime.noise.poisson.poisson_exact`); otherwise rates from 10 on take
-    the formula of `poisson_fast`, within 2e-4 of the Poisson distribution in total variation.
+    Both samplers of `nscc_runtime.noise.poisson_law` invert the distribution function at `uniforms`
+    of the same key and pixel. `exact` is the reference, `poisson_exact`; otherwise rates from 10 on
+    take the formula of `poisson_fast`, within 2e-4 of the Poisson distribution in total variation.
     Raises ValueError for a rate of another shape.
     """
     if np.shape(rate) != np.shape(pixels):
@@ -92,6 +90,8 @@ def _filled(
     shape: tuple[int, ...] | None = None,
 ) -> Floats:
     """What a loop makes of the pixels; `parts` are its further sizes and arrays, in order."""
+    from nscc_runtime.noise.compiled import entry_points
+
     pixels = np.asarray(pixels)
     if not (np.issubdtype(pixels.dtype, np.integer) and (pixels.size == 0 or pixels.min() >= 0)):
         raise ValueError("a pixel's place is a whole number from 0 on")

@@ -23,6 +23,11 @@ def compiled(function: _F) -> _F:
     return cast(_F, numba.njit(nogil=True, error_model="numpy")(function))
 
 
+def inlined(function: _F) -> _F:
+    """The same, made part of each loop that calls it: LLVM makes vectors of no other calls."""
+    return cast(_F, numba.njit(nogil=True, error_model="numpy", forceinline=True)(function))
+
+
 _HALF = np.uint64(32)
 _MASK = np.uint64(0xFFFF_FFFF)
 _MULTIPLIER_0 = np.uint64(0xD251_1F53)
@@ -35,7 +40,7 @@ _ONE_TO_TWO = np.uint64(0x3FF0_0000_0000_0000)
 _SHIFT_23 = np.uint64(9)
 
 
-@compiled
+@inlined
 def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
     """64 random bits. `lane` tells several numbers of one key and pixel apart; 0 is the first."""
     place = np.uint64(pixel)
@@ -49,7 +54,7 @@ def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
     return a | (b << _HALF)
 
 
-@compiled
+@inlined
 def unit(random: np.uint64) -> float:
     """The odd multiple of 2**-53 inside (0, 1) that the upper 52 of 64 bits pick.
 
@@ -61,7 +66,7 @@ def unit(random: np.uint64) -> float:
     return fraction + 2.0**-53
 
 
-@compiled
+@inlined
 def unit32(random: np.uint32) -> np.float32:
     """The odd multiple of 2**-24 inside (0, 1) that the upper 23 of 32 bits pick, in float32."""
     index = np.float32(np.int32(np.uint64(random) >> _SHIFT_23))

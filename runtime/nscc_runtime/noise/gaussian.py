@@ -16,7 +16,7 @@ from statistics import NormalDist
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.noise.counter import compiled
+from nscc_runtime.noise.counter import inlined
 
 _TERMS = 8
 _CELL_BITS = 5
@@ -35,7 +35,7 @@ def _taylor(z: float) -> list[float]:
     for n in range(1, _TERMS):
         value = math.fsum(c * z**i for i, c in enumerate(polynomial))
         terms.append(value / math.factorial(n) / density**n)
-        slope = [i * c for i, c in enumerate(polynomial)][1:] + [0, 0]
+        slope = [*(i * c for i, c in enumerate(polynomial) if i), 0, 0]
         polynomial = [s + n * c for s, c in zip(slope, [0, *polynomial], strict=True)]
     return terms
 
@@ -61,7 +61,7 @@ def _table() -> NDArray[np.float64]:
 _TABLE = _table()
 
 
-@compiled
+@inlined
 def normal(u: float) -> float:
     """The standard normal quantile of u in [2**-53, 1 - 2**-53]; relative error below 1e-12."""
     v = u if u < 0.5 else 1.0 - u
@@ -69,7 +69,7 @@ def normal(u: float) -> float:
     cell = cell if cell < _LAST else _LAST
     t = np.int64((cell + _FIRST + np.int64(1)) << _SHIFT).view(np.float64) - v
     at = cell * _TERMS
-    z = _TABLE[at + 7]
+    z: float = _TABLE[at + 7]
     z = _TABLE[at + 6] + t * z
     z = _TABLE[at + 5] + t * z
     z = _TABLE[at + 4] + t * z

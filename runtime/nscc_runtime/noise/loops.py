@@ -10,15 +10,16 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.noise.binomial import binomial
-from nscc_runtime.noise.counter import bits, compiled, unit
+from nscc_runtime.noise.binomial_law import binomial
+from nscc_runtime.noise.counter import bits, compiled, inlined, unit
 from nscc_runtime.noise.gaussian import normal
-from nscc_runtime.noise.poisson import (
+from nscc_runtime.noise.poisson_law import (
     SEARCH_BELOW,
     SETTLED_ABOVE,
     poisson_exact,
     poisson_fast,
     quantile,
+    search,
 )
 
 # Pointers; typed as arrays, which is how they are used.
@@ -27,11 +28,14 @@ Ints = NDArray[np.int64]
 Floats = NDArray[np.float64]
 Flags = NDArray[np.uint8]
 
+_BLOCK = 512
+"""Pixels drawn together: light differs little along a row, so most blocks are of one kind."""
+
 _FIRST_LANE = np.uint64(0)
 _SLOT_LANES = np.uint64(1 << 32)
 
 
-@compiled
+@inlined
 def uniform(key: np.uint64, pixel: int) -> float:
     """The first uniform number of a key at a pixel."""
     return unit(bits(key, pixel, _FIRST_LANE))
@@ -43,6 +47,20 @@ def _drawable(rate: float, cap: float) -> float:
     if rate > 0.0:
         return rate if rate < cap else cap
     return 0.0
+
+
+@compiled
+def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> None:
+    """out[i] := the formula's count at the uniform number out[i]: no branch, so LLVM makes vectors.
+
+    Rates that have no formula are taken as SEARCH_BELOW.
+    """
+    for i in range(first, stop):
+        out[i] = normal(out[i])
+    for i in range(first, stop):
+        known = rate[i] if rate[i] > SEARCH_BELOW else SEARCH_BELOW
+        x = np.floor(quantile(out[i], known if known < top else top))
+        out[i] = x if x > 0.0 else 0.0
 
 
 def fill_uniforms(sizes: Ints, key: Keys, pixels: Ints, out: Floats) -> None:
@@ -65,27 +83,29 @@ def fill_poisson(
     `sizes` are how many, and 1 for exact counts; `cap` is one number.
     """
     count, top, stream = sizes[0], cap[0], key[0]
-    for i in range(count):
-        valid[i] = rate[i] == rate[i]
-    if sizes[1]:
-        for i in range(count):
-            out[i] = poisson_exact(uniform(stream, pixels[i]), _drawable(rate[i], top))
-        return
-    low = 0
-    for i in range(count):
-        low += not rate[i] >= SETTLED_ABOVE
-    # Two loops without a branch, of which LLVM makes vectors; then the few that need more.
-    if low < count:
-        for i in range(count):
-            out[i] = normal(uniform(stream, pixels[i]))
-        for i in range(count):
-            known = rate[i] if rate[i] > SEARCH_BELOW else SEARCH_BELOW
-            x = np.floor(quantile(out[i], known if known < top else top))
-            out[i] = x if x > 0.0 else 0.0
-    if low:
-        for i in range(count):
-            if not rate[i] >= SETTLED_ABOVE:
-                out[i] = poisson_fast(uniform(stream, pixels[i]), _drawable(rate[i], top))
+    for first in range(0, count, _BLOCK):
+        stop = min(first + _BLOCK, count)
+        low = 0
+        for i in range(first, stop):
+            valid[i] = rate[i] == rate[i]
+            low += not rate[i] >= SETTLED_ABOVE
+        for i in range(first, stop):
+            out[i] = uniform(stream, pixels[i])
+        if sizes[1]:
+            for i in range(first, stop):
+                out[i] = poisson_exact(out[i], _drawable(rate[i], top))
+        elif low == stop - first:
+            for i in range(first, stop):
+                known, u = _drawable(rate[i], top), out[i]
+                # The search is made part of this loop; the whole sampler would stay a call.
+                out[i] = search(u, known) if known < SEARCH_BELOW else poisson_fast(u, known)
+        else:
+            _formula(rate, top, first, stop, out)
+            # The uniform numbers are gone; only those that are needed once more are made again.
+            for i in range(first, stop if low else first):
+                if not rate[i] >= SETTLED_ABOVE:
+                    u = uniform(stream, pixels[i])
+                    out[i] = poisson_fast(u, _drawable(rate[i], top))
 
 
 def fill_thin(

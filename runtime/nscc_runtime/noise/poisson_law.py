@@ -15,7 +15,7 @@ import math
 
 import numpy as np
 
-from nscc_runtime.noise.counter import compiled
+from nscc_runtime.noise.counter import compiled, inlined
 from nscc_runtime.noise.gaussian import normal
 
 SEARCH_BELOW = 10.0
@@ -55,7 +55,7 @@ def stirling_error(k: float) -> float:
 def deviance(x: float, mean: float) -> float:
     """x log(x / mean) + mean - x without cancellation, for x and mean above 0."""
     if abs(x - mean) >= 0.1 * (x + mean):
-        return x * np.log(x / mean) + mean - x
+        return x * math.log(x / mean) + mean - x
     v = (x - mean) / (x + mean)
     total, power = (x - mean) * v, 2.0 * x * v
     for j in range(1, 20):
@@ -68,9 +68,9 @@ def deviance(x: float, mean: float) -> float:
 def _mass(k: float, rate: float) -> float:
     """The probability of k: Loader, "Fast and accurate computation of binomial probabilities"."""
     if k == 0.0:
-        return np.exp(-rate)
+        return math.exp(-rate)
     scale = math.sqrt(2.0 * np.pi * k)
-    return np.exp(-stirling_error(k) - deviance(k, rate)) / scale
+    return math.exp(-stirling_error(k) - deviance(k, rate)) / scale
 
 
 @compiled
@@ -100,7 +100,10 @@ def _above(k: float, rate: float, mass: float) -> float:
 @compiled
 def search(u: float, rate: float) -> float:
     """The smallest count whose distribution function reaches u, for rates up to SEARCH_BELOW."""
-    mass = np.exp(-rate)
+    # exp(-rate) is not below 1 - rate, which costs nothing.
+    if u <= 1.0 - rate:
+        return 0.0
+    mass = math.exp(-rate)
     total, k = mass, 0
     while u > total and k < _SEARCHED - 1:
         mass *= rate * _INVERSE[k + 1]
@@ -143,7 +146,7 @@ def _walk(u: float, rate: float, near: float) -> float:
     return k
 
 
-@compiled
+@inlined
 def quantile(z: float, rate: float) -> float:
     """What rounded down is the count at the normal quantile z, for rates from SEARCH_BELOW on.
 
@@ -152,10 +155,11 @@ def quantile(z: float, rate: float) -> float:
     0.012 (1 + |z|**5) / rate**1.5 where the result is above 1/2 (measured to |z| = 8.2).
     """
     root, square = math.sqrt(rate), z * z
-    order_1 = 1 / 3 + square / 6
-    order_2 = z * (1 / 36 + square / 72) / root
-    order_3 = (-8 / 405 + square * (7 / 810 + square / 270)) / rate
-    return rate + root * z + order_1 - order_2 + order_3
+    inverse = 1.0 / root
+    order_1 = 1 / 3 + square * (1 / 6)
+    order_2 = z * (1 / 36 + square * (1 / 72))
+    order_3 = square * (7 / 810 + square * (1 / 270)) - 8 / 405
+    return rate + root * z + order_1 + (order_3 * inverse - order_2) * inverse
 
 
 @compiled
@@ -170,7 +174,7 @@ def poisson_exact(u: float, rate: float) -> float:
         return search(u, rate)
     z = normal(u)
     x = quantile(z, rate)
-    k = np.floor(x)
+    k = math.floor(x)
     if rate < EXACT_BELOW:
         square = z * z
         error = 0.02 * (1.0 + abs(z) * square * square) / (rate * math.sqrt(rate)) + 1e-15 * rate
@@ -187,6 +191,6 @@ def poisson_fast(u: float, rate: float) -> float:
     """
     if rate < SEARCH_BELOW:
         return search(u, rate)
-    k = max(np.floor(quantile(normal(u), rate)), 0.0)
+    k = max(math.floor(quantile(normal(u), rate)), 0.0)
     # The formula's error at the crossover must not let a greater rate give a smaller count.
     return max(k, search(u, SEARCH_BELOW)) if rate < SETTLED_ABOVE else k

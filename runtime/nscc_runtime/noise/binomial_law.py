@@ -1,7 +1,7 @@
 """Binomial counts from one uniform number, for spreading a count over slots.
 
 The count never decreases in u, in the chance p of each trial or in the number n of trials while
-the other two stay, up to rounding (see `nscc_runtime.noise.poisson`). Importing this module
+the other two stay, up to rounding (see `nscc_runtime.noise.poisson_law`). Importing this module
 imports numba.
 """
 
@@ -13,7 +13,7 @@ import numpy as np
 
 from nscc_runtime.noise.counter import compiled
 from nscc_runtime.noise.gaussian import normal
-from nscc_runtime.noise.poisson import deviance, stirling_error
+from nscc_runtime.noise.poisson_law import deviance, stirling_error
 
 SEARCH_BELOW = 10.0
 """Below this mean (of the rarer outcome) the search starts from 0."""
@@ -30,20 +30,20 @@ _INVERSE = np.array([0.0, *(1.0 / k for k in range(1, _SEARCHED))])
 def _log1p(x: float) -> float:
     """log(1 + x) for x > -1, a few last places off (Kahan's quotient)."""
     w = 1.0 + x
-    return x if w == 1.0 else x * (np.log(w) / (w - 1.0))
+    return x if w == 1.0 else x * (math.log(w) / (w - 1.0))
 
 
 @compiled
 def _mass(k: float, n: float, p: float, q: float) -> float:
     """The probability of k: Loader, "Fast and accurate computation of binomial probabilities"."""
     if k == 0.0:
-        return np.exp(n * _log1p(-p))
+        return math.exp(n * _log1p(-p))
     if k == n:
-        return np.exp(n * np.log(p))
+        return math.exp(n * math.log(p))
     rest = n - k
     log_mass = stirling_error(n) - stirling_error(k) - stirling_error(rest)
     log_mass -= deviance(k, n * p) + deviance(rest, n * q)
-    return np.exp(log_mass) * math.sqrt(n / (2.0 * np.pi * k * rest))
+    return math.exp(log_mass) * math.sqrt(n / (2.0 * np.pi * k * rest))
 
 
 @compiled
@@ -76,7 +76,7 @@ def _above(k: float, n: float, odds: float, mass: float) -> float:
 def _search(u: float, n: float, p: float) -> float:
     """The smallest count whose distribution function reaches u, for n p up to SEARCH_BELOW."""
     odds = p / (1.0 - p)
-    mass = np.exp(n * _log1p(-p))
+    mass = math.exp(n * _log1p(-p))
     total, k = mass, 0
     while u > total and k < _SEARCHED - 1 and k < n:
         mass *= (n - k) * odds * _INVERSE[k + 1]
@@ -144,7 +144,7 @@ def _rarer(u: float, n: float, p: float) -> float:
         return _search(u, n, p)
     z = normal(u)
     x = quantile(z, n, p)
-    k = np.floor(x)
+    k = math.floor(x)
     variance = n * p * (1.0 - p)
     if variance < EXACT_BELOW:
         square = z * z

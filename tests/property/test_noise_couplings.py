@@ -1,0 +1,121 @@
+"""Noise under any rates, floats drawn by their bits: coupled, whole, and the same in any order."""
+
+from __future__ import annotations
+
+import math
+import struct
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from nscc_runtime.noise import RATE_CAP, key, normals, poisson, thin, uniforms
+from nscc_runtime.noise.binomial_law import binomial
+from nscc_runtime.noise.poisson_law import poisson_exact, poisson_fast
+
+STEP = 2.0**-53
+
+
+def of_bits(bits: int) -> float:
+    return struct.unpack("<d", struct.pack("<Q", bits))[0]
+
+
+any_float = st.integers(0, 2**64 - 1).map(of_bits)
+rates = st.integers(0, 0x7FEF_FFFF_FFFF_FFFF).map(of_bits)
+drawable = rates.map(lambda rate: min(rate, RATE_CAP))
+# Rates where something happens: uniform over the exponents from 2**-40 to 2**40.
+common = st.integers((1023 - 40) << 52, (1023 + 40) << 52).map(of_bits)
+units = st.integers(0, 2**52 - 1).map(lambda k: (2 * k + 1) * STEP)
+tails = st.tuples(st.integers(1, 52), st.booleans()).map(
+    lambda part: 1 - 2.0 ** -part[0] if part[1] else 2.0 ** -part[0]
+)
+any_unit = st.one_of(units, tails)
+
+
+@given(any_unit, st.one_of(drawable, common), st.one_of(drawable, common))
+def test_counts_never_decrease_in_the_rate(u, a, b):
+    low, high = sorted((a, b))
+    for sampler in (poisson_exact, poisson_fast):
+        assert sampler(u, low) <= sampler(u, high)
+
+
+@given(any_unit, common, st.integers(1, 40))
+def test_counts_never_decrease_in_rates_that_are_neighbours(u, rate, steps):
+    higher = rate + steps * math.ulp(rate)
+    for sampler in (poisson_exact, poisson_fast):
+        assert sampler(u, rate) <= sampler(u, higher)
+
+
+@given(any_unit, any_unit, st.one_of(drawable, common))
+def test_counts_never_decrease_in_the_uniform_number(a, b, rate):
+    low, high = sorted((a, b))
+    for sampler in (poisson_exact, poisson_fast):
+        assert sampler(low, rate) <= sampler(high, rate)
+
+
+@given(any_unit, st.floats(9.0, 20.0), st.floats(9.0, 20.0))
+def test_the_fast_sampler_is_in_order_about_its_crossover(u, a, b):
+    low, high = sorted((a, b))
+    assert poisson_fast(u, low) <= poisson_fast(u, high)
+    assert abs(poisson_fast(u, low) - poisson_exact(u, low)) <= 1
+
+
+@given(any_unit, st.integers(0, 10**9), units, units)
+def test_binomial_counts_never_decrease_in_the_chance(u, n, a, b):
+    low, high = sorted((a, b))
+    assert 0 <= binomial(u, float(n), low) <= binomial(u, float(n), high) <= n
+
+
+@given(any_unit, st.integers(0, 10**6), st.integers(0, 10**6), units)
+def test_binomial_counts_never_decrease_in_the_trials(u, a, b, p):
+    low, high = sorted((a, b))
+    assert binomial(u, float(low), p) <= binomial(u, float(high), p)
+
+
+@given(st.lists(any_float, min_size=1, max_size=30), st.booleans(), st.integers(0, 2**64 - 1))
+def test_any_bits_give_whole_counts_or_are_flagged(values, exact, seed):
+    rate = np.array(values)
+    counts, valid = poisson(key(seed, 1), np.arange(len(values)), rate, exact=exact)
+    assert np.array_equal(valid, ~np.isnan(rate))
+    assert np.all(counts == np.floor(counts))
+    assert np.all((counts >= 0) & (counts <= RATE_CAP + 10 * math.sqrt(RATE_CAP)))
+    assert not counts[~valid].any()
+    assert not counts[rate <= 0].any()
+
+
+@given(
+    st.lists(st.integers(0, 10**7), min_size=1, max_size=6),
+    st.lists(st.integers(0, 0x7FCF_FFFF_FFFF_FFFF).map(of_bits), min_size=1, max_size=8),
+    st.integers(0, 2**64 - 1),
+)
+def test_spreading_loses_nothing(counts, shares, seed):
+    if not sum(shares) > 0:
+        shares = [*shares, 1.0]
+    pixels = np.arange(len(counts))
+    spread = thin(key(seed, 2), pixels, np.array(counts, float), np.array(shares))
+    assert np.array_equal(spread.sum(axis=1), counts)
+    assert not spread[:, np.array(shares) == 0].any()
+
+
+@given(st.data())
+def test_pixels_in_any_order_and_pieces(data):
+    n = data.draw(st.integers(1, 70))
+    first = data.draw(st.integers(0, 2**40))
+    order = np.array(data.draw(st.permutations(range(n))))
+    cut = data.draw(st.integers(0, n))
+    exact = data.draw(st.booleans())
+    stream = key(data.draw(st.integers(0, 2**64 - 1)), 3)
+    pixels = first + np.arange(n)
+    rate = np.array(data.draw(st.lists(common, min_size=n, max_size=n)))
+    whole = poisson(stream, pixels, rate, exact=exact)[0]
+    assert np.array_equal(poisson(stream, pixels[order], rate[order], exact=exact)[0], whole[order])
+    pieces = [
+        poisson(stream, pixels[part], rate[part], exact=exact)[0]
+        for part in (slice(cut), slice(cut, None))
+    ]
+    assert np.array_equal(np.concatenate(pieces), whole)
+    shares = np.array([0.2, 0.5, 0.3])
+    spread = thin(stream, pixels, whole, shares)
+    assert np.array_equal(thin(stream, pixels[order], whole[order], shares), spread[order])
+    for draw in (uniforms, normals):
+        assert np.array_equal(draw(stream, pixels[order]), draw(stream, pixels)[order])

@@ -1,0 +1,42 @@
+"""Hard case 3, noise: any number of threads, any tile size, the same bits."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from nscc_runtime.noise import key, normals, poisson, thin
+
+ROWS, COLS = 96, 130
+STREAM = key(123, 4, 1, 2, 3)
+PIXELS = np.arange(ROWS * COLS).reshape(ROWS, COLS)
+RATES = 10.0 ** np.random.default_rng(1).uniform(-6, 8, (ROWS, COLS))
+SHARES = np.array([3.0, 0.0, 1.0, 0.25, 1e-6])
+
+
+def drawn(part):
+    """Everything that is drawn for one tile: (rows, cols, values)."""
+    pixels, rates = PIXELS[part], RATES[part]
+    fast, _ = poisson(STREAM, pixels, rates, exact=False)
+    exact, _ = poisson(STREAM, pixels, rates, exact=True)
+    spread = thin(STREAM, pixels.reshape(-1), exact.reshape(-1), SHARES)
+    layers = [normals(STREAM, pixels), fast, exact, *spread.T.reshape(-1, *pixels.shape)]
+    return np.stack(layers, axis=-1)
+
+
+@pytest.mark.parametrize("tile", [(96, 130), (1, 130), (96, 1), (7, 13), (64, 64)])
+@pytest.mark.parametrize("threads", [1, 2, 3, 8])
+def test_case_03_tiles_and_threads_change_no_bit(tile, threads):
+    parts = [
+        (slice(y, y + tile[0]), slice(x, x + tile[1]))
+        for y in range(0, ROWS, tile[0])
+        for x in range(0, COLS, tile[1])
+    ]
+    whole = drawn(np.s_[:, :])
+    tiled = np.full_like(whole, np.nan)
+    with ThreadPoolExecutor(threads) as pool:
+        for part, values in zip(reversed(parts), pool.map(drawn, reversed(parts)), strict=True):
+            tiled[part] = values
+    assert np.array_equal(tiled.view(np.int64), whole.view(np.int64))

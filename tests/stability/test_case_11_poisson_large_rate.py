@@ -1,0 +1,20 @@
+"""Hard case 11: rate 1e9: mean and variance are the rate."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from nscc_runtime.noise import key, poisson
+
+
+@pytest.mark.parametrize("exact", [False, True])
+def test_case_11_mean_and_variance(exact):
+    n, rate = 200_000, 1e9
+    counts, valid = poisson(key(1, 1), np.arange(n), np.full(n, rate), exact=exact)
+    assert valid.all()
+    assert np.array_equal(counts, np.floor(counts))
+    assert abs(counts.mean() - rate) < 5 * math.sqrt(rate / n)
+    assert abs(counts.var() / rate - 1) < 0.016

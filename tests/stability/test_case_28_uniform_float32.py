@@ -1,0 +1,27 @@
+"""Hard case 28: a float32 uniform number from 32 random bits lies strictly inside (0, 1)."""
+
+from __future__ import annotations
+
+import numba
+import numpy as np
+import pytest
+
+from nscc_runtime.noise.counter import unit32
+
+
+@numba.njit
+def _all(first, out):
+    for i in range(len(out)):
+        out[i] = unit32(np.uint32(first + 256 * i))
+
+
+@pytest.mark.parametrize("lowest", [0, 255], ids=["low bits 0", "low bits 1"])
+def test_case_28_all_of_2_to_the_24(lowest):
+    found = np.empty(2**24, np.float32)
+    _all(lowest, found)
+    assert found.min() == np.float32(2.0**-24)
+    assert found.max() == np.float32(1) - np.float32(2.0**-24)
+    assert np.isfinite(np.log(found)).all()
+    steps = found.astype(np.float64) * 2.0**24
+    # In order, evenly spread, and each number as often as every other.
+    assert np.array_equal(steps, 2.0 * (np.arange(2**24) // 2) + 1)

@@ -1,0 +1,70 @@
+"""Hard case 29: the search ends, and the variance is right as well as the mean."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from nscc_runtime.noise import key, poisson
+from nscc_runtime.noise.binomial_law import binomial
+from nscc_runtime.noise.poisson_law import poisson_exact, poisson_fast
+
+BLOCK = 1_000_000
+
+
+def check_moments(rate, blocks, exact):
+    rates = np.full(BLOCK, rate)
+    total = squares = 0.0
+    for block in range(blocks):
+        pixels = np.arange(block * BLOCK, (block + 1) * BLOCK)
+        counts, _ = poisson(key(29, 1), pixels, rates, exact=exact)
+        total += counts.sum()
+        squares += (counts * counts).sum()
+    n = blocks * BLOCK
+    mean = total / n
+    variance = squares / n - mean * mean
+    assert abs(mean - rate) < 5 * math.sqrt(rate / n)
+    assert abs(variance - rate) < 5 * math.sqrt((rate + 2 * rate * rate) / n)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("exact", [False, True])
+@pytest.mark.parametrize("rate", [1e-3, 0.1, 1.0, 12.0])
+def test_case_29_moments_of_50_million(rate, exact):
+    check_moments(rate, 50, exact)
+
+
+@pytest.mark.parametrize("rate", [1e-3, 0.1, 1.0, 12.0])
+def test_case_29_moments(rate):
+    check_moments(rate, 3, True)
+
+
+@pytest.mark.parametrize("sampler", [poisson_exact, poisson_fast])
+def test_case_29_ends_at_every_rate_and_at_both_ends(sampler):
+    ends = [2.0**-k for k in range(1, 54)]
+    for rate in (
+        0.0,
+        5e-324,
+        1e-300,
+        1e-17,
+        1e-16,
+        0.1,
+        9.999999,
+        10.0,
+        11.0,
+        999_999.0,
+        1e6,
+        1e12,
+    ):
+        for u in ends:
+            low, high = sampler(u, rate), sampler(1 - u, rate)
+            assert 0 <= low <= high <= rate + 9 * math.sqrt(rate) + 15 + (16 if rate > 1 else 0)
+
+
+def test_case_29_the_binomial_search_ends():
+    for u in (2.0**-53, 2.0**-52, 1e-9, 0.5, 1 - 1e-9, 1 - 2.0**-52, 1 - 2.0**-53):
+        for n in (1.0, 2.0, 19.0, 1e3, 1e6, 1e9, 2.0**53):
+            for p in (5e-324, 1e-300, 1e-16, 1e-9, 0.01, 0.5, 0.99, 1 - 1e-16):
+                assert 0 <= binomial(u, n, p) <= n
