@@ -21,11 +21,13 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from nscc.words.container import Container
-    from nscc_runtime.frame_file import Frame
+    from nscc_runtime.effects import Selection
+    from nscc_runtime.frame_file import Frame, Provenance
     from nscc_runtime.light import Light
+    from nscc_runtime.sensor import Sensor
 
-_UNBUILT = ("tolerance", "audit", "plan", "sensor", "sensor_set")
-"""Options of the sensor model, which this version does not have."""
+_UNBUILT = ("tolerance", "audit", "plan")
+"""Options of the planner, which this version does not have."""
 _MOST_REPEATS = 10000
 
 
@@ -59,7 +61,12 @@ class Timings:
     help="The frame file (default: NAME.frame.npz in this folder).",
 )
 @click.option("--png", type=click.Path(path_type=Path), help="Also write a picture of the frame.")
-@click.option("--effects", default="none", help="Sensor effects; this version has: none.")
+@click.option(
+    "--effects",
+    default="none",
+    show_default=True,
+    help="Sensor effects: all, none, or names; +NAME adds one, -NAME leaves one out.",
+)
 @click.option(
     "--seed", type=click.IntRange(0, 2**63 - 1), default=0, help="Seed of a frame's noise."
 )
@@ -84,13 +91,15 @@ class Timings:
     "--fidelity",
     type=click.Choice(["planned", "reference"]),
     default="planned",
-    help="The same without effects.",
+    help="reference: effects slot by slot, exactly (slow). planned: without effects only, so far.",
 )
 @click.option("--tolerance", hidden=True)
 @click.option("--audit", is_flag=True, default=None, hidden=True)
 @click.option("--plan", hidden=True)
-@click.option("--sensor", hidden=True)
-@click.option("--sensor-set", multiple=True, hidden=True)
+@click.option(
+    "--sensor", type=click.Path(path_type=Path), help="The sensor's numbers (nscc effects --toml)."
+)
+@click.option("--sensor-set", multiple=True, metavar="K=V", help="Change one of them.")
 @click.option(
     "--timings", type=click.Path(path_type=Path), help="Write seconds spent, as JSON, to a file."
 )
@@ -98,32 +107,30 @@ class Timings:
 def command(program: Path, **options: Any) -> None:
     """Expose one frame of a scene with a program, and write it as an .npz file."""
     _refuse_unbuilt(options)
+    chosen = _chosen(options)
     keep = _parse_keep(options["keep"])
     timings = Timings()
     with timings.part("compile_s"):
         container, messages = load_program(program, BuildChoice.of(options))
         container = _with_pixels(container, program, options["pixels"])
+    from nscc_runtime.sensor import load_sensor
+
+    sensor = load_sensor(container.target, options["sensor"], options["sensor_set"])
     with timings.part("scene_s"):
         light = _scene(container, options, messages)
     with timings.part("expose_s"):
-        from nscc_runtime.emulator import expose
-        from nscc_runtime.emulator.compiled import is_compiled
-        from nscc_runtime.frame_file import read_out
-
-        if not is_compiled():
-            done("compiling the emulator's loops for this processor: once, some seconds")
-        exposure = expose(container, light, device_seed=options["device_seed"])
-        frame = read_out(exposure, container.target)
+        frame = _exposed(container, light, sensor, chosen, options)
     # Not NAME.npz: that may well be the program's own data.
     out = options["out"] or Path(program.stem + ".frame.npz")
     _refuse_same(out, options["png"], options["timings"])
     with timings.part("write_s"):
-        products = _products(container, light, frame, keep, out, options, program)
+        origin = _origin(container, light, sensor, chosen, options)
+        products = _products(container, light, frame, keep, out, options, program, origin)
         write_together(products)
     if options["timings"]:
         text = json.dumps(timings.seconds, indent=2) + "\n"
         write_together({options["timings"]: text.encode()})
-    done(_summary(container, frame, [*products], options))
+    done(_summary(container, frame, [*products], chosen))
 
 
 def _refuse_unbuilt(options: dict[str, Any]) -> None:
@@ -131,17 +138,81 @@ def _refuse_unbuilt(options: dict[str, Any]) -> None:
     for name in _UNBUILT:
         if options[name]:
             option = "--" + name.replace("_", "-")
-            raise _not_here(f"{option} belongs to the sensor model", f"leave {option} out")
-    if options["effects"] != "none":
-        raise _not_here(
-            f"--effects {options['effects'][:60]} needs the sensor model",
-            "use --effects none (the default): words are executed exactly, without noise",
-        )
+            raise _not_here(f"{option} belongs to the planner of effects", f"leave {option} out")
     if options["place"] != "emulator":
         raise _not_here(
             f"--on {options['place'][:60]} needs the link to a device",
             "use --on emulator (the default)",
         )
+
+
+def _chosen(options: dict[str, Any]) -> Selection:
+    """The effects of this run; NS0750 for those that only a planner could choose or serve."""
+    from nscc_runtime.effects import selected
+
+    text = options["effects"]
+    if text.strip().partition(",")[0].strip() == "auto":
+        raise _not_here(
+            "--effects auto needs the planner of effects",
+            "name the effects: `--effects all --fidelity reference`, or --effects none",
+        )
+    chosen = selected(text)
+    if options["fidelity"] == "planned" and not chosen.noiseless:
+        raise _not_here(
+            f"--effects {text[:60]} with --fidelity planned needs the planner of effects",
+            "add --fidelity reference, or use --effects none (the default)",
+        )
+    return chosen
+
+
+def _exposed(
+    container: Container, light: Light, sensor: Sensor, chosen: Selection, options: dict[str, Any]
+) -> Frame:
+    """The frame, or with --repeat all of them."""
+    from nscc_runtime import frame_file
+
+    repeat = options["repeat"]
+    if chosen.noiseless:
+        from nscc_runtime.emulator import expose
+        from nscc_runtime.emulator.compiled import is_compiled
+
+        if not is_compiled():
+            done("compiling the emulator's loops for this processor: once, some seconds")
+        exact = expose(container, light, device_seed=options["device_seed"])
+        frame = frame_file.read_out(exact, container.target, sensor)
+        return frame_file.repeated(frame, repeat) if repeat else frame
+    from nscc_runtime.noise.compiled import is_compiled as noise_is_compiled
+    from nscc_runtime.reference import frames
+
+    if not noise_is_compiled():
+        done("compiling the noise's loops for this processor: once, some seconds")
+    made = frames(
+        container,
+        light,
+        sensor,
+        chosen,
+        seed=options["seed"],
+        device_seed=options["device_seed"],
+        count=repeat or 1,
+    )
+    found = list(progress(made, "exposing", repeat or 1))
+    return frame_file.stacked(found) if repeat else found[0]
+
+
+def _origin(
+    container: Container, light: Light, sensor: Sensor, chosen: Selection, options: dict[str, Any]
+) -> Provenance:
+    from nscc.words.file import to_bytes
+    from nscc_runtime.frame_file import Provenance, decisions
+
+    return Provenance(
+        to_bytes(container),
+        options["seed"],
+        options["device_seed"],
+        options["fidelity"],
+        sensor,
+        decisions(chosen, light.motion is not None),
+    )
 
 
 def _refuse_same(*files: Path | None) -> None:
@@ -259,28 +330,25 @@ def _products(
     out: Path,
     options: dict[str, Any],
     program: Path,
+    origin: Provenance,
 ) -> dict[Path, Product]:
     """The files of this run, by path, each ready to be written."""
-    from nscc.words.file import to_bytes
     from nscc_runtime import frame_file
 
-    origin = frame_file.Provenance(
-        to_bytes(container), options["seed"], options["device_seed"], options["fidelity"]
-    )
     shutters = None
     if "shutter" in keep:
         shutters = _replayed(container)
     kept, slots = frame_file.kept_arrays(container, light, keep, shutters)
-    whole = frame_file.repeated(frame, options["repeat"]) if options["repeat"] else frame
-    meta = frame_file.meta(container, light, whole, origin)
+    meta = frame_file.meta(container, light, frame, origin)
     products: dict[Path, Product] = {
-        out: frame_file.FrameFile(whole, meta, kept, slots, progress).write,
+        out: frame_file.FrameFile(frame, meta, kept, slots, progress).write,
     }
     if options["png"]:
         from nscc_runtime.pictures import frame_png, readouts
 
+        first = frame.frame[0] if options["repeat"] else frame.frame
         title = f"{program.name}  ·  {options['scene'].rstrip('/').rsplit('/', 1)[-1]}"
-        products[options["png"]] = frame_png(readouts(container, frame.frame), title)
+        products[options["png"]] = frame_png(readouts(container, first), title)
     return products
 
 
@@ -302,22 +370,26 @@ def _replayed(container: Container) -> NDArray[np.bool_]:
     return found
 
 
-def _summary(container: Container, frame: Frame, files: list[Path], options: dict[str, Any]) -> str:
-    """A line a bucket and a line a file."""
+def _summary(container: Container, frame: Frame, files: list[Path], chosen: Selection) -> str:
+    """A line a bucket, of the first frame, and a line a file."""
     top = 2**container.target.adc_bits - 1
     width = max(len(name) for name in container.buckets)
+    repeats = len(frame.frame) if frame.frame.ndim == 4 else 0
     lines = []
     for b, name in enumerate(container.buckets):
-        values = frame.exposure_e[b][frame.valid[b]]
-        invalid = frame.valid[b].size - values.size
-        full = int((frame.frame[b] == top).sum())
-        text = f"{name:<{width}}  {full} of {frame.frame[b].size} pixels saturated"
+        place = (0, b) if repeats else (b,)
+        codes, valid = frame.frame[place], frame.valid[place]
+        values = frame.exposure_e[place][valid]
+        invalid = valid.size - values.size
+        full = int((codes == top).sum())
+        text = f"{name:<{width}}  {full} of {codes.size} pixels saturated"
         if values.size:
             text += (
                 f", electrons {values.min():.6g} to {values.max():.6g}, mean {values.mean():.6g}"
             )
         lines.append(text + (f", {invalid} invalid" if invalid else ""))
-    if options["repeat"]:
-        lines.append(f"{options['repeat']} frames, all alike: there are no effects")
+    if repeats:
+        alike = "all alike: there are no effects" if chosen.noiseless else "the first is described"
+        lines.append(f"{repeats} frames, {alike}")
     lines += [f"wrote {path}" for path in files]
     return "\n".join(lines)

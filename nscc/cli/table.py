@@ -25,6 +25,7 @@ COMMANDS = (
     Entry("diff", "nscc.cli.diff", "Say what differs between two containers."),
     Entry("explain", "nscc.cli.explain", "Explain the code of a message."),
     Entry("targets", "nscc.cli.targets", "List the chips that nscc knows, and their limits."),
+    Entry("effects", "nscc.cli.effects", "List the sensor's effects and its parameters."),
     Entry("tradeoff", "nscc.cli.tradeoff", "Measure what more time buys."),
     Entry("doctor", "nscc.cli.doctor", "Report on this installation."),
 )
@@ -33,7 +34,6 @@ COMMANDS = (
 PLANNED = (
     "calibrate",
     "device",
-    "effects",
     "evaluate",
     "metrics",
     "reconstruct",

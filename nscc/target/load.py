@@ -7,7 +7,6 @@ have scamp5's value.
 
 from __future__ import annotations
 
-import re
 import tomllib
 from collections.abc import Mapping
 from dataclasses import replace
@@ -21,11 +20,10 @@ from nscc.source import Source, Span
 from nscc.target.model import Target
 from nscc.target.schema import KEYS, SECTIONS
 from nscc.target.values import Problem, read_values, target_values
+from nscc.toml_text import LARGEST_FILE, NotToml, parsed, span_of
 
 DEFAULT_NAME = "scamp5"
 _TABLES = Path(__file__).with_name("tables")
-_LARGEST_FILE = 64 * 1024
-_LONGEST_LINE = 1000
 
 
 def builtin_names() -> tuple[str, ...]:
@@ -138,7 +136,7 @@ def _load_file(name: str, base: Path, source: Source | None, span: Span | None) 
     at = Label(span, "this file") if source and span else None
     try:
         with open(base / name, "rb") as file:
-            data = file.read(_LARGEST_FILE + 1)
+            data = file.read(LARGEST_FILE + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         shown = ascii(name[:200])
@@ -174,48 +172,18 @@ def parse_target(data: bytes, name: str) -> Target:
 def _parsed(name: str, data: bytes) -> tuple[str, dict[str, Any]]:
     """The text of a target file and its TOML values; raises Rejected (NS0232)."""
     try:
-        if len(data) > _LARGEST_FILE:
-            raise ValueError(f"it is larger than {_LARGEST_FILE // 1024} KiB")
-        text = data.decode("utf-8-sig").replace("\r\n", "\n")
-        longest = max(map(len, text.split("\n")))
-        if longest > _LONGEST_LINE:
-            raise ValueError(f"a line has {longest} characters, {_LONGEST_LINE} are the most")
-        return text, tomllib.loads(text)
-    except UnicodeDecodeError as error:
-        reason = f"byte {error.start} is not UTF-8 text"
-    except RecursionError:
-        reason = "it is nested too deeply"
-    except ValueError as error:
-        reason = str(error).replace("\n", " ")[:200]
-    raise Rejected(
-        Diagnostic(
-            "NS0232",
-            f"the target file {name[:200]!a} is not a TOML table: {reason}",
-            helps=("`nscc targets scamp5 --toml` prints a complete file to start from",),
-        )
-    )
+        return parsed(data)
+    except NotToml as reason:
+        raise Rejected(
+            Diagnostic(
+                "NS0232",
+                f"the target file {name[:200]!a} is not a TOML table: {reason}",
+                helps=("`nscc targets scamp5 --toml` prints a complete file to start from",),
+            )
+        ) from None
 
 
 def _diagnostic(problem: Problem, source: Source) -> Diagnostic:
-    span = _span_of(source.text, problem.section, problem.key)
+    span = span_of(source.text, problem.section, problem.key)
     found = Diagnostic(problem.code, problem.message, source=source, label=Label(span))
     return replace(found, helps=(problem.help,)) if problem.help else found
-
-
-def _span_of(text: str, section: str, name: str) -> Span:
-    """Where a key stands in a TOML text; else its section's header, else the first line."""
-    current, offset, header = "", 0, Span(0, len(text.partition("\n")[0]))
-    for line in text.split("\n"):
-        stripped = line.strip()
-        opened = re.match(r"\[+\s*([^\]\s]+)\s*\]", stripped)
-        begin = offset + len(line) - len(line.lstrip())
-        if opened:
-            current = opened[1].strip("\"'")
-            if current in (section, name):
-                header = Span(begin, begin + len(opened[0]))
-            if current == name and not section:
-                return header
-        elif current == section and stripped.split("=")[0].strip().strip("\"'") == name:
-            return Span(begin, begin + len(stripped.partition("#")[0].rstrip()))
-        offset += len(line) + 1
-    return header

@@ -15,6 +15,7 @@ from typing import Any
 from nscc.diagnostics.suggest import closest
 from nscc.target.model import Target
 from nscc.target.schema import CHOICES, KEYS, SECTIONS, Key
+from nscc.toml_text import shown
 from nscc.words.operations import ANALOG_WRITE, DIGITAL_WRITE
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.+-]{0,63}")
@@ -63,7 +64,7 @@ def read_values(
             continue
         value, wrong = _checked(key, section[key.key])
         if wrong:
-            message = f"{key.path} must be {wrong}, not {_shown(section[key.key])}"
+            message = f"{key.path} must be {wrong}, not {shown(section[key.key])}"
             problems.append(Problem("NS0235", key.section, key.key, message))
         else:
             found[key.attribute] = value
@@ -77,7 +78,7 @@ def _unknown_keys(values: Mapping[str, Any]) -> list[Problem]:
         top = [key.key for key in KEYS if not key.section]
         if name in SECTIONS and name:
             if not isinstance(value, Mapping):
-                message = f"{name} must be a table of keys (a line `[{name}]`), not {_shown(value)}"
+                message = f"{name} must be a table of keys (a line `[{name}]`), not {shown(value)}"
                 problems.append(Problem("NS0235", "", name, message))
                 continue
             known = [key.key for key in KEYS if key.section == name]
@@ -101,7 +102,7 @@ def _unknown(section: str, name: str, known: list[str]) -> Problem:
         help_text = f"did you mean `{near}`?"
     else:
         help_text = f"the keys here are {', '.join(known)}"
-    return Problem("NS0233", section, name, f"{where} has no key {_shown(name)}", help_text)
+    return Problem("NS0233", section, name, f"{where} has no key {shown(name)}", help_text)
 
 
 def _missing(
@@ -199,12 +200,12 @@ def _register_problems(found: Mapping[str, Any]) -> list[Problem]:
         names = found.get(attribute, ())
         for index, name in enumerate(names):
             if name in names[:index]:
-                wrong(key, f"registers.{key} lists {_shown(name)} twice")
+                wrong(key, f"registers.{key} lists {shown(name)} twice")
             elif name not in known:
                 near = closest(name, known)
                 wrong(
                     key,
-                    f"registers.{key} lists {_shown(name)}, which no instruction word can name",
+                    f"registers.{key} lists {shown(name)}, which no instruction word can name",
                     f"did you mean {near}?" if near else f"words name {_some(known)}",
                 )
         if len(names) > 2 * len(known):
@@ -213,32 +214,18 @@ def _register_problems(found: Mapping[str, Any]) -> list[Problem]:
     analog, digital = found.get("analog_registers"), found.get("digital_registers")
     scratch = found.get("analog_scratch")
     if analog is not None and "analog_scratch" in found and scratch not in analog:
-        wrong("analog_scratch", f"analog_scratch is {_shown(scratch)}, not in registers.analog")
+        wrong("analog_scratch", f"analog_scratch is {shown(scratch)}, not in registers.analog")
     mask, masked = found.get("mask_register"), found.get("masked_register")
     if (mask is None) != (masked is None):
         one, other = ("mask", "masked") if masked is None else ("masked", "mask")
         wrong(one, f"registers.{one} is given and registers.{other} is not: give both or neither")
     elif mask is not None and mask == masked:
-        wrong("masked", f"registers.mask and registers.masked are both {_shown(mask)}")
+        wrong("masked", f"registers.mask and registers.masked are both {shown(mask)}")
     for key, name in (("mask", mask), ("masked", masked)):
         if name is not None and digital is not None and name not in digital:
-            wrong(key, f"registers.{key} is {_shown(name)}, not in registers.digital")
+            wrong(key, f"registers.{key} is {shown(name)}, not in registers.digital")
     return problems
 
 
 def _some(names: tuple[str, ...]) -> str:
     return ", ".join(names) if len(names) < 10 else f"{names[0]} to {names[-1]}"
-
-
-def _shown(value: Any) -> str:
-    """A value as a message quotes it: short, on one line, whatever it is."""
-    if isinstance(value, Mapping):
-        return "a table"
-    if isinstance(value, list | tuple):
-        return "an empty list" if not value else f"a list of {len(value)}"
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, int) and abs(value) > 10**20:
-        return "a huge number"
-    text = ascii(value) if isinstance(value, str) else str(value)
-    return text if len(text) <= 60 else text[:57] + "..."

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import json
 import zipfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import IO, Any
 
@@ -27,9 +27,12 @@ from numpy.typing import NDArray
 from nscc.diagnostics.model import Diagnostic, Rejected
 from nscc.target.model import Target
 from nscc.words.container import Container
+from nscc_runtime.effects import EFFECTS, Effect, Selection
+from nscc_runtime.effects.timing import MOTION
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256
 
 SCHEMA = "nscc-frame-1"
 KEEP = ("light", "truth", "shutter", "codes")
@@ -47,13 +50,19 @@ class Frame:
     valid: NDArray[np.bool_]
 
 
-def read_out(exposure: Exposure, target: Target) -> Frame:
-    """What the ADC makes of an exposure.
+def read_out(
+    exposure: Exposure,
+    target: Target,
+    sensor: Sensor | None = None,
+    noise_lsb: NDArray[np.float64] | float = 0.0,
+) -> Frame:
+    """What the ADC makes of an exposure, `noise_lsb` codes off before it rounds.
 
-    frame = clip(round_half_even(exposure_e / electrons_per_lsb) + offset, 0, top code). A value
-    that is no number reads 0 and is invalid; infinities read as the end of the scale. NS0742 for a
-    target whose ADC has more than 8 bits.
+    frame = clip(round_half_even(exposure_e / electrons_per_lsb) + offset, 0, top code), the figures
+    those of `sensor` (default: the target's own). A value that is no number reads 0 and is invalid;
+    infinities read as the end of the scale. NS0742 for a target whose ADC has more than 8 bits.
     """
+    sensor = sensor or default_sensor(target)
     if target.adc_bits > _MOST_BITS:
         raise Rejected(
             Diagnostic(
@@ -66,10 +75,19 @@ def read_out(exposure: Exposure, target: Target) -> Frame:
             status=2,
         )
     known = ~np.isnan(exposure.exposure_e)
-    codes = np.rint(np.where(known, exposure.exposure_e, 0.0) / target.electrons_per_lsb)
-    codes = np.clip(codes + target.adc_offset_lsb, 0, 2**target.adc_bits - 1)
+    scaled = np.where(known, exposure.exposure_e, 0.0) / sensor.electrons_per_lsb
+    codes = np.clip(np.rint(scaled + noise_lsb) + sensor.adc_offset_lsb, 0, 2**target.adc_bits - 1)
     frame = np.where(known, np.rint(codes), 0.0).astype(np.uint8)
     return Frame(frame, exposure.exposure_e, exposure.valid & known)
+
+
+def stacked(frames: Sequence[Frame]) -> Frame:
+    """Several frames of one scene, with an axis in front."""
+    return Frame(
+        np.stack([each.frame for each in frames]),
+        np.stack([each.exposure_e for each in frames]),
+        np.stack([each.valid for each in frames]),
+    )
 
 
 def repeated(frame: Frame, count: int) -> Frame:
@@ -81,45 +99,75 @@ def repeated(frame: Frame, count: int) -> Frame:
     return Frame(stack(frame.frame), stack(frame.exposure_e), stack(frame.valid))
 
 
-def sensor_values(target: Target) -> dict[str, float]:
-    """The numbers of the sensor that a frame depends on."""
-    return {
-        "adc_bits": target.adc_bits,
-        "adc_offset_lsb": target.adc_offset_lsb,
-        "electrons_per_lsb": target.electrons_per_lsb,
-        "full_well_e": target.full_well_e,
-        "register_max_e": target.register_max_e,
-        "register_min_e": target.register_min_e,
-    }
-
-
 @dataclass(frozen=True)
 class Provenance:
-    """Where a frame came from, as far as arrays do not tell."""
+    """Where a frame came from, as far as arrays do not tell.
+
+    `sensor` None is the target's own; `effects` as in `decisions`.
+    """
 
     program: bytes
     seed: int = 0
     device_seed: int = 0
     fidelity: str = "planned"
+    sensor: Sensor | None = None
+    effects: Sequence[Mapping[str, Any]] = ()
+
+
+def decisions(chosen: Selection, moving: bool) -> list[dict[str, Any]]:
+    """What became of every effect, as JSON values, for a run that keeps what it was told to.
+
+    `moving` says whether the scene is sampled. Nothing is predicted: nothing was decided by it.
+    """
+    return [
+        {
+            "name": effect.name,
+            "kind": effect.kind,
+            "decision": _decision(effect, chosen, moving),
+            "forced": effect.name in chosen.forced,
+            "reason": _reason(effect, chosen, moving),
+            "predicted_rms_e": None,
+            "predicted_bias_e": None,
+            "predicted_if_dropped_e": None,
+            "cost_ms_model": None,
+        }
+        for effect in EFFECTS
+    ]
+
+
+def _decision(effect: Effect, chosen: Selection, moving: bool) -> str:
+    if effect not in chosen:
+        return "dropped"
+    return "kept" if moving or effect is not MOTION else "absent"
+
+
+def _reason(effect: Effect, chosen: Selection, moving: bool) -> str:
+    if effect.always:
+        return "always applied"
+    if effect in chosen and effect is MOTION and not moving:
+        return "the scene's frames are the slots' integrals"
+    if effect.name in chosen.forced:
+        return "named in --effects"
+    return "part of --effects all" if effect in chosen else "not in --effects"
 
 
 def meta(container: Container, light: Light, frame: Frame, origin: Provenance) -> dict[str, Any]:
-    """The `meta` of a frame file, for a run without effects: an exact plan that drops nothing."""
+    """The `meta` of a frame file, for a run without a planner: words executed slot by slot."""
     import hashlib
 
-    sensor = json.dumps(sensor_values(container.target), sort_keys=True).encode()
+    sensor = origin.sensor or default_sensor(container.target)
     return {
         "schema": SCHEMA,
         "program_sha256": hashlib.sha256(origin.program).hexdigest(),
         "scene_sha256": light.sha256(),
-        "sensor_sha256": hashlib.sha256(sensor).hexdigest(),
+        "sensor_sha256": sensor_sha256(sensor),
         "seed": origin.seed,
         "device_seed": origin.device_seed,
         "fidelity": origin.fidelity,
         "lowering": container.notes.get("lowering"),
         "buckets": list(container.buckets),
-        "electrons_per_lsb": container.target.electrons_per_lsb,
-        "adc_offset": container.target.adc_offset_lsb,
+        "electrons_per_lsb": sensor.electrons_per_lsb,
+        "adc_offset": sensor.adc_offset_lsb,
         "exposure_scale_e": light.exposure_scale_e,
         "invalid_pixels": int(np.count_nonzero(~frame.valid)),
         "plan": {
@@ -130,7 +178,7 @@ def meta(container: Container, light: Light, frame: Frame, origin: Provenance) -
             "slot_loop_reasons": ["words are executed slot by slot"],
             "sampled_fraction": 0.0,
             "approximations": [],
-            "effects": [],
+            "effects": list(origin.effects),
         },
         "audit": None,
     }

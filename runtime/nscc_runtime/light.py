@@ -24,7 +24,8 @@ class Light:
     `frames` float32 (T, rows, cols), finite and not negative; `row_start` int64 (N + 1,);
     `frame_index` int32 and `weight` float64, both (row_start[N],). `exposure_scale_e` is the factor
     that took the scene's own numbers to electrons (to electrons a second for a still), 1 for
-    scenes given in electrons.
+    scenes given in electrons. `motion`, if the scene is sampled, is the same light with the motion
+    inside its slots; it shares `frames`.
     """
 
     frames: NDArray[np.float32]
@@ -33,6 +34,7 @@ class Light:
     weight: NDArray[np.float64]
     kind: Literal["still", "clip"]
     exposure_scale_e: float = 1.0
+    motion: Light | None = None
 
     def __post_init__(self) -> None:
         entries = int(self.row_start[-1])
@@ -146,4 +148,6 @@ class Light:
             digest.update(np.ascontiguousarray(values, kind).data)
         for frame in self.frames:
             digest.update(np.ascontiguousarray(frame, "<f4").data)
+        if self.motion is not None:
+            digest.update(self.motion.sha256().encode())
         return digest.hexdigest()

@@ -62,7 +62,7 @@ def expose(
     """
     from nscc_runtime.emulator.compiled import entry_point
 
-    _check(container, light)
+    check(container, light)
     if block < 64 or block % 64:
         raise ValueError(f"a block of {block} pixels")
     layout = Layout.of(container.target)
@@ -137,7 +137,7 @@ def _light(light: Light) -> tuple[NDArray[np.generic], ...]:
     )
 
 
-def _check(container: Container, light: Light) -> None:
+def check(container: Container, light: Light) -> None:
     """Refuse what cannot run before anything runs: the compiled loops check nothing."""
     if container.pixel_codes is None:
         raise Rejected(

@@ -18,6 +18,7 @@ from nscc_runtime.scenes.colour import Transfer, linear, luminance
 from nscc_runtime.scenes.crop import Window
 from nscc_runtime.scenes.errors import Census, rejected, size
 from nscc_runtime.scenes.exposure import Exposure
+from nscc_runtime.scenes.motion import with_motion
 from nscc_runtime.scenes.spread import spread
 
 FramesAre = Literal["integrals", "samples"]
@@ -32,7 +33,8 @@ class Options:
     """What the command line says about a scene besides its name; None: not given.
 
     `frames_are` "samples" declares that the scene moves within a frame. That motion is an effect
-    of the sensor model: with effects off a sample stands for its whole frame, as an integral does.
+    of the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as
+    an integral does.
     """
 
     exposure: Exposure | None = None
@@ -169,7 +171,8 @@ def _electrons(request: _Request, found: NDArray[np.float32]) -> Light:
     if found.ndim == 3:
         light = Light.of_clip(found)
         factor = 1.0 if wanted is None else exposure.scale(light.total_e(), wanted, request.name)
-        return light if wanted is None else Light.of_clip(found, factor)
+        clip = light if wanted is None else Light.of_clip(found, factor)
+        return with_motion(clip) if request.options.frames_are == "samples" else clip
     seconds = request.slot_s
     if wanted is not None:
         factor = _still_scale(request, found, wanted)
@@ -252,8 +255,13 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
         raise timing.too_short(request.name, have, need, request.slots, request.options.fps)
     if fps is None:
         factor = exposure.scale(frames.sum(axis=0, dtype=np.float64), wanted, request.name)
-        return Light.of_clip(frames, factor)
-    return spread(frames, timing.overlaps(request.slot_us, fps), wanted, request.name)
+        clip = Light.of_clip(frames, factor)
+        return with_motion(clip) if request.options.frames_are == "samples" else clip
+    parts = timing.overlaps(request.slot_us, fps)
+    clip = spread(frames, parts, wanted, request.name)
+    if request.options.frames_are == "samples":
+        return with_motion(clip, parts.seconds, float(fps))
+    return clip
 
 
 def _luminance(

@@ -1,0 +1,9 @@
+"""The reference emulator: words and sensor effects, slot by slot, in float64."""
+
+from __future__ import annotations
+
+from nscc_runtime.reference.capture import Reference, expose
+from nscc_runtime.reference.charge import Scene
+from nscc_runtime.reference.frames import frames
+
+__all__ = ["Reference", "Scene", "expose", "frames"]

@@ -1,0 +1,235 @@
+"""The reference: the words of a program executed slot by slot in float64, with sensor effects.
+
+A frame starts with arbitrary values in PIX and the analog registers, fixed by the device seed. The
+charge of slot n falls on PIX between boundaries n and n + 1. PIX counts from its reset level, which
+is the zero of the scale. Everything random is keyed (`nscc_runtime.noise`), so neither the chunks
+of rows nor the other effects change a draw.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET, held
+from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER, leak_per_s, pattern_e, soft
+from nscc_runtime.effects.timing import DEAD_TIME, DECAY
+from nscc_runtime.emulator.capture import check
+from nscc_runtime.interface import Exposure
+from nscc_runtime.light import Light
+from nscc_runtime.noise import key, uniforms
+from nscc_runtime.reference.charge import Groups, Scene, charge_of_rows
+from nscc_runtime.reference.noise import SpreadNoise
+from nscc_runtime.reference.trace import AnalogWord, analog_words
+from nscc_runtime.reference.weights import Weights, backward, error_sign, orthonormal
+from nscc_runtime.sensor.model import Sensor
+
+Values = NDArray[np.float64]
+
+_CELLS = 1 << 21
+"""Most slots x pixels of a chunk of rows: some ten arrays of that size are alive at once."""
+_DESTINATIONS = 4
+"""More than a word has: draws of errors are numbered word by word, destination by destination."""
+_START = 0
+"""The stream of what registers hold when a frame starts; effects have streams from 1."""
+
+
+@dataclass(frozen=True, eq=False)
+class Reference:
+    """A program made ready: its words, its groups of slots, how noise reaches its exposures."""
+
+    container: Container
+    sensor: Sensor
+    effects: Selection
+    words: tuple[AnalogWord, ...]
+    groups: Groups
+    draws: Mapping[str, Mapping[int, Weights]]
+
+    @classmethod
+    def of(cls, container: Container, sensor: Sensor, effects: Selection) -> Reference:
+        """Raises Rejected where the words open no shutters (NS0442) or cannot run."""
+        if container.pixel_codes is None:
+            raise ValueError("a container without pixels")
+        fresh = analog_words(container)
+        weights = backward(container, fresh)
+        opened = weights.open()
+        bits = np.int64(1) << np.arange(len(container.buckets), dtype=np.int64)
+        # After decay other lanes may act; the draws stay those of the words as they were meant.
+        words = fresh
+        if DECAY in effects:
+            words = analog_words(container, sensor.digital_retention_us)
+        draws: dict[str, Mapping[int, Weights]] = {}
+        if READ in effects:
+            draws[READ.name] = orthonormal(weights.reads)
+        if RESET in effects:
+            draws[RESET.name] = orthonormal(weights.resets)
+        if ANALOG in effects:
+            errors = backward(container, fresh, sensor.analog_gain).errors
+            draws[ANALOG.name] = orthonormal(
+                {number * _DESTINATIONS + i: found for (number, i), found in errors.items()}
+            )
+        lane = container.table.shutter_of_code[container.pixel_codes].astype(np.intp)
+        groups = Groups(np.ascontiguousarray((opened @ bits).T), lane)
+        return cls(container, sensor, effects, words, groups, draws)
+
+    def expose(self, scene: Scene, seed: int = 0, device_seed: int = 0, frame: int = 0) -> Exposure:
+        """Frame number `frame` of a scene."""
+        container = self.container
+        rows, cols = scene.light.shape
+        exposure = np.empty((len(container.buckets), rows, cols))
+        valid = np.empty((rows, cols), np.bool_)
+        step = max(1, _CELLS // (container.slots * cols))
+        for begin in range(0, rows, step):
+            part = range(begin, min(begin + step, rows))
+            charge, good = charge_of_rows(
+                scene, self.groups, self.sensor, self.effects, (seed, device_seed), frame, part
+            )
+            chunk = slice(part.start, part.stop)
+            places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
+            pixels = _Pixels(self, places, seed, device_seed, frame)
+            found = pixels.run(charge.reshape(container.slots, -1))
+            exposure[:, chunk] = found.reshape(-1, len(part), cols)
+            valid[chunk] = good
+        return Exposure(exposure, np.isfinite(exposure) & valid)
+
+
+def expose(
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    effects: Selection,
+    *,
+    seed: int = 0,
+    device_seed: int = 0,
+    frame: int = 0,
+    previous: Light | None = None,
+) -> Exposure:
+    """Run `container`'s words over `light` with `effects` of `sensor`, slot by slot, in float64.
+
+    `frame` numbers the repeats of a scene; `previous` is what the array saw in the frame before,
+    the same light unless given. Raises Rejected as `nscc_runtime.emulator.expose` does, and NS0442
+    for words that open no shutters.
+    """
+    check(container, light)
+    scene = scene_of(container, light, previous)
+    return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame)
+
+
+def scene_of(container: Container, light: Light, previous: Light | None = None) -> Scene:
+    """The light of a frame, the one before it (the same unless given), the slots of a program."""
+    if previous is not None:
+        check(container, previous)
+    slot_s = np.array(container.slot_us, np.float64) * 1e-6
+    return Scene(light, light if previous is None else previous, slot_s)
+
+
+class _Pixels:
+    """Some pixels while the words of one frame run. All arrays are (pixels,)."""
+
+    def __init__(
+        self, program: Reference, places: NDArray[np.int64], seed: int, device_seed: int, frame: int
+    ) -> None:
+        self.program = program
+        self.sensor, self.effects = program.sensor, program.effects
+        self.container = program.container
+        self.lanes = program.groups.lane.reshape(-1)[places]
+        names = ("PIX", *self.container.target.analog_registers)
+        start = {
+            name: uniforms(key(device_seed, _START, group=i), places)
+            for i, name in enumerate(names)
+        }
+        # Well inside the range, so that a program that reads what it has not written is far off.
+        self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
+        self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
+        self.reset_e = np.zeros(len(places))
+        self.noise = {
+            effect.name: SpreadNoise(
+                seed, effect.stream, frame, program.draws[effect.name],
+                len(self.container.buckets), self.lanes, places,
+            )
+            for effect in (READ, RESET, ANALOG)
+            if effect in self.effects
+        }  # fmt: skip
+        if ANALOG in self.effects:
+            self.pattern = pattern_e(self.sensor, device_seed, places)
+        if LEAKAGE in self.effects:
+            self.leak = leak_per_s(self.sensor, device_seed, places)
+
+    def run(self, charge: Values) -> Values:
+        """The exposures (buckets, pixels) of a frame of `charge` (N, pixels)."""
+        slots = self.container.slots
+        words = iter(self.program.words)
+        word = next(words, None)
+        for n in range(slots + 1):
+            slot = min(n, slots - 1)
+            fallen = 0.0
+            while word is not None and word.boundary == n:
+                if DEAD_TIME in self.effects:
+                    now = word.after_us / self.container.slot_us[slot]
+                    now = now if n == slots else min(now, 1.0)
+                    self._fall(charge[slot] * (now - fallen))
+                    fallen = now
+                self._run(word)
+                word = next(words, None)
+            if n < slots:
+                self._fall(charge[n] * (1.0 - fallen) if fallen else charge[n])
+                if LEAKAGE in self.effects:
+                    kept = np.exp(-self.leak * (self.container.slot_us[n] * 1e-6))
+                    for name in self.register:
+                        self.register[name] = self.register[name] * kept
+        return self._read_out()
+
+    def _fall(self, charge: Values) -> None:
+        self.charge = self.charge + charge
+        if FULL_WELL in self.effects:
+            self.charge = held(self.charge, self.sensor.full_well_e)
+
+    def _run(self, word: AnalogWord) -> None:
+        here = word.lanes[self.lanes]
+        if not here.any():
+            return
+        if word.resets:
+            self.charge = np.where(here, 0.0, self.charge)
+            if RESET in self.effects:
+                level = self.sensor.reset_noise_e * self.noise[RESET.name].draw(word.number)
+                self.reset_e = np.where(here, level, self.reset_e)
+            return
+        total = np.zeros(len(self.lanes))
+        for name in word.op.sources:
+            total = total + self._source(name, word)
+        result = total / -word.op.operation.divisor
+        for index, name in enumerate(word.op.destinations):
+            value = result
+            if ANALOG in self.effects:
+                random = self.noise[ANALOG.name].draw(word.number * _DESTINATIONS + index)
+                error = self.pattern + self.sensor.analog_noise_e * random
+                value = self.sensor.analog_gain * value + error_sign(name, self.container) * error
+            if REGISTER in self.effects:
+                value = soft(value, self.sensor)
+            self.register[name] = np.where(here, value, self.register[name])
+
+    def _source(self, name: str, word: AnalogWord) -> Values:
+        if name == "IN":
+            return np.zeros(len(self.lanes))
+        if name != "PIX":
+            return self.register[name]
+        level = self.charge + self.reset_e
+        if READ in self.effects:
+            level = level + self.sensor.read_noise_e * self.noise[READ.name].draw(word.number)
+        return level
+
+    def _read_out(self) -> Values:
+        exposures = np.empty((len(self.container.buckets), len(self.lanes)))
+        for order, readout in enumerate(self.container.readouts):
+            value = self.register[readout.register] * readout.gain
+            if LEAKAGE in self.effects:
+                waited_s = order * self.container.target.readout_us * 1e-6
+                value = value * np.exp(-self.leak * waited_s)
+            # -0 + 0 is +0.
+            exposures[self.container.buckets.index(readout.bucket)] = value + 0.0
+        return exposures

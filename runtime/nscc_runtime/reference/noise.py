@@ -1,0 +1,62 @@
+"""Noise of many words whose sum in each exposure is one keyed draw.
+
+With e_i the unit normal errors of the words and Q the orthonormal weights of the buckets,
+e = x + Q (z - Q^T x): x are keyed by word, z by bucket. The e_i are independent unit normal
+numbers, and Q^T e = z whatever the words: a plan that adds the sum alone draws only z.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.noise import key, normals
+from nscc_runtime.reference.weights import Weights
+
+SUM, PART = 0, 1
+"""Sources in the keys: z of a bucket, x of a word."""
+
+
+@dataclass
+class SpreadNoise:
+    """The errors of one effect in one frame at some pixels.
+
+    `weights` are orthonormal, by the number of the draw; `lanes` and `pixels` (P,): the lane and
+    the place on the array of every pixel.
+    """
+
+    seed: int
+    stream: int
+    frame: int
+    weights: Mapping[int, Weights]
+    buckets: int
+    lanes: NDArray[np.intp]
+    pixels: NDArray[np.int64]
+    _missing: list[NDArray[np.float64]] = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Finds z - Q^T x, in each bucket."""
+        self._missing = [
+            normals(self._key(SUM, bucket), self.pixels) for bucket in range(self.buckets)
+        ]
+        for number, weight in self.weights.items():
+            here = weight[self.lanes]
+            part = normals(self._key(PART, number), self.pixels)
+            for bucket, missing in enumerate(self._missing):
+                missing -= here[:, bucket] * part
+
+    def draw(self, number: int) -> NDArray[np.float64]:
+        """The unit normal error (P,) of draw `number`."""
+        found = normals(self._key(PART, number), self.pixels)
+        weight = self.weights.get(number)
+        if weight is not None:
+            here = weight[self.lanes]
+            for bucket, missing in enumerate(self._missing):
+                found = found + here[:, bucket] * missing
+        return found
+
+    def _key(self, source: int, group: int) -> np.uint64:
+        return key(self.seed, self.stream, source, self.frame, group)

@@ -1,0 +1,120 @@
+"""How much of each slot's charge, and of each word's noise, reaches the exposures: the words run
+backwards over the lanes.
+
+Words are linear, so an exposure is a weighted sum of the charge of the slots and of every error on
+the way. The weights here are those of ideal words, but for the gain.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.words.container import Container
+from nscc_runtime.reference.trace import AnalogWord
+
+Weights = NDArray[np.float64]
+Name = TypeVar("Name", int, tuple[int, int])
+
+
+@dataclass(frozen=True, eq=False)
+class Backward:
+    """Weights in the exposures; each array ends in (lanes, buckets).
+
+    `slots` (N, ..): of each slot's charge. `reads`, `resets`, `errors` map the number of an
+    analog word, for errors with the index of the destination, to the weight of the noise that
+    PIX has when the word reads it, that PIX keeps after a reset, and that is added to the result
+    (by the sign rule of the effect `analog`).
+    """
+
+    slots: Weights
+    reads: dict[int, Weights]
+    resets: dict[int, Weights]
+    errors: dict[tuple[int, int], Weights]
+
+    def open(self) -> NDArray[np.bool_]:
+        """The shutters (N, lanes, buckets); NS0442 where a weight is neither 0 nor 1."""
+        found = self.slots > 0.5
+        if not np.allclose(self.slots, found, rtol=0, atol=1e-9):
+            raise Rejected(
+                Diagnostic(
+                    "NS0442",
+                    "the words of this program open no shutters: some slot's light counts neither "
+                    "once nor not at all, and sensor effects are defined by shutters",
+                    helps=("use --effects none: the words are executed exactly",),
+                )
+            )
+        return found
+
+
+def backward(container: Container, words: Sequence[AnalogWord], gain: float = 1.0) -> Backward:
+    """The weights of `words`, whose results each word multiplies with `gain`."""
+    lanes, buckets = len(container.encoding), len(container.buckets)
+    names = (*container.target.analog_registers, "PIX", "IN")
+    weight = {name: np.zeros((lanes, buckets)) for name in names}
+    for readout in container.readouts:
+        weight[readout.register][:, container.buckets.index(readout.bucket)] += readout.gain
+    result = Backward(np.zeros((container.slots, lanes, buckets)), {}, {}, {})
+    boundary = container.slots
+    for word in reversed(words):
+        while boundary > word.boundary:
+            boundary -= 1
+            result.slots[boundary] = weight["PIX"]
+        where = word.lanes[:, None]
+        if word.resets:
+            _keep(result.resets, word.number, weight["PIX"] * where)
+            weight["PIX"] = weight["PIX"] * ~where
+            continue
+        through = np.zeros((lanes, buckets))
+        for index, name in enumerate(word.op.destinations):
+            here = weight[name] * where
+            weight[name] = weight[name] * ~where
+            through += here
+            sign = error_sign(name, container)
+            _keep(result.errors, (word.number, index), sign * here)
+        through *= -gain / word.op.operation.divisor
+        for name in word.op.sources:
+            weight[name] = weight[name] + through
+        if "PIX" in word.op.sources:
+            _keep(result.reads, word.number, through)
+    while boundary > 0:
+        boundary -= 1
+        result.slots[boundary] = weight["PIX"]
+    return result
+
+
+def error_sign(destination: str, container: Container) -> float:
+    """Errors are added after undoing the inversion, and the scratch register holds inverted
+    values: -1 there, 1 elsewhere.
+    """
+    return -1.0 if destination == container.target.analog_scratch else 1.0
+
+
+def _keep(found: dict[Name, Weights], name: Name, weight: Weights) -> None:
+    if weight.any():
+        found[name] = weight
+
+
+def orthonormal(weights: dict[Name, Weights]) -> dict[Name, Weights]:
+    """The same with orthonormal columns in each lane, over the names, bucket after bucket.
+
+    A bucket whose weights are a combination of those before it (or none) becomes zeros.
+    """
+    if not weights:
+        return {}
+    names = list(weights)
+    q = np.array([weights[name] for name in names])
+    scale = np.sqrt((q * q).sum(axis=0))
+    for b in range(q.shape[2]):
+        for _ in range(2):  # the second time takes away what rounding left
+            for a in range(b):
+                q[:, :, b] -= q[:, :, a] * (q[:, :, a] * q[:, :, b]).sum(axis=0)
+        size = np.sqrt((q[:, :, b] ** 2).sum(axis=0))
+        independent = size > 1e-9 * scale[:, b]
+        q[:, :, b] *= np.divide(1.0, size, out=np.zeros_like(size), where=independent)
+    return dict(zip(names, q, strict=True))
