@@ -120,15 +120,13 @@ def words_of(solution: Solution, problem: Problem, target: Target, seed: int = 0
             return sum(pixels.run(words(segment, allocation)) for segment in segments)
 
         count += run(solution.opening)
-        boundary = 0
         for demand, answer in zip(demands, solution.answers, strict=True):
             if solution.state_in_flag:
                 held[places["t0"]] = pixels.noise()
             elif not demand.flag_kept:
                 held["FLAG"] = pixels.noise()
-            if not problem.flag_lasts and demand.boundary > boundary:
+            if not demand.scratch_kept:
                 held.update({place: pixels.noise() for place in scratch})
-            boundary = demand.boundary
             count += run(answer)
             assert (held["FLAG"] == rows_of(demand.predicate, problem.shutters)).all()
         if solution.state_in_flag:
@@ -238,7 +236,8 @@ def random_solution(seed: int, machine: Machine) -> tuple[Problem, Solution]:
             write.held.pop("t0", None)
         elif not kept:
             write.held.pop("FLAG", None)
-        if not lasts and now > boundary:
+        quiet = lasts or now == boundary
+        if not quiet:
             for name in write.scratch:
                 write.held.pop(name, None)
         boundary = now
@@ -246,7 +245,7 @@ def random_solution(seed: int, machine: Machine) -> tuple[Problem, Solution]:
         write.flag()
         if write.held["FLAG"] in (0, everything):
             write.gate("WHERE", "FLAG", ("p0",))
-        demands.append(Demand(boundary, "open", 0, write.held["FLAG"], kept))
+        demands.append(Demand(boundary, "open", 0, write.held["FLAG"], kept, quiet))
         answers.append(write.take())
     for i, name in enumerate(write.planes):
         if write.held[name] != vectors[i]:

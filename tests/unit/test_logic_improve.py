@@ -120,7 +120,8 @@ def test_values_do_not_outlast_memory():
     answers = ["t0 = NOR p0 p1; FLAG = WHERE t0"] * 2
     predicate = ALL ^ (A | B)
     problem, solution = solved([predicate] * 2, answers, flag_lasts=False)
-    _, words = improved(problem, solution)
+    lost = tuple(replace(d, scratch_kept=False) for d in problem.demands)
+    _, words = improved(replace(problem, demands=lost), solution)
     assert words == 4 + REFRESH
 
 

@@ -57,15 +57,15 @@ def test_points_are_what_the_compiler_gives(tmp_path, monkeypatch: pytest.Monkey
 
 
 def test_bounds_are_those_of_the_logic_and_the_plan() -> None:
-    """b with stops 0..N-1: 2 N - 1 - 13 operations. A slot with light in it takes five analog words
-    (bus, bus; rpix, rpix, nop), the first boundary two buses for A, three words to reset, two for
-    the reference; nobody is open in the last slot, and nobody reads at boundary 0."""
+    """b with stops 0..N-1: 2 (N - 1) - 13 operations. A slot with light in it takes five analog
+    words (bus, bus; rpix, rpix, nop), the first boundary two buses for A, three words to reset, two
+    for the reference; nobody is open in the last slot, and nobody reads at boundary 0."""
     slots = 20
     text = STOPS.replace("frame 8", f"frame {slots}").replace("0..7", f"0..{slots - 1}")
     [way] = every_way([case(text)], ["accumulate"], [1])
     [logic] = measure([way], 1, "logic").points
     assert logic.error_unit == "logic_words_per_frame"
-    assert logic.bound == 2 * slots - 1 - 13
+    assert logic.bound == 2 * (slots - 1) - 13
     assert logic.error >= logic.bound
     [words] = measure([way], 1, "all").points
     lit = slots - 1
