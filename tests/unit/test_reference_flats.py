@@ -187,9 +187,7 @@ def test_leakage_and_its_noise(lowering: str) -> None:
         mean = E * sum(weights)
         check(columns(found, stop), (mean, 0.0, 0.0))
         check(columns(noisy, stop), (mean, E * sum(w * w for w in weights), 0.0))
-        slope = sum(
-            -(SLOTS - at) * SLOT_S / tau * w for at, w in zip(written, weights, strict=True)
-        )
+        slope = sum((SLOTS - at) * SLOT_S / tau * w for at, w in zip(written, weights, strict=True))
         fixed = columns(spread, stop).std()
         assert fixed == pytest.approx(0.02 * E * slope, rel=0.2, abs=1e-9)
 
