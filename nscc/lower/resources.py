@@ -14,13 +14,14 @@ def chip_label(program: Program, text: str) -> tuple[Label, ...]:
 
 
 def chip_note(program: Program, text: str) -> tuple[str, ...]:
-    """What `_chip` says, for a program that does not name its chip."""
+    """What `chip_label` says, for a program that does not name its chip."""
     return () if program.target_span is not None else (f"{program.target.name}: {text}",)
 
 
 def resource(
     name: str, required: float, available: float, *, proved: bool
 ) -> dict[str, str | float | bool]:
+    """The data of an error about a resource."""
     return {"resource": name, "required": required, "available": available, "proved": proved}
 
 
