@@ -33,7 +33,7 @@ Values = NDArray[np.float64]
 
 _CELLS = 1 << 21
 """Most slots x pixels of a chunk of rows: some ten arrays of that size are alive at once."""
-_DESTINATIONS = 4
+DESTINATIONS = 4
 """More than a word has: draws of errors are numbered word by word, destination by destination."""
 _START = 0
 """The stream of what registers hold when a frame starts; effects have streams from 1."""
@@ -56,23 +56,20 @@ class Reference:
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
         fresh = analog_words(container)
-        weights = backward(container, fresh)
-        opened = weights.open()
+        opened = backward(container, fresh).open()
         bits = np.int64(1) << np.arange(len(container.buckets), dtype=np.int64)
         # After decay other lanes may act; the draws stay those of the words as they were meant.
         words = fresh
         if DECAY in effects:
             words = analog_words(container, sensor.digital_retention_us)
-        draws: dict[str, Mapping[int, Weights]] = {}
-        if READ in effects:
-            draws[READ.name] = orthonormal(weights.reads)
-        if RESET in effects:
-            draws[RESET.name] = orthonormal(weights.resets)
-        if ANALOG in effects:
-            errors = backward(container, fresh, sensor.analog_gain).errors
-            draws[ANALOG.name] = orthonormal(
-                {number * _DESTINATIONS + i: found for (number, i), found in errors.items()}
-            )
+        # The sensor's gain and leakage, on or off: no effect changes the draws of another.
+        weights = backward(container, fresh, sensor.analog_gain, 1.0 / sensor.leakage_tau_s)
+        errors = {number * DESTINATIONS + i: e for (number, i), e in weights.errors.items()}
+        draws = {
+            READ.name: orthonormal(weights.reads),
+            RESET.name: orthonormal(weights.resets),
+            ANALOG.name: orthonormal(errors),
+        }
         lane = container.table.shutter_of_code[container.pixel_codes].astype(np.intp)
         groups = Groups(np.ascontiguousarray((opened @ bits).T), lane)
         return cls(container, sensor, effects, words, groups, draws)
@@ -206,7 +203,7 @@ class _Pixels:
         for index, name in enumerate(word.op.destinations):
             value = result
             if ANALOG in self.effects:
-                random = self.noise[ANALOG.name].draw(word.number * _DESTINATIONS + index)
+                random = self.noise[ANALOG.name].draw(word.number * DESTINATIONS + index)
                 error = self.pattern + self.sensor.analog_noise_e * random
                 value = self.sensor.analog_gain * value + error_sign(name, self.container) * error
             if REGISTER in self.effects:
