@@ -35,7 +35,7 @@ _CELLS = 1 << 21
 """Most slots x pixels of a chunk of rows: some ten arrays of that size are alive at once."""
 DESTINATIONS = 4
 """More than a word has: draws of errors are numbered word by word, destination by destination."""
-_START = 0
+START = 0
 """The stream of what registers hold when a frame starts; effects have streams from 1."""
 
 
@@ -137,7 +137,7 @@ class _Pixels:
         self.lanes = program.groups.lane.reshape(-1)[places]
         names = ("PIX", *self.container.target.analog_registers)
         start = {
-            name: uniforms(key(device_seed, _START, group=i), places)
+            name: uniforms(key(device_seed, START, group=i), places)
             for i, name in enumerate(names)
         }
         # Well inside the range, so that a program that reads what it has not written is far off.
