@@ -75,6 +75,7 @@ def backward(
     result = Backward(np.zeros((container.slots, lanes, buckets)), {}, {}, {})
     start_s = np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6
     later = container.slots
+    after_the_last = np.zeros((lanes, buckets))
     for boundary, executed in reversed(_by_boundary(words)):
         result.slots[boundary:later] = weight["PIX"]
         kept = exp(-leak_per_s * (start_s[later] - start_s[boundary]))
@@ -84,14 +85,16 @@ def backward(
         later = boundary
         slot = min(boundary, container.slots - 1)
         ends = _ends(executed, container.slot_us[slot], boundary == container.slots)
-        if dead_time and boundary < container.slots:
-            result.slots[slot] *= 1.0 - ends[-1]
+        fallen = after_the_last if boundary == container.slots else result.slots[slot]
+        if dead_time:
+            fallen *= 1.0 - ends[-1]
         for index in reversed(range(len(executed))):
             _through(executed[index], weight, container, gain, result)
             if dead_time:
                 waited = ends[index] - (ends[index - 1] if index else 0.0)
-                result.slots[slot] += waited * weight["PIX"]
+                fallen += waited * weight["PIX"]
     result.slots[:later] = weight["PIX"]
+    result.slots[-1] += after_the_last
     return result
 
 

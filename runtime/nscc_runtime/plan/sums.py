@@ -1,0 +1,48 @@
+"""Weighted sums of a scene's frames, by the compiled loop."""
+
+from __future__ import annotations
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+def weighted_sums(
+    frames: NDArray[np.float32],
+    lanes: NDArray[np.integer],
+    tables: NDArray[np.float64],
+    threads: int = 1,
+) -> NDArray[np.float64]:
+    """The sums (J, pixels) over k of tables[j, k, lane] * frames[k], in float64.
+
+    `frames` (T, pixels), `lanes` (pixels,), `tables` (J, T, lanes). Threads change no bit.
+    """
+    from nscc_runtime.plan.compiled import entry_points
+
+    count, pixels = frames.shape
+    sums, _, lane_count = tables.shape
+    if tables.shape[1] != count or lanes.shape != (pixels,):
+        raise ValueError(f"frames {frames.shape}, lanes {lanes.shape}, tables {tables.shape}")
+    if pixels and not (lanes.min() >= 0 and lanes.max() < lane_count):
+        raise ValueError("a lane that the tables do not have")
+    out = np.empty((sums, pixels))
+    arrays = (
+        np.require(frames, np.float32, ["C", "A"]),
+        np.require(lanes, np.int32, ["C", "A"]),
+        np.require(tables, np.float64, ["C", "A"]),
+        out,
+    )
+    loop = entry_points()["weighted_sums"]
+
+    def run(begin: int, end: int) -> None:
+        sizes = np.array([pixels, begin, end, count, lane_count, sums], np.int64)
+        loop(sizes.ctypes.data, *(array.ctypes.data for array in arrays))
+
+    cuts = [pixels * i // threads for i in range(threads + 1)]
+    if threads == 1:
+        run(0, pixels)
+    else:
+        with ThreadPoolExecutor(threads) as pool:
+            list(pool.map(run, cuts[:-1], cuts[1:]))
+    return out
