@@ -32,8 +32,9 @@ from nscc_runtime.plan import leak_nodes
 from nscc_runtime.plan.model import Plan
 from nscc_runtime.plan.overlap import Overlap
 from nscc_runtime.plan.pixels import Pixels
-from nscc_runtime.plan.sums import weighted_sums
-from nscc_runtime.plan.tables import Model, Tables, on_frames
+from nscc_runtime.plan.reach import Reach, reach_of
+from nscc_runtime.plan.sums import sums_by_slot
+from nscc_runtime.plan.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
 from nscc_runtime.reference.noise import SUM
 from nscc_runtime.sensor.model import Sensor
@@ -91,6 +92,11 @@ class Program:
         return self.pixels if DECAY in kept or not self.tables.decays else self.fresh_pixels
 
     @cached_property
+    def reach(self) -> Reach:
+        """How far registers go with every effect on."""
+        return reach_of(self.tables, selected("all"))
+
+    @cached_property
     def lanes(self) -> NDArray[np.int32]:
         """The lane of every pixel, flat."""
         return self.reference.groups.lane.reshape(-1).astype(np.int32)
@@ -130,16 +136,20 @@ class Planned:
         """Frame number `frame`; threads change no bit."""
         shape = (len(self.program.container.buckets), *self.light.shape)
         if self.plan.slot_loop == "all":
-            found = self._words(np.arange(len(self.program.lanes)), seed, frame)
+            found = self._words(self.places, self.plan.kept, seed, frame)
         else:
             found = self._sums(seed, frame)
-            if len(self.saturating):
-                found[:, self.saturating] = self._words(self.saturating, seed, frame)
+        if len(self.saturating):
+            found[:, self.saturating] = self._words(
+                self.saturating, self.plan.kept_in_words, seed, frame
+            )
         found += 0.0
         return Exposure(found.reshape(shape), np.isfinite(found).reshape(shape))
 
-    def _words(self, chosen: NDArray[np.int64], seed: int, frame: int) -> Values:
-        program, kept = self.program, self.plan.kept
+    def _words(
+        self, chosen: NDArray[np.int64], kept: Selection, seed: int, frame: int
+    ) -> Values:
+        program = self.program
         return program.words(kept).exposures(
             self.light,
             program.slot_s,
@@ -156,7 +166,7 @@ class Planned:
         program, kept, sensor = self.program, self.plan.kept, self.program.sensor
         away = self._counts(seed, frame)
         found = self.expected + self._spread(away) if away else self.expected.copy()
-        if FULL_WELL in kept:
+        if FULL_WELL in kept and REGISTER not in kept:
             np.minimum(found, self.limits, out=found)
         if ANALOG in kept:
             found += self.patterns
@@ -166,7 +176,7 @@ class Planned:
             (ANALOG, sensor.analog_noise_e),
         ):
             if effect in kept:
-                factor = sigma * program.tables.noise(effect.name, program.full)[0]
+                factor = sigma * program.tables.noise(effect.name, self.wanted)[0]
                 for draw in range(factor.shape[2]):
                     if factor[:, :, draw].any():
                         z = normals(key(seed, effect.stream, SUM, frame, draw), self.places)
@@ -204,6 +214,13 @@ class Planned:
                 found[bucket] += weights[group][lanes, bucket] * each
         return found
 
+    @property
+    def wanted(self) -> Model:
+        """The weights of all effects but those that the user wants off: what is left out by choice
+        is still the better account of where noise goes.
+        """
+        return self.program.model(self.plan.wanted)
+
     @cached_property
     def places(self) -> NDArray[np.int64]:
         """Every pixel's place."""
@@ -214,6 +231,14 @@ class Planned:
         """The scene's light, with or without motion inside its slots."""
         moving = MOTION in self.plan.kept and self.light.motion is not None
         return self.light.motion if moving and self.light.motion is not None else self.light
+
+    @cached_property
+    def total(self) -> Values:
+        """All the light of each pixel."""
+        weights = [np.ones((self.light.slots, 1))]
+        frames = self.source.frames.reshape(len(self.source.frames), -1)
+        lanes = np.zeros(len(self.places), np.int32)
+        return sums_by_slot(self.source, frames, lanes, weights, self.threads)[0]
 
     @cached_property
     def scale(self) -> Values:
@@ -253,16 +278,23 @@ class Planned:
         return {g: self.current * time[self.program.lanes] for g, time in times.items()}
 
     @cached_property
+    def leaks(self) -> tuple[Values, Values]:
+        """The rates of leakage at which sums are made, and the weights (rates, pixels) with which
+        they give that of each pixel.
+        """
+        program, kept = self.program, self.plan.kept
+        if LEAKAGE not in kept or self.plan.leak_nodes == 1:
+            return np.array([program.model(kept).leak_per_s]), np.ones((1, len(self.places)))
+        nodes = leak_nodes.rates(program.sensor, self.plan.leak_nodes)
+        leak = leak_per_s(program.sensor, self.device_seed, self.places)
+        return nodes, leak_nodes.between(nodes, leak)
+
+    @cached_property
     def expected(self) -> Values:
         """The exposures (buckets, pixels) of the mean charge, nothing saturated."""
         program, kept, sensor = self.program, self.plan.kept, self.program.sensor
         model = program.model(kept)
-        nodes, between = np.array([model.leak_per_s]), np.ones((1, len(self.places)))
-        if LEAKAGE in kept:
-            nodes = leak_nodes.rates(sensor, self.plan.leak_nodes)
-            if len(nodes) > 1:
-                leak = leak_per_s(sensor, self.device_seed, self.places)
-                between = leak_nodes.between(nodes, leak)
+        nodes, between = self.leaks
         buckets = len(program.container.buckets)
         weights = [program.tables.weights(replace(model, leak_per_s=rate)).slots for rate in nodes]
         stack = [each[:, :, b] for b in range(buckets) for each in weights]
@@ -294,7 +326,12 @@ class Planned:
         """The fixed errors (buckets, pixels) of the analog words."""
         program = self.program
         each = pattern_e(program.sensor, self.device_seed, self.places)
-        return program.tables.pattern(program.full).T[:, program.lanes] * each
+        total = 0.0
+        for rate, between in zip(*self.leaks, strict=True):
+            # Leakage that is left out is still the better account of where errors go.
+            model = replace(self.wanted, leak_per_s=rate) if rate else self.wanted
+            total = total + program.tables.pattern(model).T[:, program.lanes] * between
+        return np.asarray(total * each)
 
     @cached_property
     def limits(self) -> Values:
@@ -312,13 +349,20 @@ class Planned:
         program, kept, sensor = self.program, self.plan.kept, self.program.sensor
         if FULL_WELL not in kept and REGISTER not in kept:
             return np.empty(0, np.int64)
+        reach = program.reach
         single = ~np.isnan(program.tables.single(program.model(kept))).any(axis=1)
         limit = np.full(len(single), np.inf)
         if FULL_WELL in kept:
             limit = np.where(single, np.inf, sensor.full_well_e)
         if REGISTER in kept:
             low, high = abs(sensor.register_min_e), sensor.register_max_e
-            limit = np.minimum(limit, sensor.register_knee_fraction * min(low, high))
+            room = sensor.register_knee_fraction * min(low, high) - reach.noise_e
+            limit = np.minimum(limit, room / reach.light)
+        bound = float(np.max(self.total * self.scale, initial=0.0))
+        bound *= 1.0 + 4 * sensor.crosstalk_fraction * (CROSSTALK in kept)
+        bound += float(np.max(self.current, initial=0.0)) * float(program.slot_s.sum())
+        if bound + SIGMAS * np.sqrt(bound) < limit.min():
+            return np.empty(0, np.int64)
         seen = program.tables.seen().astype(np.float64)
         charge = self._sum(self.source, [seen])[0] * self.scale
         if CROSSTALK in kept:
@@ -326,32 +370,12 @@ class Planned:
             charge = np.maximum(shaped, smeared(shaped, sensor.crosstalk_fraction)).reshape(-1)
         charge += self.current * (program.slot_s @ seen)[program.lanes]
         near = charge + SIGMAS * np.sqrt(charge)
-        return np.flatnonzero(near >= (limit - self._noise_reach())[program.lanes])
-
-    def _noise_reach(self) -> Values:
-        """How far (lanes,) the noise of PIX and words may take a register, in electrons."""
-        program, kept, sensor = self.program, self.plan.kept, self.program.sensor
-        variance = offset = np.zeros(len(program.container.encoding))
-        for effect, sigma in (
-            (READ, sensor.read_noise_e),
-            (RESET, sensor.reset_noise_e),
-            (ANALOG, sensor.analog_noise_e),
-        ):
-            if effect in kept:
-                factor = program.tables.noise(effect.name, program.full)[0]
-                variance = variance + sigma**2 * (factor**2).sum(axis=2).max(axis=1)
-        if ANALOG in kept:
-            total = np.abs(program.tables.pattern(program.full)).max(axis=1)
-            offset = total * (abs(sensor.analog_bias_e) + SIGMAS * sensor.analog_pattern_e)
-        return np.asarray(SIGMAS * np.sqrt(variance) + offset)
+        return np.flatnonzero(near >= limit[program.lanes])
 
     def _sum(self, light: Light, weights: list[Values]) -> Values:
         """Sums (len(weights), pixels) of a light, each weighted by slot and lane (N, lanes)."""
-        if not weights:
-            return np.zeros((0, len(self.places)))
-        tables = np.stack([on_frames(light, each) for each in weights])
         frames = light.frames.reshape(len(light.frames), -1)
-        return weighted_sums(frames, self.program.lanes, tables, self.threads)
+        return sums_by_slot(light, frames, self.program.lanes, weights, self.threads)
 
 
 def prepared(

@@ -7,6 +7,8 @@ from dataclasses import asdict, dataclass
 from typing import Any, Literal
 
 from nscc_runtime.effects import EFFECTS, Selection
+from nscc_runtime.effects.photodiode import FULL_WELL
+from nscc_runtime.effects.registers import REGISTER
 
 Choice = Literal["kept", "dropped", "absent"]
 
@@ -68,6 +70,21 @@ class Plan:
         always = {effect.name for effect in EFFECTS if effect.always}
         forced = {each.name for each in self.decisions if each.forced}
         return Selection(frozenset(on | always), frozenset(forced))
+
+    @property
+    def wanted(self) -> Selection:
+        """All effects but those that the user forced off."""
+        off = {each.name for each in self.decisions if each.forced and each.decision == "dropped"}
+        kept = self.kept
+        return Selection(frozenset(e.name for e in EFFECTS) - off, kept.forced)
+
+    @property
+    def kept_in_words(self) -> Selection:
+        """The effects on pixels that run through all their words because they may saturate: there
+        the others no longer add up, so only saturation itself and what the user forced is left out.
+        """
+        kept, off = self.kept, {FULL_WELL.name, REGISTER.name} - self.kept.on
+        return Selection(self.wanted.on - off, kept.forced)
 
     def as_json(self) -> dict[str, Any]:
         """The plan as a frame file's `meta` has it."""

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 from numpy.typing import NDArray
+
+from nscc_runtime.light import Light
+
+_MOST_ENTRIES = 1 << 23
+"""Of tables in memory at once, unless a single one is larger."""
 
 
 def weighted_sums(
@@ -46,3 +52,35 @@ def weighted_sums(
         with ThreadPoolExecutor(threads) as pool:
             list(pool.map(run, cuts[:-1], cuts[1:]))
     return out
+
+
+def sums_by_slot(
+    light: Light,
+    frames: NDArray[np.float32],
+    lanes: NDArray[np.integer],
+    weights: Sequence[NDArray[np.float64]],
+    threads: int = 1,
+) -> NDArray[np.float64]:
+    """The sums (len(weights), pixels) of a light's slots, each weighted by slot and lane.
+
+    `frames` (T, pixels) are the light's frames at the pixels that are asked for, or what takes
+    their place; each of `weights` is (N, lanes of the program).
+    """
+    found = np.empty((len(weights), frames.shape[1]))
+    room = max(1, _MOST_ENTRIES // max(1, len(frames) * (weights[0].shape[1] if weights else 1)))
+    for first in range(0, len(weights), room):
+        part = weights[first : first + room]
+        tables = np.stack([on_frames(light, each) for each in part])
+        found[first : first + room] = weighted_sums(frames, lanes, tables, threads)
+    return found
+
+
+def on_frames(light: Light, slots: NDArray[np.float64]) -> NDArray[np.float64]:
+    """NDArray[np.float64] of slots (N, ..) as weights of the light's own frames (T, ..)."""
+    from scipy.sparse import csr_array
+
+    matrix = csr_array(
+        (light.weight, light.frame_index, light.row_start), (light.slots, len(light.frames))
+    )
+    flat = slots.reshape(len(slots), -1)
+    return np.asarray(matrix.T @ flat).reshape(len(light.frames), *slots.shape[1:])

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.light import Light
 from nscc_runtime.reference.capture import DESTINATIONS, Reference
 from nscc_runtime.reference.trace import AnalogWord, analog_words
 from nscc_runtime.reference.weights import Backward, backward
@@ -139,14 +138,3 @@ class Tables:
                 count += loaded
                 found = np.where(loaded, weight, found)
         return np.where(count > 1, np.nan, found)
-
-
-def on_frames(light: Light, slots: Weights) -> Weights:
-    """Weights of slots (N, ..) as weights of the light's own frames (T, ..)."""
-    from scipy.sparse import csr_array
-
-    matrix = csr_array(
-        (light.weight, light.frame_index, light.row_start), (light.slots, len(light.frames))
-    )
-    flat = slots.reshape(len(slots), -1)
-    return np.asarray(matrix.T @ flat).reshape(len(light.frames), *slots.shape[1:])
