@@ -76,17 +76,23 @@ class Reference:
 
     def expose(self, scene: Scene, seed: int = 0, device_seed: int = 0, frame: int = 0) -> Exposure:
         """Frame number `frame` of a scene."""
+        return self.expose_rows(scene, range(scene.light.shape[0]), seed, device_seed, frame)
+
+    def expose_rows(
+        self, scene: Scene, rows: range, seed: int = 0, device_seed: int = 0, frame: int = 0
+    ) -> Exposure:
+        """Consecutive rows of a frame, bit for bit as the whole frame has them."""
         container = self.container
-        rows, cols = scene.light.shape
-        exposure = np.empty((len(container.buckets), rows, cols))
-        valid = np.empty((rows, cols), np.bool_)
+        cols = scene.light.shape[1]
+        exposure = np.empty((len(container.buckets), len(rows), cols))
+        valid = np.empty((len(rows), cols), np.bool_)
         step = max(1, _CELLS // (container.slots * cols))
-        for begin in range(0, rows, step):
-            part = range(begin, min(begin + step, rows))
+        for begin in range(rows.start, rows.stop, step):
+            part = range(begin, min(begin + step, rows.stop))
             charge, good = charge_of_rows(
                 scene, self.groups, self.sensor, self.effects, (seed, device_seed), frame, part
             )
-            chunk = slice(part.start, part.stop)
+            chunk = slice(part.start - rows.start, part.stop - rows.start)
             places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
             pixels = _Pixels(self, places, seed, device_seed, frame)
             found = pixels.run(charge.reshape(container.slots, -1))
