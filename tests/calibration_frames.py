@@ -58,9 +58,9 @@ class Camera:
         )
         charge += chip.crosstalk * (around - 4 * charge)
         held = np.minimum(charge, chip.full_well_e) + rng.normal(0, chip.read_e, charge.shape)
-        return np.clip(
-            np.rint(held / chip.electrons_per_lsb + self.offset_lsb), 0, TOP
-        ).astype(np.uint8)
+        return np.clip(np.rint(held / chip.electrons_per_lsb + self.offset_lsb), 0, TOP).astype(
+            np.uint8
+        )
 
     def stack(
         self, light_e_per_s: np.ndarray | float, time_s: float, frames: int, **changes: object

@@ -82,7 +82,7 @@ def calibrated(flats: Sequence[Stack], darks: Sequence[Stack], top_code: int) ->
 
     spread = response_variance(chosen, [flat_moments[i] for i in used], dark, good)
     found = {**_gain(curve), **_noise(curve, dark_moments, dark), **_dark(curve, dark, good)}
-    found["prnu"] = _prnu(spread, curve)
+    found["prnu"] = _prnu(spread, curve, _fits(dark, flat_moments))
     found |= _range(curve, flat_moments, top_code)
     full = curve.saturation.mean if curve.saturation else float(top_code)
     line = linearity(flat_moments, dark, full)
@@ -210,8 +210,7 @@ def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]
     if dark.current < _SURE * dark.current_se:
         return found | unknown("the dark current is too small to see its spread", "dark_spread")
     wide, wide_se = shared_variance(*dark.currents, good)
-    kept = kept_variance(curve.crosstalk)
-    sigma, sigma_se = root(wide / kept, wide_se / kept)
+    sigma, sigma_se = root(*_unsmeared((wide, wide_se), curve))
     spread = sigma / dark.current
     spread_se = sqrt(
         (sigma_se / dark.current) ** 2 + (spread * dark.current_se / dark.current) ** 2
@@ -222,9 +221,24 @@ def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]
     return found
 
 
-def _prnu(spread: tuple[float, float], curve: Transfer) -> Quantity:
-    kept = kept_variance(curve.crosstalk)
-    value, error = root(spread[0] / kept, spread[1] / kept)
+def _unsmeared(variance: tuple[float, float], curve: Transfer) -> tuple[float, float]:
+    """A variance over the pixels, and its error, as it was before crosstalk."""
+    errors = np.diag([variance[1] ** 2, float(curve.covariance[2, 2])])
+    return propagated(lambda v: v[0] / kept_variance(v[1]), [variance[0], curve.crosstalk], errors)
+
+
+def _fits(dark: Dark | None, flats: Sequence[Moments]) -> bool:
+    """Whether the dark charge of every flat is known, pixel by pixel."""
+    if dark is None:
+        return False
+    if dark.currents is not None:
+        return all(level.exposure_s is not None for level in flats)
+    return bool(dark.times_s) and all(level.exposure_s == dark.times_s[0] for level in flats)
+
+
+def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> Quantity:
+    """`freed`: of the spread of the dark charge, which otherwise counts in it."""
+    value, error = root(*_unsmeared(spread, curve))
     if value > _MOST_PRNU:
         raise rejected(
             NOT_TRANSFER,
@@ -232,6 +246,9 @@ def _prnu(spread: tuple[float, float], curve: Transfer) -> Quantity:
             notes=("photon transfer takes flats: an evenly lit surface, no picture",),
             helps=("take flats of an evenly lit white surface, out of focus",),
         )
+    if not freed:
+        why = "no darks of the flats' times: the spread of their dark charge counts in it"
+        return Quantity("PRNU", "1", value, None, "at most", why)
     return Quantity("PRNU", "1", value, error, "measured", "about a smooth surface")
 
 

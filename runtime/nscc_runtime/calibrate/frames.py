@@ -163,7 +163,7 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
 
         found = loadmat(path)
         return {key: value for key, value in found.items() if isinstance(value, np.ndarray)}
-    with np.load(path, allow_pickle=False) as archive:
+    with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
         names = set(archive.files)
         if "meta" in names:  # the exposures in electrons are what a chip does not give
             names &= {KEYS[0], "valid", "meta", TIME_KEY}

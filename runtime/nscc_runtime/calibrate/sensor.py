@@ -66,6 +66,8 @@ def sensor_of(chosen: Mapping[str, Choice]) -> Sensor:
 def _take(chosen: dict[str, Choice], name: str, quantity: Quantity) -> None:
     if quantity.known == "measured" and quantity.value is not None:
         chosen[name] = Choice(quantity.value, quantity.se, "measured", quantity.remark)
+    elif quantity.known == "at most" and quantity.value is not None:
+        chosen[name] = Choice(quantity.value, None, "bound", f"at most: {quantity.remark}")
 
 
 def _contain(chosen: dict[str, Choice], name: str, value: float, where: str) -> None:
