@@ -84,3 +84,23 @@ def taken(
         [camera.stack(light, time, flats) for time in FLAT_TIMES],
         [camera.stack(0.0, time, darks) for time in DARK_TIMES],
     )
+
+
+def truth(chip: Chip) -> dict[str, float]:
+    """What `nscc_runtime.calibrate` should find, by its names."""
+    epl = chip.electrons_per_lsb
+    return {
+        "system_gain": 1 / epl,
+        "conversion_gain": epl,
+        "crosstalk": chip.crosstalk,
+        "dark_noise_lsb": chip.read_e / epl,
+        "dark_noise_e": chip.read_e,
+        "offset": chip.offset_lsb,
+        "dsnu_lsb": chip.dsnu_lsb,
+        "dsnu_e": chip.dsnu_lsb * epl,
+        "dark_current": chip.dark_e_per_s,
+        "dark_spread": chip.dark_spread,
+        "prnu": chip.prnu,
+        "saturation_lsb": chip.full_well_e / epl,
+        "full_well": chip.full_well_e,
+    }

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from calibration_frames import DARK_TIMES, FLAT_TIMES, LIGHT, TOP, Chip, taken
+from calibration_frames import DARK_TIMES, FLAT_TIMES, LIGHT, TOP, Chip, taken, truth
 
 from nscc.target.load import builtin_target
 from nscc_runtime.calibrate import Calibration, Chain, Stack, calibrated, messages, parameters
@@ -18,25 +18,6 @@ CHIPS = {
     "fine codes": Chip(electrons_per_lsb=4.0, read_e=8.0, full_well_e=800.0, offset_lsb=20.0),
 }
 LIGHTS = {"coarse codes": 3 * LIGHT, "fine codes": LIGHT / 5}
-
-
-def truth(chip: Chip) -> dict[str, float]:
-    epl = chip.electrons_per_lsb
-    return {
-        "system_gain": 1 / epl,
-        "conversion_gain": epl,
-        "crosstalk": chip.crosstalk,
-        "dark_noise_lsb": chip.read_e / epl,
-        "dark_noise_e": chip.read_e,
-        "offset": chip.offset_lsb,
-        "dsnu_lsb": chip.dsnu_lsb,
-        "dsnu_e": chip.dsnu_lsb * epl,
-        "dark_current": chip.dark_e_per_s,
-        "dark_spread": chip.dark_spread,
-        "prnu": chip.prnu,
-        "saturation_lsb": chip.full_well_e / epl,
-        "full_well": chip.full_well_e,
-    }
 
 
 def errors_of(found: Calibration, chip: Chip) -> dict[str, float]:
