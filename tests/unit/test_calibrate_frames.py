@@ -211,6 +211,55 @@ def _bad_files(folder: Path) -> dict[str, str]:
     }  # fmt: skip
 
 
+def test_too_few_pixels(stacks: tuple[list[Stack], list[Stack]]) -> None:
+    cut = [[replace(s, valid=s.valid & (np.arange(40) < 1)) for s in side] for side in stacks]
+    code, message = rejected(*cut)
+    assert code == "NS0757"
+    assert message.startswith("32 pixels")
+
+
+def test_frame_files_of_one_run_are_one_level(tmp_path: Path) -> None:
+    """Other seeds, same light: six files of one frame are a level of six."""
+    camera = CHIP.made(np.random.default_rng(5))
+    names: dict[str, list[str]] = {"flat": [], "dark": []}
+    for kind, light, count in (("flat", LIGHT, 4), ("dark", 0.0, 1)):
+        for level in range(count):
+            for seed in range(6):
+                time_s = 0.004 * (level + 1)
+                meta = {
+                    "schema": "nscc-frame-1", "program_sha256": f"p{level}", "seed": seed,
+                    "scene_sha256": kind, "sensor_sha256": "s", "device_seed": 0,
+                    "open_us": [1e6 * time_s],
+                }  # fmt: skip
+                name = f"{kind}{level}_{seed}.npz"
+                codes = camera.codes(light, time_s, 1)
+                valid = np.ones(codes.shape, bool)
+                valid[0, 3, 3] = seed != 2
+                np.savez(tmp_path / name, frame=codes, valid=valid, meta=json.dumps(meta))
+                names[kind].append(name)
+    words = ["calibrate", *names["flat"], "--dark", *names["dark"], "-o", "s.toml", "--json"]
+    found = invoke(words, tmp_path)
+    assert found.status == 0, found.err
+    told = json.loads(found.out)
+    assert [level["frames"] for level in told["flats"]] == [6] * 4
+    assert [level["frames"] for level in told["darks"]] == [6]
+    assert [level["exposure_s"] for level in told["flats"]] == [0.004, 0.008, 0.012, 0.016]
+    assert told["pixels"] == 32 * 40 - 1
+    assert told["quantities"]["linearity_error"]["known"] == "measured"
+    assert found.codes == ["NS0791"]
+
+
+def test_a_file_whose_name_looks_like_a_time(
+    stacks: tuple[list[Stack], list[Stack]], tmp_path: Path
+) -> None:
+    flats, darks = written(tmp_path, stacks, "npy")
+    (tmp_path / flats[0].partition("@")[0]).rename(tmp_path / "odd.npy@4ms")
+    odd = ["odd.npy@4ms", *flats[1:]]
+    found = invoke(["calibrate", *odd, "--dark", *darks, "-o", "s.toml"], tmp_path)
+    assert found.status == 2
+    assert "does not end like frames" in found.err
+
+
 def test_files_that_are_no_frames(tmp_path: Path) -> None:
     for name, said in _bad_files(tmp_path).items():
         for words in (

@@ -16,6 +16,8 @@ OUTLIER = 12.0
 current of 50 % spread reaches that far in one pixel of a hundred thousand."""
 _LEAST_SCALE = 0.3
 """In codes: about the rounding of the ADC, where all pixels are alike."""
+LEAST_PIXELS = 64
+"""Surfaces, medians and standard errors over fewer mean nothing."""
 MOST_DEFECTS = 0.01
 MOST_UNEVEN = 0.2
 """Flats may fall off by this part of their mean from the brightest to the darkest place."""
@@ -24,7 +26,8 @@ MOST_UNEVEN = 0.2
 def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
     """Pixels that are valid everywhere and no outliers in darks or flats.
 
-    NS0757 for levels of different sizes; NS0759 where more than 1 % of the pixels are outliers.
+    NS0757 for levels of different sizes or too few pixels; NS0759 where more than 1 % of the
+    pixels are outliers.
     """
     first = darks[0]
     for level in (*flats, *darks):
@@ -37,11 +40,14 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
                 helps=("give frames of one array, all of the same size",),
             )
     good = valid_pixels((*flats, *darks))
-    if np.count_nonzero(good) < 4:
+    if np.count_nonzero(good) < LEAST_PIXELS:
         raise rejected(
             UNUSABLE,
-            "no pixels are valid in all frames",
-            helps=("`valid` in the frame files says which are not",),
+            f"{np.count_nonzero(good)} pixels are valid in all frames, photon transfer needs "
+            f"{LEAST_PIXELS} or more",
+            notes=(f"the frames are {size(first.variance.shape)}",),
+            helps=("give frames of the whole array; `valid` in frame files says which count",),
+            data={"required": LEAST_PIXELS, "available": int(np.count_nonzero(good))},
         )
     start = int(np.count_nonzero(good))
     for level in darks:

@@ -99,7 +99,8 @@ def _pattern(chosen: dict[str, Choice], found: Mapping[str, Quantity], chain: Ch
     words = abs(chain.word_sum)
     text = "" if words == 1 else f"; words that add up to {chain.word_sum:.4g}"
     if words < _NO_PART:
-        chosen["adc_offset_lsb"] = Choice(offset.value, offset.se, "measured", offset.remark)
+        remark = f"{offset.remark}; the program's words cancel what is not whole codes"
+        chosen["adc_offset_lsb"] = Choice(offset.value, offset.se, "measured", remark)
         return
     whole = float(round(offset.value))
     chosen["adc_offset_lsb"] = Choice(
