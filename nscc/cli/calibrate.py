@@ -69,6 +69,12 @@ def _spread(args: list[str]) -> list[str]:
     help="What the frames were taken with: its reads and words are counted.",
 )
 @click.option(
+    "--crosstalk",
+    type=click.FloatRange(0, 0.2),
+    metavar="C",
+    help="Take crosstalk as known (0: as EMVA 1288 does) instead of measuring it.",
+)
+@click.option(
     "--target", metavar="NAME|FILE.toml", default=DEFAULT_NAME, show_default=True,
     help="The chip: the bits of its ADC, and the defaults.",
 )  # fmt: skip
@@ -78,6 +84,7 @@ def command(
     out: Path,
     as_json: bool,
     program: Path | None,
+    crosstalk: float | None,
     target: str,
 ) -> None:
     """Measure a sensor by photon transfer, from flat and dark frames of several exposures.
@@ -105,7 +112,7 @@ def command(
     top = (1 << chip.adc_bits) - 1
     named = [*flats, *darks]
     stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]
-    found = calibrated(grouped(stacks[: len(flats)]), grouped(stacks[len(flats) :]), top)
+    found = calibrated(grouped(stacks[: len(flats)]), grouped(stacks[len(flats) :]), top, crosstalk)
     chosen = parameters(found, chip, chain)
     text = as_toml(found, chosen)
     say(messages(found))

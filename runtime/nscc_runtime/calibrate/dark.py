@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import sqrt
+from math import hypot, sqrt
 
 import numpy as np
 
@@ -67,24 +67,32 @@ def dark_of(levels: Sequence[Level], seen: Sequence[Moments], good: Mask) -> Dar
         weight = np.array([pair[0].frames for pair in same], np.float64)
         halves = _combined([pair[0] for pair in same], weight / weight.sum())
         mean, spread = _mean(halves, good)
-        error = sqrt(moments.variance / (weight.sum() * pixels))
+        error = moments.mean_se
         times = () if level.exposure_s is None else (level.exposure_s,)
-        return Dark(mean, error, spread / sqrt(pixels), halves, None, None, None, times)
+        both = hypot(spread / sqrt(pixels), moments.mean_rounding)
+        return Dark(mean, error, both, halves, None, None, None, times)
     time = np.array(known)
     weight = np.array([level.frames for level, _ in usable], np.float64)
     centre = float((weight * time).sum() / weight.sum())
     moment = float((weight * (time - centre) ** 2).sum())
     every = [level for level, _ in usable]
-    currents = _combined(every, weight * (time - centre) / moment)
-    offsets = _combined(every, weight / weight.sum() - centre * weight * (time - centre) / moment)
+    slopes = weight * (time - centre) / moment
+    starts = weight / weight.sum() - centre * slopes
+    currents, offsets = _combined(every, slopes), _combined(every, starts)
     offset, offset_spread = _mean(offsets, good)
     current, current_spread = _mean(currents, good)
-    variance = max(moments.variance for _, moments in usable)
-    error = sqrt(variance / pixels * (1 / weight.sum() + centre**2 / moment))
+    errors = np.array([moments.mean_se for _, moments in usable])
+    rounding = np.array([moments.mean_rounding for _, moments in usable])
+    offset_se = hypot(offset_spread / sqrt(pixels), _size(starts * rounding))
+    current_se = hypot(current_spread / sqrt(pixels), _size(slopes * rounding))
     return Dark(
-        offset, error, offset_spread / sqrt(pixels), offsets,
-        current, current_spread / sqrt(pixels), currents, tuple(sorted(set(known))),
+        offset, _size(starts * errors), offset_se, offsets, current, current_se, currents,
+        tuple(sorted(set(known))),
     )  # fmt: skip
+
+
+def _size(parts: np.ndarray) -> float:
+    return sqrt(float((parts**2).sum()))
 
 
 def _combined(levels: Sequence[Level], weights: np.ndarray) -> tuple[Map, Map]:

@@ -23,16 +23,17 @@ ROUNDING = 1 / 12
 _SURE = 4.0
 """Standard errors above 0 from which a dark current has a spread to speak of."""
 _MOST_PRNU = 0.2
+_CUT_OFF = "the codes of every dark reach the end of the ADC's scale: raise its offset"
 
-Known = Literal["measured", "at least", "at most", "unknown"]
+Known = Literal["measured", "at least", "at most", "given", "unknown"]
 
 
 @dataclass(frozen=True)
 class Quantity:
     """One figure: value and standard error, or why there is none.
 
-    `known`: "measured"; a bound, without an error of its own; or "unknown", both None. `remark`
-    says what the value is or why it is not there.
+    `known`: "measured"; a bound, or "given" by the user, without an error; or "unknown", both None.
+    `remark` says what the value is or why it is not there.
     """
 
     title: str
@@ -61,8 +62,13 @@ class Calibration:
         return sum(level.frames for level in (*self.flats, *self.darks))
 
 
-def calibrated(flats: Sequence[Stack], darks: Sequence[Stack], top_code: int) -> Calibration:
+def calibrated(
+    flats: Sequence[Stack], darks: Sequence[Stack], top_code: int, crosstalk: float | None = None
+) -> Calibration:
     """The photon transfer of flats and darks, codes 0..`top_code`.
+
+    `crosstalk`, where given, is taken as known instead of being measured: 0 is what EMVA 1288
+    assumes.
 
     Raises Rejected, status 2: NS0757 for frames that do not go together, NS0758 for too few frames
     or levels, NS0759 for frames that are no flats and darks.
@@ -75,13 +81,17 @@ def calibrated(flats: Sequence[Stack], darks: Sequence[Stack], top_code: int) ->
     _refuse_exchanged(flat_moments, dark_moments)
     dark = dark_of(dim, dark_moments, good)
     offset = None if dark is None else (dark.offset, dark.offset_se)
-    curve = transfer(flat_moments, dark_moments, offset, top_code)
+    curve = transfer(flat_moments, dark_moments, offset, top_code, crosstalk)
     used = [i for i, seen in enumerate(flat_moments) if seen in curve.used]
     chosen = [light[i] for i in used]
     refuse_uneven(chosen, good, 0.0 if dark is None else dark.offset)
 
     spread = response_variance(chosen, [flat_moments[i] for i in used], dark, good)
-    found = {**_gain(curve), **_noise(curve, dark_moments, dark), **_dark(curve, dark, good)}
+    found = {
+        **_gain(curve, crosstalk),
+        **_noise(curve, dark_moments, dark),
+        **_dark(curve, dark, good),
+    }
     found["prnu"] = _prnu(spread, curve, _fits(dark, flat_moments))
     found |= _range(curve, flat_moments, top_code)
     full = curve.saturation.mean if curve.saturation else float(top_code)
@@ -111,9 +121,12 @@ def _refuse_exchanged(flats: Sequence[Moments], darks: Sequence[Moments]) -> Non
     )
 
 
-def _gain(curve: Transfer) -> dict[str, Quantity]:
-    count = len(curve.used)
-    remark = f"slope of variance over mean through {count} levels, neighbours' covariance included"
+def _gain(curve: Transfer, given: float | None) -> dict[str, Quantity]:
+    remark = f"slope of variance over mean through {len(curve.used)} levels, " + (
+        "neighbours' covariance included"
+        if given is None
+        else f"crosstalk {given:g} taken as known"
+    )
     inverse = propagated(lambda v: 1 / v[0], [curve.gain], curve.covariance[:1, :1])
     crosstalk_se = sqrt(float(curve.covariance[2, 2]))
     return {
@@ -122,8 +135,9 @@ def _gain(curve: Transfer) -> dict[str, Quantity]:
         ),
         "conversion_gain": Quantity("conversion gain 1/K", "e/DN", *inverse, "measured", remark),
         "crosstalk": Quantity(
-            "crosstalk to each neighbour", "1", max(curve.crosstalk, 0.0), crosstalk_se,
-            "measured", "covariance of the shot noise of neighbours",
+            "crosstalk to each neighbour", "1", max(curve.crosstalk, 0.0),
+            None if given is not None else crosstalk_se, "measured" if given is None else "given",
+            "covariance of the shot noise of neighbours" if given is None else "--crosstalk",
         ),
     }  # fmt: skip
 
@@ -131,7 +145,7 @@ def _gain(curve: Transfer) -> dict[str, Quantity]:
 def _noise(curve: Transfer, darks: Sequence[Moments], dark: Dark | None) -> dict[str, Quantity]:
     codes, electrons = "temporal dark noise", "temporal dark noise"
     if dark is None:
-        why = "every dark is cut off at an end of the ADC's scale"
+        why = _CUT_OFF
         return {
             "dark_noise_lsb": Quantity(codes, "DN", None, None, "unknown", why),
             "dark_noise_e": Quantity(electrons, "e", None, None, "unknown", why),
@@ -177,7 +191,7 @@ def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]
         return {n: Quantity(*titles[n], None, None, "unknown", why) for n in names}
 
     if dark is None:
-        return unknown("every dark is cut off at an end of the ADC's scale", *titles)
+        return unknown(_CUT_OFF, *titles)
     if dark.currents is None:
         times = ", ".join(f"{1e3 * t:.6g} ms" for t in dark.times_s) or "an unknown time"
         remark = f"of darks of {times}"
@@ -263,14 +277,14 @@ def _range(curve: Transfer, flats: Sequence[Moments], top_code: int) -> dict[str
     limit = curve.saturation
     if limit is not None and limit.of_pixel:
         remark = "mean code of flats that rise no more, less the code without charge"
-        height = limit.mean - zero
+        height, height_se = limit.mean - zero, sqrt(limit.mean_se**2 + curve.offset_se**2)
         electrons = propagated(
             lambda v: v[1] / v[0],
             [curve.gain, height],
-            np.diag([curve.gain_se**2, limit.mean_se**2]),
+            np.diag([curve.gain_se**2, height_se**2]),
         )
         return {
-            "saturation_lsb": Quantity(*titles[0], height, limit.mean_se, "measured", remark),
+            "saturation_lsb": Quantity(*titles[0], height, height_se, "measured", remark),
             "full_well": Quantity(*titles[1], *electrons, "measured", remark),
         }
     highest = max(level.mean for level in flats) - zero

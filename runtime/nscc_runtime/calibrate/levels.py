@@ -54,7 +54,11 @@ class Level:
 
 @dataclass(frozen=True)
 class Moments:
-    """The same over the good pixels. `mean_se` is what the noise leaves uncertain of `mean`."""
+    """The same over the good pixels.
+
+    `mean_se` is what noise and rounding leave uncertain of `mean`. `mean_rounding` is what rounding
+    does to it, and `rounding` what it does to `variance` beyond 1/12, as standard deviations.
+    """
 
     name: str
     exposure_s: float | None
@@ -62,7 +66,9 @@ class Moments:
     pixels: int
     mean: float
     mean_se: float
+    mean_rounding: float
     variance: float
+    rounding: float
     neighbours: float
     share_at_zero: float
     share_at_top: float
@@ -121,18 +127,35 @@ def moments(level: Level, good: Mask) -> Moments:
     pairs = (level.beside[good[:, :-1] & good[:, 1:]], level.below[good[:-1] & good[1:]])
     joined = np.concatenate(pairs)
     samples = pixels * level.frames
+    spread = float(level.mean_map[good].var()) - variance / level.frames
+    of_mean, of_variance = _rounding(variance, max(spread, 0.0))
     return Moments(
         level.name,
         level.exposure_s,
         level.frames,
         pixels,
         float(level.mean_map[good].mean()),
-        float(np.sqrt(variance / samples)),
+        float(np.sqrt(variance / samples + of_mean**2)),
+        of_mean,
         variance,
+        of_variance,
         float(joined.mean()) if joined.size else 0.0,
         float(level.at_zero[good].sum() / samples),
         float(level.at_top[good].sum() / samples),
     )
+
+
+def _rounding(variance: float, spread: float) -> tuple[float, float]:
+    """What rounding does to mean and variance of a level, as standard deviations in codes.
+
+    Of normal noise of variance v rounded at fraction f of a code the mean is off by a sin(2 pi f) /
+    pi and the variance by 1/12 - a (4 v + 1 / pi^2) cos(2 pi f), a = exp(-2 pi^2 v); smaller terms
+    left out. f is unknown. Pixels whose means differ have all fractions: what is left is another
+    factor exp(-2 pi^2 spread), `spread` the variance of the pixels' own means.
+    """
+    noise = max(variance - 1 / 12, 0.0)
+    left = np.exp(-2 * np.pi**2 * (noise + spread)) / np.sqrt(2)
+    return float(left / np.pi), float(left * (4 * noise + np.pi**-2))
 
 
 def _refuse_twice(codes: Codes, level: Level) -> None:

@@ -100,13 +100,11 @@ def as_table(found: Calibration) -> str:
     """A line a quantity."""
     rows = []
     for q in found.quantities.values():
-        if q.value is None:
-            value = "not measured"
-        elif q.known != "measured":
-            value = f"{q.known} {q.value:.6g} {q.unit}"
-        else:
-            error = "" if q.se is None else f" +- {q.se:.2g}"
-            value = f"{q.value:.6g}{error} {q.unit if q.unit != '1' else ''}".rstrip()
+        error = "" if q.se is None else f" +- {q.se:.2g}"
+        bound = "" if q.known == "measured" else f"{q.known} "
+        value = "not measured"
+        if q.value is not None:
+            value = f"{bound}{q.value:.6g}{error} {q.unit if q.unit != '1' else ''}".rstrip()
         rows.append((q.title, value, q.remark))
     widths = [max(len(row[i]) for row in rows) for i in (0, 1)]
     return "\n".join(f"{a:<{widths[0]}}  {b:<{widths[1]}}  {c}".rstrip() for a, b, c in rows)

@@ -19,14 +19,14 @@ from nscc_runtime.sensor.model import Sensor
 from nscc_runtime.sensor.schema import BY_NAME
 from nscc_runtime.sensor.values import completed
 
-Status = Literal["measured", "bound", "contained", "default"]
+Status = Literal["measured", "bound", "given", "contained", "default"]
 _NO_PART = 1e-9
 
 
 @dataclass(frozen=True)
 class Choice:
     """The value of one parameter: `measured` with its standard error, taken from a `bound`,
-    `contained` in another parameter, or the `default`; `remark` says why."""
+    `given` by the user, `contained` in another parameter, or the `default`; `remark` says why."""
 
     value: float
     se: float | None
@@ -68,6 +68,8 @@ def _take(chosen: dict[str, Choice], name: str, quantity: Quantity) -> None:
         chosen[name] = Choice(quantity.value, quantity.se, "measured", quantity.remark)
     elif quantity.known == "at most" and quantity.value is not None:
         chosen[name] = Choice(quantity.value, None, "bound", f"at most: {quantity.remark}")
+    elif quantity.known == "given" and quantity.value is not None:
+        chosen[name] = Choice(quantity.value, None, "given", f"given: {quantity.remark}")
 
 
 def _contain(chosen: dict[str, Choice], name: str, value: float, where: str) -> None:

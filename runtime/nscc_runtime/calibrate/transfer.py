@@ -46,6 +46,7 @@ class Transfer:
     """
 
     offset: float | None
+    offset_se: float
     gain: float
     noise: float
     crosstalk: float
@@ -66,8 +67,11 @@ def transfer(
     darks: Sequence[Moments],
     offset: tuple[float, float] | None,
     top_code: int,
+    crosstalk: float | None = None,
 ) -> Transfer:
     """The photon transfer curve of levels; `offset` is the code without charge, with its error.
+
+    `crosstalk` is taken as known where it is given.
 
     NS0758 where fewer than two flats can be used, NS0759 where variance does not rise with the
     mean.
@@ -95,7 +99,7 @@ def transfer(
                 used.append(level)
             else:
                 left_out.append((level, reason))
-    result = _fitted(used, offset, zero, zero_se)
+    result = _fitted(used, offset, zero, zero_se, crosstalk)
     found = replace(result, left_out=tuple(left_out))
     if not (fallen or highest.cut_at_top):
         return found
@@ -119,7 +123,11 @@ def _unfit(level: Moments, limit: float) -> str | None:
 
 
 def _fitted(
-    used: Sequence[Moments], offset: tuple[float, float] | None, zero: float, zero_se: float
+    used: Sequence[Moments],
+    offset: tuple[float, float] | None,
+    zero: float,
+    zero_se: float,
+    known: float | None,
 ) -> Transfer:
     x = np.array([level.mean - zero for level in used])
     variance = np.array([level.variance for level in used])
@@ -127,11 +135,15 @@ def _fitted(
     # Of a sample variance and of a mean covariance of 2 N pairs, both of normal numbers.
     degrees = np.array([(level.frames - 1) * level.pixels for level in used], np.float64)
     samples = np.array([level.frames * level.pixels for level in used], np.float64)
+    # Darks of nearly the same mean are rounded alike: together no better than one of them.
+    alike = np.array([sum(abs(level.mean - other.mean) < 0.5 for other in used) for level in used])
+    rounding = np.array([level.rounding for level in used]) * np.sqrt(alike)
     slope = float(np.ptp(variance) / max(np.ptp(x), 1e-9))
 
     def own(fitted: Vector) -> Vector:
         size = np.maximum(fitted, QUIET / 2)
-        return np.sqrt(2 * size**2 / degrees + slope**2 * size / samples)
+        errors = 2 * size**2 / degrees + slope**2 * size / samples + rounding**2
+        return np.asarray(np.sqrt(errors))
 
     if np.ptp(x) < 1e-6:
         raise _no_transfer("all its levels have the same mean")
@@ -148,19 +160,20 @@ def _fitted(
     for column in range(3):
         step = np.zeros(3)
         step[column] = sqrt(errors[column, column]) * 1e-3
-        jacobian[:, column] = (_solved(values + step) - _solved(values)) / step[column]
+        jacobian[:, column] = _solved(values + step, known) - _solved(values, known)
+        jacobian[:, column] /= step[column]
     covariance = jacobian @ errors @ jacobian.T
-    gain, noise, crosstalk = map(float, _solved(values))
+    gain, noise, crosstalk = map(float, _solved(values, known))
     covariance[1, 1] += (gain * zero_se) ** 2
     return Transfer(
-        None if offset is None else zero, gain, noise, crosstalk, covariance, fit,
+        None if offset is None else zero, zero_se, gain, noise, crosstalk, covariance, fit,
         tuple(used), (), None,
     )  # fmt: skip
 
 
-def _solved(slopes: Vector) -> Vector:
+def _solved(slopes: Vector, known: float | None) -> Vector:
     """Gain, noise and crosstalk from slope and start of the variance, slope of the covariance."""
-    crosstalk = _crosstalk(float(slopes[0]), float(slopes[2]))
+    crosstalk = _crosstalk(float(slopes[0]), float(slopes[2])) if known is None else known
     return np.array([slopes[0] / kept_variance(crosstalk), slopes[1], crosstalk])
 
 
