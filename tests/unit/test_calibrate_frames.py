@@ -121,14 +121,18 @@ def test_one_frame_a_level(stacks: tuple[list[Stack], list[Stack]]) -> None:
 def test_one_level(stacks: tuple[list[Stack], list[Stack]]) -> None:
     flats, darks = stacks
     code, message = rejected(flats[:1], darks)
-    assert (code, message[:2]) == ("NS0758", "1 ")
+    assert (code, message[:8]) == ("NS0758", "1 level ")
+    again = replace(flats[0], codes=flats[0].codes[::-1] + np.uint16(0))
+    again.codes[:, 0] = again.codes[:, 1]
+    code, message = rejected([flats[0], again], darks)
+    assert (code, message[:8]) == ("NS0758", "1 level ")
 
 
 def test_flats_that_are_all_clipped(stacks: tuple[list[Stack], list[Stack]]) -> None:
     camera = CHIP.made(np.random.default_rng(0))
     white = [replace(camera.stack(0.0, 0.01, 4), codes=np.full((4, 32, 40), 255, np.uint16))] * 3
     code, message = rejected(white, stacks[1])
-    assert (code, message[:2]) == ("NS0758", "0 ")
+    assert (code, message[:9]) == ("NS0758", "0 levels ")
 
 
 def test_mixed_sizes(stacks: tuple[list[Stack], list[Stack]]) -> None:

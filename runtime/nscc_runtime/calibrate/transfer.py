@@ -69,12 +69,11 @@ def transfer(
     top_code: int,
     crosstalk: float | None = None,
 ) -> Transfer:
-    """The photon transfer curve of levels; `offset` is the code without charge, with its error.
+    """The photon transfer curve of levels.
 
-    `crosstalk` is taken as known where it is given.
-
-    NS0758 where fewer than two flats can be used, NS0759 where variance does not rise with the
-    mean.
+    `offset` is the code without charge, with its error, or None; `crosstalk` is taken as known
+    where it is given. NS0758 where fewer than two levels of light can be used, NS0759 where
+    variance does not rise with the mean.
     """
     zero, zero_se = offset or (0.0, 0.0)
     peak = max(flats, key=lambda level: level.variance)
@@ -90,7 +89,7 @@ def transfer(
             used.append(level)
         else:
             left_out.append((level, reason))
-    if len(used) < 2:
+    if len({round(level.mean) for level in used}) < 2:
         raise _too_few(used, left_out, limit)
     if offset is not None:
         for level in darks:
@@ -192,16 +191,20 @@ def _crosstalk(own: float, across: float) -> float:
 def _too_few(
     used: Sequence[Moments], left_out: Sequence[tuple[Moments, str]], limit: float
 ) -> Rejected:
+    count = len({round(level.mean) for level in used})
     notes = [f"'{level.name}' (mean {level.mean:.4g}): {reason}" for level, reason in left_out]
+    if len(used) > count:
+        notes.append(f"{len(used)} flats have the same mean, {used[0].mean:.4g}: that is one level")
     return rejected(
         TOO_FEW,
-        f"{len(used)} of the flats can be used, photon transfer needs 2 levels of light or more",
-        notes=notes[:10],
+        f"{count} level{'' if count == 1 else 's'} of light can be used, photon transfer needs 2 "
+        "or more",
+        notes=notes[-10:],
         helps=(
             "add flats of other exposure times or other light, with means spread evenly up to "
             f"code {limit:.0f}; each argument is one level",
         ),
-        data={"required": 2, "available": len(used)},
+        data={"required": 2, "available": count},
     )
 
 
