@@ -210,13 +210,27 @@ def test_light_that_was_not_constant_gives_no_linearity() -> None:
 def test_a_curve_that_is_no_line_is_warned_of() -> None:
     """The variance of every other level doubled by hand."""
     flats, darks = taken(Chip(), 4)
+    plain = calibrated(flats, darks, TOP)
     rng = np.random.default_rng(0)
     for stack in flats[1:6:2]:
         shaken = stack.codes + rng.normal(0, 2.0, stack.codes.shape)
         stack.codes[:] = np.clip(np.rint(shaken), 0, TOP)
-    said = messages(calibrated(flats, darks, TOP))
+    found = calibrated(flats, darks, TOP)
+    said = messages(found)
     assert [message.code for message in said] == ["NS0792"]
     assert said[0].severity == "warning"
+    gain = found.quantities["conversion_gain"]
+    assert gain.se > 5 * plain.quantities["conversion_gain"].se
+    assert abs(gain.value - 20) < 4 * gain.se
+
+
+def test_a_curve_that_is_hardly_bent_is_noted() -> None:
+    """A dark of 2 % less noise than it should have, among many frames."""
+    flats, darks = taken(Chip(), 4, 24, 60)
+    quiet = Chip(read_e=29.7).made(np.random.default_rng(4))
+    still = [*darks[:2], quiet.stack(0.0, DARK_TIMES[2], 60)]
+    (said,) = messages(calibrated(flats, still, TOP))
+    assert (said.code, said.severity) == ("NS0792", "note")
 
 
 def test_a_program_divides_the_noise_over_its_reads() -> None:

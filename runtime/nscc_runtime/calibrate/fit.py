@@ -14,11 +14,15 @@ from nscc_runtime.calibrate.levels import Map, Mask
 Vector = NDArray[np.float64]
 
 
+IMPROBABLE = 1e-4
+
+
 @dataclass(frozen=True, eq=False)
 class Line:
     """y = start + slope x, with the covariance (2, 2) of (start, slope).
 
-    `misfit` is chi squared, `freedom` the number of points less two.
+    `misfit` is chi squared, `freedom` the number of points less two; `apart` the root mean square
+    distance of the points, relative to the fitted y.
     """
 
     start: float
@@ -26,6 +30,7 @@ class Line:
     covariance: Vector
     misfit: float
     freedom: int
+    apart: float
 
     @property
     def chance(self) -> float:
@@ -35,6 +40,14 @@ class Line:
         from scipy.special import gammaincc
 
         return float(gammaincc(self.freedom / 2, self.misfit / 2))
+
+    @property
+    def excess(self) -> float:
+        """How much larger the points' errors are than given, in variance, where that is certain.
+
+        1 unless a misfit as large has a chance below `IMPROBABLE`.
+        """
+        return self.misfit / self.freedom if self.chance < IMPROBABLE else 1.0
 
 
 def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
@@ -56,7 +69,8 @@ def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
         [[1 / total + centre**2 / spread, -centre / spread], [-centre / spread, 1 / spread]]
     )
     misfit = float((((y - fitted) / errors(fitted)) ** 2).sum())
-    return Line(start, slope, covariance, misfit, len(x) - 2)
+    apart = float(np.sqrt(((y / fitted - 1) ** 2).mean()))
+    return Line(start, slope, covariance, misfit, len(x) - 2, apart)
 
 
 def propagated(

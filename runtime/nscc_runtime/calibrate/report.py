@@ -14,7 +14,8 @@ from nscc_runtime.calibrate.sensor import Choice, sensor_of
 from nscc_runtime.sensor import sensor_toml
 
 SCHEMA = "nscc-calibration-1"
-_IMPROBABLE = 1e-4
+_BENT = 0.01
+"""A curve whose levels are further off than this part is worth a warning."""
 
 
 def as_toml(found: Calibration, chosen: Mapping[str, Choice]) -> str:
@@ -132,19 +133,23 @@ def messages(found: Calibration) -> list[Diagnostic]:
             )
         )
     fit = found.curve.fit
-    if fit.chance < _IMPROBABLE:
+    if fit.excess > 1:
+        bent = fit.apart > _BENT
         said.append(
             Diagnostic(
                 NOT_A_LINE,
-                "the noise does not rise with the mean along a line: chi squared "
-                f"{fit.misfit:.3g} for {fit.freedom} degrees of freedom",
-                severity=Severity.WARNING,
+                f"the noise does not rise with the mean along a line: levels are {fit.apart:.2%} "
+                f"off, {fit.excess**0.5:.2g} times as much as their errors",
+                severity=Severity.WARNING if bent else Severity.NOTE,
                 notes=(
-                    "the standard errors are those of a line: gain and noise may be further off",
-                    "levels near saturation, light that flickers within a frame and noise that "
-                    "grows with the signal bend it",
+                    f"chi squared is {fit.misfit:.3g} for {fit.freedom} degrees of freedom; the "
+                    "errors of gain and noise were made larger by that factor",
+                    "levels near saturation, light that flickers within a frame, memories that "
+                    "leak and noise that grows with the signal bend the line",
                 ),
-                helps=("look at the levels with --json, and leave out the brightest",),
+                helps=("look at the levels with --json, and leave out what is off",)
+                if bent
+                else (),
             )
         )
     return said

@@ -153,7 +153,7 @@ def _fitted(
 
     values = np.array([fit.slope, fit.start, across.slope])
     errors = np.zeros((3, 3))
-    errors[:2, :2] = fit.covariance[::-1, ::-1]
+    errors[:2, :2] = fit.covariance[::-1, ::-1] * fit.excess
     errors[2, 2] = across.covariance[1, 1]
     jacobian = np.zeros((3, 3))
     for column in range(3):
