@@ -159,6 +159,45 @@ def test_arrays_brought_to_an_exposure(values: np.ndarray, percentile: float) ->
     check(found.exposure_e[0], slots_of(values), light.exposure_scale_e)
 
 
+def _picture(path: Path, values: np.ndarray) -> None:
+    """(rows, cols, 3) as a PFM file, by hand, or as an OpenEXR file of half or float."""
+    if path.suffix == ".pfm":
+        head = f"PF\n{values.shape[1]} {values.shape[0]}\n-1.0\n".encode()
+        path.write_bytes(head + values[::-1].astype("<f4").tobytes())
+        return
+    import OpenEXR
+
+    header = {"compression": OpenEXR.NO_COMPRESSION, "type": OpenEXR.scanlineimage}
+    with OpenEXR.File(header, {"RGB": values}) as file:
+        file.write(str(path))
+
+
+@settings(max_examples=200, deadline=None)
+@given(st.integers(0, 2**32), st.sampled_from(["half", "float", "pfm"]), st.booleans())
+def test_pictures_are_refused_or_right(seed: int, how: str, lit: bool) -> None:
+    rng = np.random.default_rng(seed)
+    values = bits(rng, (ROWS, COLS, 3), np.float16 if how == "half" else np.float32)
+    if lit:
+        values = np.where(np.isfinite(values) & (values >= 0), values, 0).astype(values.dtype)
+    exact = [[float(v) for v in pixel] for pixel in values.reshape(-1, 3).tolist()]
+    weighted = [0.2126 * r + 0.7152 * g + 0.0722 * b for r, g, b in exact]
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / ("a.pfm" if how == "pfm" else "a.exr")
+        _picture(path, values)
+        light, code = _attempted(path, Exposure(30_000.0, 100.0))
+    numbers = [v for v in weighted if math.isfinite(v)]
+    if light is None:
+        dark = max(numbers, default=0.0) < 1e-33  # no factor of a float32 reaches so far
+        assert code == "NS0736" or (code == "NS0738" and dark)
+        assert code == "NS0738" or any(is_bad(v) for v in weighted)
+        return
+    assert len(numbers) == len(weighted)
+    # What is left of filters, less than a thousandth of the peak below 0, counts as dark.
+    clamped = np.array([max(v, 0.0) for v in weighted]).reshape(ROWS, COLS)
+    wanted = clamped / clamped.max() * 30_000
+    np.testing.assert_allclose(light.total_e(), wanted, rtol=1e-5, atol=1e-30)
+
+
 @settings(max_examples=300, deadline=None)
 @given(st.integers(0, 2**32))
 def test_arrays_in_python_mark_what_is_no_number(seed: int) -> None:
