@@ -169,6 +169,7 @@ def meta(container: Container, light: Light, frame: Frame, origin: Provenance) -
         "electrons_per_lsb": sensor.electrons_per_lsb,
         "adc_offset": sensor.adc_offset_lsb,
         "exposure_scale_e": light.exposure_scale_e,
+        "open_us": _open_us(container),
         "invalid_pixels": int(np.count_nonzero(~frame.valid)),
         "plan": {
             "tolerance_e": 0.0,
@@ -182,6 +183,16 @@ def meta(container: Container, light: Light, frame: Frame, origin: Provenance) -
         },
         "audit": None,
     }
+
+
+def _open_us(container: Container) -> list[float] | None:
+    """For each bucket how long its pixels are open; None where pixels differ."""
+    if container.pixel_codes is None:
+        return None
+    lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])
+    times = container.table.shutters[lanes] @ np.array(container.slot_us, np.float64)
+    same = bool(np.all(times == times[0]))
+    return [float(time) for time in times[0]] if same else None
 
 
 def packed_shutters(

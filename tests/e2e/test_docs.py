@@ -17,6 +17,7 @@ PAGES = (
     "docs/levels.md",
     "docs/encodings.md",
     "docs/cpp.md",
+    "docs/calibrate.md",
     "examples/README.md",
 )
 

@@ -268,10 +268,11 @@ def _luminance(
     request: _Request, stored: NDArray[Any], transfer: Transfer, name: str
 ) -> NDArray[np.float32]:
     """The part of a stored picture on the array as luminance; NS0736 for what is not light."""
-    peak = float(stored.max()) if stored.dtype.kind == "f" else 0.0
-    part = linear(request.window.of(stored, request.name), transfer)
-    values = luminance(part) if part.ndim == 3 else part
-    low = float(values.min())
+    with np.errstate(invalid="ignore", over="ignore"):  # the census says what is no light
+        peak = float(stored.max()) if stored.dtype.kind == "f" else 0.0
+        part = linear(request.window.of(stored, request.name), transfer)
+        values = luminance(part) if part.ndim == 3 else part
+        low = float(values.min())
     if low < 0 and low >= -_TINY_NEGATIVE * peak:
         count = int(np.count_nonzero(values < 0))
         values = np.maximum(values, 0.0)
