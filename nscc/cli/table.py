@@ -26,6 +26,7 @@ COMMANDS = (
     Entry("explain", "nscc.cli.explain", "Explain the code of a message."),
     Entry("targets", "nscc.cli.targets", "List the chips that nscc knows, and their limits."),
     Entry("effects", "nscc.cli.effects", "List the sensor's effects and its parameters."),
+    Entry("device", "nscc.cli.device", "Talk to a chip at a serial port, or stand in for one."),
     Entry("tradeoff", "nscc.cli.tradeoff", "Measure what more time buys."),
     Entry("doctor", "nscc.cli.doctor", "Report on this installation."),
 )
@@ -33,7 +34,6 @@ COMMANDS = (
 
 PLANNED = (
     "calibrate",
-    "device",
     "evaluate",
     "metrics",
     "reconstruct",

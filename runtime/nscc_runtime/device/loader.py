@@ -132,6 +132,10 @@ class Loader:
         """Whether `poll` has something to do without new bytes."""
         return bool(self._out or self._reads or self.exposing)
 
+    def watched(self) -> list[int]:
+        """File descriptors that announce something to do: none."""
+        return []
+
     def _handle(self, packet: Packet) -> None:
         handlers: dict[int, Callable[[Packet], bytes | None]] = {
             Kind.HELLO: self._hello,

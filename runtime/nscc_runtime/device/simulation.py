@@ -41,6 +41,10 @@ class Loaded(Protocol):
         """Start anew."""
         ...
 
+    def watched(self) -> list[int]:
+        """File descriptors whose bytes give `poll` something to do."""
+        ...
+
 
 class Hung(Exception):
     """A task did not end in the time that it may take."""
