@@ -18,6 +18,7 @@ _MOST_READ = 4096
 _ROOM = 4096
 _NOBODY_S = 0.01
 _BUSY_S = 0.002
+_PAUSE_S = 0.0002
 _IDLE_S = 0.25
 _BOOT_S = 0.1
 _MOST_TRIES = 64
@@ -99,6 +100,7 @@ class Server:
         self._arriving: deque[tuple[float, bytes]] = deque()
         self._leaving: deque[tuple[float, bytes]] = deque()
         self._boots_until = 0.0
+        self._connected = False
 
     @property
     def port(self) -> str:
@@ -107,17 +109,16 @@ class Server:
 
     def serve(self, *, once: bool = False, until: float | None = None) -> None:
         """Serve until `until` (of `monotonic`), or with `once` until the first host has left."""
-        connected = False
         while until is None or monotonic() < until:
             if self.terminal.hung_up():
                 # What is said while nobody listens is lost, as on any line.
                 self._leaving.clear()
-                if connected and once:
+                if self._connected and once:
                     return
                 self._turn(None)
                 sleep(_NOBODY_S)
                 continue
-            connected = True
+            self._connected = True
             data = self.terminal.read()
             self._turn(data)
             self._wait()
@@ -134,7 +135,9 @@ class Server:
             _, piece = self._arriving.popleft()
             if now >= self._boots_until:
                 self.loader.receive(piece, self._now_us())
-        if now >= self._boots_until and sum(len(piece) for _, piece in self._leaving) < _ROOM:
+        # What is under way takes no room: only what should have left already does.
+        late = sum(len(piece) for due, piece in self._leaving if due <= now)
+        if now >= self._boots_until and late < _ROOM:
             out = self.loader.poll(self._now_us(), _ROOM)
             if out:
                 self._leaving.append((now + self.faults.delay_s, self._down.spoiled(out)))
@@ -164,6 +167,7 @@ class Server:
         while monotonic() < back or (os.path.exists(name) and monotonic() < back + _IDLE_S):
             sleep(_BUSY_S)
         self.terminal = Terminal(name)
+        self._connected = False
         if self.terminal.name != name:
             self.moved(self.terminal.name)
 
@@ -174,6 +178,8 @@ class Server:
         waits = [_IDLE_S, *(max(time - now, 0.0) for time in due)]
         if self.loader.busy or self._boots_until > now:
             waits.append(_BUSY_S)
+        if self.loader.busy and not (self._leaving and self._leaving[0][0] <= now):
+            waits.append(_PAUSE_S)
         blocked = bool(self._leaving and self._leaving[0][0] <= now)
         writers = [self.terminal.fd] if blocked else []
         readers = [self.terminal.fd]

@@ -29,7 +29,7 @@ MOST_FRAME = 1 << 28
 _SMALLEST_CHUNK = 64
 _MOST_DIGEST_FAILURES = 8
 _GROW_AFTER = 8
-_READ_AHEAD = 2
+_READ_AHEAD = 6
 _READ_CHUNKS = 8
 _POLL_S = 0.02
 _LONGEST_POLL_S = 0.25
@@ -219,18 +219,20 @@ def _fetched(host: Host, captured: Captured, watch: Watch) -> Task[bytes]:
     raise Refused(Failure(Kind.READ, Fault.DIGEST, 0))
 
 
-@dataclass
+@dataclass(frozen=True)
 class _Range:
-    """A request under way: bytes `start` to `stop` of the frame."""
+    """A request under way: bytes `start` to `stop` of the frame, asked for at `since`; `alone`:
+    with no other before it, so that its first packet tells how long a reply takes."""
 
     start: int
     stop: int
-    heard: float
-    fresh: bool = True
+    since: float
+    alone: bool
 
 
 class _Fetcher:
-    """Asks for ranges of a frame, some ahead, and again for what did not come."""
+    """Asks for ranges of a frame, some ahead, and again for what did not come. A loader serves
+    them in order: a packet of one says that nothing more comes of those before it."""
 
     def __init__(self, host: Host, captured: Captured, watch: Watch) -> None:
         assert host.info is not None
@@ -241,20 +243,23 @@ class _Fetcher:
         self.left = units
         self.chunk = _Chunk(host.info.most_data)
         self.asked: dict[int, _Range] = {}
+        self.heard = host.now
         self.wait = host.wait_s
 
     def run(self) -> Task[bytes]:
         host = self.host
         while self.left:
             self._ask()
-            until = min(each.heard for each in self.asked.values()) + self.wait
+            until = max(self.heard, min(each.since for each in self.asked.values())) + self.wait
             packet = yield until
             if packet is None:
-                self._give_up_late()
+                if host.now >= until:
+                    host.check_patience()
+                    self._lose(list(self.asked))
+                    self.wait = min(2 * self.wait, max(LONGEST_WAIT_S, host.wait_s))
                 continue
             if packet.kind == Kind.ERROR and packet.sequence in self.asked:
-                failure = checked(Failure.unpack, packet)
-                if failure.fault != Fault.BUSY:
+                if checked(Failure.unpack, packet).fault != Fault.BUSY:
                     raise_failure(packet)
             elif packet.kind == Kind.READ | REPLY and len(packet.body) > FRAME.size:
                 number, offset = FRAME.unpack_from(packet.body)
@@ -264,13 +269,15 @@ class _Fetcher:
         return bytes(self.data)
 
     def _ask(self) -> None:
+        if len(self.asked) > _READ_AHEAD // 2:
+            return
+        pending = bytearray(self.missing)
+        for each in self.asked.values():
+            first, last = each.start // _SMALLEST_CHUNK, -(-each.stop // _SMALLEST_CHUNK)
+            pending[first:last] = bytes(last - first)
+        end = 0
         while len(self.asked) < _READ_AHEAD:
-            pending = bytearray(self.missing)
-            for each in self.asked.values():
-                first = each.start // _SMALLEST_CHUNK
-                last = -(-each.stop // _SMALLEST_CHUNK)
-                pending[first:last] = bytes(last - first)
-            begin = pending.find(1)
+            begin = pending.find(1, end)
             if begin < 0:
                 return
             end = pending.find(0, begin)
@@ -278,19 +285,16 @@ class _Fetcher:
             end = min(end, begin + _READ_CHUNKS * self.chunk.size // _SMALLEST_CHUNK)
             start, stop = begin * _SMALLEST_CHUNK, min(end * _SMALLEST_CHUNK, len(self.data))
             read = Read(self.number, start, stop - start, self.chunk.size)
+            alone = not self.asked
             sequence = self.host.send(Kind.READ, read.pack())
-            self.asked[sequence] = _Range(start, stop, self.host.now)
+            self.asked[sequence] = _Range(start, stop, self.host.now, alone)
 
-    def _give_up_late(self) -> None:
-        now = self.host.now
-        late = [n for n, each in self.asked.items() if now >= each.heard + self.wait]
-        for sequence in late:
+    def _lose(self, sequences: list[int]) -> None:
+        for sequence in sequences:
             del self.asked[sequence]
             self.host.resent += 1
-        if late:
-            self.host.check_patience()
+        if sequences:
             self.chunk.lost()
-            self.wait = min(2 * self.wait, max(LONGEST_WAIT_S, self.host.wait_s))
 
     def _take(self, sequence: int, offset: int, data: bytes) -> None:
         end = offset + len(data)
@@ -309,9 +313,15 @@ class _Fetcher:
         request = self.asked.get(sequence)
         if request is None:
             return
-        if request.fresh:
-            self.host.timed(self.host.now - request.heard)
-            request.fresh, self.wait = False, self.host.wait_s
-        request.heard = self.host.now
+        self.heard = self.host.now
+        if request.alone and offset == request.start:
+            self.host.timed(self.host.now - request.since)
+        self.wait = self.host.wait_s
+        self._lose([number for number in self.asked if _before(number, sequence)])
         if end >= request.stop:
             del self.asked[sequence]
+
+
+def _before(one: int, other: int) -> bool:
+    """Whether a request's number is older than another's; numbers wrap at 2^16."""
+    return 0 < (other - one & 0xFFFF) < 0x8000
