@@ -261,6 +261,8 @@ class Loader:
         fresh = declare.entries[len(repeated) :]
         if known + len(fresh) > program.begin.objects:
             raise Refusal(Fault.WRONG_STATE, known)
+        for entry in fresh:
+            Held.check_room(entry.kind, entry.length, self.target, self.limits)
         program.entries += fresh
         if fresh and len(program.entries) == program.begin.objects:
             begin = program.begin

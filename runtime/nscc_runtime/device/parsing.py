@@ -70,6 +70,20 @@ class Held:
             case _:
                 raise Refusal(Fault.MALFORMED, kind)
 
+    @staticmethod
+    def check_room(kind: int, length: int, target: Target, most: Limits) -> None:
+        """Refuse an object that is too long for its kind before any of it is kept."""
+        rooms = {
+            ObjectKind.READOUTS: COUNT.size + len(target.analog_registers) * READOUT.size,
+            ObjectKind.KERNELS: COUNT.size * (1 + most.kernels) + most.words * WORD.size,
+            ObjectKind.SCHEDULE: 3 * COUNT.size + most.runs * RUN.size + most.rows * ROW.size,
+            ObjectKind.PLANE: (target.rows * target.cols + 7) // 8,
+        }
+        if kind not in set(ObjectKind):
+            raise Refusal(Fault.MALFORMED, kind)
+        if length > rooms[ObjectKind(kind)]:
+            raise Refusal(Fault.TOO_LARGE, length)
+
     @property
     def whole(self) -> bool:
         """Whether nothing is missing that a frame needs."""
@@ -93,7 +107,7 @@ class Held:
         count = reader.count()
         if count > most.rows:
             raise Refusal(Fault.TOO_LARGE, count)
-        rows = tuple(ROW.unpack(reader.take(ROW.size)) for _ in range(count))
+        rows = tuple(ROW.iter_unpack(reader.take(count * ROW.size)))
         reader.end()
         at = launches = 0
         for advance, kernel, times in rows:
@@ -110,6 +124,11 @@ class Held:
             raise Refusal(Fault.PLANE, register)
         if len(data) != (pixels + 7) // 8 or (pixels % 8 and data[-1] >> pixels % 8):
             raise Refusal(Fault.PLANE, register)
+        if target.digital_registers[register] == target.masked_register:
+            # It takes a write only where the mask is 1, so the mask's own code has to come later.
+            mask = target.mask_register
+            if mask is not None and target.digital_registers.index(mask) in planes:
+                raise Refusal(Fault.PLANE, register)
         self.planes = {**planes, register: data}
 
     def launches(self) -> Iterator[tuple[int, int]]:
