@@ -83,8 +83,8 @@ def capture_frames(port: str, program: Path | None, options: dict[str, Any]) -> 
         if container is not None:
             chip.upload(container)
         for path in _paths(options):
-            shot = chip.capture(container) if container else chip.capture_held(target)
             stamp = datetime.now(UTC).isoformat(timespec="microseconds")
+            shot = chip.capture(container) if container else chip.capture_held(target)
             _write(path, chip, shot, container, sensor, stamp)
             done(f"wrote {path}")
 
