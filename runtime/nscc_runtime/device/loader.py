@@ -32,7 +32,15 @@ from nscc_runtime.device.messages import (
     Status,
 )
 from nscc_runtime.device.objects import program_digest, target_digest
-from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet, Unpacker
+from nscc_runtime.device.packets import (
+    LONGEST_WIRE,
+    MOST_DATA,
+    REPLY,
+    VERSION,
+    Kind,
+    Packet,
+    Unpacker,
+)
 from nscc_runtime.device.parsing import Held, Limits, Refusal
 
 MOST_OUT = 8192
@@ -121,7 +129,7 @@ class Loader:
         """Go on with what is being done; at most about `room` bytes to send."""
         self._now_us = now_us
         self._watch_exposure()
-        while self._reads and len(self._out) < min(room, MOST_OUT):
+        while self._reads and len(self._out) < room and self._has_room:
             self._send_piece()
         out = bytes(self._out[:room])
         del self._out[:room]
@@ -166,9 +174,12 @@ class Loader:
             self._send(Packet(packet.kind | REPLY, packet.sequence, packet.session, reply))
 
     def _send(self, packet: Packet) -> None:
-        wire = packet.wire()
-        if len(self._out) + len(wire) <= MOST_OUT:
-            self._out += wire
+        if self._has_room:
+            self._out += packet.wire()
+
+    @property
+    def _has_room(self) -> bool:
+        return len(self._out) + LONGEST_WIRE + 2 <= MOST_OUT
 
     def _hello(self, packet: Packet) -> bytes:
         hello = Hello.unpack(packet.body)
