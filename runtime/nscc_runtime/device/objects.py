@@ -133,7 +133,10 @@ def upload_of(container: Container, label: bytes) -> Upload:
             + b"".join(ROW.pack(*row) for row in rows),
         ),
     ]
-    for register, plane in container.planes().items():
+    planes = container.planes()
+    # It takes a write only where the mask is 1, so it comes before the mask's own code.
+    for register in sorted(planes, key=lambda name: name != target.masked_register):
+        plane = planes[register]
         bits = np.packbits(plane, axis=None, bitorder="little").tobytes()
         number = target.digital_registers.index(register)
         objects.append(Object(ObjectKind.PLANE, number, bits))

@@ -128,7 +128,6 @@ class _Sender:
             packet = yield until
             if packet is None:
                 if host.now >= until:
-                    host.check_patience()
                     self.wait = min(2 * self.wait, max(LONGEST_WAIT_S, host.wait_s))
                     self._back_to(self.acknowledged)
                 continue
@@ -152,6 +151,7 @@ class _Sender:
             self.next += len(data)
 
     def _back_to(self, position: int) -> None:
+        self.host.check_patience()
         self.host.resent += len(self.sent)
         self.chunk.lost()
         self.sent.clear()
