@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nscc.cli.link_options import link_options
 from nscc.cli.programs import BuildChoice, build_options, load_program
 from nscc.cli.support import CommonCommand, Product, done, progress, say, write_together
 from nscc.diagnostics.model import Diagnostic, Rejected
@@ -86,7 +87,15 @@ class Timings:
     default="integrals",
     help="Whether a clip's frames hold all the light of their time, or an instant of it.",
 )
-@click.option("--on", "place", default="emulator", help="Where to run: emulator.")
+@click.option(
+    "--on",
+    "place",
+    default="emulator",
+    show_default=True,
+    metavar="emulator|PORT",
+    help="Where to run: a serial port is a device's.",
+)
+@link_options
 @click.option(
     "--fidelity",
     type=click.Choice(["planned", "reference"]),
@@ -105,24 +114,32 @@ class Timings:
 )
 @build_options
 def command(program: Path, **options: Any) -> None:
-    """Expose one frame of a scene with a program, and write it as an .npz file."""
+    """Expose one frame of a scene with a program, and write it as an .npz file.
+
+    With --on PORT a chip exposes it, or `nscc device serve`, its stand-in.
+    """
+    if options["place"] != "emulator":
+        from nscc.cli.on_device import run_on_device
+
+        run_on_device(program, options, _parse_keep(options["keep"]))
+        return
     _refuse_unbuilt(options)
     chosen = _chosen(options)
     keep = _parse_keep(options["keep"])
     timings = Timings()
     with timings.part("compile_s"):
         container, messages = load_program(program, BuildChoice.of(options))
-        container = _with_pixels(container, program, options["pixels"])
+        container = with_pixels(container, program, options["pixels"])
     from nscc_runtime.sensor import load_sensor
 
     sensor = load_sensor(container.target, options["sensor"], options["sensor_set"])
     with timings.part("scene_s"):
-        light = _scene(container, options, messages)
+        light = scene_light(container, options, messages)
     with timings.part("expose_s"):
         frame = _exposed(container, light, sensor, chosen, options)
     # Not NAME.npz: that may well be the program's own data.
     out = options["out"] or Path(program.stem + ".frame.npz")
-    _refuse_same(out, options["png"], options["timings"])
+    refuse_same(out, options["png"], options["timings"])
     with timings.part("write_s"):
         origin = _origin(container, light, sensor, chosen, options)
         products = _products(container, light, frame, keep, out, options, program, origin)
@@ -130,7 +147,7 @@ def command(program: Path, **options: Any) -> None:
     if options["timings"]:
         text = json.dumps(timings.seconds, indent=2) + "\n"
         write_together({options["timings"]: text.encode()})
-    done(_summary(container, frame, [*products], chosen))
+    done(summary(container, frame, [*products], chosen))
 
 
 def _refuse_unbuilt(options: dict[str, Any]) -> None:
@@ -139,11 +156,6 @@ def _refuse_unbuilt(options: dict[str, Any]) -> None:
         if options[name]:
             option = "--" + name.replace("_", "-")
             raise _not_here(f"{option} belongs to the planner of effects", f"leave {option} out")
-    if options["place"] != "emulator":
-        raise _not_here(
-            f"--on {options['place'][:60]} needs the link to a device",
-            "use --on emulator (the default)",
-        )
 
 
 def _chosen(options: dict[str, Any]) -> Selection:
@@ -215,7 +227,7 @@ def _origin(
     )
 
 
-def _refuse_same(*files: Path | None) -> None:
+def refuse_same(*files: Path | None) -> None:
     """NS0745 where two products would be one file."""
     named = [file for file in files if file is not None]
     if len({file.absolute() for file in named}) < len(named):
@@ -257,7 +269,7 @@ def _parse_keep(text: str) -> tuple[str, ...]:
     return names
 
 
-def _with_pixels(container: Container, program: Path, pixels: Path | None) -> Container:
+def with_pixels(container: Container, program: Path, pixels: Path | None) -> Container:
     """The container with the codes of --pixels, or its own; NS0741 if there are none at all."""
     target = container.target
     if pixels is not None:
@@ -289,7 +301,7 @@ def _with_pixels(container: Container, program: Path, pixels: Path | None) -> Co
     )
 
 
-def _scene(
+def scene_light(
     container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
 ) -> Light:
     from nscc_runtime.scenes import load_scene, parse_crop, parse_exposure
@@ -337,7 +349,7 @@ def _products(
 
     shutters = None
     if "shutter" in keep:
-        shutters = _replayed(container)
+        shutters = replayed(container)
     kept, slots = frame_file.kept_arrays(container, light, keep, shutters)
     meta = frame_file.meta(container, light, frame, origin)
     products: dict[Path, Product] = {
@@ -352,7 +364,7 @@ def _products(
     return products
 
 
-def _replayed(container: Container) -> NDArray[np.bool_]:
+def replayed(container: Container) -> NDArray[np.bool_]:
     """What the words open (shutters, buckets, N); NS0442 where light counts half or twice."""
     from nscc.prove.replay import shutters
     from nscc.words.legality import decoded
@@ -370,7 +382,7 @@ def _replayed(container: Container) -> NDArray[np.bool_]:
     return found
 
 
-def _summary(container: Container, frame: Frame, files: list[Path], chosen: Selection) -> str:
+def summary(container: Container, frame: Frame, files: list[Path], chosen: Selection) -> str:
     """A line a bucket, of the first frame, and a line a file."""
     top = 2**container.target.adc_bits - 1
     width = max(len(name) for name in container.buckets)

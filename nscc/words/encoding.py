@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import lru_cache
+from typing import NamedTuple
 
 from nscc.diagnostics.model import Diagnostic, Rejected
 from nscc.words.container import Word
@@ -209,3 +210,29 @@ def word_lines(word: Word) -> tuple[int, ...]:
 def word_text(word: Word) -> str:
     """The five integers in the usual notation: `0x` and lower-case hexadecimal, five digits."""
     return " ".join(f"0x{integer:05x}" for integer in word)
+
+
+class Masks(NamedTuple):
+    """The layout of words as masks, by operation or register: `fixed` is raised by every word of
+    an operation, `read` by a source, `written` by a destination, which `write` alone gives away.
+    The kinds are the lines that tell operations apart, of analog and of digital words."""
+
+    fixed: dict[str, Word]
+    read: dict[str, Word]
+    write: dict[str, Word]
+    written: dict[str, Word]
+    kind_analog: Word
+    kind_digital: Word
+
+
+def masks() -> Masks:
+    """The masks, for those who decode words somewhere else."""
+    lines = {**ANALOG_WRITE, **DIGITAL_WRITE}
+    return Masks(
+        {name: _split(word) for name, word in _FIXED.items()},
+        {name: _split(word) for name, word in _READ.items()},
+        {name: _split(_bit(line)) for name, line in lines.items()},
+        {name: _split(word) for name, word in _WRITE.items()},
+        _split(_KIND_ANALOG),
+        _split(_KIND_DIGITAL),
+    )

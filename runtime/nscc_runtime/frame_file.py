@@ -260,20 +260,24 @@ def _put(
 
 
 def kept_arrays(
-    container: Container, light: Light, keep: tuple[str, ...], shutters: NDArray[np.bool_] | None
+    container: Container,
+    light: Light | None,
+    keep: tuple[str, ...],
+    shutters: NDArray[np.bool_] | None,
 ) -> tuple[dict[str, NDArray[Any]], dict[str, Light]]:
     """What `--keep` adds: arrays, and light that is written slot by slot.
 
-    `shutters` as in `packed_shutters`, needed where `keep` names them.
+    `shutters` as in `packed_shutters`, needed where `keep` names them. Without light none is kept.
     """
     arrays: dict[str, NDArray[Any]] = {}
     slots: dict[str, Light] = {}
-    if "light" in keep:
+    if light is not None and "light" in keep:
         slots["light"] = light
-    if "truth" in keep and light.kind == "still":
-        arrays["truth_e"] = light.total_e()
-    elif "truth" in keep:
-        slots["truth_e"] = light
+    if light is not None and "truth" in keep:
+        if light.kind == "still":
+            arrays["truth_e"] = light.total_e()
+        else:
+            slots["truth_e"] = light
     if "shutter" in keep and shutters is not None:
         arrays["shutter"], arrays["shutter_shape"] = packed_shutters(container, shutters)
     if "codes" in keep and container.pixel_codes is not None:

@@ -1,0 +1,138 @@
+"""`nscc device`: a stand-in for a chip, and what a chip at a port is, gets and gives."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from nscc.cli.link_options import link_options
+from nscc.cli.programs import BuildChoice, build_options, load_program
+from nscc.cli.support import CommonCommand, done, progress, say
+from nscc.diagnostics.model import Diagnostic, Rejected
+
+_LONGEST_S = 1e6
+_MOST_FRAMES = 1_000_000
+
+
+@click.group("device")
+def command() -> None:
+    """Talk to a chip at a serial port, or stand in for one.
+
+    The port is a serial device such as /dev/ttyACM0, or what `nscc device serve` prints.
+    """
+
+
+@command.command("serve", cls=CommonCommand)
+@click.option("--scene", help="What the stand-in sees: a file, a folder or builtin:NAME.")
+@click.option("--target", default="scamp5", show_default=True, metavar="NAME|FILE.toml")
+@click.option("--fault", metavar="F=V,..", help="A bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
+              "disconnect=after:20000,reboot=after:40000 (rates a byte).")  # fmt: skip
+@click.option(
+    "--loader",
+    type=click.Choice(["auto", "firmware", "python"]),
+    default="auto",
+    show_default=True,
+    help="The firmware, compiled for this machine, or its Python twin. auto: the firmware where "
+    "there is a C++ compiler.",
+)
+@click.option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P (99).")
+@click.option("--transfer", type=click.Choice(["linear", "srgb"]), help="The scene's curve.")
+@click.option("--fps", type=float, help="The clip's frames a second, seen in the slots' own time.")
+@click.option("--crop", metavar="R,C", help="Top left corner of the array in the scene.")
+@click.option(
+    "--frames-are", type=click.Choice(["integrals", "samples"]), default="integrals",
+    help="Whether a clip's frames hold all the light of their time, or an instant of it.",
+)  # fmt: skip
+@click.option("--sensor", type=click.Path(path_type=Path), help="The sensor's numbers.")
+@click.option("--sensor-set", multiple=True, metavar="K=V", help="Change one of them.")
+@click.option("--device-seed", type=click.IntRange(0, 2**63 - 1), default=0, help="Which chip.")
+@click.option("--once", is_flag=True, help="End when the first host has closed the port.")
+@click.option("--for", "seconds", type=click.FloatRange(0, _LONGEST_S), help="End after S seconds.")
+def serve(**options: Any) -> None:
+    """Stand in for a chip: prints the port to open on the first line, then serves it.
+
+    Uploaded words run on the emulator, over SCENE. Ends with Ctrl-C.
+    """
+    from nscc.cli.serving import serve as begin
+
+    begin(options)
+
+
+@command.command("info", cls=CommonCommand)
+@click.argument("port")
+@click.option("--json", "as_json", is_flag=True, help="Print it as JSON.")
+@link_options
+def info(port: str, as_json: bool, baud: int, patience: float) -> None:
+    """Say what the loader at PORT is, what it has room for and what it holds."""
+    from nscc.cli.device_frames import info_json, info_text
+    from nscc_runtime.device.chip import Chip
+    from nscc_runtime.device.link import Link
+
+    with Link(port, baud=baud, patience_s=patience) as link:
+        found = Chip(link).info()
+        status = link.run(link.host.status)
+    click.echo(info_json(found, status) if as_json else info_text(found, status), nl=False)
+
+
+@command.command("upload", cls=CommonCommand)
+@click.argument("port")
+@click.argument("program", metavar="FILE.nsl|FILE.icw", type=click.Path(path_type=Path))
+@click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
+@link_options
+@build_options
+def upload(port: str, program: Path, **options: Any) -> None:
+    """Bring a program to the device at PORT; what it has of it already is not sent again."""
+    from nscc.cli.run import with_pixels
+    from nscc_runtime.device.chip import Chip
+    from nscc_runtime.device.link import Link
+
+    container, messages = load_program(program, BuildChoice.of(options))
+    container = with_pixels(container, program, options["pixels"])
+    say(list(messages))
+    with Link(port, baud=options["baud"], patience_s=options["patience"]) as link:
+        sent = Chip(link, progress=progress).upload(container)
+    done(f"{port} holds '{program.name}': {sent.words} words, {len(sent.stream)} bytes")
+
+
+@command.command("capture", cls=CommonCommand)
+@click.argument("port")
+@click.argument(
+    "program",
+    metavar="[FILE.nsl|FILE.icw]",
+    required=False,
+    type=click.Path(path_type=Path),
+)
+@click.option("-o", "out", type=click.Path(path_type=Path), help="A frame file: one frame.")
+@click.option("--to", "folder", type=click.Path(path_type=Path), help="A folder: frame after "
+              "frame, until Ctrl-C.")  # fmt: skip
+@click.option("--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: so many frames.")
+@click.option("--every", type=click.FloatRange(0, _LONGEST_S), default=0.0,
+              help="With --to: seconds from frame to frame (default: as fast as it goes).")  # fmt: skip
+@click.option("--target", metavar="NAME|FILE.toml", help="The chip, of a program that is there.")
+@click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
+@click.option("--sensor", type=click.Path(path_type=Path), help="The sensor's numbers.")
+@click.option("--sensor-set", multiple=True, metavar="K=V", help="Change one of them.")
+@link_options
+def capture(port: str, program: Path | None, **options: Any) -> None:
+    """Expose frames with the program that the device at PORT holds, or with FILE.
+
+    Each file holds in `meta` when the frame was exposed and the program's SHA-256.
+    """
+    from nscc.cli.device_frames import capture_frames
+
+    if (options["out"] is None) == (options["folder"] is None):
+        raise click.UsageError("name either -o FILE (one frame) or --to FOLDER (many)")
+    if options["out"] is not None and (options["count"] or options["every"]):
+        raise click.UsageError("--count and --every go with --to FOLDER")
+    if program is not None and options["target"] and program.suffix.lower() == ".icw":
+        raise Rejected(
+            Diagnostic(
+                "NS0743",
+                f"--target cannot change '{program}': it is compiled already",
+                helps=("give the .nsl file instead, or leave --target out",),
+            ),
+            status=2,
+        )
+    capture_frames(port, program, options)

@@ -1,0 +1,90 @@
+// The loader: bytes and the time go in, bytes come out, the board does what they say.
+#ifndef NSCC_LOADER_HPP
+#define NSCC_LOADER_HPP
+
+#include "packets.hpp"
+#include "program.hpp"
+
+namespace nscc {
+
+enum class State : uint8_t { EMPTY, RECEIVING, COMPLETE, READY, EXPOSING, REFUSED };
+
+class Loader {
+public:
+    explicit Loader(Board &board) : board_(board), program_(board) { start(); }
+
+    // Forget everything, as after power on, and say so to the host.
+    void start();
+    void receive(const uint8_t *data, size_t count, uint64_t now_us);
+    // Go on with what is being done. How many bytes to send were written to `out`, at most `room`.
+    size_t poll(uint8_t *out, size_t room, uint64_t now_us);
+    // Whether poll has something to do without new bytes.
+    bool busy() const { return waiting_ > 0 || reads_ > 0 || exposing_; }
+
+private:
+    static constexpr size_t entry_size = 38, most_reads = 8, most_objects = 64;
+
+    struct Frame {
+        bool there, ready, broken;
+        uint64_t number;
+        uint8_t channels;
+        uint32_t length;
+        uint64_t started_us;
+        uint8_t digest[Sha256::size];
+    };
+    struct Reading {
+        uint16_t sequence;
+        uint64_t number;
+        uint32_t offset, length;
+        uint16_t chunk;
+    };
+
+    void handle(const Packet &packet);
+    Verdict answer(const Packet &packet);
+    Verdict hello(const Packet &packet);
+    Verdict status(const Packet &packet);
+    Verdict begin(const Packet &packet);
+    Verdict declare(const Packet &packet);
+    Verdict data(const Packet &packet);
+    Verdict finish(const Packet &packet);
+    Verdict capture(const Packet &packet);
+    Verdict read(const Packet &packet);
+    Verdict cancel(const Packet &packet);
+
+    void reply(const Packet &packet, const uint8_t *body, size_t size);
+    Verdict progress(const Packet &packet);
+    void send(uint8_t kind, uint16_t sequence, uint32_t session, const uint8_t *body, size_t size);
+    Verdict declared_all();
+    Verdict take(const uint8_t *data, size_t size);
+    Verdict commit(bool &again);
+    Verdict commit_empty();
+    Verdict refuse(Verdict verdict);
+    uint8_t shown_state() const { return uint8_t(exposing_ ? State::EXPOSING : state_); }
+    const uint8_t *entry(size_t number) const { return entries_ + entry_size * number; }
+    uint32_t entry_length(size_t number) const { return get32(entry(number) + 2); }
+    void watch_exposure();
+    void send_piece();
+
+    Board &board_;
+    Program program_;
+    Unpacker unpacker_;
+    State state_;
+    bool announced_, exposing_;
+    Verdict refusal_;
+    uint32_t session_, boot_, packets_;
+    uint64_t now_us_, started_us_, refreshed_us_;
+    uint8_t begin_[104];
+    uint8_t entries_[entry_size * most_objects];
+    size_t declared_, object_;
+    uint32_t position_, part_, failures_;
+    Sha256 digest_;
+    Frame frame_;
+    Reading reading_[most_reads];
+    size_t reads_, waiting_;
+    uint8_t out_[limits::most_out];
+    uint8_t pixels_[limits::most_frame];
+};
+
+}  // namespace nscc
+
+#endif

@@ -1,0 +1,42 @@
+// Which words the target takes. The tables are generated (target.hpp); nothing else is believed.
+#ifndef NSCC_WORDS_HPP
+#define NSCC_WORDS_HPP
+
+#include "bytes.hpp"
+
+namespace nscc {
+
+struct Word {
+    uint32_t part[5];
+};
+
+enum Effect : uint8_t { NOTHING, RESET_PIX, BUS, FLAG_ALL, FLAG_ANALOG, FLAG_DIGITAL, DIGITAL };
+enum Phase : uint8_t { WHOLE, FIRST_HALF, SECOND_HALF };
+
+// A row of the table of operations. Counts of 255 have no limit; `pair` tells apart the in-place
+// forms, whose two halves share it.
+struct Operation {
+    Word fixed;
+    uint8_t clock, effect, phase, pair;
+    uint8_t fewest_destinations, most_destinations, fewest_sources, most_sources;
+};
+
+// What a register's control lines are. `write` alone tells that it is a destination, `written` is
+// all that is raised then; a word of zeros: it cannot be read, or written.
+struct Register {
+    Word read, write, written;
+    bool analog, known, flag;
+};
+
+struct Meaning {
+    bool legal;
+    uint8_t effect, phase, pair;
+    bool analog;
+};
+
+// What a word does on this target; not legal where it is no word of it.
+Meaning meaning_of(const Word &word);
+
+}  // namespace nscc
+
+#endif

@@ -1,0 +1,72 @@
+#include "channel.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+
+#include <unistd.h>
+
+#include "bytes.hpp"
+
+namespace nscc {
+
+namespace {
+
+constexpr size_t head = 5;
+constexpr size_t most_read = 1 << 16;
+constexpr size_t most_record = 1 << 25;
+
+void put_all(const uint8_t *data, size_t size) {
+    while (size > 0) {
+        const ssize_t some = write(channel_out, data, size);
+        if (some < 0 && errno == EINTR) {
+            continue;
+        }
+        if (some <= 0) {
+            std::exit(1);       // the emulator is gone
+        }
+        data += some;
+        size -= size_t(some);
+    }
+}
+
+}  // namespace
+
+void put_record(uint8_t type, const uint8_t *data, size_t size) {
+    uint8_t start[head] = {type};
+    put32(start + 1, uint32_t(size));
+    put_all(start, head);
+    put_all(data, size);
+}
+
+bool Records::fill() {
+    const size_t before = held_.size();
+    held_.resize(before + most_read);
+    ssize_t some = read(channel_in, held_.data() + before, most_read);
+    if (some < 0 && (errno == EINTR || errno == EAGAIN)) {
+        some = 0;
+    } else if (some <= 0) {
+        return false;
+    }
+    held_.resize(before + size_t(some));
+    return true;
+}
+
+bool Records::next(uint8_t &type, std::vector<uint8_t> &data) {
+    if (held_.size() < head) {
+        return false;
+    }
+    const size_t size = get32(held_.data() + 1);
+    if (size > most_record) {
+        std::exit(1);
+    }
+    if (held_.size() < head + size) {
+        return false;
+    }
+    type = held_[0];
+    const auto begin = held_.begin() + head;
+    data.assign(begin, begin + std::ptrdiff_t(size));
+    held_.erase(held_.begin(), begin + std::ptrdiff_t(size));
+    return true;
+}
+
+}  // namespace nscc

@@ -1,0 +1,132 @@
+// The loader on a computer, behind a pseudo-terminal (`loader --pty`), or a step at a time on the
+// clock of whoever drives it (`loader --lockstep`). Its standard input and output are a channel to
+// the process that emulates the chip.
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <vector>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include "channel.hpp"
+#include "emulated_board.hpp"
+#include "loader.hpp"
+
+namespace {
+
+using namespace nscc;
+
+EmulatedBoard board;
+Loader loader(board);
+Records records;
+
+constexpr size_t most_bytes = 4096;
+constexpr int idle_ms = 250, nobody_ms = 10, busy_ms = 1;
+
+uint64_t now_us() {
+    timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return uint64_t(now.tv_sec) * 1000000 + uint64_t(now.tv_nsec) / 1000;
+}
+
+// A step: bytes from the line at a time, and what the loader has for the line then.
+void step(const std::vector<uint8_t> &data) {
+    if (data.size() < 12) {
+        std::exit(1);
+    }
+    const uint64_t now = get64(data.data());
+    const size_t room = get32(data.data() + 8);
+    loader.receive(data.data() + 12, data.size() - 12, now);
+    std::vector<uint8_t> out(1 + (room < most_bytes ? room : most_bytes));
+    const size_t count = loader.poll(out.data() + 1, out.size() - 1, now);
+    out[0] = loader.busy();
+    put_record(OUTPUT, out.data(), 1 + count);
+}
+
+void obey() {
+    uint8_t type;
+    std::vector<uint8_t> data;
+    while (records.next(type, data)) {
+        if (type == RESULT) {
+            board.answered(data);
+        } else if (type == RESTART) {
+            loader.start();
+        } else if (type == INPUT) {
+            step(data);
+        } else {
+            std::exit(1);
+        }
+    }
+}
+
+int open_terminal() {
+    const int master = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK);
+    if (master < 0 || grantpt(master) != 0 || unlockpt(master) != 0) {
+        return -1;
+    }
+    const char *name = ptsname(master);
+    const int slave = name ? open(name, O_RDWR | O_NOCTTY) : -1;
+    termios mode;
+    if (slave < 0 || tcgetattr(slave, &mode) != 0) {
+        return -1;
+    }
+    cfmakeraw(&mode);
+    tcsetattr(slave, TCSANOW, &mode);
+    put_record(PORT, reinterpret_cast<const uint8_t *>(name), std::strlen(name));
+    close(slave);
+    return master;
+}
+
+int serve() {
+    const int master = open_terminal();
+    if (master < 0) {
+        return 1;
+    }
+    uint8_t in[most_bytes], out[most_bytes];
+    size_t waiting = 0;
+    while (true) {
+        const short wanted = short(POLLIN | (waiting > 0 ? POLLOUT : 0));
+        pollfd watched[] = {{channel_in, POLLIN, 0}, {master, wanted, 0}};
+        poll(watched, 2, waiting > 0 ? idle_ms : loader.busy() ? busy_ms : idle_ms);
+        if (watched[0].revents != 0 && !records.fill()) {
+            return 0;                   // the emulator ended, and so do we
+        }
+        obey();
+        if (watched[1].revents & POLLHUP) {
+            waiting = 0;                // nobody listens
+            loader.poll(out, sizeof out, now_us());
+            poll(watched, 1, nobody_ms);
+            continue;
+        }
+        const ssize_t count = read(master, in, sizeof in);
+        loader.receive(in, count > 0 ? size_t(count) : 0, now_us());
+        if (waiting == 0) {
+            waiting = loader.poll(out, sizeof out, now_us());
+        }
+        const ssize_t sent = waiting > 0 ? write(master, out, waiting) : 0;
+        if (sent > 0) {
+            waiting -= size_t(sent);
+            std::memmove(out, out + sent, waiting);
+        }
+    }
+}
+
+}  // namespace
+
+int main(int count, char **arguments) {
+    if (count == 2 && std::strcmp(arguments[1], "--pty") == 0) {
+        return serve();
+    }
+    if (count == 2 && std::strcmp(arguments[1], "--lockstep") == 0) {
+        while (records.fill()) {
+            obey();
+        }
+        return 0;
+    }
+    return 2;
+}

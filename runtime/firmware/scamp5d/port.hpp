@@ -1,0 +1,29 @@
+// What the SCAMP-5d's public names leave open: the serial port's bytes, a clock, and an analog
+// register read into memory. Whoever has the devkit supplies these four functions (README.md).
+#ifndef NSCC_PORT_HPP
+#define NSCC_PORT_HPP
+
+#include <cstddef>
+#include <cstdint>
+
+#include <scamp5.hpp>
+
+namespace nscc {
+
+// Bytes that have arrived, at most `room`: how many. Does not wait. Between two calls the port
+// has to keep at least limits::window bytes.
+size_t port_read(uint8_t *data, size_t room);
+
+// Sends bytes; how many were taken. Does not wait.
+size_t port_write(const uint8_t *data, size_t count);
+
+// Microseconds since power on.
+uint64_t port_micros();
+
+// Converts a register of the whole array, row by row from the top left, a byte a pixel: the
+// converter's code. False where it cannot.
+bool port_scan(const areg_t &reg, uint8_t *codes);
+
+}  // namespace nscc
+
+#endif

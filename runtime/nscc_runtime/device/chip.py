@@ -1,0 +1,181 @@
+"""A device as an `Exposer`: what runs a program on a chip behind a port."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from hashlib import sha256
+from random import SystemRandom
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.file import to_bytes
+from nscc_runtime.device import tasks
+from nscc_runtime.device.host import Task
+from nscc_runtime.device.link import Link
+from nscc_runtime.device.messages import Capability, Captured, Channel, Info, State
+from nscc_runtime.device.objects import Upload, upload_of
+from nscc_runtime.device.trouble import check_fits, rejected
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.interface import Exposure
+from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.sensor import Sensor, default_sensor
+
+if TYPE_CHECKING:
+    from nscc.target.model import Target
+    from nscc.words.container import Container
+    from nscc_runtime.light import Light
+
+_STEP = 1024
+"""Bytes that a step of a progress bar stands for."""
+
+
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """A frame from a device. `captured` is what the loader said of it."""
+
+    frame: Frame
+    captured: Captured
+
+
+class Chip:
+    """The loader behind an open link: an `nscc_runtime.interface.Exposer`.
+
+    `sensor` says what a code is in electrons (None: the target's figures), where the loader hands
+    out codes only. All raise Rejected, status 3, where the device fails.
+    """
+
+    def __init__(
+        self, link: Link, sensor: Sensor | None = None, progress: Progress = unseen
+    ) -> None:
+        self.link, self.sensor, self.progress = link, sensor, progress
+        self._number = SystemRandom().randrange(1 << 63)
+        self._label = bytes(32)
+        self._made: tuple[Container, Upload] | None = None
+
+    @property
+    def label(self) -> bytes:
+        """SHA-256 of the container whose frames the device exposes."""
+        return self._label
+
+    def expose(self, container: Container, light: Light | None = None) -> Exposure:
+        """One frame of `container`; the device sees what is before it, so `light` is not used."""
+        self.upload(container)
+        shot = self.capture(container)
+        return Exposure(shot.frame.exposure_e, shot.frame.valid)
+
+    def info(self) -> Info:
+        """What the loader says of itself, asked anew."""
+        host = self.link.host
+        host.info = None
+
+        def said() -> Task[Info]:
+            assert host.info is not None
+            return host.info
+            yield  # a task without a wait of its own: hello came before it
+
+        return self.link.run(said)
+
+    def upload(self, container: Container) -> Upload:
+        """Bring a program to the device; one that it has already is not sent again."""
+        program = self._program(container)
+        info = self.info()
+        check_fits(self.link.path, program, container.target, info, channels_of(info))
+        self._upload(program)
+        return program
+
+    def _program(self, container: Container) -> Upload:
+        if self._made is None or self._made[0] is not container:
+            label = sha256(to_bytes(container)).digest()
+            self._made = container, upload_of(container, label)
+            self._label = label
+        return self._made[1]
+
+    def _upload(self, program: Upload) -> None:
+        sent = 0
+
+        def watch(done: int, _total: int) -> None:
+            nonlocal sent
+            sent = max(sent, done // _STEP)
+
+        steps = self.link.steps(
+            lambda: tasks.upload(self.link.host, program, watch), lambda: sent
+        )
+        for _ in self.progress(steps, "uploading", len(program.stream) // _STEP):
+            pass
+
+    def capture(self, container: Container) -> Shot:
+        """One frame of the program that was uploaded, which is sent again should it be lost."""
+        program = self._program(container)
+        return self._shot(container.target, len(container.readouts), program)
+
+    def capture_held(self, target: Target) -> Shot:
+        """One frame of whatever program the device holds; NS0771 if it holds none."""
+        info = self.info()
+        self._label = info.label
+        if info.state not in (State.READY, State.EXPOSING):
+            raise rejected(
+                "NS0771",
+                f"the device at '{self.link.path[:200]}' holds no program",
+                "bring it one: `nscc device upload PORT FILE`, or name it: "
+                "`nscc device capture PORT FILE`",
+            )
+        return self._shot(target, None, None)
+
+    def _shot(self, target: Target, readouts: int | None, program: Upload | None) -> Shot:
+        host = self.link.host
+        self._number += 1
+        number, channels = self._number, 0
+
+        def work() -> Task[tasks.Taken]:
+            nonlocal channels
+            assert host.info is not None
+            channels = channels_of(host.info)
+            if program is not None:
+                yield from tasks.upload(host, program)
+            return (yield from tasks.capture(host, number, channels))
+
+        taken = self.link.run(work)
+        captured = taken.captured
+        wrong = readouts is not None and captured.readouts != readouts
+        expected = captured.readouts * target.rows * target.cols * bytes_a_pixel(channels)
+        if wrong or not captured.readouts or len(taken.data) != expected:
+            raise rejected(
+                "NS0767",
+                f"the device at '{self.link.path[:200]}' sent a frame of {len(taken.data)} bytes "
+                f"in {captured.readouts} buckets, which is not the program's",
+                "put the loader that came with this nscc on the device",
+            )
+        shape = (captured.readouts, target.rows, target.cols)
+        frame = frame_of(taken.data, channels, shape, self.sensor or default_sensor(target))
+        return Shot(frame, captured)
+
+    def frames(self, container: Container, count: int) -> Iterator[Shot]:
+        """`count` frames, one after the other."""
+        for _ in range(count):
+            yield self.capture(container)
+
+
+def channels_of(info: Info) -> int:
+    """The channels to ask a loader for: all that it has."""
+    exact = info.capabilities & Capability.EXACT
+    return Channel.CODES | Channel.EXPOSURE if exact else Channel.CODES
+
+
+def bytes_a_pixel(channels: int) -> int:
+    """Bytes of one pixel of one bucket in these channels."""
+    return (1 if channels & Channel.CODES else 0) + (8 if channels & Channel.EXPOSURE else 0)
+
+
+def frame_of(data: bytes, channels: int, shape: tuple[int, ...], sensor: Sensor) -> Frame:
+    """A frame from its channels' bytes; without EXPOSURE electrons are those of the codes."""
+    pixels = int(np.prod(shape))
+    codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(shape)
+    if channels & Channel.EXPOSURE:
+        exposure = np.frombuffer(data, "<f8", pixels, offset=pixels).astype(np.float64)
+        exposure = exposure.reshape(shape)
+    else:
+        exposure = (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb
+    return Frame(codes, exposure, np.isfinite(exposure))

@@ -1,0 +1,158 @@
+"""Bad cables: what `--fault` makes of the bytes that pass."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from math import log
+from random import Random
+from typing import Any
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.suggest import closest
+
+_TIME = re.compile(r"(\d+(?:\.\d+)?)(us|ms|s)")
+_UNITS = {"us": 1e-6, "ms": 1e-3, "s": 1.0}
+_LONGEST_S = 3600.0
+EXAMPLE = "corrupt=1e-4,drop=1e-5,delay=50ms,disconnect=after:20000,reboot=after:40000"
+
+
+@dataclass(frozen=True)
+class Faults:
+    """What goes wrong. `corrupt` and `drop` are rates a byte, `delay_s` holds for either way;
+    after so many bytes (of both ways) the line is away for `outage_s`, or the loader reboots,
+    each of them once. None: never."""
+
+    corrupt: float = 0.0
+    drop: float = 0.0
+    delay_s: float = 0.0
+    disconnect_after: int | None = None
+    reboot_after: int | None = None
+    outage_s: float = 0.3
+    seed: int = 0
+
+    def __str__(self) -> str:
+        parts = [f"corrupt={self.corrupt:g}", f"drop={self.drop:g}", f"delay={self.delay_s:g}s"]
+        if self.disconnect_after is not None:
+            parts.append(f"disconnect=after:{self.disconnect_after}")
+        if self.reboot_after is not None:
+            parts.append(f"reboot=after:{self.reboot_after}")
+        return ",".join([*parts, f"outage={self.outage_s:g}s", f"seed={self.seed}"])
+
+
+NAMES = {
+    "corrupt": "corrupt", "drop": "drop", "delay": "delay_s", "disconnect": "disconnect_after",
+    "reboot": "reboot_after", "outage": "outage_s", "seed": "seed",
+}  # fmt: skip
+
+
+def parse_faults(text: str) -> Faults:
+    """The faults that a list such as EXAMPLE names; raises Rejected (NS0769, status 2)."""
+    values: dict[str, Any] = {}
+    for part in text.split(","):
+        name, _, value = (piece.strip() for piece in part.partition("="))
+        if name not in NAMES:
+            near = closest(name, NAMES)
+            helps = (f"did you mean '{near}'?",) if near else ()
+            raise _wrong(f"'{name[:40]}' is no fault", *helps)
+        if NAMES[name] in values:
+            raise _wrong(f"'{name}' is given twice")
+        values[NAMES[name]] = _value(name, value)
+    return Faults(**values)
+
+
+def _value(name: str, text: str) -> float | int:
+    shown = f"{name}={text[:40]}"
+    if name in ("corrupt", "drop"):
+        try:
+            rate = float(text)
+        except ValueError:
+            rate = -1.0
+        if not 0 <= rate <= 1:
+            raise _wrong(f"'{shown}' is not a rate from 0 to 1 a byte")
+        return rate
+    if name in ("delay", "outage"):
+        found = _TIME.fullmatch(text)
+        seconds = float(found[1]) * _UNITS[found[2]] if found else _LONGEST_S + 1
+        if seconds > _LONGEST_S:
+            raise _wrong(f"'{shown}' is not a time such as 50ms, at most {_LONGEST_S:g} s")
+        return seconds
+    digits = text if name == "seed" else text.removeprefix("after:")
+    counted = name == "seed" or text.startswith("after:")
+    if not counted or not digits.isascii() or not digits.isdigit() or len(digits) > 12:
+        raise _wrong(f"'{shown}' should be {name}={'1' if name == 'seed' else 'after:BYTES'}")
+    return int(digits)
+
+
+def _wrong(what: str, *helps: str) -> Rejected:
+    return Rejected(
+        Diagnostic(
+            "NS0769",
+            f"--fault: {what}",
+            notes=(f"it takes, comma separated: {', '.join(NAMES)}",),
+            helps=helps or (f"for instance --fault {EXAMPLE}",),
+        ),
+        status=2,
+    )
+
+
+class Spoiler:
+    """Spoils bytes at the rates of `faults`; one seed, one sequence of faults."""
+
+    def __init__(self, faults: Faults, seed: int) -> None:
+        self._random = Random(f"{faults.seed} {seed}")
+        self._faults = faults
+        self._to_corrupt = self._gap(faults.corrupt)
+        self._to_drop = self._gap(faults.drop)
+
+    def _gap(self, rate: float) -> int:
+        """How many bytes pass before the next one that is hit."""
+        if rate <= 0:
+            return 1 << 62
+        if rate >= 1:
+            return 0
+        return int(log(1 - self._random.random()) / log(1 - rate))
+
+    def spoiled(self, data: bytes) -> bytes:
+        """What comes out of the line at the other end."""
+        if self._to_corrupt >= len(data) and self._to_drop >= len(data):
+            self._to_corrupt -= len(data)
+            self._to_drop -= len(data)
+            return data
+        out = bytearray()
+        for byte in data:
+            value = byte
+            if self._to_corrupt == 0:
+                value ^= self._random.randrange(1, 256)
+                self._to_corrupt = self._gap(self._faults.corrupt) + 1
+            if self._to_drop == 0:
+                self._to_drop = self._gap(self._faults.drop) + 1
+            else:
+                out.append(value)
+            self._to_corrupt -= 1
+            self._to_drop -= 1
+        return bytes(out)
+
+
+class Accidents:
+    """Says, from the number of bytes that passed, when the line breaks and when the loader
+    reboots."""
+
+    def __init__(self, faults: Faults) -> None:
+        self._faults = faults
+        self._passed = 0
+        self._disconnected = self._rebooted = False
+
+    def passed(self, count: int) -> list[str]:
+        """"disconnect" and "reboot" where these bytes bring them about."""
+        self._passed += count
+        found = []
+        after = self._faults.disconnect_after
+        if after is not None and not self._disconnected and self._passed >= after:
+            self._disconnected = True
+            found.append("disconnect")
+        after = self._faults.reboot_after
+        if after is not None and not self._rebooted and self._passed >= after:
+            self._rebooted = True
+            found.append("reboot")
+        return found

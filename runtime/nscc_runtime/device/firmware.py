@@ -1,0 +1,335 @@
+"""The firmware, compiled for this machine: how it is built, and how its process is talked to.
+
+The process runs the real core (`runtime/firmware`). What its board is told to do comes here as a
+job, word for word, and runs on the emulator.
+"""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import tempfile
+from atexit import register
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from select import select
+from struct import Struct
+from types import TracebackType
+from typing import TYPE_CHECKING, NamedTuple, Self
+
+from nscc.cache.store import cache_folder
+from nscc_runtime.device.objects import RUN, WORD
+from nscc_runtime.device.parsing import container_of
+from nscc_runtime.device.target_header import target_header
+
+if TYPE_CHECKING:
+    from nscc.target.model import Target
+    from nscc.words.container import Container
+    from nscc_runtime.device.board import EmulatedChip
+
+PYTHON_NAME = "nscc-loader 1 (Python)"
+SOURCES = Path(__file__).resolve().parents[2] / "firmware"
+WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror")
+CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
+SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g")
+
+_RECORD = Struct("<BI")
+_STEP = Struct("<QI")
+_READOUT = Struct("<Id")
+_EVENT = Struct("<II")
+_COUNT = Struct("<I")
+_LIGHT_FALLS = 0xFFFF_FFFF
+_MOST_READ = 1 << 16
+_START_S = 10.0
+
+
+class NotBuilt(Exception):
+    """The firmware cannot be compiled here: why."""
+
+
+class Built(NamedTuple):
+    """A compiled loader and the compiler that made it."""
+
+    path: Path
+    compiler: str
+    target: Target
+
+
+def compiler() -> str | None:
+    """A C++ compiler of this machine: `CXX`, g++ or clang++; None where there is none."""
+    names = [os.environ.get("CXX", ""), "g++", "clang++"]
+    return next((name for name in names if name and shutil.which(name)), None)
+
+
+def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None = None) -> Built:
+    """The loader for a target, compiled now or before; raises NotBuilt.
+
+    It is kept in nscc's cache folder, or in `folder`; where there is no cache, for this process
+    alone.
+    """
+    found = compiler()
+    if found is None:
+        raise NotBuilt("there is no C++ compiler")
+    sources = sorted(SOURCES.glob("core/*.cpp")) + sorted(SOURCES.glob("host/*.cpp"))
+    if not sources:
+        raise NotBuilt("its sources are not part of this installation")
+    header = target_header(target)
+    flags = [*CORE_FLAGS, *WARNINGS, *extra]
+    texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[ch]pp"))]
+    key = sha256(b"\0".join([header.encode(), " ".join([found, *flags]).encode(), *texts]))
+    place = (folder or _kept()) / f"loader-{key.hexdigest()[:32]}"
+    if not place.exists():
+        _compile([found, *flags], sources, header, place)
+    return Built(place, found, target)
+
+
+def _kept() -> Path:
+    cache = cache_folder()
+    if cache is not None:
+        folder = cache / "firmware"
+        with suppress(OSError):
+            folder.mkdir(parents=True, exist_ok=True)
+            if os.access(folder, os.W_OK):
+                return folder
+    passing = tempfile.mkdtemp(prefix="nscc-firmware-")
+    register(shutil.rmtree, passing, ignore_errors=True)
+    return Path(passing)
+
+
+def _compile(command: list[str], sources: list[Path], header: str, place: Path) -> None:
+    with tempfile.TemporaryDirectory(prefix="nscc-firmware-") as name:
+        folder = Path(name)
+        (folder / "target.hpp").write_text(header)
+        out = folder / "loader"
+        includes = [f"-I{SOURCES / 'core'}", f"-I{SOURCES / 'host'}", f"-I{folder}"]
+        line = [*command, *includes, *map(str, sources), "-o", str(out)]
+        done = subprocess.run(line, capture_output=True, text=True)
+        if done.returncode:
+            raise NotBuilt(done.stderr.strip().splitlines()[0] if done.stderr else command[0])
+        beside = place.with_name(f".{place.name}.{os.getpid()}")
+        try:
+            shutil.copy2(out, beside)
+            os.replace(beside, place)
+        except OSError as error:
+            raise NotBuilt(f"cannot write '{place}': {error.strerror}") from None
+
+
+class _Channel:
+    """Records to and from the loader's process."""
+
+    def __init__(self, loader: Built, mode: str) -> None:
+        self._process = subprocess.Popen(
+            [str(loader.path), mode], stdin=subprocess.PIPE, stdout=subprocess.PIPE
+        )
+        assert self._process.stdin is not None
+        assert self._process.stdout is not None
+        self._in, self._out = self._process.stdin.fileno(), self._process.stdout.fileno()
+        self._held = bytearray()
+
+    def fileno(self) -> int:
+        return self._out
+
+    def put(self, kind: bytes, data: bytes = b"") -> None:
+        view = memoryview(_RECORD.pack(kind[0], len(data)) + data)
+        while view:
+            view = view[os.write(self._in, view) :]
+
+    def fill(self) -> None:
+        """Wait for bytes; raises RuntimeError where the process has ended."""
+        data = os.read(self._out, _MOST_READ)
+        if not data:
+            raise RuntimeError(f"the loader's process ended: status {self._process.wait()}")
+        self._held += data
+
+    def next(self) -> tuple[bytes, bytes] | None:
+        if len(self._held) < _RECORD.size:
+            return None
+        kind, size = _RECORD.unpack_from(self._held)
+        end = _RECORD.size + size
+        if len(self._held) < end:
+            return None
+        data = bytes(self._held[_RECORD.size : end])
+        del self._held[:end]
+        return bytes([kind]), data
+
+    def close(self) -> int:
+        """End the process; its exit status."""
+        process = self._process
+        assert process.stdin is not None
+        assert process.stdout is not None
+        with suppress(OSError):
+            process.stdin.close()
+        try:
+            process.wait(_START_S)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+        process.stdout.close()
+        return process.returncode
+
+
+class _Firmware:
+    """What both ways of running the loader share: its jobs run on an emulated chip."""
+
+    def __init__(self, loader: Built, chip: EmulatedChip, mode: str) -> None:
+        self.chip, self.target = chip, loader.target
+        self.channel = _Channel(loader, mode)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.close()
+
+    def close(self) -> int:
+        """End the process; its exit status, which a sanitizer makes other than 0."""
+        return self.channel.close()
+
+    def announce(self) -> None:
+        """Start the loader anew."""
+        self.channel.put(b"B")
+
+    def do(self, job: bytes) -> None:
+        """Expose what the loader's board was told to."""
+        try:
+            container, channels = container_of_job(job, self.target)
+            answer = b"\1" + self.chip.exposure(container, channels)
+        except Exception as error:
+            # The loader has to learn that there is no frame, whatever the reason.
+            self.chip.report(error)
+            answer = b"\0"
+        self.channel.put(b"R", answer)
+
+
+class Process(_Firmware):
+    """The loader behind its own pseudo-terminal, in real time."""
+
+    def __init__(self, loader: Built, chip: EmulatedChip) -> None:
+        super().__init__(loader, chip, "--pty")
+        while (found := self.channel.next()) is None:
+            self.channel.fill()
+        self.port = found[1].decode()
+        self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+        self._unsent = b""
+
+    @property
+    def busy(self) -> bool:
+        """Whether bytes wait for the loader to take them."""
+        return bool(self._unsent)
+
+    def watched(self) -> list[int]:
+        """The line, and the channel on which jobs come."""
+        return [self._line, self.channel.fileno()]
+
+    def receive(self, data: bytes, now_us: int) -> None:
+        """Hand bytes to the loader; it has a clock of its own."""
+        self._unsent += data
+        with suppress(BlockingIOError):
+            self._unsent = self._unsent[os.write(self._line, self._unsent) :]
+
+    def poll(self, now_us: int, room: int) -> bytes:
+        """What the loader has sent."""
+        self.receive(b"", now_us)
+        while select([self.channel.fileno()], [], [], 0)[0]:
+            self.channel.fill()
+        while (found := self.channel.next()) is not None:
+            if found[0] == b"J":
+                self.do(found[1])
+        try:
+            return os.read(self._line, room)
+        except BlockingIOError:
+            return b""
+
+    def close(self) -> int:
+        """End the process."""
+        os.close(self._line)
+        return super().close()
+
+
+class Lockstep(_Firmware):
+    """The loader a step at a time, on the clock of whoever drives it."""
+
+    def __init__(self, loader: Built, chip: EmulatedChip) -> None:
+        super().__init__(loader, chip, "--lockstep")
+        self.busy = True
+        self._arrived = b""
+
+    def watched(self) -> list[int]:
+        """Nothing: it answers when it is asked."""
+        return []
+
+    def announce(self) -> None:
+        """Start the loader anew."""
+        super().announce()
+        self._arrived = b""
+        self.busy = True
+
+    def receive(self, data: bytes, now_us: int) -> None:
+        """Keep bytes for the next step."""
+        self._arrived += data
+        self.busy = True
+
+    def poll(self, now_us: int, room: int) -> bytes:
+        """One step of the loader."""
+        self.channel.put(b"I", _STEP.pack(now_us, room) + self._arrived)
+        self._arrived = b""
+        exposing = False
+        while True:
+            while (found := self.channel.next()) is None:
+                self.channel.fill()
+            if found[0] == b"J":
+                self.do(found[1])
+                exposing = True
+            else:
+                self.busy = exposing or bool(found[1][0])
+                return found[1][1:]
+
+
+def container_of_job(job: bytes, target: Target) -> tuple[Container, int]:
+    """What a loader's board was told to do, as a program for the emulator; and the channels."""
+    at = 0
+
+    def taken(layout: Struct, count: int = 1) -> list[tuple[float, ...]]:
+        nonlocal at
+        found = [layout.unpack_from(job, at + i * layout.size) for i in range(count)]
+        at += count * layout.size
+        return found
+
+    def number() -> int:
+        return int(taken(_COUNT)[0][0])
+
+    channels = number()
+    readouts = [(int(reg), gain) for reg, gain in taken(_READOUT, number())]
+    runs = taken(RUN, number())
+    kernels = []
+    for _ in range(number()):
+        words = taken(WORD, number())
+        kernels.append(tuple((int(a), int(b), int(c), int(d), int(e)) for a, b, c, d, e in words))
+    launches, boundary = [], 0
+    for what, slots in taken(_EVENT, number()):
+        if what == _LIGHT_FALLS:
+            boundary += int(slots)
+        else:
+            launches.append((boundary, int(what)))
+    planes, size = {}, (target.rows * target.cols + 7) // 8
+    for _ in range(number()):
+        register = number()
+        planes[register] = job[at : at + size]
+        at += size
+    return container_of(
+        target,
+        readouts=readouts,
+        kernels=kernels,
+        launches=launches,
+        slot_us=[float(us) for count, us in runs for _ in range(int(count))],
+        planes=planes,
+    ), channels

@@ -1,0 +1,126 @@
+"""A host's task over a real port, in real time: what `nscc run --on PORT` talks through."""
+
+from __future__ import annotations
+
+import select
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from random import SystemRandom
+from time import monotonic
+from types import TracebackType
+from typing import Any, Self, TypeVar
+
+from nscc_runtime.device.host import Host, Task
+from nscc_runtime.device.port import DEFAULT_BAUD, Port, PortGone, PortTrouble, open_port
+from nscc_runtime.device.trouble import explained, port_lost, port_trouble
+
+Result = TypeVar("Result")
+
+PATIENCE_S = 10.0
+_FIRST_REOPEN_S = 0.02
+_LONGEST_REOPEN_S = 0.25
+_GOODBYE_S = 0.5
+_LONGEST_SLEEP_S = 0.25
+_WINDOW_BITS = 16384 * 10
+
+
+class Link:
+    """An open port with a host behind it. Raises Rejected (status 3) where the device fails.
+
+    A port that goes away is opened again, for `patience_s` at most, and the task goes on.
+    """
+
+    def __init__(
+        self, path: str, *, baud: int = DEFAULT_BAUD, patience_s: float = PATIENCE_S
+    ) -> None:
+        self.path, self.baud, self.patience_s = path, baud, patience_s
+        source = SystemRandom()
+        self.host = Host(
+            lambda: source.randrange(1, 1 << 32), patience_s=patience_s, line_s=_WINDOW_BITS / baud
+        )
+        self._waiting = b""
+        try:
+            self._port: Port | None = open_port(path, baud)
+        except PortTrouble as trouble:
+            raise port_trouble(path, trouble) from None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        """Leave a device that can be used: what it was doing is stopped if we leave early."""
+        if self._port is not None and kind is not None and self.host.info is not None:
+            with suppress(Exception):
+                self._goodbye()
+        if self._port is not None:
+            self._port.close()
+
+    def _goodbye(self) -> None:
+        until = monotonic() + _GOODBYE_S
+        self.host.start(self.host.cancel(), monotonic())
+        while self.host.running and self._port is not None and monotonic() < until:
+            self._turn()
+
+    def run(self, work: Callable[[], Task[Result]]) -> Result:
+        """Do `work`, a task of this host, to its end, whatever the line does meanwhile."""
+        for _ in self.steps(work, lambda: 0):
+            pass
+        return self.host.result  # type: ignore[return-value]
+
+    def steps(
+        self, work: Callable[[], Task[Any]], reached: Callable[[], int]
+    ) -> Iterator[int]:
+        """Do `work`, and yield whenever `reached()` has grown, so many times as it grew."""
+        with explained(self.path, self.patience_s):
+            self.host.start(self.host.lasting(work), monotonic())
+            before = reached()
+            while self.host.running:
+                self._turn()
+                while before < reached():
+                    before += 1
+                    yield before
+
+    def _turn(self) -> None:
+        """Send what there is to send, wait for bytes or for the time to go on."""
+        try:
+            if self._port is None:
+                self._reopen()
+            self._exchange()
+        except PortGone:
+            if self._port is not None:
+                self._port.close()
+            self._port = None
+            self._waiting = b""
+
+    def _exchange(self) -> None:
+        port = self._port
+        assert port is not None
+        self._waiting += self.host.poll(monotonic())
+        if self._waiting:
+            self._waiting = self._waiting[port.write(self._waiting) :]
+        if not self.host.running:
+            return
+        left = min(max(self.host.deadline - monotonic(), 0.0), _LONGEST_SLEEP_S)
+        readable, _, _ = select.select([port], [port] if self._waiting else [], [], left)
+        if readable:
+            self.host.receive(port.read(), monotonic())
+
+    def _reopen(self) -> None:
+        """Open the port that went away, as soon as it is there again."""
+        until, pause = monotonic() + self.patience_s, _FIRST_REOPEN_S
+        while True:
+            select.select([], [], [], pause)
+            try:
+                self._port = open_port(self.path, self.baud)
+                break
+            except PortTrouble:
+                pause = min(2 * pause, _LONGEST_REOPEN_S)
+            if monotonic() > until:
+                raise port_lost(self.path, self.patience_s)
+        self.host.line_restored(monotonic())
+

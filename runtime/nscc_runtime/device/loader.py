@@ -1,0 +1,456 @@
+"""The loader's end of the protocol, in Python: the twin of the firmware's core.
+
+No I/O and no clock of its own: bytes and the time go in, bytes come out. A `Board` is the chip.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from hashlib import sha256
+from typing import Protocol
+
+from nscc.target.model import Target
+from nscc_runtime.device.messages import (
+    DATA,
+    FRAME,
+    Begin,
+    Capability,
+    Capture,
+    Captured,
+    Channel,
+    Declare,
+    Entry,
+    Failure,
+    Fault,
+    Hello,
+    Info,
+    Progress,
+    Read,
+    State,
+    Status,
+)
+from nscc_runtime.device.objects import program_digest, target_digest
+from nscc_runtime.device.packets import (
+    LONGEST_WIRE,
+    MOST_DATA,
+    REPLY,
+    VERSION,
+    Kind,
+    Packet,
+    Unpacker,
+)
+from nscc_runtime.device.parsing import Held, Limits, Refusal
+
+MOST_OUT = 8192
+"""Bytes that may wait to be sent; a reply that finds no room is not sent: the host asks again."""
+MOST_READS = 8
+MOST_OBJECTS = 64
+_SMALLEST_CHUNK = 16
+_ZEROS = bytes(32)
+
+
+class Board(Protocol):
+    """The chip below a loader."""
+
+    def expose(self, held: Held, channels: int) -> None:
+        """Begin to expose a frame of a checked program."""
+        ...
+
+    def exposed(self) -> bytes | None:
+        """The frame's channels once it is exposed, None before.
+
+        Raises RuntimeError where it cannot be exposed.
+        """
+        ...
+
+
+@dataclass
+class Frame:
+    """The last capture: `data` is None until it is exposed."""
+
+    number: int
+    channels: int
+    started_us: int
+    data: bytes | None = None
+    digest: bytes = _ZEROS
+    failed: bool = False
+
+
+@dataclass
+class Program:
+    """The program that was announced, and how much of it is here."""
+
+    begin: Begin
+    entries: list[Entry] = field(default_factory=list)
+    held: Held = field(default_factory=Held)
+    position: int = 0
+    object: int = 0
+    part: bytearray = field(default_factory=bytearray)
+    failures: int = 0
+
+
+class Loader:
+    """A loader for one target. `receive` and `poll` are all there is to it."""
+
+    def __init__(self, target: Target, board: Board, firmware: str, *, window: int = 16384) -> None:
+        self.target = target
+        self.board = board
+        self.firmware = firmware
+        self.window = window
+        self.limits = Limits(words=target.store_words)
+        self.digest = target_digest(target)
+        self.announce()
+
+    def announce(self) -> None:
+        """Start, or start again: everything is forgotten, and the host is told so."""
+        self.state = State.EMPTY
+        self.program: Program | None = None
+        self.refusal: Failure | None = None
+        self.frame: Frame | None = None
+        self.exposing = False
+        self.session = self.boot = 0
+        self.packets = 0
+        self._unpacker = Unpacker()
+        self._out = bytearray(Packet(Kind.BOOTED, 0, 0).wire())
+        self._reads: deque[tuple[int, Read]] = deque()
+        self._now_us = self._started_us = 0
+
+    def receive(self, data: bytes, now_us: int) -> None:
+        """Take bytes from the line and act on the packets that they complete."""
+        self._now_us = now_us
+        self._started_us = self._started_us or now_us
+        for packet in self._unpacker.feed(data):
+            self.packets += 1
+            self._handle(packet)
+
+    def poll(self, now_us: int, room: int) -> bytes:
+        """Go on with what is being done; at most about `room` bytes to send."""
+        self._now_us = now_us
+        self._watch_exposure()
+        while self._reads and len(self._out) < room and self._has_room:
+            self._send_piece()
+        out = bytes(self._out[:room])
+        del self._out[:room]
+        return out
+
+    @property
+    def busy(self) -> bool:
+        """Whether `poll` has something to do without new bytes."""
+        return bool(self._out or self._reads or self.exposing)
+
+    def watched(self) -> list[int]:
+        """File descriptors that announce something to do: none."""
+        return []
+
+    def _handle(self, packet: Packet) -> None:
+        handlers: dict[int, Callable[[Packet], bytes | None]] = {
+            Kind.HELLO: self._hello,
+            Kind.STATUS: self._status,
+            Kind.BEGIN: self._begin,
+            Kind.DECLARE: self._declare,
+            Kind.DATA: self._data,
+            Kind.FINISH: self._finish,
+            Kind.CAPTURE: self._capture,
+            Kind.READ: self._read,
+            Kind.CANCEL: self._cancel,
+        }
+        handler = handlers.get(packet.kind)
+        try:
+            if packet.kind != Kind.HELLO and packet.session != (self.session or None):
+                raise Refusal(Fault.NO_SESSION)
+            if handler is None:
+                raise Refusal(Fault.UNKNOWN)
+            try:
+                reply = handler(packet)
+            except ValueError:
+                raise Refusal(Fault.MALFORMED) from None
+        except Refusal as refusal:
+            failure = Failure(packet.kind, refusal.fault, refusal.detail & 0xFFFFFFFF)
+            self._send(Packet(Kind.ERROR, packet.sequence, packet.session, failure.pack()))
+            return
+        if reply is not None:
+            self._send(Packet(packet.kind | REPLY, packet.sequence, packet.session, reply))
+
+    def _send(self, packet: Packet) -> None:
+        if self._has_room:
+            self._out += packet.wire()
+
+    @property
+    def _has_room(self) -> bool:
+        return len(self._out) + LONGEST_WIRE + 2 <= MOST_OUT
+
+    def _hello(self, packet: Packet) -> bytes:
+        hello = Hello.unpack(packet.body)
+        if not packet.session:
+            raise Refusal(Fault.MALFORMED)
+        if not hello.first <= VERSION <= hello.last:
+            raise Refusal(Fault.VERSION, VERSION)
+        self.session = packet.session
+        self.boot = self.boot or packet.session
+        self._reads.clear()
+        begin = self.program.begin if self.program and self.state != State.REFUSED else None
+        return Info(
+            version=VERSION,
+            state=self._shown_state,
+            most_data=MOST_DATA,
+            window=self.window,
+            boot=self.boot,
+            capabilities=Capability.EXACT | Capability.GAIN,
+            most_words=self.limits.words,
+            most_kernels=self.limits.kernels,
+            most_rows=self.limits.rows,
+            most_runs=self.limits.runs,
+            most_frame=self.limits.frame_bytes,
+            rows=self.target.rows,
+            cols=self.target.cols,
+            target=self.digest,
+            program=begin.program if begin else _ZEROS,
+            label=begin.label if begin else _ZEROS,
+            target_name=self.target.name,
+            firmware=self.firmware,
+        ).pack()
+
+    @property
+    def _shown_state(self) -> State:
+        return State.EXPOSING if self.exposing else self.state
+
+    def _status(self, packet: Packet) -> bytes:
+        _need_length(packet.body, 0)
+        return Status(
+            self._shown_state,
+            self.boot,
+            (self._now_us - self._started_us) // 1000 & 0xFFFFFFFF,
+            self.program.position if self.program else 0,
+            self.packets & 0xFFFFFFFF,
+            self._unpacker.damaged & 0xFFFFFFFF,
+        ).pack()
+
+    def _progress(self) -> bytes:
+        program = self.program
+        if program is None:
+            return Progress(self._shown_state, 0, 0, 0).pack()
+        failures = min(program.failures, 255)
+        return Progress(
+            self._shown_state, failures, len(program.entries), program.position
+        ).pack()
+
+    def _refused(self) -> None:
+        if self.refusal is not None:
+            raise Refusal(Fault(self.refusal.fault), self.refusal.detail)
+
+    def _begin(self, packet: Packet) -> bytes:
+        begin = Begin.unpack(packet.body)
+        if self.program is not None and self.program.begin == begin:
+            self._refused()
+            return self._progress()
+        if self.exposing:
+            raise Refusal(Fault.BUSY)
+        if begin.target != self.digest:
+            raise Refusal(Fault.TARGET)
+        if begin.objects > MOST_OBJECTS:
+            raise Refusal(Fault.TOO_LARGE, begin.objects)
+        self.state, self.refusal, self.frame = State.RECEIVING, None, None
+        self._reads.clear()
+        self.program = Program(begin)
+        return self._progress()
+
+    def _announced(self) -> Program:
+        if self.program is None:
+            raise Refusal(Fault.NO_PROGRAM)
+        return self.program
+
+    def _declare(self, packet: Packet) -> bytes:
+        declare = Declare.unpack(packet.body)
+        program = self._announced()
+        self._refused()
+        known = len(program.entries)
+        repeated = program.entries[declare.first : declare.first + len(declare.entries)]
+        if declare.first > known or repeated != list(declare.entries[: len(repeated)]):
+            raise Refusal(Fault.WRONG_STATE, known)
+        fresh = declare.entries[len(repeated) :]
+        if known + len(fresh) > program.begin.objects:
+            raise Refusal(Fault.WRONG_STATE, known)
+        for entry in fresh:
+            Held.check_room(entry.kind, entry.length, self.target, self.limits)
+        program.entries += fresh
+        if fresh and len(program.entries) == program.begin.objects:
+            begin = program.begin
+            packed = b"".join(entry.pack() for entry in program.entries)
+            whole = program_digest(begin.target, begin.label, packed)
+            total = sum(entry.length for entry in program.entries)
+            if whole != begin.program or total != begin.length:
+                self._reject(Refusal(Fault.DIGEST))
+            self._commit_empty(program)
+        return self._progress()
+
+    def _reject(self, refusal: Refusal) -> None:
+        """Refuse the program, now and until another is announced."""
+        self.state = State.REFUSED
+        self.refusal = Failure(0, refusal.fault, refusal.detail & 0xFFFFFFFF)
+        raise refusal
+
+    def _data(self, packet: Packet) -> bytes:
+        program = self._announced()
+        self._refused()
+        if len(packet.body) < DATA.size:
+            raise Refusal(Fault.MALFORMED)
+        (position,) = DATA.unpack_from(packet.body)
+        data = packet.body[DATA.size :]
+        if len(data) > MOST_DATA:
+            raise Refusal(Fault.MALFORMED)
+        if len(program.entries) < program.begin.objects:
+            raise Refusal(Fault.WRONG_STATE, len(program.entries))
+        if self.state == State.RECEIVING and position == program.position:
+            self._take(program, data)
+        return self._progress()
+
+    def _take(self, program: Program, data: bytes) -> None:
+        while data and program.object < len(program.entries):
+            entry = program.entries[program.object]
+            some = data[: entry.length - len(program.part)]
+            program.part += some
+            program.position += len(some)
+            data = data[len(some) :]
+            if len(program.part) == entry.length and not self._commit(program):
+                return
+
+    def _commit_empty(self, program: Program) -> None:
+        """Objects without bytes are whole as soon as they are declared."""
+        while program.object < len(program.entries) and not program.entries[program.object].length:
+            if not self._commit(program):
+                self._reject(Refusal(Fault.DIGEST))
+
+    def _commit(self, program: Program) -> bool:
+        """Accept the object that is whole now; False where its bytes must come again."""
+        entry = program.entries[program.object]
+        data = bytes(program.part)
+        program.part.clear()
+        if sha256(data).digest() != entry.sha256:
+            program.position -= len(data)
+            program.failures += 1
+            return False
+        try:
+            program.held.accept(entry.kind, entry.register, data, self.target, self.limits)
+        except Refusal as refusal:
+            self._reject(refusal)
+        program.object += 1
+        if program.object == len(program.entries):
+            if not program.held.whole:
+                self._reject(Refusal(Fault.NO_PROGRAM))
+            self.state = State.COMPLETE
+        else:
+            self._commit_empty(program)
+        return True
+
+    def _finish(self, packet: Packet) -> bytes:
+        _need_length(packet.body, 32)
+        program = self._announced()
+        self._refused()
+        if packet.body != program.begin.program:
+            raise Refusal(Fault.DIGEST)
+        if self.state == State.RECEIVING:
+            raise Refusal(Fault.WRONG_STATE, program.position)
+        self.state = State.READY
+        return self._progress()
+
+    def _capture(self, packet: Packet) -> bytes:
+        capture = Capture.unpack(packet.body)
+        program = self._announced()
+        self._refused()
+        if self.state != State.READY:
+            raise Refusal(Fault.NO_PROGRAM)
+        frame = self.frame
+        if frame is None or frame.number != capture.number:
+            if self.exposing:
+                raise Refusal(Fault.BUSY)
+            channels = capture.channels
+            if not 0 < channels <= Channel.CODES | Channel.EXPOSURE:
+                raise Refusal(Fault.MALFORMED, channels)
+            if self._frame_bytes(program.held, channels) > self.limits.frame_bytes:
+                raise Refusal(Fault.TOO_LARGE, self._frame_bytes(program.held, channels))
+            self._reads.clear()
+            frame = self.frame = Frame(capture.number, channels, self._now_us)
+            self.exposing = True
+            self.board.expose(program.held, channels)
+        if frame.failed:
+            raise Refusal(Fault.HARDWARE)
+        return self._captured(frame, program.held)
+
+    def _frame_bytes(self, held: Held, channels: int) -> int:
+        each = (1 if channels & Channel.CODES else 0) + (8 if channels & Channel.EXPOSURE else 0)
+        return len(held.readouts or ()) * each * self.target.rows * self.target.cols
+
+    def _captured(self, frame: Frame, held: Held) -> bytes:
+        return Captured(
+            number=frame.number,
+            ready=frame.data is not None,
+            channels=frame.channels,
+            readouts=len(held.readouts or ()),
+            estimate_ms=self._estimate_ms(held),
+            length=self._frame_bytes(held, frame.channels),
+            started_us=frame.started_us,
+            sha256=frame.digest,
+        ).pack()
+
+    def _estimate_ms(self, held: Held) -> int:
+        slots_us = sum(count * us for count, us in held.runs or ())
+        us = slots_us + len(held.readouts or ()) * self.target.readout_us
+        return min(int(us / 1000) + 1, 0xFFFFFFFF)
+
+    def _watch_exposure(self) -> None:
+        if not self.exposing:
+            return
+        frame = self.frame
+        try:
+            data = self.board.exposed()
+        except RuntimeError:
+            self.exposing = False
+            if frame is not None:
+                frame.failed = True
+            return
+        if data is None:
+            return
+        self.exposing = False
+        if frame is not None:
+            frame.data, frame.digest = data, sha256(data).digest()
+
+    def _read(self, packet: Packet) -> None:
+        read = Read.unpack(packet.body)
+        frame = self.frame
+        if frame is None or frame.data is None or frame.number != read.number:
+            raise Refusal(Fault.NO_FRAME)
+        inside = 0 < read.length and read.offset + read.length <= len(frame.data)
+        if not inside or not _SMALLEST_CHUNK <= read.chunk <= MOST_DATA:
+            raise Refusal(Fault.MALFORMED)
+        if len(self._reads) == MOST_READS:
+            raise Refusal(Fault.BUSY)
+        self._reads.append((packet.sequence, read))
+
+    def _send_piece(self) -> None:
+        sequence, read = self._reads.popleft()
+        frame = self.frame
+        if frame is None or frame.data is None or frame.number != read.number:
+            return
+        size = min(read.chunk, read.length)
+        data = frame.data[read.offset : read.offset + size]
+        body = FRAME.pack(read.number, read.offset) + data
+        self._send(Packet(Kind.READ | REPLY, sequence, self.session, body))
+        if size < read.length:
+            rest = Read(read.number, read.offset + size, read.length - size, read.chunk)
+            self._reads.appendleft((sequence, rest))
+
+    def _cancel(self, packet: Packet) -> bytes:
+        """Back to where a new program or a new frame can begin; what was uploaded stays."""
+        _need_length(packet.body, 0)
+        self._reads.clear()
+        self.frame = None
+        if self.state == State.REFUSED:
+            self.state, self.program, self.refusal = State.EMPTY, None, None
+        return self._progress()
+
+
+def _need_length(body: bytes, length: int) -> None:
+    if len(body) != length:
+        raise Refusal(Fault.MALFORMED)

@@ -1,0 +1,271 @@
+"""What packets say: the bodies of requests and replies, as values. Integers are little endian.
+
+Each `unpack` raises ValueError for a body that is none; the checksum has been checked before, so
+that only another version of the protocol, or an enemy, sends such a body.
+"""
+
+from __future__ import annotations
+
+from dataclasses import astuple, dataclass
+from enum import IntEnum, IntFlag
+from struct import Struct, error
+from typing import Any, ClassVar, Self
+
+
+class State(IntEnum):
+    """What a loader is doing."""
+
+    EMPTY = 0
+    RECEIVING = 1
+    COMPLETE = 2
+    READY = 3
+    EXPOSING = 4
+    REFUSED = 5
+
+
+class Fault(IntEnum):
+    """Why a loader did not do what it was asked."""
+
+    NO_SESSION = 1
+    VERSION = 2
+    MALFORMED = 3
+    WRONG_STATE = 4
+    TARGET = 5
+    TOO_LARGE = 6
+    DIGEST = 7
+    WORD = 8
+    SCHEDULE = 9
+    PLANE = 10
+    READOUT = 11
+    NO_PROGRAM = 12
+    HARDWARE = 13
+    NO_FRAME = 14
+    UNKNOWN = 15
+    BUSY = 16
+
+
+class Capability(IntFlag):
+    """What a loader can do beyond the least."""
+
+    EXACT = 1
+    """Hand out exposures in float64 beside the converter's codes."""
+    GAIN = 2
+    """Multiply a register by a gain other than 1 before it is converted."""
+
+
+class Channel(IntFlag):
+    """What a frame holds: CODES, a byte a pixel; EXPOSURE, a float64 a pixel in electrons."""
+
+    CODES = 1
+    EXPOSURE = 2
+
+
+class _Body:
+    """A body of fixed layout, whose fields are the dataclass's in their order."""
+
+    layout: ClassVar[Struct]
+
+    def pack(self) -> bytes:
+        """The body's bytes."""
+        return self.layout.pack(*astuple(self))  # type: ignore[call-overload, no-any-return]
+
+    @classmethod
+    def unpack(cls, body: bytes) -> Self:
+        """The value of a body; ValueError where it has another length."""
+        return cls(*_fields(cls.layout, body))
+
+
+def _fields(layout: Struct, body: bytes) -> tuple[Any, ...]:
+    try:
+        return layout.unpack(body)
+    except error as wrong:
+        raise ValueError(f"a body of {len(body)} bytes, not {layout.size}") from wrong
+
+
+@dataclass(frozen=True)
+class Hello(_Body):
+    """The first and last version of the protocol that a host speaks."""
+
+    first: int
+    last: int
+    layout = Struct("<BBxx")
+
+
+@dataclass(frozen=True)
+class Info:
+    """What a loader is, what it holds and how much it takes.
+
+    `boot` names the life of the loader since it started: another number means that everything
+    uploaded is gone. `window` is how many bytes on the wire may await their acknowledgement.
+    The limits are numbers of words, kernels, rows of the schedule, runs of equal slots, and bytes
+    of all channels of a frame. `program` and `label` are zeros while there is no program.
+    """
+
+    version: int
+    state: int
+    most_data: int
+    window: int
+    boot: int
+    capabilities: int
+    most_words: int
+    most_kernels: int
+    most_rows: int
+    most_runs: int
+    most_frame: int
+    rows: int
+    cols: int
+    target: bytes
+    program: bytes
+    label: bytes
+    target_name: str
+    firmware: str
+    layout: ClassVar[Struct] = Struct("<BBHIIIIIIIIHH32s32s32s")
+
+    def pack(self) -> bytes:
+        """The body's bytes."""
+        *fixed, name, firmware = astuple(self)
+        texts = b"".join(
+            bytes([len(text)]) + text for text in (name.encode()[:60], firmware.encode()[:60])
+        )
+        return self.layout.pack(*fixed) + texts
+
+    @classmethod
+    def unpack(cls, body: bytes) -> Self:
+        """The value of a body; ValueError where it is none."""
+        fixed = _fields(cls.layout, body[: cls.layout.size])
+        texts, at = [], cls.layout.size
+        for _ in range(2):
+            if at >= len(body) or at + 1 + body[at] > len(body):
+                raise ValueError("a text is cut short")
+            texts.append(body[at + 1 : at + 1 + body[at]].decode("utf-8", "replace"))
+            at += 1 + body[at]
+        return cls(*fixed, *texts)
+
+
+@dataclass(frozen=True)
+class Begin(_Body):
+    """A program is announced: digests of its target table and of itself, a label of the host's
+    choice (nscc: SHA-256 of the container file), bytes and number of its objects."""
+
+    target: bytes
+    program: bytes
+    label: bytes
+    length: int
+    objects: int
+    layout = Struct("<32s32s32sIHxx")
+
+
+@dataclass(frozen=True)
+class Entry(_Body):
+    """An object: what it is, the register of a plane, bytes, SHA-256 of them."""
+
+    kind: int
+    register: int
+    length: int
+    sha256: bytes
+    layout = Struct("<BBI32s")
+
+
+@dataclass(frozen=True)
+class Declare:
+    """Some of a program's entries, from number `first` on."""
+
+    first: int
+    entries: tuple[Entry, ...]
+    layout: ClassVar[Struct] = Struct("<HH")
+
+    def pack(self) -> bytes:
+        """The body's bytes."""
+        head = self.layout.pack(self.first, len(self.entries))
+        return head + b"".join(entry.pack() for entry in self.entries)
+
+    @classmethod
+    def unpack(cls, body: bytes) -> Self:
+        """The value of a body; ValueError where it is none."""
+        first, count = _fields(cls.layout, body[: cls.layout.size])
+        size = Entry.layout.size
+        if len(body) != cls.layout.size + count * size:
+            raise ValueError(f"{count} entries in {len(body)} bytes")
+        at = range(cls.layout.size, len(body), size)
+        return cls(first, tuple(Entry.unpack(body[i : i + size]) for i in at))
+
+
+MOST_ENTRIES = 26
+"""Most entries of one DECLARE: they fit a packet."""
+
+
+@dataclass(frozen=True)
+class Progress(_Body):
+    """How far an upload is: entries declared, bytes received of all objects in their order,
+    and how often an object's digest did not fit, so that its bytes were dropped."""
+
+    state: int
+    failures: int
+    declared: int
+    position: int
+    layout = Struct("<BBHI")
+
+
+@dataclass(frozen=True)
+class Capture(_Body):
+    """Expose a frame, unless it is the one of this number that is there or being exposed."""
+
+    number: int
+    channels: int
+    layout = Struct("<QBxxx")
+
+
+@dataclass(frozen=True)
+class Captured(_Body):
+    """What became of a capture. `ready`: whether length and digest of its frame are known;
+    `estimate_ms` is how long an exposure takes; `started_us` the loader's clock when it began."""
+
+    number: int
+    ready: int
+    channels: int
+    readouts: int
+    estimate_ms: int
+    length: int
+    started_us: int
+    sha256: bytes
+    layout = Struct("<QBBHIIQ32s")
+
+
+@dataclass(frozen=True)
+class Read(_Body):
+    """Send bytes of a frame, at most `chunk` of them a packet."""
+
+    number: int
+    offset: int
+    length: int
+    chunk: int
+    layout = Struct("<QIIHxx")
+
+
+@dataclass(frozen=True)
+class Status(_Body):
+    """A loader's state and counters since it started."""
+
+    state: int
+    boot: int
+    uptime_ms: int
+    position: int
+    packets: int
+    damaged: int
+    layout = Struct("<BxxxIIIII")
+
+
+@dataclass(frozen=True)
+class Failure(_Body):
+    """A request was not carried out; `detail` depends on the fault (the number of a word, ..)."""
+
+    request: int
+    fault: int
+    detail: int
+    layout = Struct("<BBxxI")
+
+
+DATA = Struct("<I")
+"""Body of DATA: the position of the bytes that follow."""
+FRAME = Struct("<QI")
+"""Body of the reply to READ: number of the capture and offset of the bytes that follow."""

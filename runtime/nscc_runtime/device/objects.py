@@ -1,0 +1,187 @@
+"""A compiled program as the objects that a loader takes.
+
+    READOUTS   u32 count; each: u8 analog register, 7 free, f64 gain
+    KERNELS    u32 count, u32 words of each kernel, then the words, five u32 each
+    SCHEDULE   u32 slots; u32 runs, each: u32 slots, f64 microseconds of each of them;
+               u32 rows, each: u32 advance, u16 kernel, u16 times
+    PLANE      one bit a pixel, row by row from the top left, the first in the lowest bit
+
+Registers go by their place in the target table. A row of the schedule is done `times` times: the
+light of `advance` slots falls, then the kernel runs. Slots left after the last row follow it.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import IntEnum
+from functools import cached_property
+from hashlib import sha256
+from itertools import groupby
+from struct import Struct
+
+import numpy as np
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.target.load import target_dict
+from nscc.target.model import Target
+from nscc.words.container import Container
+from nscc_runtime.device.messages import Begin, Entry
+
+MOST_TIMES = (1 << 16) - 1
+MOST_LAUNCHES = 1 << 20
+"""Most launches of a frame, whatever its rows."""
+READOUT = Struct("<B7xd")
+RUN = Struct("<Id")
+ROW = Struct("<IHH")
+COUNT = Struct("<I")
+WORD = Struct("<5I")
+
+
+class ObjectKind(IntEnum):
+    """What an object holds; the order in which a program's objects are sent."""
+
+    READOUTS = 1
+    KERNELS = 2
+    SCHEDULE = 3
+    PLANE = 4
+
+
+@dataclass(frozen=True)
+class Object:
+    """One object: `register` is that of a plane, else 0."""
+
+    kind: ObjectKind
+    register: int
+    data: bytes
+
+    @cached_property
+    def entry(self) -> Entry:
+        """What DECLARE says about it."""
+        return Entry(self.kind, self.register, len(self.data), sha256(self.data).digest())
+
+
+@dataclass(frozen=True)
+class Upload:
+    """A program ready to be sent: `words`, `kernels`, `rows`, `runs` are what it takes of a
+    loader's room; `planes`, `readouts` how many it has."""
+
+    target: bytes
+    label: bytes
+    objects: tuple[Object, ...]
+    words: int
+    kernels: int
+    rows: int
+    runs: int
+    readouts: int
+    gains: bool
+
+    @cached_property
+    def digest(self) -> bytes:
+        """The program's digest."""
+        entries = b"".join(each.entry.pack() for each in self.objects)
+        return program_digest(self.target, self.label, entries)
+
+    @cached_property
+    def stream(self) -> bytes:
+        """All objects' bytes, one after the other."""
+        return b"".join(each.data for each in self.objects)
+
+    @property
+    def begin(self) -> Begin:
+        """The message that announces it."""
+        return Begin(self.target, self.digest, self.label, len(self.stream), len(self.objects))
+
+
+def program_digest(target: bytes, label: bytes, entries: bytes) -> bytes:
+    """The digest of a program: of its target's digest, its label and its packed entries."""
+    return sha256(b"nscc-program-1" + target + label + entries).digest()
+
+
+def target_digest(target: Target) -> bytes:
+    """The digest by which a loader and a host know that they mean the same chip."""
+    values = target_dict(target)
+    del values["description"]
+    text = json.dumps(values, sort_keys=True, separators=(",", ":"), allow_nan=False)
+    return sha256(text.encode("ascii")).digest()
+
+
+def upload_of(container: Container, label: bytes) -> Upload:
+    """The objects of a container with pixels (NS0741 without); `label` is 32 bytes."""
+    if container.pixel_codes is None:
+        raise Rejected(
+            Diagnostic(
+                "NS0741",
+                "the program does not say which code each pixel has",
+                helps=("give it a `pixels` statement, or codes in a file: --pixels CODES.npz",),
+            )
+        )
+    target = container.target
+    rows = list(_rows(container))
+    runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
+    objects = [
+        Object(ObjectKind.READOUTS, 0, _readouts(container)),
+        Object(ObjectKind.KERNELS, 0, _kernels(container)),
+        Object(
+            ObjectKind.SCHEDULE,
+            0,
+            COUNT.pack(container.slots)
+            + COUNT.pack(len(runs))
+            + b"".join(RUN.pack(*run) for run in runs)
+            + COUNT.pack(len(rows))
+            + b"".join(ROW.pack(*row) for row in rows),
+        ),
+    ]
+    planes = container.planes()
+    # It takes a write only where the mask is 1, so it comes before the mask's own code.
+    for register in sorted(planes, key=lambda name: name != target.masked_register):
+        plane = planes[register]
+        bits = np.packbits(plane, axis=None, bitorder="little").tobytes()
+        number = target.digital_registers.index(register)
+        objects.append(Object(ObjectKind.PLANE, number, bits))
+    return Upload(
+        target_digest(target),
+        label,
+        tuple(objects),
+        words=sum(len(kernel.words) for kernel in container.kernels),
+        kernels=len(container.kernels),
+        rows=len(rows),
+        runs=len(runs),
+        readouts=len(container.readouts),
+        gains=any(readout.gain != 1 for readout in container.readouts),
+    )
+
+
+def _readouts(container: Container) -> bytes:
+    by_bucket = {readout.bucket: readout for readout in container.readouts}
+    ordered = [by_bucket[bucket] for bucket in container.buckets]
+    registers = container.target.analog_registers
+    return COUNT.pack(len(ordered)) + b"".join(
+        READOUT.pack(registers.index(readout.register), readout.gain) for readout in ordered
+    )
+
+
+def _kernels(container: Container) -> bytes:
+    lengths = [len(kernel.words) for kernel in container.kernels]
+    words = [word for kernel in container.kernels for word in kernel.words]
+    return (
+        COUNT.pack(len(lengths))
+        + np.array(lengths, "<u4").tobytes()
+        + np.array(words, "<u4").reshape(-1, 5).tobytes()
+    )
+
+
+def _rows(container: Container) -> Iterator[tuple[int, int, int]]:
+    """(advance, kernel, times): launches with equal distances between them are one row."""
+    at = 0
+    steps = []
+    for launch in container.launches:
+        steps.append((launch.instant - at, launch.kernel))
+        at = launch.instant
+    for (advance, kernel), same in groupby(steps):
+        times = len(list(same))
+        while times:
+            some = min(times, MOST_TIMES)
+            yield advance, kernel, some
+            times -= some

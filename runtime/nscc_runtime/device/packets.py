@@ -1,0 +1,135 @@
+"""Packets on the wire: COBS between zero bytes, a header of eight bytes, CRC-32 at the end.
+
+A byte stream may lose, change or cut anything: `Unpacker` hands on packets whose checksum holds
+and drops the rest, and no input makes it keep more than one packet's bytes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from struct import Struct
+from zlib import crc32
+
+VERSION = 1
+MOST_DATA = 1024
+"""Most bytes of an object or a frame in one packet."""
+MOST_BODY = MOST_DATA + 16
+
+_HEADER = Struct("<BBHI")
+_CRC = Struct("<I")
+OVERHEAD = _HEADER.size + _CRC.size
+_LARGEST = OVERHEAD + MOST_BODY
+_BLOCK = 254
+
+
+class Kind(IntEnum):
+    """What a packet is; a reply has the number of its request plus 0x80."""
+
+    HELLO = 0x01
+    STATUS = 0x02
+    BEGIN = 0x03
+    DECLARE = 0x04
+    DATA = 0x05
+    FINISH = 0x06
+    CAPTURE = 0x07
+    READ = 0x08
+    CANCEL = 0x09
+    BOOTED = 0xF0
+    ERROR = 0xFF
+
+
+REPLY = 0x80
+
+
+@dataclass(frozen=True, slots=True)
+class Packet:
+    """One packet. `session` is the host's number for this conversation, `sequence` counts its
+    requests; a reply repeats both."""
+
+    kind: int
+    sequence: int
+    session: int
+    body: bytes = b""
+
+    def wire(self) -> bytes:
+        """The packet's bytes on the line, zero bytes at both ends.
+
+        The first one ends whatever noise came before.
+        """
+        head = _HEADER.pack(self.kind, 0, self.sequence, self.session)
+        plain = head + self.body
+        return b"\0" + stuffed(plain + _CRC.pack(crc32(plain))) + b"\0"
+
+
+def unpacked(stuffed_bytes: bytes) -> Packet | None:
+    """The packet between two zero bytes; None where it is damaged."""
+    plain = unstuffed(stuffed_bytes)
+    if plain is None or not OVERHEAD <= len(plain) <= _LARGEST:
+        return None
+    (checksum,) = _CRC.unpack_from(plain, len(plain) - _CRC.size)
+    if crc32(plain[: -_CRC.size]) != checksum:
+        return None
+    kind, reserved, sequence, session = _HEADER.unpack_from(plain)
+    if reserved:
+        return None
+    return Packet(kind, sequence, session, plain[_HEADER.size : -_CRC.size])
+
+
+class Unpacker:
+    """Finds the packets in a stream of bytes. `damaged` counts what was dropped."""
+
+    def __init__(self) -> None:
+        self.damaged = 0
+        self._waiting = b""
+        self._overlong = False
+
+    def feed(self, data: bytes) -> list[Packet]:
+        """The packets that these bytes complete."""
+        *whole, rest = (self._waiting + data).split(b"\0")
+        found = []
+        for piece in whole:
+            overlong, self._overlong = self._overlong, False
+            if not piece and not overlong:
+                continue
+            packet = None if overlong else unpacked(piece)
+            if packet is None:
+                self.damaged += 1
+            else:
+                found.append(packet)
+        if len(rest) > LONGEST_WIRE:
+            rest, self._overlong = b"", True
+        self._waiting = rest
+        return found
+
+
+def stuffed(data: bytes) -> bytes:
+    """Consistent overhead byte stuffing: `data` without any zero byte, 1/254 longer at most."""
+    out = bytearray()
+    for piece in data.split(b"\0"):
+        while len(piece) >= _BLOCK:
+            out.append(0xFF)
+            out += piece[:_BLOCK]
+            piece = piece[_BLOCK:]
+        out.append(len(piece) + 1)
+        out += piece
+    return bytes(out)
+
+
+def unstuffed(data: bytes) -> bytes | None:
+    """What `stuffed` was given; None for bytes that it cannot have made."""
+    out = bytearray()
+    at = 0
+    while at < len(data):
+        length = data[at]
+        if length == 0 or at + length > len(data):
+            return None
+        out += data[at + 1 : at + length]
+        at += length
+        if length < 0xFF and at < len(data):
+            out.append(0)
+    return bytes(out)
+
+
+LONGEST_WIRE = _LARGEST + _LARGEST // _BLOCK + 2
+"""Most bytes between two zero bytes."""

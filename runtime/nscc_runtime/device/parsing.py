@@ -1,0 +1,259 @@
+"""What a loader makes of an object: checked before it is believed, sizes before anything else.
+
+This is the Python twin of the firmware's `objects.cpp`: same checks, in the same order, with the
+same faults. What a word may be comes from `nscc.words`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import isfinite
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.target.model import Target
+from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout, Word
+from nscc.words.encoding import matching
+from nscc.words.legality import split_pairs, target_fault
+from nscc.words.planes import codes_of_planes
+from nscc.words.soundness import MOST_SLOTS
+from nscc_runtime.device.messages import Fault
+from nscc_runtime.device.objects import COUNT, MOST_LAUNCHES, READOUT, ROW, RUN, WORD, ObjectKind
+
+_LONGEST_SLOT_US = 1e15
+
+
+class Refusal(Exception):
+    """An object is not accepted: why, and where in it."""
+
+    def __init__(self, fault: Fault, detail: int = 0) -> None:
+        super().__init__(f"{fault.name} {detail}")
+        self.fault = fault
+        self.detail = detail
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a loader has room for."""
+
+    words: int
+    kernels: int = 1024
+    rows: int = 16384
+    runs: int = 4096
+    frame_bytes: int = 1 << 23
+
+
+@dataclass
+class Held:
+    """The objects of a program that a loader has accepted so far."""
+
+    readouts: tuple[tuple[int, float], ...] | None = None
+    kernels: tuple[tuple[Word, ...], ...] | None = None
+    slots: int = 0
+    runs: tuple[tuple[int, float], ...] | None = None
+    rows: tuple[tuple[int, int, int], ...] = ()
+    planes: dict[int, bytes] | None = None
+
+    def accept(self, kind: int, register: int, data: bytes, target: Target, most: Limits) -> None:
+        """Check an object and keep it; raises Refusal."""
+        match kind:
+            case ObjectKind.READOUTS:
+                self.readouts = _readouts(data, target)
+            case ObjectKind.KERNELS:
+                self.kernels = _kernels(data, target, most)
+            case ObjectKind.SCHEDULE:
+                self._schedule(data, most)
+            case ObjectKind.PLANE:
+                self._plane(register, data, target)
+            case _:
+                raise Refusal(Fault.MALFORMED, kind)
+
+    @staticmethod
+    def check_room(kind: int, length: int, target: Target, most: Limits) -> None:
+        """Refuse an object that is too long for its kind before any of it is kept."""
+        rooms = {
+            ObjectKind.READOUTS: COUNT.size + len(target.analog_registers) * READOUT.size,
+            ObjectKind.KERNELS: COUNT.size * (1 + most.kernels) + most.words * WORD.size,
+            ObjectKind.SCHEDULE: 3 * COUNT.size + most.runs * RUN.size + most.rows * ROW.size,
+            ObjectKind.PLANE: (target.rows * target.cols + 7) // 8,
+        }
+        if kind not in set(ObjectKind):
+            raise Refusal(Fault.MALFORMED, kind)
+        if length > rooms[ObjectKind(kind)]:
+            raise Refusal(Fault.TOO_LARGE, length)
+
+    @property
+    def whole(self) -> bool:
+        """Whether nothing is missing that a frame needs."""
+        return None not in (self.readouts, self.kernels, self.runs)
+
+    def _schedule(self, data: bytes, most: Limits) -> None:
+        if self.kernels is None:
+            raise Refusal(Fault.SCHEDULE, 0)
+        reader = _Reader(data, Fault.SCHEDULE)
+        slots = reader.count()
+        if not 1 <= slots <= MOST_SLOTS:
+            raise Refusal(Fault.SCHEDULE, 1)
+        runs = reader.count()
+        if runs > most.runs:
+            raise Refusal(Fault.TOO_LARGE, runs)
+        lengths = tuple(RUN.unpack(reader.take(RUN.size)) for _ in range(runs))
+        if sum(count for count, _ in lengths) != slots or any(not n for n, _ in lengths):
+            raise Refusal(Fault.SCHEDULE, 2)
+        if not all(isfinite(us) and 0 < us <= _LONGEST_SLOT_US for _, us in lengths):
+            raise Refusal(Fault.SCHEDULE, 3)
+        count = reader.count()
+        if count > most.rows:
+            raise Refusal(Fault.TOO_LARGE, count)
+        rows = tuple(ROW.iter_unpack(reader.take(count * ROW.size)))
+        reader.end()
+        at = launches = 0
+        for advance, kernel, times in rows:
+            at += advance * times
+            launches += times
+            if not times or at > slots or launches > MOST_LAUNCHES or kernel >= len(self.kernels):
+                raise Refusal(Fault.SCHEDULE, 4)
+        self.slots, self.runs, self.rows = slots, lengths, rows
+
+    def _plane(self, register: int, data: bytes, target: Target) -> None:
+        pixels = target.rows * target.cols
+        planes = self.planes or {}
+        if register >= len(target.digital_registers) or register in planes:
+            raise Refusal(Fault.PLANE, register)
+        if len(data) != (pixels + 7) // 8 or (pixels % 8 and data[-1] >> pixels % 8):
+            raise Refusal(Fault.PLANE, register)
+        if target.digital_registers[register] == target.masked_register:
+            # It takes a write only where the mask is 1, so the mask's own code has to come later.
+            mask = target.mask_register
+            if mask is not None and target.digital_registers.index(mask) in planes:
+                raise Refusal(Fault.PLANE, register)
+        self.planes = {**planes, register: data}
+
+    def launches(self) -> Iterator[tuple[int, int]]:
+        """(boundary, kernel) of every launch, in order."""
+        at = 0
+        for advance, kernel, times in self.rows:
+            for _ in range(times):
+                at += advance
+                yield at, kernel
+
+    def container(self, target: Target) -> Container:
+        """The program for the emulator; without a decode table, which no loader needs."""
+        assert self.readouts is not None
+        assert self.kernels is not None
+        assert self.runs is not None
+        return container_of(
+            target,
+            readouts=self.readouts,
+            kernels=self.kernels,
+            launches=list(self.launches()),
+            slot_us=[us for count, us in self.runs for _ in range(count)],
+            planes=self.planes or {},
+        )
+
+
+def container_of(
+    target: Target,
+    *,
+    readouts: Sequence[tuple[int, float]],
+    kernels: Sequence[tuple[Word, ...]],
+    launches: Sequence[tuple[int, int]],
+    slot_us: Sequence[float],
+    planes: dict[int, bytes],
+) -> Container:
+    """What a chip was told to do, as a container that the emulator runs."""
+    shape = (target.rows, target.cols)
+    bits: dict[str, NDArray[np.bool_]] = {
+        target.digital_registers[number]: np.unpackbits(
+            np.frombuffer(data, np.uint8), count=shape[0] * shape[1], bitorder="little"
+        )
+        .astype(bool)
+        .reshape(shape)
+        for number, data in planes.items()
+    }
+    encoding, codes = codes_of_planes(bits, target)
+    names = tuple(f"bucket{number}" for number in range(len(readouts)))
+    count = len(encoding)
+    return Container(
+        target=target,
+        slot_us=tuple(slot_us),
+        buckets=names,
+        table=DecodeTable(
+            (),
+            np.zeros((count, 0), np.int64),
+            np.arange(count, dtype=np.int32),
+            np.zeros((count, len(names), len(slot_us)), bool),
+        ),
+        kernels=tuple(Kernel(f"k{number}", words) for number, words in enumerate(kernels)),
+        launches=tuple(Launch(*launch) for launch in launches),
+        code_registers=tuple(bits),
+        encoding=encoding,
+        pixel_codes=np.zeros(shape, np.int32) if codes is None else codes,
+        readouts=tuple(
+            Readout(target.analog_registers[register], name, gain)
+            for (register, gain), name in zip(readouts, names, strict=True)
+        ),
+        notes={"table": "none"},
+    )
+
+
+class _Reader:
+    """Takes an object apart; `fault` for one that is too short or too long."""
+
+    def __init__(self, data: bytes, fault: Fault) -> None:
+        self.data, self.fault, self.at = data, fault, 0
+
+    def take(self, count: int) -> bytes:
+        if len(self.data) - self.at < count:
+            raise Refusal(self.fault, self.at)
+        self.at += count
+        return self.data[self.at - count : self.at]
+
+    def count(self) -> int:
+        return int(COUNT.unpack(self.take(COUNT.size))[0])
+
+    def end(self) -> None:
+        if self.at != len(self.data):
+            raise Refusal(self.fault, self.at)
+
+
+def _readouts(data: bytes, target: Target) -> tuple[tuple[int, float], ...]:
+    reader = _Reader(data, Fault.READOUT)
+    count = reader.count()
+    if not 1 <= count <= len(target.analog_registers):
+        raise Refusal(Fault.READOUT, count)
+    found = tuple(READOUT.unpack(reader.take(READOUT.size)) for _ in range(count))
+    reader.end()
+    for register, gain in found:
+        if register >= len(target.analog_registers) or not isfinite(gain):
+            raise Refusal(Fault.READOUT, register)
+    return found
+
+
+def _kernels(data: bytes, target: Target, most: Limits) -> tuple[tuple[Word, ...], ...]:
+    reader = _Reader(data, Fault.MALFORMED)
+    count = reader.count()
+    if count > most.kernels:
+        raise Refusal(Fault.TOO_LARGE, count)
+    lengths = [reader.count() for _ in range(count)]
+    if sum(lengths) > most.words:
+        raise Refusal(Fault.TOO_LARGE, sum(lengths))
+    kernels, number = [], 0
+    for length in lengths:
+        ops = []
+        words: list[Word] = []
+        for _ in range(length):
+            word = WORD.unpack(reader.take(WORD.size))
+            operation = matching(word)
+            if operation is None or target_fault(operation, target) is not None:
+                raise Refusal(Fault.WORD, number)
+            ops.append(operation)
+            words.append(word)
+            number += 1
+        if split_pairs("", ops):
+            raise Refusal(Fault.WORD, number)
+        kernels.append(tuple(words))
+    reader.end()
+    return tuple(kernels)

@@ -1,0 +1,104 @@
+"""The serial port: the only place that imports serial."""
+
+from __future__ import annotations
+
+import errno
+import os
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any
+
+DEFAULT_BAUD = 3_000_000
+_MOST_READ = 1 << 16
+
+
+class PortTrouble(Exception):
+    """A port cannot be opened. `kind`: missing, forbidden, busy, unsuited, baud or other."""
+
+    def __init__(self, kind: str, reason: str) -> None:
+        super().__init__(reason)
+        self.kind = kind
+        self.reason = reason
+
+
+class PortGone(Exception):
+    """An open port went away."""
+
+
+@dataclass
+class Port:
+    """An open serial port; nothing it does blocks."""
+
+    serial: Any
+
+    def fileno(self) -> int:
+        """For select."""
+        return int(self.serial.fileno())
+
+    def read(self) -> bytes:
+        """What has arrived; raises PortGone."""
+        try:
+            data = os.read(self.fileno(), _MOST_READ)
+        except BlockingIOError:
+            return b""
+        except (OSError, TypeError) as error:
+            raise PortGone(str(error)) from None
+        if not data:
+            raise PortGone("end of file")
+        return data
+
+    def write(self, data: bytes) -> int:
+        """How many of these bytes the port took; raises PortGone."""
+        try:
+            return os.write(self.fileno(), data)
+        except BlockingIOError:
+            return 0
+        except (OSError, TypeError) as error:
+            raise PortGone(str(error)) from None
+
+    def close(self) -> None:
+        """Let the port go; no matter in what state it is."""
+        with suppress(OSError):
+            self.serial.close()
+
+
+def open_port(path: str, baud: int = DEFAULT_BAUD) -> Port:
+    """Open a port for ourselves alone: 8 data bits, no parity, one stop bit. Raises PortTrouble."""
+    import serial
+
+    try:
+        opened = serial.Serial(
+            path, baudrate=baud, timeout=0, write_timeout=0, exclusive=True, rtscts=False
+        )
+        os.set_blocking(opened.fileno(), False)
+    except serial.SerialException as error:
+        raise _trouble(error) from None
+    except ValueError as error:
+        raise PortTrouble("baud", str(error)) from None
+    except OSError as error:
+        raise _trouble(error) from None
+    return Port(opened)
+
+
+def _trouble(error: OSError) -> PortTrouble:
+    number = error.errno
+    reason = os.strerror(number) if number else str(error)
+    if number in (errno.ENOENT, errno.ENXIO, errno.ENODEV, errno.ENOTDIR):
+        return PortTrouble("missing", "there is no such port")
+    if number in (errno.EACCES, errno.EPERM):
+        return PortTrouble("forbidden", "you may not use it")
+    if number in (errno.EAGAIN, errno.EWOULDBLOCK, errno.EBUSY):
+        return PortTrouble("busy", "another program has it open")
+    # pyserial wraps what termios says, for a file that is no terminal, without its number.
+    if number in (errno.ENOTTY, errno.EINVAL, errno.EISDIR) or "configure port" in str(error):
+        return PortTrouble("unsuited", "it is no serial port")
+    return PortTrouble("other", reason)
+
+
+def list_ports(found: Callable[[], Any] | None = None) -> list[tuple[str, str]]:
+    """Name and description of this machine's serial ports, in order of their names."""
+    from serial.tools.list_ports import comports
+
+    ports = (found or comports)()
+    return sorted((port.device, port.description or "") for port in ports)

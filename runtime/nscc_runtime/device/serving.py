@@ -1,0 +1,191 @@
+"""A stand-in behind a pseudo-terminal: a loader, a bad cable, and a port to open."""
+
+from __future__ import annotations
+
+import errno
+import os
+import select
+import tty
+from collections import deque
+from collections.abc import Callable
+from contextlib import suppress
+from time import monotonic, sleep
+
+from nscc_runtime.device.faults import Accidents, Faults, Spoiler
+from nscc_runtime.device.simulation import Loaded
+
+_MOST_READ = 4096
+_ROOM = 4096
+_NOBODY_S = 0.01
+_BUSY_S = 0.002
+_PAUSE_S = 0.0002
+_IDLE_S = 0.25
+_BOOT_S = 0.1
+_MOST_TRIES = 64
+
+
+class Terminal:
+    """A pseudo-terminal whose name outlives a lost connection, where the system allows."""
+
+    def __init__(self, name: str | None = None) -> None:
+        self.name = ""
+        held = []
+        try:
+            for _ in range(_MOST_TRIES):
+                master, slave = os.openpty()
+                self.name = os.ttyname(slave)
+                tty.setraw(slave)
+                os.close(slave)
+                if name in (None, self.name):
+                    break
+                held.append(master)
+            else:
+                master = held.pop()
+        finally:
+            # Numbers are given out lowest first: the others were only in the way of ours.
+            for other in held:
+                os.close(other)
+        os.set_blocking(master, False)
+        self.fd = master
+        self.opened = False
+
+    def read(self) -> bytes | None:
+        """What the other side wrote; None while nobody has the port open."""
+        try:
+            data = os.read(self.fd, _MOST_READ)
+        except BlockingIOError:
+            return b""
+        except OSError as error:
+            if error.errno != errno.EIO:
+                raise
+            return None
+        self.opened = True
+        return data
+
+    def write(self, data: bytes) -> int:
+        """How many of these bytes there was room for."""
+        try:
+            return os.write(self.fd, data)
+        except BlockingIOError:
+            return 0
+
+    def hung_up(self) -> bool:
+        """Whether nobody has the port open."""
+        poller = select.poll()
+        poller.register(self.fd, select.POLLIN)
+        return any(happened & select.POLLHUP for _, happened in poller.poll(0))
+
+    def close(self) -> None:
+        """Pull the plug."""
+        with suppress(OSError):
+            os.close(self.fd)
+
+
+class Server:
+    """Hands bytes between a terminal and a loader, spoiled by `faults`.
+
+    `moved` is told the name of the port where it had to change.
+    """
+
+    def __init__(
+        self,
+        loader: Loaded,
+        faults: Faults,
+        moved: Callable[[str], None] = lambda _: None,
+    ) -> None:
+        self.loader, self.faults, self.moved = loader, faults, moved
+        self.terminal = Terminal()
+        self._accidents = Accidents(faults)
+        self._up, self._down = Spoiler(faults, 1), Spoiler(faults, 2)
+        self._arriving: deque[tuple[float, bytes]] = deque()
+        self._leaving: deque[tuple[float, bytes]] = deque()
+        self._boots_until = 0.0
+        self._connected = False
+
+    @property
+    def port(self) -> str:
+        """The port to open."""
+        return self.terminal.name
+
+    def serve(self, *, once: bool = False, until: float | None = None) -> None:
+        """Serve until `until` (of `monotonic`), or with `once` until the first host has left."""
+        while until is None or monotonic() < until:
+            if self.terminal.hung_up():
+                # What is said while nobody listens is lost, as on any line.
+                self._leaving.clear()
+                if self._connected and once:
+                    return
+                self._turn(None)
+                sleep(_NOBODY_S)
+                continue
+            self._connected = True
+            data = self.terminal.read()
+            self._turn(data)
+            self._wait()
+
+    def _now_us(self) -> int:
+        return int(monotonic() * 1e6)
+
+    def _turn(self, data: bytes | None) -> None:
+        now = monotonic()
+        if data:
+            self._arriving.append((now + self.faults.delay_s, self._up.spoiled(data)))
+            self._accident(len(data))
+        while self._arriving and self._arriving[0][0] <= now:
+            _, piece = self._arriving.popleft()
+            if now >= self._boots_until:
+                self.loader.receive(piece, self._now_us())
+        # What is under way takes no room: only what should have left already does.
+        late = sum(len(piece) for due, piece in self._leaving if due <= now)
+        if now >= self._boots_until and late < _ROOM:
+            out = self.loader.poll(self._now_us(), _ROOM)
+            if out:
+                self._leaving.append((now + self.faults.delay_s, self._down.spoiled(out)))
+                self._accident(len(out))
+        while self._leaving and self._leaving[0][0] <= now:
+            due, piece = self._leaving.popleft()
+            taken = self.terminal.write(piece)
+            if taken < len(piece):
+                self._leaving.appendleft((due, piece[taken:]))
+                break
+
+    def _accident(self, count: int) -> None:
+        for accident in self._accidents.passed(count):
+            self._arriving.clear()
+            if accident == "disconnect":
+                self._leaving.clear()
+                self._disconnect()
+            else:
+                self.loader.announce()
+                self._boots_until = monotonic() + _BOOT_S
+
+    def _disconnect(self) -> None:
+        """The port vanishes, and is there again after the outage, under its old name if it can."""
+        name = self.terminal.name
+        self.terminal.close()
+        back = monotonic() + self.faults.outage_s
+        while monotonic() < back or (os.path.exists(name) and monotonic() < back + _IDLE_S):
+            sleep(_BUSY_S)
+        self.terminal = Terminal(name)
+        self._connected = False
+        if self.terminal.name != name:
+            self.moved(self.terminal.name)
+
+    def _wait(self) -> None:
+        """Until a byte arrives, or there is something to do without one."""
+        now = monotonic()
+        due = [queue[0][0] for queue in (self._arriving, self._leaving) if queue]
+        waits = [_IDLE_S, *(max(time - now, 0.0) for time in due)]
+        if self.loader.busy or self._boots_until > now:
+            waits.append(_BUSY_S)
+        if self.loader.busy and not (self._leaving and self._leaving[0][0] <= now):
+            waits.append(_PAUSE_S)
+        blocked = bool(self._leaving and self._leaving[0][0] <= now)
+        writers = [self.terminal.fd] if blocked else []
+        readers = [self.terminal.fd]
+        readers += self.loader.watched()
+        select.select(readers, writers, [], _IDLE_S if blocked else min(waits))
+
+    def close(self) -> None:
+        """Close the port."""
+        self.terminal.close()

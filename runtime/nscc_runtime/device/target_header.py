@@ -1,0 +1,175 @@
+"""The firmware's target table, written from nscc's own: `target.hpp` of `runtime/firmware`.
+
+python -m nscc_runtime.device.target_header scamp5 > runtime/firmware/targets/scamp5/target.hpp
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from nscc.target.load import load_target
+from nscc.target.model import Target
+from nscc.words.container import Word
+from nscc.words.encoding import encode, masks
+from nscc.words.operations import (
+    ANALOG_SOURCES,
+    DIGITAL_SOURCES,
+    OPERATIONS,
+    Effect,
+    Op,
+    Phase,
+    op,
+    pair,
+)
+from nscc_runtime.device.objects import target_digest
+
+_EFFECTS = {
+    Effect.NONE: "NOTHING", Effect.RESET_PIX: "RESET_PIX", Effect.BUS: "BUS",
+    Effect.FLAG_ALL: "FLAG_ALL", Effect.FLAG_ANALOG: "FLAG_ANALOG",
+    Effect.FLAG_DIGITAL: "FLAG_DIGITAL", Effect.DIGITAL: "DIGITAL",
+}  # fmt: skip
+_PHASES = {Phase.WHOLE: "WHOLE", Phase.READ: "FIRST_HALF", Phase.WRITE: "SECOND_HALF"}
+_PAIRS = ("OR", "NOR", "REFRESH")
+_NO_LIMIT = 255
+_NOTHING: Word = (0, 0, 0, 0, 0)
+_LONGEST_REFRESH = 5
+
+
+def target_header(target: Target) -> str:
+    """`target.hpp` for a target: what the loader believes of words, and of nothing else."""
+    return "\n".join([*_numbers(target), "", *_operations(), "", *_registers(target), "",
+                      *_sequences(target), "", "}  // namespace nscc::target", "", "#endif",
+                      ""])  # fmt: skip
+
+
+def _numbers(target: Target) -> Iterator[str]:
+    digest = target_digest(target)
+    names = target.digital_registers
+    place = {
+        "masked_register": target.masked_register,
+        "mask_register": target.mask_register,
+    }
+    yield "// Written by nscc_runtime.device.target_header from nscc's target table."
+    yield "#ifndef NSCC_TARGET_HPP"
+    yield "#define NSCC_TARGET_HPP"
+    yield ""
+    yield '#include "words.hpp"'
+    yield ""
+    yield "namespace nscc::target {"
+    yield ""
+    yield f"constexpr char name[] = {json.dumps(target.name)};"
+    yield "constexpr uint8_t digest[32] = {"
+    for start in range(0, 32, 16):
+        yield f"    {', '.join(f'0x{byte:02x}' for byte in digest[start : start + 16])},"
+    yield "};"
+    yield f"constexpr uint16_t rows = {target.rows}, cols = {target.cols};"
+    yield f"constexpr uint32_t store_words = {target.store_words};"
+    yield f"constexpr uint32_t analog_count = {len(target.analog_registers)};"
+    yield f"constexpr uint32_t digital_count = {len(names)};"
+    for name, register in place.items():
+        yield f"constexpr int {name} = {-1 if register is None else names.index(register)};"
+    yield f"constexpr double analog_word_us = {target.analog_word_us!r};"
+    yield f"constexpr double digital_word_us = {target.digital_word_us!r};"
+    yield f"constexpr double launch_us = {target.launch_us!r};"
+    yield f"constexpr double readout_us = {target.readout_us!r};"
+    yield f"constexpr double retention_us = {target.digital_retention_us!r};"
+    yield f"constexpr bool where_reads_flag = {str(target.where_reads_flag).lower()};"
+    yield f"constexpr unsigned or_sources = {_limit(target.or_sources)};"
+    yield f"constexpr unsigned where_sources = {_limit(target.where_sources)};"
+
+
+def _limit(count: int | None) -> int:
+    return _NO_LIMIT if count is None else min(count, _NO_LIMIT)
+
+
+def _word(word: Word) -> str:
+    return "{{" + ", ".join(f"0x{part:05x}" for part in word) + "}}"
+
+
+def _operations() -> Iterator[str]:
+    found = masks()
+    yield f"constexpr Word kind_analog = {_word(found.kind_analog)};"
+    yield f"constexpr Word kind_digital = {_word(found.kind_digital)};"
+    yield ""
+    yield "constexpr Operation operations[] = {"
+    for row in OPERATIONS:
+        kind = row.name.partition(".")[0]
+        half = row.phase is not Phase.WHOLE
+        counts = [*row.destinations, *row.sources]
+        numbers = [
+            str(row.clock),
+            _EFFECTS[row.effect],
+            _PHASES[row.phase],
+            str(1 + _PAIRS.index(kind) if half else 0),
+            *(str(_limit(count)) for count in counts),
+        ]
+        yield f"    // {row.name}"
+        yield f"    {{{_word(found.fixed[row.name])}, {', '.join(numbers)}}},"
+    yield "};"
+
+
+def _registers(target: Target) -> Iterator[str]:
+    found = masks()
+    known = {*target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT"}
+    yield "constexpr Register registers[] = {"
+    for analog, names in ((True, ANALOG_SOURCES), (False, DIGITAL_SOURCES)):
+        for name in names:
+            words = [
+                found.read[name],
+                found.write.get(name, _NOTHING),
+                found.written.get(name, _NOTHING),
+            ]
+            flags = [analog, name in known, name == "FLAG"]
+            yield f"    // {name}"
+            yield (
+                "    {"
+                + ",\n     ".join(_word(word) for word in words)
+                + f",\n     {', '.join(str(flag).lower() for flag in flags)}}},"
+            )
+    yield "};"
+
+
+def _sequences(target: Target) -> Iterator[str]:
+    """The words that write a register back, and that open the masked register to writing."""
+    yield f"struct Refresh {{ uint32_t count; uint32_t word[{_LONGEST_REFRESH}][5]; }};"
+    yield ""
+    yield "// Writes a register back to itself; the masked one where the mask's code waits in FLAG."
+    yield "constexpr Refresh refresh[] = {"
+    for name in target.digital_registers:
+        ops = refresh_words(target, name)
+        yield f"    // {name}"
+        yield f"    {{{len(ops)}, {{{_table(ops)}}}}},"
+    yield "};"
+    yield ""
+    mask = target.mask_register
+    ops = [op("SET", [mask])] if mask else [op("nop")]
+    yield "// Sets a register to 0 in all pixels (the masked one where the mask is 1)."
+    yield "constexpr uint32_t clear[][1][5] = {"
+    for name in target.digital_registers:
+        yield f"    {{{_table([op('CLR', [name])])}}},  // {name}"
+    yield "};"
+    yield ""
+    yield f"constexpr uint32_t flag_all[1][5] = {{{_table([op('all')])}}};"
+    yield "// Before the masked register is loaded."
+    yield f"constexpr uint32_t set_mask[1][5] = {{{_table(ops)}}};"
+
+
+def refresh_words(target: Target, register: str) -> list[Op]:
+    """The words that write a digital register back to itself, and change nothing else."""
+    again = list(pair("REFRESH", register, [register]))
+    mask = target.mask_register
+    if register != target.masked_register or mask is None:
+        return again
+    return [op("WHERE", (), [mask]), op("SET", [mask]), *again, op("MOV", [mask], ["FLAG"])]
+
+
+def _table(ops: Sequence[Op]) -> str:
+    words = (", ".join(f"0x{part:05x}" for part in encode(each)) for each in ops)
+    return ",\n        ".join("{" + word + "}" for word in words)
+
+
+if __name__ == "__main__":
+    sys.stdout.write(target_header(load_target(sys.argv[1], Path())))

@@ -1,0 +1,327 @@
+"""What a host does with a loader, as tasks: send a program, expose a frame, fetch it."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
+from hashlib import sha256
+
+from nscc_runtime.device.host import LONGEST_WAIT_S, Host, Refused, Task, checked, raise_failure
+from nscc_runtime.device.messages import (
+    DATA,
+    FRAME,
+    MOST_ENTRIES,
+    Capture,
+    Captured,
+    Declare,
+    Failure,
+    Fault,
+    Progress,
+    Read,
+    State,
+)
+from nscc_runtime.device.objects import Upload
+from nscc_runtime.device.packets import OVERHEAD, REPLY, Kind
+
+MOST_FRAME = 1 << 28
+"""Bytes of a frame that a host is willing to keep, whatever a loader announces."""
+_SMALLEST_CHUNK = 64
+_MOST_DIGEST_FAILURES = 8
+_GROW_AFTER = 8
+_READ_AHEAD = 6
+_READ_CHUNKS = 8
+_POLL_S = 0.02
+_LONGEST_POLL_S = 0.25
+_BUSY_WAIT_S = 0.1
+
+Watch = Callable[[int, int], None]
+"""Told how many bytes of how many are there."""
+
+
+def _unwatched(_done: int, _total: int) -> None:
+    pass
+
+
+@dataclass(frozen=True)
+class Taken:
+    """A frame as it came: what the loader said of it, and its bytes, whose digest holds."""
+
+    captured: Captured
+    data: bytes
+
+
+def upload(host: Host, program: Upload, watch: Watch = _unwatched) -> Task[None]:
+    """Bring a program to the loader, from where it was when the link was lost; then it is ready."""
+    progress = yield from _begun(host, program)
+    while progress.declared < len(program.objects) and progress.state == State.RECEIVING:
+        some = program.objects[progress.declared : progress.declared + MOST_ENTRIES]
+        declare = Declare(progress.declared, tuple(each.entry for each in some))
+        reply = yield from host.ask(Kind.DECLARE, declare.pack())
+        progress = checked(Progress.unpack, reply)
+        host.moved()
+    if progress.state == State.RECEIVING:
+        yield from _Sender(host, program.stream, progress, watch).run()
+    yield from host.ask(Kind.FINISH, program.digest)
+    host.moved()
+
+
+def _begun(host: Host, program: Upload) -> Task[Progress]:
+    """Announce the program; a loader that still exposes is stopped first."""
+    while True:
+        try:
+            reply = yield from host.ask(Kind.BEGIN, program.begin.pack())
+        except Refused as refused:
+            if refused.fault != Fault.BUSY:
+                raise
+            yield from host.cancel()
+            yield from pause(host, _BUSY_WAIT_S)
+            continue
+        host.moved()
+        return checked(Progress.unpack, reply)
+
+
+def pause(host: Host, seconds: float) -> Task[None]:
+    """Wait; whatever arrives meanwhile is of no interest."""
+    until = host.now + seconds
+    while host.now < until:
+        yield until
+    host.check_patience(seconds)
+
+
+class _Chunk:
+    """How many bytes go into a packet: halved where packets are lost, doubled after a while."""
+
+    def __init__(self, most: int) -> None:
+        self.most = self.size = max(_SMALLEST_CHUNK, most // _SMALLEST_CHUNK * _SMALLEST_CHUNK)
+        self._good = 0
+
+    def arrived(self) -> None:
+        self._good += 1
+        if self._good >= _GROW_AFTER and self.size < self.most:
+            self.size, self._good = min(2 * self.size, self.most), 0
+
+    def lost(self) -> None:
+        self.size, self._good = max(self.size // 2, _SMALLEST_CHUNK), 0
+
+
+class _Sender:
+    """Sends a stream, many packets ahead of their acknowledgements, and goes back where one is
+    lost: the loader only ever takes the bytes that it waits for."""
+
+    def __init__(self, host: Host, stream: bytes, progress: Progress, watch: Watch) -> None:
+        assert host.info is not None
+        self.host, self.stream, self.watch = host, stream, watch
+        self.window = max(host.info.window, 2 * (_SMALLEST_CHUNK + 64))
+        self.chunk = _Chunk(min(host.info.most_data, self.window // 2))
+        self.acknowledged = self.next = progress.position
+        self.failures = progress.failures
+        self.sent: deque[tuple[int, int, int, float]] = deque()
+        self.flying = 0
+        self.wait = host.wait_s
+
+    def run(self) -> Task[None]:
+        host = self.host
+        while self.acknowledged < len(self.stream):
+            self._fill()
+            until = self.sent[0][3] + self.wait
+            packet = yield until
+            if packet is None:
+                if host.now >= until:
+                    self.wait = min(2 * self.wait, max(LONGEST_WAIT_S, host.wait_s))
+                    self._back_to(self.acknowledged)
+                continue
+            if packet.kind == Kind.ERROR and self._ours(packet.sequence):
+                raise_failure(packet)
+            if packet.kind == Kind.DATA | REPLY:
+                self._acknowledge(packet.sequence, checked(Progress.unpack, packet))
+
+    def _ours(self, sequence: int) -> bool:
+        return any(number == sequence for number, *_ in self.sent)
+
+    def _fill(self) -> None:
+        while self.next < len(self.stream):
+            data = self.stream[self.next : self.next + self.chunk.size]
+            cost = len(data) + OVERHEAD + DATA.size + 2 + len(data) // 128 + 2
+            if self.flying and self.flying + cost > self.window:
+                return
+            sequence = self.host.send(Kind.DATA, DATA.pack(self.next) + data)
+            self.sent.append((sequence, self.next, cost, self.host.now))
+            self.flying += cost
+            self.next += len(data)
+
+    def _back_to(self, position: int) -> None:
+        self.host.check_patience()
+        self.host.resent += len(self.sent)
+        self.chunk.lost()
+        self.sent.clear()
+        self.flying = 0
+        self.acknowledged = self.next = position
+
+    def _acknowledge(self, sequence: int, progress: Progress) -> None:
+        """Take note of an acknowledgement; one from before the last step back is of no use."""
+        if not self._ours(sequence):
+            return
+        while True:
+            number, position, cost, since = self.sent.popleft()
+            self.flying -= cost
+            if number == sequence:
+                break
+        if progress.failures != self.failures:
+            self.failures = progress.failures
+            if self.failures >= _MOST_DIGEST_FAILURES:
+                raise Refused(Failure(Kind.DATA, Fault.DIGEST, progress.position))
+            self._back_to(progress.position)
+        elif progress.position <= position:
+            self._back_to(progress.position)
+        else:
+            self.host.timed(self.host.now - since)
+            self.wait = self.host.wait_s
+            self.chunk.arrived()
+            self.acknowledged = max(self.acknowledged, progress.position)
+            # The loader may be ahead of what was sent again, but never behind what it said.
+            behind = self.next < self.acknowledged or not self.sent
+            self.next = self.acknowledged if behind else self.next
+            self.host.moved()
+            self.watch(self.acknowledged, len(self.stream))
+
+
+def capture(host: Host, number: int, channels: int, watch: Watch = _unwatched) -> Task[Taken]:
+    """Expose a frame and fetch it. The same `number` never exposes twice."""
+    body = Capture(number, channels).pack()
+    poll, extra = _POLL_S, 0.0
+    while True:
+        try:
+            reply = yield from host.ask(Kind.CAPTURE, body, extra_s=extra)
+        except Refused as refused:
+            if refused.fault != Fault.BUSY:
+                raise
+            yield from pause(host, _BUSY_WAIT_S)
+            continue
+        captured = checked(Captured.unpack, reply)
+        wrong = captured.number != number or captured.channels != channels
+        if wrong or not 0 < captured.length <= MOST_FRAME:
+            raise Refused(Failure(Kind.CAPTURE, Fault.MALFORMED, 0))
+        if captured.ready:
+            host.moved()
+            return Taken(captured, (yield from _fetched(host, captured, watch)))
+        extra = 2 * captured.estimate_ms / 1000
+        host.check_patience(extra)
+        yield from pause(host, poll)
+        poll = min(2 * poll, _LONGEST_POLL_S)
+
+
+def _fetched(host: Host, captured: Captured, watch: Watch) -> Task[bytes]:
+    for _ in range(_MOST_DIGEST_FAILURES):
+        data = yield from _Fetcher(host, captured, watch).run()
+        if sha256(data).digest() == captured.sha256:
+            return data
+    raise Refused(Failure(Kind.READ, Fault.DIGEST, 0))
+
+
+@dataclass(frozen=True)
+class _Range:
+    """A request under way: bytes `start` to `stop` of the frame, asked for at `since`; `alone`:
+    with no other before it, so that its first packet tells how long a reply takes."""
+
+    start: int
+    stop: int
+    since: float
+    alone: bool
+
+
+class _Fetcher:
+    """Asks for ranges of a frame, some ahead, and again for what did not come. A loader serves
+    them in order: a packet of one says that nothing more comes of those before it."""
+
+    def __init__(self, host: Host, captured: Captured, watch: Watch) -> None:
+        assert host.info is not None
+        self.host, self.number, self.watch = host, captured.number, watch
+        self.data = bytearray(captured.length)
+        units = -(-captured.length // _SMALLEST_CHUNK)
+        self.missing = bytearray(b"\1" * units)
+        self.left = units
+        self.chunk = _Chunk(host.info.most_data)
+        self.asked: dict[int, _Range] = {}
+        self.heard = host.now
+        self.wait = host.wait_s
+
+    def run(self) -> Task[bytes]:
+        host = self.host
+        while self.left:
+            self._ask()
+            until = max(self.heard, min(each.since for each in self.asked.values())) + self.wait
+            packet = yield until
+            if packet is None:
+                if host.now >= until:
+                    host.check_patience()
+                    self._lose(list(self.asked))
+                    self.wait = min(2 * self.wait, max(LONGEST_WAIT_S, host.wait_s))
+                continue
+            if packet.kind == Kind.ERROR and packet.sequence in self.asked:
+                if checked(Failure.unpack, packet).fault != Fault.BUSY:
+                    raise_failure(packet)
+            elif packet.kind == Kind.READ | REPLY and len(packet.body) > FRAME.size:
+                number, offset = FRAME.unpack_from(packet.body)
+                if number == self.number:
+                    self._take(packet.sequence, offset, packet.body[FRAME.size :])
+        host.moved()
+        return bytes(self.data)
+
+    def _ask(self) -> None:
+        if len(self.asked) > _READ_AHEAD // 2:
+            return
+        pending = bytearray(self.missing)
+        for each in self.asked.values():
+            first, last = each.start // _SMALLEST_CHUNK, -(-each.stop // _SMALLEST_CHUNK)
+            pending[first:last] = bytes(last - first)
+        end = 0
+        while len(self.asked) < _READ_AHEAD:
+            begin = pending.find(1, end)
+            if begin < 0:
+                return
+            end = pending.find(0, begin)
+            end = len(pending) if end < 0 else end
+            end = min(end, begin + _READ_CHUNKS * self.chunk.size // _SMALLEST_CHUNK)
+            start, stop = begin * _SMALLEST_CHUNK, min(end * _SMALLEST_CHUNK, len(self.data))
+            read = Read(self.number, start, stop - start, self.chunk.size)
+            alone = not self.asked
+            sequence = self.host.send(Kind.READ, read.pack())
+            self.asked[sequence] = _Range(start, stop, self.host.now, alone)
+
+    def _lose(self, sequences: list[int]) -> None:
+        for sequence in sequences:
+            del self.asked[sequence]
+            self.host.resent += 1
+        if sequences:
+            self.chunk.lost()
+
+    def _take(self, sequence: int, offset: int, data: bytes) -> None:
+        end = offset + len(data)
+        whole = end % _SMALLEST_CHUNK == 0 or end == len(self.data)
+        if offset % _SMALLEST_CHUNK or end > len(self.data) or not whole:
+            return
+        first, last = offset // _SMALLEST_CHUNK, -(-end // _SMALLEST_CHUNK)
+        fresh = self.missing.count(1, first, last)
+        if fresh:
+            self.data[offset:end] = data
+            self.missing[first:last] = bytes(last - first)
+            self.left -= fresh
+            self.chunk.arrived()
+            self.host.moved()
+            self.watch(len(self.data) - self.left * _SMALLEST_CHUNK, len(self.data))
+        request = self.asked.get(sequence)
+        if request is None:
+            return
+        self.heard = self.host.now
+        if request.alone and offset == request.start:
+            self.host.timed(self.host.now - request.since)
+        self.wait = self.host.wait_s
+        self._lose([number for number in self.asked if _before(number, sequence)])
+        if end >= request.stop:
+            del self.asked[sequence]
+
+
+def _before(one: int, other: int) -> bool:
+    """Whether a request's number is older than another's; numbers wrap at 2^16."""
+    return 0 < (other - one & 0xFFFF) < 0x8000

@@ -1,0 +1,181 @@
+"""What can go wrong with a device, as messages with a way out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.target.model import Target
+from nscc_runtime.device.host import Refused, Silent, Stalled
+from nscc_runtime.device.messages import Capability, Fault, Info
+from nscc_runtime.device.objects import Upload, target_digest
+from nscc_runtime.device.packets import VERSION, Kind
+from nscc_runtime.device.port import PortTrouble
+
+FAILED = 3
+_LIST = "`nscc doctor` lists the serial ports of this machine"
+_STAND_IN = "`nscc device serve --scene SCENE` gives a stand-in and prints its port"
+
+
+def rejected(code: str, message: str, *helps: str, notes: tuple[str, ...] = ()) -> Rejected:
+    """A failure of the device, exit status 3."""
+    return Rejected(Diagnostic(code, message, notes=notes, helps=helps), status=FAILED)
+
+
+def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
+    """NS0760, or NS0761 for a port that is in use."""
+    shown = port[:200]
+    if trouble.kind == "busy":
+        return rejected(
+            "NS0761",
+            f"the port '{shown}' is busy: {trouble.reason}",
+            "end the other program (`fuser PORT` names it), or wait until it is done",
+        )
+    helps = {
+        "missing": (_LIST, _STAND_IN),
+        "forbidden": (
+            "have your user added to the group that owns the port (`ls -l PORT` shows it; often "
+            "dialout or uucp), then log in again",
+        ),
+        "unsuited": (_LIST, _STAND_IN),
+        "baud": ("choose another speed: --baud 115200 is what every port can do",),
+    }.get(trouble.kind, (_LIST,))
+    return rejected("NS0760", f"cannot open the port '{shown}': {trouble.reason}", *helps)
+
+
+def port_lost(port: str, seconds: float) -> Rejected:
+    """NS0766 for a port that went away and did not come back."""
+    return rejected(
+        "NS0766",
+        f"the device at '{port[:200]}' was lost, and did not come back within {seconds:g} s",
+        "check cable and power, then give the command again: what the device has is not sent twice",
+        "--patience S waits longer",
+    )
+
+
+@contextmanager
+def explained(port: str, patience_s: float) -> Iterator[None]:
+    """Turn what a host's task raises into messages about the device at `port`."""
+    try:
+        yield
+    except Silent as silent:
+        raise _silent(port, patience_s, silent) from None
+    except Stalled:
+        raise rejected(
+            "NS0766",
+            f"the device at '{port[:200]}' answers, and nothing gets through to it",
+            "the line is too bad, or the device keeps starting anew: check cable, speed (--baud) "
+            "and power",
+        ) from None
+    except Refused as refused:
+        raise _refused(port, refused) from None
+
+
+def _silent(port: str, patience_s: float, silent: Silent) -> Rejected:
+    if silent.ever:
+        return port_lost(port, patience_s)
+    what = "sends bytes that are no packets" if silent.noise else "says nothing"
+    return rejected(
+        "NS0762",
+        f"no loader of nscc answers at '{port[:200]}': what is there {what}",
+        "put the loader on the device (runtime/firmware/README.md says how), or name another port",
+        "if the loader is there, it may run at another speed: --baud",
+        _LIST,
+    )
+
+
+def _refused(port: str, refused: Refused) -> Rejected:
+    failure = refused.failure
+    at = f"the device at '{port[:200]}'"
+    match failure.fault:
+        case Fault.VERSION:
+            return rejected(
+                "NS0762",
+                f"{at} speaks version {failure.detail} of the protocol, this nscc version "
+                f"{VERSION}",
+                "put the loader that came with this nscc on the device (runtime/firmware)",
+            )
+        case Fault.HARDWARE:
+            return rejected(
+                "NS0768",
+                f"{at} could not expose a frame",
+                "a stand-in says why where it runs (a scene that does not suit the program, say); "
+                "a chip wants to be switched off and on",
+            )
+        case Fault.TARGET:
+            return wrong_target(port, None, None)
+    name = {fault.value: fault.name for fault in Fault}.get(failure.fault, str(failure.fault))
+    asked = {kind.value: kind.name for kind in Kind}.get(failure.request, str(failure.request))
+    return rejected(
+        "NS0767",
+        f"{at} refuses the program or the request: {name.lower().replace('_', ' ')}, "
+        f"{failure.detail}, in answer to {asked}",
+        "build the program again, and put the loader that came with this nscc on the device",
+        notes=("nscc checks programs before it sends them, so the two disagree",),
+    )
+
+
+def wrong_target(port: str, target: Target | None, info: Info | None) -> Rejected:
+    """NS0764: the program is for another chip than the loader's."""
+    at = f"the device at '{port[:200]}'"
+    if target is None or info is None:
+        return rejected("NS0764", f"{at} is another chip than the program is for")
+    theirs, ours = info.target_name, target.name
+    if theirs != ours:
+        message = f"the program is for {ours}, and {at} is {theirs}"
+        return rejected(
+            "NS0764", message, f"build it for the device: `--target {theirs}`, or a file for it"
+        )
+    return rejected(
+        "NS0764",
+        f"the program is for {ours}, and {at} is a {theirs} whose target table is another",
+        "build the program with the table that the device's loader was built with",
+        notes=(
+            f"the program's array is {target.rows} x {target.cols}, the device's "
+            f"{info.rows} x {info.cols}",
+        ),
+    )
+
+
+def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: int) -> None:
+    """Refuse what the loader would refuse, before anything is sent: NS0764, NS0765, NS0767."""
+    if target_digest(target) != info.target:
+        raise wrong_target(port, target, info)
+    each = sum(size for bit, size in ((1, 1), (2, 8)) if channels & bit)
+    for what, required, available in (
+        ("words", upload.words, info.most_words),
+        ("kernels", upload.kernels, info.most_kernels),
+        ("rows of its schedule", upload.rows, info.most_rows),
+        ("runs of equal slots", upload.runs, info.most_runs),
+        (
+            "bytes of a frame",
+            upload.readouts * each * info.rows * info.cols,
+            info.most_frame,
+        ),
+    ):
+        if required > available:
+            raise Rejected(
+                Diagnostic(
+                    "NS0765",
+                    f"the program does not fit the loader at '{port[:200]}': it needs {required} "
+                    f"{what}, and the loader has room for {available}",
+                    helps=(
+                        "use fewer slots, or fewer buckets; the loader's room is set where it is "
+                        "built (runtime/firmware)",
+                    ),
+                    data={
+                        "resource": what,
+                        "required": required,
+                        "available": available,
+                        "proved": True,
+                    },
+                ),
+                status=FAILED,
+            )
+    if upload.gains and not info.capabilities & Capability.GAIN:
+        raise rejected(
+            "NS0765",
+            f"the program scales its readouts, which the loader at '{port[:200]}' cannot",
+            "build the program with another --lowering",
+        )

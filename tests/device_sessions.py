@@ -1,0 +1,139 @@
+"""Whole sessions with a loader over a bad cable, on a virtual clock: for tests and benchmarks."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from emulator_programs import bumps, target_of
+
+from nscc.target.model import Target
+from nscc.words.container import Container, Readout
+from nscc_runtime.device import firmware, tasks
+from nscc_runtime.device.board import EmulatedChip
+from nscc_runtime.device.faults import Faults
+from nscc_runtime.device.host import Host, Task
+from nscc_runtime.device.loader import Loader
+from nscc_runtime.device.objects import Upload, upload_of
+from nscc_runtime.device.simulation import Loaded, Simulation
+from nscc_runtime.emulator import expose
+from nscc_runtime.light import Light
+
+SHAPE, SLOTS = (6, 10), 8
+TARGET: Target = target_of(SHAPE)
+BOTH = 3
+"""Both channels of a frame."""
+
+
+@dataclass(frozen=True, eq=False)
+class Example:
+    """A program as the loader gets it, and the frame that the emulator makes of the container
+    itself, laid out by hand."""
+
+    container: Container
+    light: Light
+    upload: Upload
+    frame: bytes
+
+
+@lru_cache
+def examples() -> tuple[Example, ...]:
+    """One program for each lowering; the last one has a gain."""
+    random_numbers = np.random.default_rng(3)
+    stop = random_numbers.integers(1, SLOTS + 1, SHAPE)
+    start = random_numbers.integers(0, SLOTS, SHAPE)
+    made = []
+    for number, (begin, lowering) in enumerate(
+        [(None, "latch"), (start, "accumulate"), (None, "edges"), (start, "edges")]
+    ):
+        container = bumps(TARGET, begin, stop, SLOTS, lowering)
+        lengths = tuple(float(1 + n // 3) for n in range(SLOTS))
+        container = replace(container, slot_us=lengths)
+        if number == 3:
+            container = replace(container, readouts=(Readout("A", "frame", -0.5),))
+        light = Light.of_clip(random_numbers.random((SLOTS, *SHAPE), np.float32) * 5000)
+        made.append(
+            Example(container, light, upload_of(container, bytes([number] * 32)),
+                    emulated(container, light))
+        )  # fmt: skip
+    return tuple(made)
+
+
+def emulated(container: Container, light: Light) -> bytes:
+    """What a frame has to be, both channels: straight from the emulator."""
+    exposure = expose(container, light).exposure_e
+    codes = np.clip(np.rint(exposure / (30000 / 255)), 0, 255).astype(np.uint8)
+    return codes.tobytes() + exposure.astype("<f8").tobytes()
+
+
+def chip_of(example: Example, target: Target = TARGET) -> EmulatedChip:
+    """A chip that sees the example's light, whatever the slots."""
+    return EmulatedChip(lambda _: example.light, target)
+
+
+def python_loader(example: Example) -> Loader:
+    """The Python twin in front of the example's light."""
+    return Loader(TARGET, chip_of(example), firmware.PYTHON_NAME)
+
+
+def sanitized(folder: Path | None = None) -> firmware.Built:
+    """The firmware's core for the small target, with sanitizers; skips where it cannot be built."""
+    if firmware.compiler() is None:
+        pytest.skip("no C++ compiler: the firmware's core cannot be run")
+    return firmware.built(TARGET, ("-O1", *firmware.SANITIZERS), folder)
+
+
+def new_host(seed: int, **more: float) -> Host:
+    """A host whose sessions have numbers of their own."""
+    numbers = random.Random(seed)
+    return Host(lambda: numbers.randrange(1, 1 << 32), **more)
+
+
+def faults_of(seed: int, length: int) -> Faults:
+    """A bad cable: every kind of fault, alone and together, somewhere in a session."""
+    numbers = random.Random(f"faults {seed}")
+    rates = [numbers.choice([0.0, 10 ** numbers.uniform(-5, -2.7)]) for _ in range(2)]
+    accidents = [
+        numbers.randrange(1, 2 * length) if numbers.random() < 0.5 else None for _ in range(2)
+    ]
+    return Faults(
+        corrupt=rates[0],
+        drop=rates[1],
+        delay_s=numbers.choice([0.0, 0.001, 0.02, 0.05]),
+        disconnect_after=accidents[0],
+        reboot_after=accidents[1],
+        outage_s=numbers.choice([0.01, 0.3, 1.5]),
+        seed=seed,
+    )
+
+
+def uploaded_and_captured(
+    host: Host, upload: Upload, number: int, channels: int = BOTH
+) -> Callable[[], Task[tasks.Taken]]:
+    """The work of a session."""
+
+    def work() -> Task[tasks.Taken]:
+        yield from tasks.upload(host, upload)
+        return (yield from tasks.capture(host, number, channels))
+
+    return work
+
+
+def session(seed: int, loader_of: Callable[[Example], Loaded]) -> tuple[bool, Simulation]:
+    """One session with faults of its own: whether its frame is the emulator's, bit for bit.
+
+    Raises what the host raises where there is no frame at all.
+    """
+    example = examples()[seed % len(examples())]
+    host = new_host(seed)
+    length = len(example.upload.stream) + len(example.frame)
+    line = Simulation(host, loader_of(example), faults_of(seed, length))
+    work = uploaded_and_captured(host, example.upload, seed + 1)
+    taken = line.run(host.lasting(work), limit_s=300)
+    assert isinstance(taken, tasks.Taken)
+    return taken.data == example.frame, line

@@ -1,0 +1,280 @@
+"""The host's end: time on the line, taking up again what was lost, and giving up."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from device_sessions import (
+    TARGET,
+    chip_of,
+    examples,
+    new_host,
+    python_loader,
+    uploaded_and_captured,
+)
+from emulator_programs import container_of, target_of
+
+from nscc.words.operations import op
+from nscc_runtime.device import tasks
+from nscc_runtime.device.faults import Faults
+from nscc_runtime.device.host import Refused, Silent, Stalled
+from nscc_runtime.device.loader import Loader
+from nscc_runtime.device.messages import Fault, Progress
+from nscc_runtime.device.objects import Upload, upload_of
+from nscc_runtime.device.packets import MOST_DATA, REPLY, Kind, Packet, Unpacker
+from nscc_runtime.device.parsing import Held
+from nscc_runtime.device.simulation import Simulation
+
+LARGE = target_of((256, 256))
+BITS_A_BYTE, BAUD = 10, 3e6
+
+
+def large_upload() -> Upload:
+    """1024 different words in 256 kernels, 13 planes of random codes: about 127 kB."""
+    numbers = np.random.default_rng(0)
+    planes = {name: numbers.random((256, 256)) < 0.5 for name in LARGE.digital_registers}
+    destinations = [(["R1"], [f"R{a}", f"R{b}"]) for a in range(2, 13) for b in range(2, a)]
+    words = [op("NOR", *destinations[n % len(destinations)]) for n in range(1024)]
+    kernels = [words[n : n + 4] for n in range(0, 1024, 4)]
+    container = container_of(LARGE, planes, kernels, [(n, n) for n in range(256)], 256)
+    return upload_of(container, bytes(32))
+
+
+class Sink:
+    """A chip for which nothing is exposed."""
+
+    def expose(self, held: Held, channels: int) -> None:
+        raise AssertionError("no frame was asked for")
+
+    def exposed(self) -> bytes | None:
+        raise AssertionError("no frame was asked for")
+
+
+@pytest.fixture(scope="module")
+def large() -> Upload:
+    return large_upload()
+
+
+def line_of(faults: Faults | None = None) -> Simulation:
+    """A large chip at 3 Mbit/s."""
+    return Simulation(new_host(1), Loader(LARGE, Sink(), "test"), faults, baud=BAUD)
+
+
+def upload(line: Simulation, program: Upload) -> None:
+    line.run(line.host.lasting(lambda: tasks.upload(line.host, program)))
+
+
+def test_a_large_program_takes_half_a_second_of_line(large: Upload) -> None:
+    assert 126_976 <= len(large.stream) <= 132_000
+    line = line_of(Faults(delay_s=0.001))
+    upload(line, large)
+    assert line.now <= 0.50
+    assert line.up.busy_s <= line.up.bytes * BITS_A_BYTE / BAUD + 1e-9 <= 0.47
+    assert line.host.resent == 0
+
+
+def test_a_program_that_is_there_is_not_sent_again(large: Upload) -> None:
+    line = line_of()
+    upload(line, large)
+    sent = line.up.bytes
+    upload(line, large)
+    assert line.up.bytes - sent < 1000
+
+
+@pytest.mark.parametrize("after", [5_000, 60_000, 125_000])
+@pytest.mark.parametrize("outage_s", [0.05, 2.0])
+def test_a_lost_link_is_taken_up_where_it_broke(
+    large: Upload, after: int, outage_s: float
+) -> None:
+    line = line_of(Faults(disconnect_after=after, outage_s=outage_s))
+    upload(line, large)
+    [(broke, _)] = line.events
+    again_s = line.now - (broke + outage_s)
+    unsent_s = (len(large.stream) - after) * BITS_A_BYTE / BAUD
+    assert again_s <= 2.0 + 1.1 * unsent_s
+    window = 16384
+    assert line.up.bytes <= 1.05 * len(large.stream) + window + 4000, "only what was lost comes twice"
+
+
+def test_a_dead_line_is_taken_up_without_being_told() -> None:
+    """A pulled cable that the port does not notice: bytes vanish, and then they do not."""
+    example = examples()[1]
+    host, loader = new_host(1), python_loader(example)
+    line = Simulation(host, loader, baud=1e5)
+    original, dead = loader.receive, (0.05, 3.05)
+
+    def receive(data: bytes, now_us: int) -> None:
+        if not dead[0] <= line.now < dead[1]:
+            original(data, now_us)
+
+    loader.receive = receive  # type: ignore[method-assign]
+    work = uploaded_and_captured(host, example.upload, 1)
+    taken = line.run(host.lasting(work))
+    assert isinstance(taken, tasks.Taken)
+    assert taken.data == example.frame
+    whole_s = (len(example.upload.stream) + len(example.frame)) * BITS_A_BYTE / 1e5
+    assert dead[1] < line.now <= dead[1] + 2.0 + 1.5 * whole_s
+
+
+def test_after_a_reboot_everything_comes_again() -> None:
+    example = examples()[0]
+    host = new_host(1)
+    line = Simulation(host, python_loader(example), Faults(reboot_after=1900))
+    taken = line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)))
+    assert isinstance(taken, tasks.Taken)
+    assert taken.data == example.frame
+    assert [what for _, what in line.events] == ["reboot"]
+    assert line.up.bytes > 2 * len(example.upload.stream)
+
+
+class Stranger:
+    """Something at the other end that is no loader; `says` makes answers of packets."""
+
+    busy = False
+
+    def __init__(self, says: Callable[[Packet], bytes], noise: bytes = b"") -> None:
+        self.says, self.out, self.unpacker = says, noise, Unpacker()
+
+    def receive(self, data: bytes, now_us: int) -> None:
+        for packet in self.unpacker.feed(data):
+            self.out += self.says(packet)
+
+    def poll(self, now_us: int, room: int) -> bytes:
+        out, self.out = self.out, b""
+        return out
+
+    def announce(self) -> None:
+        raise AssertionError
+
+    def watched(self) -> list[int]:
+        return []
+
+
+def test_silence_and_noise_are_given_up() -> None:
+    for noise in (b"", b"login: \0\0garbage\0" * 3):
+        host = new_host(1, patience_s=2.0)
+        line = Simulation(host, Stranger(lambda _: b"", noise))
+        with pytest.raises(Silent) as caught:
+            line.run(host.lasting(host.status), limit_s=10)
+        assert not caught.value.ever
+        assert bool(caught.value.noise) == bool(noise)
+        assert 2.0 <= line.now < 4.0
+
+
+def test_a_loader_that_falls_silent_is_given_up() -> None:
+    example = examples()[0]
+    host, loader = new_host(1, patience_s=2.0), python_loader(example)
+    line = Simulation(host, loader)
+    line.run(host.lasting(host.status))
+    loader.poll = lambda now_us, room: b""  # type: ignore[method-assign]
+    with pytest.raises(Silent) as caught:
+        line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)), limit_s=20)
+    assert caught.value.ever
+
+
+def test_a_loader_that_never_gets_on_is_given_up() -> None:
+    """It answers everything, and has never received a byte."""
+    example = examples()[0]
+    host, loader = new_host(1, patience_s=0.05), python_loader(example)
+    line = Simulation(host, loader)
+    loader._data = lambda packet: Progress(1, 0, 99, 0).pack()  # type: ignore[method-assign]
+    with pytest.raises(Stalled):
+        line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)), limit_s=60)
+
+
+def test_a_loader_that_keeps_starting_anew_is_given_up() -> None:
+    example = examples()[0]
+    host, loader = new_host(1), python_loader(example)
+    line = Simulation(host, loader)
+    begun = loader._begin
+
+    def begin_and_die(packet: Packet) -> bytes:
+        begun(packet)
+        loader.announce()
+        return b""
+
+    loader._begin = begin_and_die  # type: ignore[method-assign]
+    with pytest.raises(Stalled):
+        line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)), limit_s=120)
+
+
+def test_a_frame_that_is_spoiled_inside_the_loader_is_not_accepted() -> None:
+    example = examples()[0]
+    host, loader = new_host(1), python_loader(example)
+    line = Simulation(host, loader)
+    watch = loader._watch_exposure
+
+    def spoil() -> None:
+        watch()
+        if loader.frame is not None and loader.frame.data is not None:
+            loader.frame.data = b"\xee" + loader.frame.data[1:]
+
+    loader._watch_exposure = spoil  # type: ignore[method-assign]
+    assert example.frame[:1] != b"\xee"
+    with pytest.raises(Refused) as caught:
+        line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)))
+    assert caught.value.fault == Fault.DIGEST
+
+
+def test_a_program_that_comes_between_is_stopped_for() -> None:
+    """A loader that still exposes for somebody else is made free."""
+    first, second = examples()[:2]
+    chip = chip_of(second)
+    exposed = {"calls": 0}
+
+    class Slow:
+        def expose(self, held: Held, channels: int) -> None:
+            exposed["calls"] += 1
+            chip.expose(held, channels)
+
+        def exposed(self) -> bytes | None:
+            exposed["calls"] += 1
+            return chip.exposed() if exposed["calls"] > 300 else None
+
+    host = new_host(1)
+    line = Simulation(host, Loader(TARGET, Slow(), "slow"))
+    line.run(host.lasting(lambda: tasks.upload(host, first.upload)))
+    host.send(Kind.CAPTURE, bytes([1] * 8 + [3, 0, 0, 0]))
+    taken = line.run(host.lasting(uploaded_and_captured(host, second.upload, 2)))
+    assert isinstance(taken, tasks.Taken)
+    assert taken.data == second.frame
+
+
+def test_a_refused_program_leaves_a_loader_that_takes_another() -> None:
+    example = examples()[0]
+    host = new_host(1)
+    line = Simulation(host, python_loader(example))
+    wrong = replace(example.upload, target=bytes(32))
+    with pytest.raises(Refused) as caught:
+        line.run(host.lasting(lambda: tasks.upload(host, wrong)))
+    assert caught.value.fault == Fault.TARGET
+    line.run(host.lasting(lambda: tasks.upload(host, example.upload)))
+
+
+def test_the_masked_register_is_loaded_before_its_mask(large: Upload) -> None:
+    """Whatever the container's order: the chip writes R12 only where R0 is 1."""
+    assert [each.register for each in large.objects[3:]] == [12, *range(12)]
+
+
+def test_packets_grow_small_on_a_bad_line_and_large_on_a_good_one(large: Upload) -> None:
+    def sizes(faults: Faults) -> list[int]:
+        line = line_of(faults)
+        seen: list[int] = []
+        send = line.host.send
+
+        def watched(kind: Kind, body: bytes = b"") -> int:
+            if kind == Kind.DATA:
+                seen.append(len(body) - 4)
+            return send(kind, body)
+
+        line.host.send = watched  # type: ignore[method-assign]
+        upload(line, large)
+        return seen
+
+    assert min(sizes(Faults())[:-1]) == MOST_DATA
+    spoiled = sizes(Faults(corrupt=2e-3, seed=5))
+    assert np.median(spoiled) <= 256
+    assert REPLY == 0x80

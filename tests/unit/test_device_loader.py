@@ -1,0 +1,494 @@
+"""What a loader takes and what it refuses: the firmware's core and its Python twin alike."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from hashlib import sha256
+from itertools import count, pairwise
+from struct import pack
+
+import pytest
+from device_sessions import BOTH, TARGET, chip_of, examples, python_loader, sanitized
+
+from nscc.words.encoding import encode
+from nscc.words.operations import Op, op, pair
+from nscc_runtime.device.firmware import Lockstep
+from nscc_runtime.device.messages import (
+    DATA,
+    Begin,
+    Capture,
+    Captured,
+    Declare,
+    Entry,
+    Failure,
+    Fault,
+    Hello,
+    Info,
+    Progress,
+    Read,
+    State,
+    Status,
+)
+from nscc_runtime.device.objects import (
+    MOST_LAUNCHES,
+    Object,
+    ObjectKind,
+    program_digest,
+    target_digest,
+    upload_of,
+)
+from nscc_runtime.device.packets import REPLY, Kind, Packet, Unpacker
+from nscc_runtime.device.simulation import Loaded
+
+pytestmark = pytest.mark.xdist_group("firmware")
+EXAMPLE = examples()[0]
+SESSION = 77
+ZEROS = bytes(32)
+
+
+class Talk:
+    """Sends packets to a loader and gives back what it says, at once."""
+
+    def __init__(self, loader: Loaded) -> None:
+        self.loader = loader
+        self.unpacker = Unpacker()
+        self.sequence = 0
+        self.now_us = count(1000, 1000)
+
+    def __call__(self, kind: int, body: bytes = b"", session: int = SESSION) -> list[Packet]:
+        self.sequence += 1
+        return self.raw(Packet(kind, self.sequence, session, body).wire())
+
+    def raw(self, data: bytes) -> list[Packet]:
+        """What comes back for bytes on the line."""
+        self.loader.receive(data, next(self.now_us))
+        out = b"".join(self.loader.poll(next(self.now_us), 4096) for _ in range(4))
+        return self.unpacker.feed(out)
+
+    def one(self, kind: Kind, body: bytes = b"", session: int = SESSION) -> bytes:
+        """The body of the one reply, which has to be that of the request."""
+        [reply] = self(kind, body, session)
+        assert (reply.kind, reply.sequence, reply.session) == (kind | REPLY, self.sequence, session)
+        return reply.body
+
+    def failure(self, kind: int, body: bytes = b"", session: int = SESSION) -> tuple[int, int]:
+        """Fault and detail of the one reply, which has to be an error."""
+        [reply] = self(kind, body, session)
+        assert reply.kind == Kind.ERROR, reply
+        failure = Failure.unpack(reply.body)
+        assert failure.request == kind
+        return failure.fault, failure.detail
+
+    def hello(self) -> Info:
+        return Info.unpack(self.one(Kind.HELLO, Hello(1, 1).pack()))
+
+    def send(self, objects: Sequence[Object], target: bytes | None = None) -> list[Packet]:
+        """Announce, declare and send a program of these objects; the last reply."""
+        found = target_digest(TARGET) if target is None else target
+        entries = tuple(each.entry for each in objects)
+        digest = program_digest(found, ZEROS, b"".join(entry.pack() for entry in entries))
+        stream = b"".join(each.data for each in objects)
+        replies = self(Kind.BEGIN, Begin(found, digest, ZEROS, len(stream), len(objects)).pack())
+        if replies[-1].kind == Kind.ERROR:
+            return replies
+        replies = self(Kind.DECLARE, Declare(0, entries).pack())
+        for start in range(0, len(stream), 1000):
+            if replies[-1].kind != Kind.ERROR:
+                replies = self(Kind.DATA, DATA.pack(start) + stream[start : start + 1000])
+        return replies if replies[-1].kind == Kind.ERROR else self(Kind.FINISH, digest)
+
+    def refused(self, objects: Sequence[Object]) -> tuple[int, int]:
+        """Why a program of these objects is refused."""
+        reply = self.send(objects)[-1]
+        assert reply.kind == Kind.ERROR, reply
+        failure = Failure.unpack(reply.body)
+        return failure.fault, failure.detail
+
+
+@pytest.fixture(scope="module")
+def core() -> Iterator[Lockstep]:
+    """The firmware's core, one process for this file."""
+    loader = Lockstep(sanitized(), chip_of(EXAMPLE))
+    yield loader
+    assert loader.close() == 0, "a sanitizer complained"
+
+
+@pytest.fixture(params=["python", "firmware"])
+def silent(request: pytest.FixtureRequest) -> Talk:
+    """A loader that has just started."""
+    if request.param == "python":
+        return Talk(python_loader(EXAMPLE))
+    loader: Lockstep = request.getfixturevalue("core")
+    loader.chip = chip_of(EXAMPLE)
+    loader.announce()
+    return Talk(loader)
+
+
+@pytest.fixture
+def talk(silent: Talk) -> Talk:
+    """A loader that has been said hello to."""
+    silent.raw(b"")
+    silent.hello()
+    return silent
+
+
+def test_it_says_that_it_has_started_and_who_it_is(silent: Talk) -> None:
+    [booted] = silent.raw(b"")
+    assert (booted.kind, booted.session) == (Kind.BOOTED, 0)
+    info = silent.hello()
+    assert (info.version, info.state, info.rows, info.cols) == (1, State.EMPTY, 6, 10)
+    assert info.target == target_digest(TARGET)
+    assert (info.most_words, info.target_name) == (TARGET.store_words, "scamp5")
+    assert info.program == info.label == ZEROS
+
+
+def test_nothing_goes_without_hello(silent: Talk) -> None:
+    silent.raw(b"")
+    for kind in (Kind.STATUS, Kind.BEGIN, Kind.CANCEL, 0x44):
+        assert silent.failure(kind) == (Fault.NO_SESSION, 0)
+    silent.hello()
+    assert silent.failure(Kind.STATUS, session=SESSION + 1) == (Fault.NO_SESSION, 0)
+    assert Status.unpack(silent.one(Kind.STATUS)).state == State.EMPTY
+
+
+def test_another_version_is_refused_with_its_own(silent: Talk) -> None:
+    silent.raw(b"")
+    assert silent.failure(Kind.HELLO, Hello(2, 9).pack()) == (Fault.VERSION, 1)
+    assert silent.failure(Kind.HELLO, Hello(0, 0).pack()) == (Fault.VERSION, 1)
+    assert Info.unpack(silent.one(Kind.HELLO, Hello(0, 9).pack())).version == 1
+
+
+def test_a_program_is_taken_and_a_frame_is_the_emulators(talk: Talk) -> None:
+    [reply] = talk.send(EXAMPLE.upload.objects)
+    assert reply.kind == Kind.FINISH | REPLY
+    state = Progress.unpack(reply.body)
+    total = len(EXAMPLE.upload.stream)
+    assert state == Progress(State.READY, 0, len(EXAMPLE.upload.objects), total)
+    asked = Capture(5, BOTH).pack()
+    assert not Captured.unpack(talk.one(Kind.CAPTURE, asked)).ready
+    captured = Captured.unpack(talk.one(Kind.CAPTURE, asked))
+    assert captured.ready
+    assert (captured.length, captured.readouts) == (len(EXAMPLE.frame), 1)
+    assert captured.sha256 == sha256(EXAMPLE.frame).digest()
+    pieces = talk(Kind.READ, Read(5, 0, captured.length, 100).pack())
+    assert b"".join(piece.body[12:] for piece in pieces) == EXAMPLE.frame
+    assert [len(piece.body) - 12 for piece in pieces] == [100] * 5 + [40]
+    [piece] = talk(Kind.READ, Read(5, 7, 20, 1024).pack())
+    assert piece.body == pack("<QI", 5, 7) + EXAMPLE.frame[7:27]
+
+
+def test_saying_everything_twice_changes_nothing(talk: Talk) -> None:
+    upload = EXAMPLE.upload
+    stream, entries = upload.stream, tuple(each.entry for each in upload.objects)
+    script = [
+        (Kind.HELLO, Hello(1, 1).pack()),
+        (Kind.BEGIN, upload.begin.pack()),
+        (Kind.DECLARE, Declare(0, entries[:2]).pack()),
+        (Kind.DECLARE, Declare(2, entries[2:]).pack()),
+        *((Kind.DATA, DATA.pack(at) + stream[at : at + 700]) for at in range(0, len(stream), 700)),
+        (Kind.FINISH, upload.digest),
+    ]
+    for kind, body in script:
+        first = talk.one(kind, body)
+        assert talk.one(kind, body) == first
+    begun = talk.one(Kind.CAPTURE, Capture(9, 1).pack())
+    ready = talk.one(Kind.CAPTURE, Capture(9, 1).pack())
+    assert talk.one(Kind.CAPTURE, Capture(9, 1).pack()) == ready
+    started = [Captured.unpack(body).started_us for body in (begun, ready)]
+    assert started[0] == started[1], "it was exposed once"
+    for kind, body in script[1:]:
+        assert Progress.unpack(talk.one(kind, body)).position == len(stream)
+    assert talk.one(Kind.CAPTURE, Capture(9, 1).pack()) == ready
+
+
+def test_only_the_bytes_that_are_due_are_taken(talk: Talk) -> None:
+    upload = EXAMPLE.upload
+    talk.one(Kind.BEGIN, upload.begin.pack())
+    assert talk.failure(Kind.DATA, DATA.pack(0) + b"x") == (Fault.WRONG_STATE, 0)
+    talk.one(Kind.DECLARE, Declare(0, tuple(each.entry for each in upload.objects)).pack())
+
+    def sent(at: int, size: int) -> int:
+        body = DATA.pack(at) + upload.stream[at : at + size]
+        return Progress.unpack(talk.one(Kind.DATA, body)).position
+
+    assert sent(10, 10) == 0
+    assert sent(0, 10) == 10
+    assert sent(0, 100) == 10
+    assert sent(20, 10) == 10
+    assert sent(10, 10) == 20
+    assert Progress.unpack(talk.one(Kind.BEGIN, upload.begin.pack())).position == 20
+    assert talk.hello().program == upload.digest, "another hello does not lose it"
+
+
+def test_an_object_whose_digest_does_not_fit_comes_again(talk: Talk) -> None:
+    upload = EXAMPLE.upload
+    talk.one(Kind.BEGIN, upload.begin.pack())
+    talk.one(Kind.DECLARE, Declare(0, tuple(each.entry for each in upload.objects)).pack())
+    first = upload.objects[0].data
+    wrong = bytes([first[0] ^ 1]) + first[1:]
+    reply = Progress.unpack(talk.one(Kind.DATA, DATA.pack(0) + wrong))
+    assert (reply.state, reply.failures, reply.position) == (State.RECEIVING, 1, 0)
+    reply = Progress.unpack(talk.one(Kind.DATA, DATA.pack(0) + first))
+    assert (reply.failures, reply.position) == (1, len(first))
+
+
+def test_a_program_for_another_target_is_refused(talk: Talk) -> None:
+    other = replace(TARGET, digital_word_us=0.3)
+    [reply] = talk.send(EXAMPLE.upload.objects, target_digest(other))
+    assert Failure.unpack(reply.body).fault == Fault.TARGET
+
+
+def test_a_program_whose_digest_is_another_is_refused(talk: Talk) -> None:
+    upload = EXAMPLE.upload
+    begin = replace(upload.begin, program=bytes(32))
+    talk.one(Kind.BEGIN, begin.pack())
+    declare = Declare(0, tuple(each.entry for each in upload.objects)).pack()
+    assert talk.failure(Kind.DECLARE, declare) == (Fault.DIGEST, 0)
+    assert talk.failure(Kind.DATA, DATA.pack(0) + upload.stream[:10]) == (Fault.DIGEST, 0)
+    assert talk.failure(Kind.FINISH, upload.digest) == (Fault.DIGEST, 0)
+    assert talk.failure(Kind.CAPTURE, Capture(1, 1).pack()) == (Fault.DIGEST, 0)
+    state = Progress.unpack(talk.one(Kind.CANCEL))
+    assert state == Progress(State.EMPTY, 0, 0, 0)
+    assert talk.failure(Kind.CAPTURE, Capture(1, 1).pack()) == (Fault.NO_PROGRAM, 0)
+    assert talk.send(upload.objects)[-1].kind == Kind.FINISH | REPLY
+
+
+def kernels(*ops_of: Sequence[Op] | Sequence[tuple[int, ...]]) -> Object:
+    """A KERNELS object, laid out by hand, of operations or of raw words."""
+    words = [
+        [pack("<5I", *(encode(w) if isinstance(w, Op) else w)) for w in each] for each in ops_of
+    ]
+    head = pack(f"<{1 + len(words)}I", len(words), *(len(each) for each in words))
+    return Object(ObjectKind.KERNELS, 0, head + b"".join(b"".join(each) for each in words))
+
+
+def schedule(
+    slots: int, runs: Sequence[tuple[int, float]], rows: Sequence[tuple[int, int, int]]
+) -> Object:
+    """A SCHEDULE object, laid out by hand."""
+    data = pack("<II", slots, len(runs)) + b"".join(pack("<Id", *run) for run in runs)
+    data += pack("<I", len(rows)) + b"".join(pack("<IHH", *row) for row in rows)
+    return Object(ObjectKind.SCHEDULE, 0, data)
+
+
+def readouts(*found: tuple[int, float]) -> Object:
+    """A READOUTS object, laid out by hand."""
+    data = pack("<I", len(found)) + b"".join(pack("<B7xd", *each) for each in found)
+    return Object(ObjectKind.READOUTS, 0, data)
+
+
+GOOD_READOUT = readouts((0, 1.0))
+GOOD_KERNELS = kernels([op("nop")], [op("rpix"), op("nop")])
+GOOD_SCHEDULE = schedule(4, [(4, 2.5)], [(0, 1, 1), (1, 0, 4)])
+PLANE = bytes([0xFF] * 7 + [0x0F])
+
+
+def plane(register: int, data: bytes = PLANE) -> Object:
+    """A PLANE object of 60 pixels."""
+    return Object(ObjectKind.PLANE, register, data)
+
+
+def test_small_programs_by_hand_are_taken(talk: Talk) -> None:
+    for objects in (
+        [GOOD_READOUT, GOOD_KERNELS, GOOD_SCHEDULE],
+        [GOOD_KERNELS, GOOD_SCHEDULE, GOOD_READOUT, plane(3), plane(0)],
+        [GOOD_READOUT, kernels(), schedule(1, [(1, 1.0)], [])],
+        [GOOD_READOUT, GOOD_KERNELS, GOOD_SCHEDULE, plane(12), plane(0)],
+    ):
+        assert talk.send(objects)[-1].kind == Kind.FINISH | REPLY
+
+
+@pytest.mark.parametrize(
+    "word",
+    [
+        (0, 0, 0, 0, 0),
+        (0xFFFFFFFF,) * 5,
+        tuple(part | 1 << 31 for part in encode(op("nop"))),
+        encode(op("rpix"))[::-1],
+        encode(op("MOV", ["R13"], ["R1"])),
+        encode(op("WHERE", (), ["FLAG", "R1"])),
+        encode(pair("OR", "R1", ["R1"])[0]),
+        encode(pair("NOR", "R1", ["R1"])[1]),
+    ],
+    ids=["zeros", "ones", "a bit too many", "parts swapped", "another chip's register",
+         "WHERE of FLAG", "a first half alone", "a second half alone"],
+)  # fmt: skip
+def test_words_that_the_target_does_not_take_are_refused(
+    talk: Talk, word: tuple[int, ...]
+) -> None:
+    objects = [GOOD_READOUT, kernels([op("nop")], [encode(op("nop")), word]), GOOD_SCHEDULE]
+    fault, detail = talk.refused(objects)
+    assert fault == Fault.WORD
+    assert detail in (2, 3)
+
+
+def test_halves_of_different_pairs_are_refused(talk: Talk) -> None:
+    mixed = [pair("OR", "R1", ["R1"])[0], pair("NOR", "R1", ["R1"])[1]]
+    assert talk.refused([GOOD_READOUT, kernels(mixed), GOOD_SCHEDULE]) == (Fault.WORD, 2)
+    across = pair("OR", "R1", ["R1"])
+    found = talk.refused([GOOD_READOUT, kernels(across[:1], across[1:]), GOOD_SCHEDULE])
+    assert found == (Fault.WORD, 1)
+
+
+@pytest.mark.parametrize(
+    ("objects", "fault"),
+    [
+        ([GOOD_READOUT, GOOD_KERNELS], Fault.NO_PROGRAM),
+        ([GOOD_KERNELS, GOOD_SCHEDULE], Fault.NO_PROGRAM),
+        ([GOOD_READOUT, GOOD_SCHEDULE, GOOD_KERNELS], Fault.SCHEDULE),
+        ([GOOD_READOUT, kernels([op("nop")] * 1025)], Fault.TOO_LARGE),
+        ([GOOD_READOUT, kernels(*[[]] * 1025)], Fault.TOO_LARGE),
+        ([readouts()], Fault.READOUT),
+        ([readouts((7, 1.0))], Fault.READOUT),
+        ([readouts((0, float("nan")))], Fault.READOUT),
+        ([readouts((0, float("inf")))], Fault.READOUT),
+        ([Object(ObjectKind.READOUTS, 0, b"")], Fault.READOUT),
+        ([Object(ObjectKind.READOUTS, 0, b"\1\0")], Fault.READOUT),
+        ([Object(ObjectKind.READOUTS, 0, GOOD_READOUT.data + b"x")], Fault.READOUT),
+        ([Object(ObjectKind.KERNELS, 0, pack("<I", 0xFFFFFFFF))], Fault.TOO_LARGE),
+        ([Object(ObjectKind.KERNELS, 0, pack("<3I", 2, 0xFFFFFFFF, 2))], Fault.TOO_LARGE),
+        ([Object(ObjectKind.KERNELS, 0, GOOD_KERNELS.data[:-1])], Fault.MALFORMED),
+        ([Object(ObjectKind.KERNELS, 0, GOOD_KERNELS.data + b"\0")], Fault.MALFORMED),
+        ([GOOD_KERNELS, schedule(0, [], [])], Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(1 << 21, [(1 << 21, 1.0)], [])], Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(3, 1.0)], [])], Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0), (0, 1.0)], [])], Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 0.0)], [])], Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, float("nan"))], [])], Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1e16)], [])], Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(5, 0, 1)])], Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(1, 0, 5)])], Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 2, 1)])], Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 0, 0)])], Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 0, 65535)] * (MOST_LAUNCHES // 65535 + 1))],
+         Fault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0x80000000, 0, 2)])], Fault.SCHEDULE),
+        ([plane(13)], Fault.PLANE),
+        ([plane(1), plane(1)], Fault.PLANE),
+        ([plane(1, PLANE[:-1])], Fault.PLANE),
+        ([plane(1, PLANE[:-1] + b"\x1f")], Fault.PLANE),
+        ([plane(1, PLANE + b"\0")], Fault.TOO_LARGE),
+        ([plane(0), plane(12)], Fault.PLANE),
+        ([Object(9, 0, b"abc")], Fault.MALFORMED),  # type: ignore[arg-type]
+    ],
+)  # fmt: skip
+def test_objects_that_make_no_sense_are_refused(
+    talk: Talk, objects: list[Object], fault: Fault
+) -> None:
+    assert talk.refused(objects)[0] == fault
+    assert talk.one(Kind.CANCEL)
+    assert talk.send(EXAMPLE.upload.objects)[-1].kind == Kind.FINISH | REPLY
+
+
+def test_lengths_are_not_believed(talk: Talk) -> None:
+    found = target_digest(TARGET)
+    for kind in ObjectKind:
+        entry = Entry(kind, 0, 0xFFFFFFFF, ZEROS)
+        digest = program_digest(found, ZEROS, entry.pack())
+        talk.one(Kind.BEGIN, Begin(found, digest, ZEROS, 0xFFFFFFFF, 1).pack())
+        failure = talk.failure(Kind.DECLARE, Declare(0, (entry,)).pack())
+        assert failure == (Fault.TOO_LARGE, 0xFFFFFFFF)
+    assert talk.failure(Kind.BEGIN, Begin(found, ZEROS, ZEROS, 0, 65).pack())[0] == Fault.TOO_LARGE
+
+
+@pytest.mark.parametrize(
+    ("kind", "body"),
+    [
+        (Kind.HELLO, b""),
+        (Kind.HELLO, bytes(5)),
+        (Kind.STATUS, b"x"),
+        (Kind.BEGIN, bytes(103)),
+        (Kind.DECLARE, b"\0"),
+        (Kind.DECLARE, pack("<HH", 0, 1) + bytes(37)),
+        (Kind.FINISH, bytes(31)),
+        (Kind.CAPTURE, bytes(11)),
+        (Kind.READ, bytes(19)),
+        (Kind.CANCEL, b"x"),
+    ],
+)
+def test_bodies_of_another_length_are_refused(talk: Talk, kind: Kind, body: bytes) -> None:
+    assert talk.failure(kind, body)[0] == Fault.MALFORMED
+
+
+def test_reads_outside_the_frame_are_refused(talk: Talk) -> None:
+    talk.send(EXAMPLE.upload.objects)
+    assert talk.failure(Kind.READ, Read(5, 0, 10, 64).pack())[0] == Fault.NO_FRAME
+    talk.one(Kind.CAPTURE, Capture(5, 1).pack())
+    pixels = TARGET.rows * TARGET.cols
+    for read in (
+        Read(5, 0, pixels + 1, 64),
+        Read(5, pixels, 1, 64),
+        Read(5, 0xFFFFFFFF, 2, 64),
+        Read(5, 0, 0xFFFFFFFF, 64),
+        Read(5, 0, 0, 64),
+        Read(5, 0, 10, 0),
+        Read(5, 0, 10, 1025),
+    ):
+        assert talk.failure(Kind.READ, read.pack())[0] == Fault.MALFORMED
+    assert talk.failure(Kind.READ, Read(6, 0, 10, 64).pack())[0] == Fault.NO_FRAME
+    assert talk.failure(Kind.CAPTURE, Capture(6, 4).pack())[0] == Fault.MALFORMED
+    assert talk.failure(Kind.CAPTURE, Capture(6, 0).pack())[0] == Fault.MALFORMED
+
+
+def test_no_more_reads_wait_than_there_is_room_for(talk: Talk) -> None:
+    talk.send(EXAMPLE.upload.objects)
+    for _ in range(2):
+        talk.one(Kind.CAPTURE, Capture(5, BOTH).pack())
+    asked = b"".join(
+        Packet(Kind.READ, n, SESSION, Read(5, 0, 32, 16).pack()).wire() for n in range(9)
+    )
+    replies = talk.raw(asked)
+    failures = [Failure.unpack(p.body) for p in replies if p.kind == Kind.ERROR]
+    assert failures == [Failure(Kind.READ, Fault.BUSY, 0)]
+    assert [p.sequence for p in replies if p.kind != Kind.ERROR] == [n for n in range(8) for _ in "12"]
+
+
+def test_a_chip_that_fails_is_said_to_have_failed(talk: Talk) -> None:
+    talk.send(EXAMPLE.upload.objects)
+
+    def broken(_: object) -> None:
+        raise RuntimeError("no light")
+
+    talk.loader.board = talk.loader.chip = None  # type: ignore[attr-defined]
+    chip = chip_of(EXAMPLE)
+    chip.scene = broken  # type: ignore[assignment]
+    talk.loader.board = talk.loader.chip = chip  # type: ignore[attr-defined]
+    talk(Kind.CAPTURE, Capture(5, 1).pack())
+    assert talk.failure(Kind.CAPTURE, Capture(5, 1).pack()) == (Fault.HARDWARE, 0)
+    talk.loader.board = talk.loader.chip = chip_of(EXAMPLE)  # type: ignore[attr-defined]
+    talk.one(Kind.CAPTURE, Capture(6, 1).pack())
+    assert Captured.unpack(talk.one(Kind.CAPTURE, Capture(6, 1).pack())).ready
+
+
+def test_starting_anew_forgets_everything(talk: Talk) -> None:
+    talk.send(EXAMPLE.upload.objects)
+    before = talk.hello()
+    assert (before.state, before.label) == (State.READY, ZEROS)
+    talk.loader.announce()
+    assert [packet.kind for packet in talk.raw(b"")] == [Kind.BOOTED]
+    assert talk.failure(Kind.STATUS) == (Fault.NO_SESSION, 0)
+    after = Info.unpack(talk.one(Kind.HELLO, Hello(1, 1).pack(), 123456))
+    assert after.boot != before.boot
+    assert (after.state, after.program) == (State.EMPTY, ZEROS)
+
+
+def test_the_objects_of_a_container_are_those_of_the_protocol() -> None:
+    container = examples()[1].container
+    made = upload_of(container, ZEROS)
+    kinds = [each.kind for each in made.objects]
+    planes = list(container.planes().items())
+    assert kinds == [ObjectKind.READOUTS, ObjectKind.KERNELS, ObjectKind.SCHEDULE] + [
+        ObjectKind.PLANE
+    ] * len(planes)
+    assert made.objects[0] == readouts((0, 1.0))
+    assert made.objects[1] == kernels(*(list(kernel.words) for kernel in container.kernels))
+    runs = [(3, 1.0), (3, 2.0), (2, 3.0)]
+    assert [container.slot_us.count(us) for _, us in runs] == [n for n, _ in runs]
+    rows = [(1 if launch.instant else 0, launch.kernel, 1) for launch in container.launches]
+    assert all(one != other for one, other in pairwise(rows)), "no two rows are one"
+    assert made.objects[2] == schedule(8, runs, rows)
+    for sent, (register, plane_bits) in zip(made.objects[3:], planes, strict=True):
+        assert TARGET.digital_registers[sent.register] == register
+        bits = [sent.data[i // 8] >> i % 8 & 1 for i in range(plane_bits.size)]
+        assert bits == plane_bits.reshape(-1).tolist()
