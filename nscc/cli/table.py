@@ -27,6 +27,7 @@ COMMANDS = (
     Entry("targets", "nscc.cli.targets", "List the chips that nscc knows, and their limits."),
     Entry("effects", "nscc.cli.effects", "List the sensor's effects and its parameters."),
     Entry("tradeoff", "nscc.cli.tradeoff", "Measure what more time buys."),
+    Entry("metrics", "nscc.cli.metrics", "Compare a reconstruction with the truth."),
     Entry("doctor", "nscc.cli.doctor", "Report on this installation."),
 )
 """The commands of this version, in the order in which `nscc --help` lists them."""
@@ -35,7 +36,6 @@ PLANNED = (
     "calibrate",
     "device",
     "evaluate",
-    "metrics",
     "reconstruct",
     "train",
 )
