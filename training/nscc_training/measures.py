@@ -30,7 +30,7 @@ def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
     if min(truth.shape[-2:]) < WINDOW:
         raise rejected(
             "NS0802",
-            f"pictures of {truth.shape[-2]} x {truth.shape[-1]}, and SSIM needs {WINDOW} x {WINDOW}",
+            f"{truth.shape[-2]} x {truth.shape[-1]} is too small: SSIM needs {WINDOW} x {WINDOW}",
             helps=("give larger pictures",),
         )
 
