@@ -28,6 +28,7 @@ COMMANDS = (
     Entry("effects", "nscc.cli.effects", "List the sensor's effects and its parameters."),
     Entry("tradeoff", "nscc.cli.tradeoff", "Measure what more time buys."),
     Entry("metrics", "nscc.cli.metrics", "Compare a reconstruction with the truth."),
+    Entry("evaluate", "nscc.cli.evaluate", "Score reconstructions under a protocol."),
     Entry("doctor", "nscc.cli.doctor", "Report on this installation."),
 )
 """The commands of this version, in the order in which `nscc --help` lists them."""
@@ -35,7 +36,6 @@ COMMANDS = (
 PLANNED = (
     "calibrate",
     "device",
-    "evaluate",
     "reconstruct",
     "train",
 )
