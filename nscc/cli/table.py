@@ -29,13 +29,13 @@ COMMANDS = (
     Entry("calibrate", "nscc.cli.calibrate", "Measure a sensor from flat and dark frames."),
     Entry("device", "nscc.cli.device", "Talk to a chip at a serial port, or stand in for one."),
     Entry("tradeoff", "nscc.cli.tradeoff", "Measure what more time buys."),
+    Entry("metrics", "nscc.cli.metrics", "Compare a reconstruction with the truth."),
+    Entry("evaluate", "nscc.cli.evaluate", "Score reconstructions under a protocol."),
     Entry("doctor", "nscc.cli.doctor", "Report on this installation."),
 )
 """The commands of this version, in the order in which `nscc --help` lists them."""
 
 PLANNED = (
-    "evaluate",
-    "metrics",
     "reconstruct",
     "train",
 )
