@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from statistics import variance
 
 import numpy as np
 import pytest
@@ -69,3 +70,5 @@ def test_case_17_frames_of_a_calibration() -> None:
     assert min(map(min, sums)) > 2**16
     np.testing.assert_allclose(level.mean_map * SLOTS, sums, rtol=1e-12)
     assert level.at_top[0, 0] == codes[:, 0, 0].tolist().count(255)
+    expected = [[variance(codes[:, y, x].tolist()) for x in range(8)] for y in range(8)]
+    np.testing.assert_allclose(level.variance, expected, rtol=0.1)
