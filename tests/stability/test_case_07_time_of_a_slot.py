@@ -45,12 +45,12 @@ def test_case_07_light_of_each_slot(fps: float) -> None:
 
 @pytest.mark.parametrize("early", [True, False])
 def test_case_07_a_register_fades_at_the_right_boundary(early: bool) -> None:
-    """A code loaded at the start is read for the last time at boundary 4096, after 409.6 ms."""
-    text = f"nsl 1\nframe {SLOTS} slots of 100us\ncode late : 0..1\n"
+    """A code loaded at the start is read for the last time at boundary 4096, after 136.4 ms."""
+    text = f"nsl 1\nframe {SLOTS} slots of 33.3us\ncode late : 0..1\n"
     text += "open when n >= 3000 and late == 1\npixels late = 1\n"
     container = program(text, "edges", 1, 2)
     light = Light.of_clip(np.ones((SLOTS, 1, 2), np.float32))
-    limit_us = 409_600 * (1 - 1e-7 if early else 1 + 1e-7)
+    limit_us = float(SLOTS * Fraction("33.3")) * (1 - 1e-7 if early else 1 + 1e-7)
     sensor = sensor_of(container, digital_retention_us=limit_us)
     found = expose(container, light, sensor, selected("decay")).exposure_e[0, 0]
     assert exactly(container, light).exposure_e[0, 0, 0] == pytest.approx(SLOTS - 3000)

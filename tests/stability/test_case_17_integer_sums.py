@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from statistics import variance
 
 import numpy as np
 import pytest
@@ -64,8 +65,11 @@ def test_case_17_a_clip_of_integers_brought_to_an_exposure(dtype: type, tmp_path
 
 def test_case_17_frames_of_a_calibration() -> None:
     codes = np.random.default_rng(1).integers(253, 256, (SLOTS, 8, 8)).astype(np.uint16)
+    codes[:, 1, 1] -= 250
     level = level_of(Stack("flat", codes, np.ones((8, 8), bool)), 255)
     sums = [[sum(codes[:, y, x].tolist()) for x in range(8)] for y in range(8)]
-    assert min(map(min, sums)) > 2**16
+    assert max(map(max, sums)) > 2**16 > sums[1][1]
     np.testing.assert_allclose(level.mean_map * SLOTS, sums, rtol=1e-12)
     assert level.at_top[0, 0] == codes[:, 0, 0].tolist().count(255)
+    expected = [[variance(codes[:, y, x].tolist()) for x in range(8)] for y in range(8)]
+    np.testing.assert_allclose(level.variance, expected, rtol=0.1)
