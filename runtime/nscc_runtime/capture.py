@@ -153,6 +153,9 @@ def made_ready(container: Container, sensor: Sensor) -> Program:
 
 def as_light(light: LightLike, program: Container) -> Light:
     """Light of an array, as `nscc run` takes it of a file; raises Rejected for what is none."""
-    from nscc_runtime.scenes.arrays import light_of_array
+    if isinstance(light, Light):
+        return light
+    from nscc_runtime.scenes import light_of_array
 
-    return light if isinstance(light, Light) else light_of_array(light, program.slot_us)
+    rows, cols = program.target.rows, program.target.cols
+    return light_of_array(light, slot_us=program.slot_us, rows=rows, cols=cols)

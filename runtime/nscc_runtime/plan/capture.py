@@ -146,9 +146,7 @@ class Planned:
         found += 0.0
         return Exposure(found.reshape(shape), np.isfinite(found).reshape(shape))
 
-    def _words(
-        self, chosen: NDArray[np.int64], kept: Selection, seed: int, frame: int
-    ) -> Values:
+    def _words(self, chosen: NDArray[np.int64], kept: Selection, seed: int, frame: int) -> Values:
         program = self.program
         return program.words(kept).exposures(
             self.light,
@@ -238,7 +236,8 @@ class Planned:
         weights = [np.ones((self.light.slots, 1))]
         frames = self.source.frames.reshape(len(self.source.frames), -1)
         lanes = np.zeros(len(self.places), np.int32)
-        return sums_by_slot(self.source, frames, lanes, weights, self.threads)[0]
+        total: Values = sums_by_slot(self.source, frames, lanes, weights, self.threads)[0]
+        return total
 
     @cached_property
     def scale(self) -> Values:
@@ -313,8 +312,8 @@ class Planned:
                 shaped = current.reshape(self.light.shape)
                 current = smeared(shaped, sensor.crosstalk_fraction).reshape(-1)
             open_s = np.einsum("n,nlb->bl", program.slot_s, program.tables.weights(model).slots)
-            found += current * open_s[:, program.lanes]
-        return found
+            found = found + current * open_s[:, program.lanes]
+        return np.asarray(found)
 
     @cached_property
     def overlap(self) -> Overlap:
@@ -350,8 +349,8 @@ class Planned:
         if FULL_WELL not in kept and REGISTER not in kept:
             return np.empty(0, np.int64)
         reach = program.reach
-        single = ~np.isnan(program.tables.single(program.model(kept))).any(axis=1)
-        limit = np.full(len(single), np.inf)
+        single = np.all(~np.isnan(program.tables.single(program.model(kept))), axis=1)
+        limit = np.full(single.shape, np.inf)
         if FULL_WELL in kept:
             limit = np.where(single, np.inf, sensor.full_well_e)
         if REGISTER in kept:

@@ -6,7 +6,7 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
@@ -162,7 +162,7 @@ class Pixels:
         return sizes
 
 
-def entry_point() -> object:
+def entry_point() -> Callable[..., None]:
     """`run_pixels` as machine code."""
     from nscc_runtime.plan.compiled import entry_points
 
