@@ -38,7 +38,7 @@ def test_means_over_the_sample_are_those_of_the_array(kind: str, near_count: int
     assert np.all(sample.weight > 0)
     rest = np.ones(total.size, bool)
     rest[near] = False
-    assert not sample.near.any() == (near_count == 0)
+    assert sample.near.any() == (near_count > 0)
     assert rest[sample.places[~sample.near]].all()
     assert np.isin(sample.places[sample.near], near).all()
     assert sample.weight[sample.near].sum() == pytest.approx(near_count)
