@@ -108,7 +108,7 @@ def _smooth(rng: np.random.Generator, rows: int, cols: int, waves: int = 6) -> n
     y, x = np.mgrid[:rows, :cols] / 64.0
     found = np.zeros((rows, cols))
     for _ in range(waves):
-        fy, fx, phase = rng.uniform(0.2, 2.5, 2).tolist() + [rng.uniform(0, 6.28)]
+        fy, fx, phase = rng.uniform((0.2, 0.2, 0.0), (2.5, 2.5, 6.28))
         found += rng.uniform(0.3, 1.0) * np.cos(6.28 * (fy * y + fx * x) + phase)
     return np.exp(0.8 * found / math.sqrt(waves))
 
