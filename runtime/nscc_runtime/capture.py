@@ -133,6 +133,10 @@ def planned_frames(
     sensor, target = program.sensor, program.container.target
     noisy = ADC_NOISE in plan.kept
     places = np.arange(light.shape[0] * light.shape[1], dtype=np.int64)
+    if scene.fused is not None:
+        for number in range(count):
+            yield scene.fused.expose(seed, number, read_out=True)
+        return
     for number in range(count):
         exposure = scene.expose(seed, number)
         noise: NDArray[np.float64] | float = 0.0
