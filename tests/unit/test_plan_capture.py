@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from plan_cases import CASES, case, moving_light, plan_of
@@ -195,6 +193,6 @@ def test_light_that_does_not_fit_is_refused_and_no_number_is_marked() -> None:
     assert caught.value.diagnostics[0].code == "NS0734"
     light = moving_light((8, ROWS, COLS), 300.0)
     light.frames[0, 3, 4] = np.nan
-    found = planned(container, light, sensor, plan_of("shot,prnu,read")).expose(0, 0)
+    found = planned(container, light, sensor, plan_of("shot,dark,read")).expose(0, 0)
     assert not found.valid[0, 3, 4]
     assert found.valid.sum() == found.valid.size - 1

@@ -36,6 +36,8 @@ BOTH = "full_well and register"
 _LEAK_STEP = 0.1
 _CLIPPED_E = 1.0
 _SIGMAS = 8
+_MOST_LIGHT = np.float32(1e30)
+"""Beyond it float32 has no room for what neighbours add."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +78,7 @@ class _Fields:
         self.lag = 1.0 + self.sensor.lag_fraction
         self.response = response(self.sensor, device_seed, self.places)
         flat = light.frames.reshape(len(light.frames), -1)
-        self.frames = np.ascontiguousarray(flat[:, self.places])
+        self.frames = np.minimum(flat[:, self.places], _MOST_LIGHT)
         self.beside = self._beside() if self.sensor.crosstalk_fraction > 0 else []
 
     def found(self) -> Fields:
@@ -210,7 +212,8 @@ class _Fields:
         ):  # fmt: skip
             there, place = inside.astype(np.float32), np.where(inside, self.places + step, 0)
             part = response(self.sensor, self.device_seed, place).astype(np.float32)
-            found.append((there, self.program.lanes[place], there * flat[:, place], part))
+            frames = there * np.minimum(flat[:, place], _MOST_LIGHT)
+            found.append((there, self.program.lanes[place], frames, part))
         return found
 
     def _left_out(
