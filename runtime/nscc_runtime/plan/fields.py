@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.crosstalk import CROSSTALK
-from nscc_runtime.effects.dark import DARK, current_e_per_s
+from nscc_runtime.effects.dark import DARK
 from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
-from nscc_runtime.effects.photons import PRNU, SHOT, response
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER, leak_per_s, pattern_e
+from nscc_runtime.effects.photons import PRNU, SHOT
+from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
 from nscc_runtime.light import Light
 from nscc_runtime.plan.sample import Sample
@@ -76,7 +76,11 @@ class _Fields:
         self.lanes = program.lanes[self.places]
         self.buckets = range(len(program.container.buckets))
         self.lag = 1.0 + self.sensor.lag_fraction
-        self.response = response(self.sensor, device_seed, self.places)
+        device = program.device(device_seed)
+        self.response = device.response[self.places]
+        self.current, self.leak = device.current[self.places], device.leak[self.places]
+        self.error = device.pattern[self.places]
+        self.responses = device.response
         flat = light.frames.reshape(len(light.frames), -1)
         self.frames = np.minimum(flat[:, self.places], _MOST_LIGHT)
         self.beside = self._beside() if self.sensor.crosstalk_fraction > 0 else []
@@ -109,8 +113,7 @@ class _Fields:
             LAG.name: sums["full"] * sensor.lag_fraction,
             DEAD_TIME.name: base - sums["dead"] * self.lag,
         }
-        leak = leak_per_s(sensor, self.device_seed, self.places)
-        off = (leak / full.leak_per_s - 1.0) / _LEAK_STEP
+        off = (self.leak / full.leak_per_s - 1.0) / _LEAK_STEP
         step = off * (sums["spread"] - sums["full"])
         fixed[LEAKAGE.name] = base - (sums["leak"] - step) * self.lag
         if program.tables.decays:
@@ -122,24 +125,22 @@ class _Fields:
         if self.light.motion is not None:
             still = self._sum(self.light, slots, seen) * self.lag
             fixed[MOTION.name] = shifts[MOTION.name] = base - still
-        error = pattern_e(sensor, self.device_seed, self.places)
         pattern, more = (
-            program.tables.pattern(variants[name]).T[:, self.lanes] * error
+            program.tables.pattern(variants[name]).T[:, self.lanes] * self.error
             for name in ("full", "spread")
         )
         # A plan that leaves leakage out still takes errors as at its mean.
         fixed[LEAKAGE.name] += off * (more - pattern)
         fixed[ANALOG.name] = base - sums["gain"] * self.lag + pattern
         open_s = np.einsum("n,nlb->bl", program.slot_s, program.tables.weights(full).slots)
-        current = current_e_per_s(sensor, self.device_seed, self.places)
-        fixed[DARK.name] = open_s[:, self.lanes] * current
+        fixed[DARK.name] = open_s[:, self.lanes] * self.current
         squares = program.tables.weights(full).slots ** 2
         open_2 = np.einsum("n,nlb->bl", program.slot_s, squares)
         noise_cut = np.zeros((len(self.buckets), len(self.places)))
         squared = self._each_bucket(squares)
         variance = {
             SHOT.name: self._sum(moving, squared, self._counted(smeared=True)) * self.lag,
-            DARK.name: open_2[:, self.lanes] * current,
+            DARK.name: open_2[:, self.lanes] * self.current,
         }
         for effect, sigma in (
             (READ, sensor.read_noise_e),
@@ -159,7 +160,7 @@ class _Fields:
             dark = 20 * variance[DARK.name]
             variance[CROSSTALK.name] = sensor.crosstalk_fraction**2 * (counted + dark)
         expected = base + fixed[DARK.name] + pattern
-        thinning, neighbours = self._left_out(moving, current)
+        thinning, neighbours = self._left_out(moving)
         none = np.zeros(expected.shape, np.bool_)
         fields = Fields(
             self.sample, expected, fixed, variance, shifts, thinning, neighbours, noise_cut, none
@@ -211,14 +212,12 @@ class _Fields:
             (row > 0, -cols), (row < rows - 1, cols), (col > 0, -1), (col < cols - 1, 1),
         ):  # fmt: skip
             there, place = inside.astype(np.float32), np.where(inside, self.places + step, 0)
-            part = response(self.sensor, self.device_seed, place).astype(np.float32)
+            part = self.responses[place].astype(np.float32)
             frames = there * np.minimum(flat[:, place], _MOST_LIGHT)
             found.append((there, self.program.lanes[place], frames, part))
         return found
 
-    def _left_out(
-        self, light: Light, current: Values
-    ) -> tuple[dict[bool, Values], dict[bool, Values]]:
+    def _left_out(self, light: Light) -> tuple[dict[bool, Values], dict[bool, Values]]:
         """The variances of `Fields.thinning` and `Fields.neighbours`."""
         program, c = self.program, self.sensor.crosstalk_fraction
         full = program.tables.weights(program.full).slots
@@ -232,13 +231,19 @@ class _Fields:
             members = program.members(group)
             time = program.slot_s @ members
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
-            rates = self._sum(light, [members], self.frames)[0] * scale + time[self.lanes] * current
+            rates = (
+                self._sum(light, [members], self.frames)[0] * scale
+                + time[self.lanes] * self.current
+            )
             for bucket in self.buckets:
                 weight = full[:, :, bucket] * members
                 mean = means[group][self.lanes, bucket]
                 one, two = self._sum(light, [weight, weight**2], self.frames) * scale
                 dark = program.slot_s @ weight, program.slot_s @ weight**2
-                one, two = one + dark[0][self.lanes] * current, two + dark[1][self.lanes] * current
+                one, two = (
+                    one + dark[0][self.lanes] * self.current,
+                    two + dark[1][self.lanes] * self.current,
+                )
                 counted = np.maximum(two - 2 * mean * one + mean**2 * rates, 0.0)
                 thinning[True][bucket] += near * counted
                 thinning[False][bucket] += near * (counted if group else two)
