@@ -19,7 +19,7 @@ SHELL := /bin/bash
 
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
-LOOPS := nscc_runtime.emulator.compiled nscc_runtime.noise.compiled
+LOOPS := nscc_runtime.emulator.compiled nscc_runtime.noise.compiled nscc_runtime.plan.compiled
 EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
