@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from time import perf_counter
 
 import numpy as np
@@ -179,12 +180,12 @@ class _Bench:
         """One frame of every method but the reference."""
         self._timed(SUMMED, "none", self.naive.summed)
         if (DRAWN, "shot") in self.errors:
-            self._timed(DRAWN, "shot", lambda: self.naive.drawn(self.settings.seed))
+            self._timed(DRAWN, "shot", partial(self.naive.drawn, self.settings.seed))
         for setting, plan in self.plans.items():
             begin = perf_counter()
             self._plan(plan.tolerance_e)
             planning_ms = (perf_counter() - begin) * 1e3
-            self._timed(PLANNED, setting, lambda plan=plan: list(self._planned(plan, 1)))
+            self._timed(PLANNED, setting, partial(self._first, plan))
             last_ms = self.times_ms[PLANNED, setting][-1]
             self.times_ms.setdefault((WITH_PLANNING, setting), []).append(planning_ms + last_ms)
 
@@ -218,6 +219,9 @@ class _Bench:
     def _plan(self, tolerance_e: float) -> Plan:
         light, seed = self.scene.light, self.settings.device_seed
         return plan_for(self.program, light, tolerance_e, None, seed)
+
+    def _first(self, plan: Plan) -> Frame:
+        return next(iter(self._planned(plan, 1)))
 
     def _planned(self, plan: Plan, count: int) -> Iterable[Frame]:
         """Frames of a scene that is made ready anew: sums over the slots are part of the first."""

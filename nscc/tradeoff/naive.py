@@ -24,7 +24,7 @@ _COPIES = 5
 
 @dataclass(frozen=True, eq=False)
 class Naive:
-    """A scene and the shutters of a program's pixels. Both ways end in the ADC, without its noise."""
+    """A scene and the shutters of a program's pixels. Both ways end in a noiseless ADC."""
 
     program: Program
     light: Light
@@ -36,10 +36,10 @@ class Naive:
             for light, opened in self._slots():
                 for bucket, here in zip(total, opened, strict=True):
                     np.add(bucket, light, out=bucket, where=here)
-        return self._read(total.astype(np.float64))
+        return self._read(total)
 
     def drawn(self, seed: int) -> Frame:
-        """numpy's Poisson of every slot's light, summed over the open slots; nothing but shot noise.
+        """numpy's Poisson of every slot's light, summed over the open slots; no other effects.
 
         Raises ValueError for light beyond what numpy draws, some 9e18 electrons a slot.
         """
@@ -54,8 +54,8 @@ class Naive:
     def _dark(self, kind: type[np.floating]) -> NDArray[np.floating]:
         return np.zeros((len(self.program.container.buckets), *self.light.shape), kind)
 
-    def _read(self, exposure_e: NDArray[np.float64]) -> Frame:
-        exposure = Exposure(exposure_e, np.ones(exposure_e.shape, np.bool_))
+    def _read(self, total: NDArray[np.floating]) -> Frame:
+        exposure = Exposure(total.astype(np.float64, copy=False), np.ones(total.shape, np.bool_))
         return read_out(exposure, self.program.container.target, self.program.sensor)
 
     def _slots(self) -> Iterator[tuple[NDArray[np.float32], NDArray[np.bool_]]]:
