@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.cli.programs import BuildChoice, build_options, load_program
+from nscc.cli.programs import BuildChoice, build_options, compile_options, load_program
 from nscc.cli.support import CommonCommand, Product, done, progress, say, write_together
 
 if TYPE_CHECKING:
@@ -43,7 +43,7 @@ _SEEDS = click.IntRange(0, 2**63 - 1)
 )  # fmt: skip
 @click.option(
     "--frames", type=click.IntRange(2, 1000), default=2, show_default=True,
-    help="Frames of which errors are measured.",
+    help="Frames of which errors are measured; more where they have few pixels.",
 )  # fmt: skip
 @click.option(
     "--repeats", type=click.IntRange(1, 1000), default=5, show_default=True,
@@ -100,18 +100,19 @@ def _container(
     """The program given, or else one of 16 slots."""
     from nscc.cli.run import with_pixels
 
+    messages: tuple[Diagnostic, ...] = ()
     if path is not None:
         container, messages = load_program(path, BuildChoice.of(options))
-        return with_pixels(container, path, options["pixels"]), messages
-    from tempfile import TemporaryDirectory
+    else:
+        from nscc.pipeline import compile_source
+        from nscc.source import Source
+        from nscc.tradeoff.emulator import PROGRAM
 
-    from nscc.tradeoff.emulator import PROGRAM
-
-    with TemporaryDirectory() as folder:
-        path = Path(folder) / "default.nsl"
-        path.write_text(PROGRAM)
-        container, messages = load_program(path, BuildChoice.of(options))
-        return with_pixels(container, path, options["pixels"]), messages
+        path, choice = Path("default.nsl"), compile_options(BuildChoice.of(options))
+        compiled = compile_source(Source(path.name, PROGRAM), Path(), choice).container
+        assert compiled is not None  # what does not fit is rejected
+        container = compiled
+    return with_pixels(container, path, options["pixels"]), messages
 
 
 def _settings(options: dict[str, Any], sensor: Sensor) -> Settings:

@@ -26,6 +26,9 @@ REFERENCE, OTHER_DRAWS, SUMMED, DRAWN = "reference", "reference, other draws", "
 PLANNED, WITH_PLANNING = "planned", "planned, plan made"
 ELECTRONS, LSB = "e", "lsb"
 
+_POOLED, _MOST_POOLED = 65536, 64
+"""Frames of few pixels are taken together until there are as many samples, or as many frames."""
+
 TOLERANCES_E = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
 
 PROGRAM = """nsl 1
@@ -50,7 +53,8 @@ class Scene:
 class Settings:
     """`tolerances_e` to plan for; `budget_e`, the one whose plan is shown effect by effect.
 
-    Errors are of `frames` frames, at least 2, taken together; times are medians of `repeats`.
+    Errors are of `frames` frames taken together, at least 2 and as many as make 65536 pixels, up to
+    64; times are medians of `repeats`.
     """
 
     tolerances_e: tuple[float, ...] = TOLERANCES_E
@@ -140,6 +144,9 @@ class _Bench:
 
     def __post_init__(self) -> None:
         self.naive = Naive(self.program, self.scene.light)
+        rows, cols = self.scene.light.shape
+        pooled = math.ceil(_POOLED / max(1, rows * cols))
+        self.frames = max(self.settings.frames, min(pooled, _MOST_POOLED))
 
     def warm(self) -> None:
         """Loads what a process loads once."""
@@ -148,31 +155,31 @@ class _Bench:
 
     def compare(self) -> None:
         """The errors of all methods, and the times of the reference's frames."""
-        settings, light = self.settings, self.scene.light
+        settings, light, count = self.settings, self.scene.light, self.frames
         made = iter(
             reference_frames(
                 self.program.container, light, self.program.sensor, selected("all"),
-                seed=settings.seed, device_seed=settings.device_seed, count=settings.frames,
+                seed=settings.seed, device_seed=settings.device_seed, count=count,
             )
         )  # fmt: skip
         spent = self.times_ms[REFERENCE, "all"] = []
-        for _ in range(settings.frames):
+        for _ in range(count):
             begin = perf_counter()
             self.truth.append(next(made))
             spent.append((perf_counter() - begin) * 1e3)
         self.times_ms[OTHER_DRAWS, "all"] = spent
         self.errors[REFERENCE, "all"] = (0.0, 0.0)
         self.errors[OTHER_DRAWS, "all"] = error(self.truth[1:], self.truth[:-1])
-        self._error(SUMMED, "none", [self.naive.summed()] * settings.frames)
+        self._error(SUMMED, "none", [self.naive.summed()] * count)
         try:
-            drawn = [self.naive.drawn(settings.seed + i) for i in range(settings.frames)]
+            drawn = [self.naive.drawn(settings.seed + i) for i in range(count)]
             self._error(DRAWN, "shot", drawn)
         except ValueError as wrong:
             self.missing.append((DRAWN, f"numpy cannot draw this light: {wrong}"))
         for tolerance_e in settings.tolerances_e:
             setting = f"{tolerance_e:g}e"
             plan = self.plans[setting] = self._plan(tolerance_e)
-            found = list(self._planned(plan, settings.frames))
+            found = list(self._planned(plan, count))
             self._error(PLANNED, setting, found)
             self._error(WITH_PLANNING, setting, found)
 

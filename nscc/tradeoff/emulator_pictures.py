@@ -42,9 +42,10 @@ def precision(studies: Sequence[Study], repeats: int, device: str) -> bytes:
         for study in studies
     ]
     times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
-    return precision_png(
-        columns, _UNITS, f"against the reference with all effects, same draws; {times} on {device}"
+    subtitle = (
+        f"against the reference with all effects, same draws (hollow: dominated); {times} on {device}"
     )
+    return precision_png(columns, _UNITS, subtitle)
 
 
 def _cell(study: Study, unit: str, resolution: float) -> Cell:

@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
 _WIDTH, _HEIGHT = 3.9, 2.7
 _LEFT, _RIGHT, _TOP, _BOTTOM = 0.85, 0.3, 1.55, 0.65
-_BETWEEN, _ABOVE = 0.55, 0.3
+_BETWEEN, _ABOVE, _APART = 0.55, 0.3, 0.95
+_MOST_COLUMNS = 4
 _FLOOR_COLOUR, _REFERENCE_COLOUR = "#6b7280", "#1d2129"
 _LINE = 11.0
 """Marks less far apart in height, in the figure's own pixels (100 an inch), share one name."""
@@ -65,9 +66,11 @@ def precision_png(columns: Sequence[Column], units: Sequence[str], subtitle: str
 def _figure(columns: Sequence[Column], units: Sequence[str], subtitle: str) -> Figure:
     from matplotlib.figure import Figure
 
-    across, down = len(columns), len(units)
+    across, down = min(len(columns), _MOST_COLUMNS), len(units)
+    blocks = math.ceil(len(columns) / across)
+    tall = down * _HEIGHT + (down - 1) * _ABOVE
     width = max(_LEFT + across * _WIDTH + (across - 1) * _BETWEEN + _RIGHT, 9.4)
-    height = _TOP + down * _HEIGHT + (down - 1) * _ABOVE + _BOTTOM
+    height = _TOP + blocks * tall + (blocks - 1) * _APART + _BOTTOM
     figure = Figure(figsize=(width, height), facecolor="white")
     title = "What the emulator's time buys"
     figure.text(0.25 / width, 1 - 0.42 / height, title, size=15, weight="bold", color=INK)
@@ -75,14 +78,17 @@ def _figure(columns: Sequence[Column], units: Sequence[str], subtitle: str) -> F
     colours = _colours(columns)
     times = _times(columns)
     panel = (width - _LEFT - _RIGHT - (across - 1) * _BETWEEN) / across
-    for i, column in enumerate(columns):
+    for number, column in enumerate(columns):
+        block, i = divmod(number, across)
         for j, cell in enumerate(column.cells):
             x = _LEFT + i * (panel + _BETWEEN)
-            y = height - _TOP - j * (_HEIGHT + _ABOVE) - _HEIGHT
+            y = height - _TOP - block * (tall + _APART) - j * (_HEIGHT + _ABOVE) - _HEIGHT
             axes = figure.add_axes((x / width, y / height, panel / width, _HEIGHT / height))
             _draw(axes, cell, colours, times)
             if j == 0:
-                axes.set_title(column.title, loc="left", size=10.5, weight="bold", color=INK, pad=7)
+                axes.set_title(
+                    column.title, loc="left", size=10.5, weight="bold", color=INK, pad=7
+                )
             if i == 0:
                 axes.set_ylabel(units[j], color=INK, size=9)
                 axes.yaxis.set_label_coords(-0.6 / panel, 0.5)
@@ -134,7 +140,8 @@ def _draw(axes: Axes, cell: Cell, colours: dict[str, str], times: tuple[float, f
     axes.set_ylim(bottom, top)
     _dress(axes)
     axes.axvline(cell.floor_s * 1e3, color=_FLOOR_COLOUR, linewidth=1.2, dashes=(1.2, 1.6))
-    axes.axhline(cell.resolution, color=_FLOOR_COLOUR, linewidth=1.1, dashes=(5, 3))
+    if cell.resolution > 0:
+        axes.axhline(cell.resolution, color=_FLOOR_COLOUR, linewidth=1.1, dashes=(5, 3))
     axes.axvspan(
         cell.reference.least_s * 1e3, cell.reference.most_s * 1e3, color=_REFERENCE_COLOUR,
         alpha=0.08, linewidth=0,

@@ -79,7 +79,7 @@ def _calibration(promises: Sequence[Promise], slack: float) -> Figure:
     least, most = min(asked) / 1.5, max(asked) * 1.5
     found = [e for each in promises for e in (each.predicted_e, each.measured_e)]
     low = min([e for e in found if e > least / 30] + [least]) / 1.5
-    high = max(most * slack, *(e * 1.2 for e in found if e < math.inf))
+    high = max([most * slack, *(e * 1.2 for e in found if e < math.inf)])
     axes.set_xlim(least, most)
     axes.set_ylim(low, high)
     _grid(axes, both=True)
