@@ -133,6 +133,10 @@ def planned_frames(
     sensor, target = program.sensor, program.container.target
     noisy = ADC_NOISE in plan.kept
     places = np.arange(light.shape[0] * light.shape[1], dtype=np.int64)
+    if scene.fused is not None:
+        for number in range(count):
+            yield scene.fused.expose(seed, number, read_out=True)
+        return
     for number in range(count):
         exposure = scene.expose(seed, number)
         noise: NDArray[np.float64] | float = 0.0
@@ -153,6 +157,9 @@ def made_ready(container: Container, sensor: Sensor) -> Program:
 
 def as_light(light: LightLike, program: Container) -> Light:
     """Light of an array, as `nscc run` takes it of a file; raises Rejected for what is none."""
-    from nscc_runtime.scenes.arrays import light_of_array
+    if isinstance(light, Light):
+        return light
+    from nscc_runtime.scenes import light_of_array
 
-    return light if isinstance(light, Light) else light_of_array(light, program.slot_us)
+    rows, cols = program.target.rows, program.target.cols
+    return light_of_array(light, slot_us=program.slot_us, rows=rows, cols=cols)

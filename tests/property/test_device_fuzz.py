@@ -26,8 +26,8 @@ from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.messages import (
     DATA,
     Begin,
-    Capture,
     Capability,
+    Capture,
     Captured,
     Declare,
     Failure,

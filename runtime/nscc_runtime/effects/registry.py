@@ -124,8 +124,8 @@ def _wrong(what: str, help_text: str) -> Rejected:
             "NS0756",
             what,
             notes=(
-                "--effects takes auto, all, none or names separated by commas; +NAME adds one, -NAME "
-                "leaves one out",
+                "--effects takes auto, all, none or names separated by commas; +NAME adds one, "
+                "-NAME leaves one out",
                 f"the effects are {', '.join(BY_NAME)}",
             ),
             helps=(help_text,),

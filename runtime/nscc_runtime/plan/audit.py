@@ -51,7 +51,9 @@ class Audit:
     holds: bool
 
 
-def audit(planned: Planned, seed: int = 0, frames: int = 1, effects: Selection | None = None) -> Audit:
+def audit(
+    planned: Planned, seed: int = 0, frames: int = 1, effects: Selection | None = None
+) -> Audit:
     """Expose frames 0, 1, .. by plan and by reference, and compare.
 
     `frames` is how many were asked for: at least 2 and at most 8 are compared, more where a frame

@@ -24,11 +24,12 @@ from nscc_runtime.effects.photons import DARK as DARK_SOURCE
 from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, count_key, response
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER, leak_per_s, pattern_e
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
-from nscc_runtime.emulator.capture import check
+from nscc_runtime.emulator.capture import check_program, check_size
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, poisson
 from nscc_runtime.plan import leak_nodes
+from nscc_runtime.plan.fused import Fused
 from nscc_runtime.plan.model import Plan
 from nscc_runtime.plan.overlap import Overlap
 from nscc_runtime.plan.pixels import Pixels
@@ -51,6 +52,14 @@ def processors() -> int:
 
 
 @dataclass(frozen=True, eq=False)
+class Masks:
+    """`planes` uint8 (rows, pixels), each the mask of some slots; `row_of_slot` (N,) says which."""
+
+    row_of_slot: NDArray[np.intp]
+    planes: NDArray[np.uint8]
+
+
+@dataclass(frozen=True, eq=False)
 class Program:
     """A compiled program and a sensor, made ready once for any number of scenes and plans."""
 
@@ -63,6 +72,7 @@ class Program:
     @classmethod
     def of(cls, container: Container, sensor: Sensor) -> Program:
         """Raises Rejected where the words open no shutters (NS0442) or cannot run."""
+        check_program(container)
         reference = Reference.of(container, sensor, selected("all"))
         slot_s = np.array(container.slot_us, np.float64) * 1e-6
         return cls(container, sensor, reference, Tables.of(reference), slot_s)
@@ -102,9 +112,40 @@ class Program:
         return self.reference.groups.lane.reshape(-1).astype(np.int32)
 
     @cached_property
+    def overlapping(self) -> bool:
+        """Whether some slot is open in several buckets at once."""
+        return any(group & (group - 1) for group in self.group_ids.tolist())
+
+    @cached_property
     def group_ids(self) -> NDArray[np.int64]:
         """The groups of slots that occur."""
         return np.unique(self.reference.groups.of_slot)
+
+    def response(self, device_seed: int) -> Values:
+        """The response to light of each pixel of a device; the last one asked for is kept."""
+        if device_seed not in self._responses:
+            self._responses.clear()
+            places = np.arange(len(self.lanes), dtype=np.int64)
+            self._responses[device_seed] = response(self.sensor, device_seed, places)
+        return self._responses[device_seed]
+
+    @cached_property
+    def _responses(self) -> dict[int, Values]:
+        return {}
+
+    def masks(self, group: int) -> Masks:
+        """Where each slot belongs to a group, pixel by pixel; kept."""
+        found = self._masks.get(group)
+        if found is None:
+            members = self.reference.groups.of_slot == group
+            kinds, row_of_slot = np.unique(members.T, axis=0, return_inverse=True)
+            planes = np.ascontiguousarray(kinds[:, self.lanes], np.uint8)
+            found = self._masks[group] = Masks(row_of_slot.reshape(-1), planes)
+        return found
+
+    @cached_property
+    def _masks(self) -> dict[int, Masks]:
+        return {}
 
     def members(self, group: int) -> Values:
         """1 where a slot (N, lanes) belongs to a group."""
@@ -132,8 +173,16 @@ class Planned:
     device_seed: int
     threads: int
 
+    @cached_property
+    def fused(self) -> Fused | None:
+        """The scene laid out for the loop that does it all, where the plan is simple."""
+        return Fused.of(self)
+
     def expose(self, seed: int, frame: int) -> Exposure:
         """Frame number `frame`; threads change no bit."""
+        if self.fused is not None:
+            found = self.fused.expose(seed, frame, read_out=False)
+            return Exposure(found.exposure_e, found.valid)
         shape = (len(self.program.container.buckets), *self.light.shape)
         if self.plan.slot_loop == "all":
             found = self._words(self.places, self.plan.kept, seed, frame)
@@ -146,9 +195,7 @@ class Planned:
         found += 0.0
         return Exposure(found.reshape(shape), np.isfinite(found).reshape(shape))
 
-    def _words(
-        self, chosen: NDArray[np.int64], kept: Selection, seed: int, frame: int
-    ) -> Values:
+    def _words(self, chosen: NDArray[np.int64], kept: Selection, seed: int, frame: int) -> Values:
         program = self.program
         return program.words(kept).exposures(
             self.light,
@@ -238,16 +285,25 @@ class Planned:
         weights = [np.ones((self.light.slots, 1))]
         frames = self.source.frames.reshape(len(self.source.frames), -1)
         lanes = np.zeros(len(self.places), np.int32)
-        return sums_by_slot(self.source, frames, lanes, weights, self.threads)[0]
+        total: Values = sums_by_slot(self.source, frames, lanes, weights, self.threads)[0]
+        return total
+
+    @property
+    def factor(self) -> float:
+        """What becomes of the light of every pixel: the previous frame's is the same."""
+        return 1.0 + (self.program.sensor.lag_fraction if LAG in self.plan.kept else 0.0)
+
+    @property
+    def response(self) -> Values:
+        """The response of each pixel to light."""
+        return self.program.response(self.device_seed)
 
     @cached_property
     def scale(self) -> Values:
         """What becomes of the light of each pixel before it is counted: a factor."""
-        kept, sensor = self.plan.kept, self.program.sensor
-        scale = np.full(len(self.places), 1.0 + (sensor.lag_fraction if LAG in kept else 0.0))
-        if PRNU in kept:
-            scale *= response(sensor, self.device_seed, self.places)
-        return scale
+        if PRNU in self.plan.kept:
+            return self.factor * self.response
+        return np.full(len(self.places), self.factor)
 
     @cached_property
     def current(self) -> Values:
@@ -313,8 +369,8 @@ class Planned:
                 shaped = current.reshape(self.light.shape)
                 current = smeared(shaped, sensor.crosstalk_fraction).reshape(-1)
             open_s = np.einsum("n,nlb->bl", program.slot_s, program.tables.weights(model).slots)
-            found += current * open_s[:, program.lanes]
-        return found
+            found = found + current * open_s[:, program.lanes]
+        return np.asarray(found)
 
     @cached_property
     def overlap(self) -> Overlap:
@@ -349,15 +405,16 @@ class Planned:
         program, kept, sensor = self.program, self.plan.kept, self.program.sensor
         if FULL_WELL not in kept and REGISTER not in kept:
             return np.empty(0, np.int64)
-        reach = program.reach
-        single = ~np.isnan(program.tables.single(program.model(kept))).any(axis=1)
-        limit = np.full(len(single), np.inf)
+        single = np.all(~np.isnan(program.tables.single(program.model(kept))), axis=1)
+        limit = np.full(single.shape, np.inf)
         if FULL_WELL in kept:
             limit = np.where(single, np.inf, sensor.full_well_e)
         if REGISTER in kept:
             low, high = abs(sensor.register_min_e), sensor.register_max_e
-            room = sensor.register_knee_fraction * min(low, high) - reach.noise_e
-            limit = np.minimum(limit, room / reach.light)
+            room = sensor.register_knee_fraction * min(low, high) - program.reach.noise_e
+            limit = np.minimum(limit, room / program.reach.light)
+        if not np.isfinite(limit).any():
+            return np.empty(0, np.int64)
         bound = float(np.max(self.total * self.scale, initial=0.0))
         bound *= 1.0 + 4 * sensor.crosstalk_fraction * (CROSSTALK in kept)
         bound += float(np.max(self.current, initial=0.0)) * float(program.slot_s.sum())
@@ -387,5 +444,5 @@ def prepared(
     threads: int | None = None,
 ) -> Planned:
     """A scene made ready; raises Rejected as `nscc_runtime.emulator.expose` does."""
-    check(program.container, light)
+    check_size(program.container, light)
     return Planned(program, light, plan, device_seed, processors() if threads is None else threads)

@@ -64,9 +64,7 @@ def plan_for(
     return Chooser(program, light, tolerance_e, effects or selected("auto"), device_seed).plan()
 
 
-def predicted_for(
-    program: Program, light: Light, plan: Plan, device_seed: int = 0
-) -> Plan:
+def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int = 0) -> Plan:
     """The same decisions for another scene: what they make wrong there."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
     always = {effect.name for effect in EFFECTS if effect.always}
@@ -115,7 +113,7 @@ class Chooser:
             if effect.name not in dropped and not self._forced(effect)
         }  # fmt: skip
         yield from (frozenset({name}) for name in sorted(free))
-        if _SATURATION <= free:
+        if free >= _SATURATION:
             yield _SATURATION
 
     @cached_property
@@ -146,11 +144,11 @@ class Chooser:
         fields = self.fields
         return [
             effect for effect in EFFECTS
-            if effect.kind != "after"
+            if (effect.kind != "after"
             and any(
                 np.any(found.get(effect.name, 0.0)) for found in (fields.fixed, fields.variance)
-            )
-            or effect.name in _SATURATION and len(self.near)
+            ))
+            or (effect.name in _SATURATION and len(self.near))
         ]  # fmt: skip
 
     def square(self, dropped: frozenset[str], everywhere: bool) -> float:
@@ -182,7 +180,7 @@ class Chooser:
         """What becomes of pixels that may saturate: they run through their words with all effects,
         are clipped at the full well, or are taken as any others.
         """
-        if not len(self.near) or _SATURATION <= dropped:
+        if not len(self.near) or dropped >= _SATURATION:
             return "sums"
         return "clip" if REGISTER.name in dropped and self._all_single else "words"
 
@@ -197,8 +195,8 @@ class Chooser:
         if state == "sums":
             return np.ones(fields.expected.shape)
         if state == "clip":
-            return 1.0 - fields.clipped
-        return np.broadcast_to(1.0 - fields.sample.near, fields.expected.shape)
+            return np.where(fields.clipped, 0.0, 1.0)
+        return np.broadcast_to(np.where(fields.sample.near, 0.0, 1.0), fields.expected.shape)
 
     def _products(self, state: str) -> tuple[list[str], NDArray[np.float64]]:
         """Names of the fixed fields, and the means (buckets, ., .) of their products."""
@@ -222,8 +220,7 @@ class Chooser:
         if found is None:
             where = self._where(state)
             found = self._kept_variances[state] = {
-                name: self.fields.sample.mean(v * where)
-                for name, v in self.fields.variance.items()
+                name: self.fields.sample.mean(v * where) for name, v in self.fields.variance.items()
             }
         return found
 
@@ -327,9 +324,7 @@ class Chooser:
         each = _WORD_NS * words + _SLOT_NS * program.container.slots
         return each * len(self.near) / len(program.lanes)
 
-    def _saved_ns(
-        self, names: frozenset[str], dropped: frozenset[str], everywhere: bool
-    ) -> float:
+    def _saved_ns(self, names: frozenset[str], dropped: frozenset[str], everywhere: bool) -> float:
         """Nanoseconds a pixel that leaving effects out saves, beside those in `dropped`."""
         if everywhere:
             # The words are run in any case; neighbours multiply what has to be counted.

@@ -282,4 +282,3 @@ class _Fields:
             kept,
             device_seed=self.device_seed,
         )
-

@@ -47,13 +47,11 @@ class Overlap:
             time = program.slot_s @ members
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
             own[group] = means[group].T[:, program.lanes].reshape(-1, *shape)
-            neighbours[group] = tuple(
-                _pairs(weights, parts, lanes, shift) for shift in _DIRECTIONS
-            )
+            neighbours[group] = tuple(_pairs(weights, parts, lanes, shift) for shift in _DIRECTIONS)
         return cls(program.sensor.crosstalk_fraction, shape, own, neighbours)
 
     def smeared(self, away: dict[int, Values]) -> Values:
-        """What deviations (pixels,) of the groups' counts make of the exposures (buckets, pixels)."""
+        """What deviations (pixels,) of the groups' counts make of exposures (buckets, pixels)."""
         total: Values | float = 0.0
         for group, flat in away.items():
             each = flat.reshape(self.shape)
@@ -67,7 +65,9 @@ class Overlap:
         return np.asarray(total).reshape(len(next(iter(self.own.values()))), -1)
 
 
-def _pairs(weights: Values, parts: Values, lanes: NDArray[np.int32], shift: tuple[int, int]) -> Values:
+def _pairs(
+    weights: Values, parts: Values, lanes: NDArray[np.int32], shift: tuple[int, int]
+) -> Values:
     """The weight (buckets, rows, cols) of the neighbour at `shift`; 0 where there is none.
 
     `weights` (N, lanes, buckets) times the slots' seconds, `parts` (N, lanes).
@@ -83,9 +83,7 @@ def _pairs(weights: Values, parts: Values, lanes: NDArray[np.int32], shift: tupl
     else:
         for first in range(0, mine.size, _CHUNK):
             part = slice(first, first + _CHUNK)
-            values[:, part] = np.einsum(
-                "npb,np->bp", weights[:, mine[part]], parts[:, other[part]]
-            )
+            values[:, part] = np.einsum("npb,np->bp", weights[:, mine[part]], parts[:, other[part]])
     found[(..., *to)] = values.reshape(buckets, *lanes[to].shape)
     return found
 

@@ -312,7 +312,7 @@ def _draws(entries: Ints, row: int, kind: int, draw: int) -> bool:
 @compiled
 def _drawn_number(entries: Ints, row: int, kind: int, draw: int) -> int:
     """The number under which the reference draws it."""
-    number = entries[row + _E_NUMBER]
+    number: int = entries[row + _E_NUMBER]
     return number * _PART_DESTINATIONS + draw - 1 if kind == _ANALOG else number
 
 

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.photodiode import READ, RESET
 from nscc_runtime.effects.registers import ANALOG
+from nscc_runtime.plan.tables import Tables
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
-from nscc_runtime.plan.tables import Tables
 
 Values = NDArray[np.float64]
 

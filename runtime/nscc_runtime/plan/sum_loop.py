@@ -19,9 +19,7 @@ _BLOCK = 512
 """Pixels whose sums stay in the cache while the frames go by."""
 
 
-def weighted_sums(
-    sizes: Ints, frames: Frames, lanes: Ints32, table: Floats, out: Floats
-) -> None:
+def weighted_sums(sizes: Ints, frames: Frames, lanes: Ints32, table: Floats, out: Floats) -> None:
     """out[j, p] := the sum over k of table[j, k, lanes[p]] * frames[k, p].
 
     `sizes`: pixels in all, the first and the last + 1 of those to do, frames, lanes, sums. Products

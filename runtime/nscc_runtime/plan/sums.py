@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.light import Light
+from nscc_runtime.plan.pool import in_parts
 
+_BLOCK = 512
 _MOST_ENTRIES = 1 << 23
 """Of tables in memory at once, unless a single one is larger."""
 
@@ -45,12 +46,7 @@ def weighted_sums(
         sizes = np.array([pixels, begin, end, count, lane_count, sums], np.int64)
         loop(sizes.ctypes.data, *(array.ctypes.data for array in arrays))
 
-    cuts = [pixels * i // threads for i in range(threads + 1)]
-    if threads == 1:
-        run(0, pixels)
-    else:
-        with ThreadPoolExecutor(threads) as pool:
-            list(pool.map(run, cuts[:-1], cuts[1:]))
+    in_parts(run, pixels, threads, _BLOCK)
     return out
 
 

@@ -143,8 +143,7 @@ class _Pixels:
         self.lanes = program.groups.lane.reshape(-1)[places]
         names = ("PIX", *self.container.target.analog_registers)
         start = {
-            name: uniforms(key(device_seed, START, group=i), places)
-            for i, name in enumerate(names)
+            name: uniforms(key(device_seed, START, group=i), places) for i, name in enumerate(names)
         }
         # Well inside the range, so that a program that reads what it has not written is far off.
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2

@@ -94,6 +94,25 @@ def load_scene(
     return _load_path(request, _existing(spec))
 
 
+def light_of_array(
+    values: NDArray[Any], *, slot_us: Sequence[float], rows: int, cols: int, name: str = "light"
+) -> Light:
+    """The light of an array: electrons a slot (N, rows, cols), or a second (rows, cols).
+
+    float32 arrays are not copied, and must not be written to while the light is in use. Raises
+    Rejected with status 2 (NS0733 .. NS0736) for arrays that do not fit or hold what is no light.
+    """
+    window = Window(rows, cols, None)
+    request = _Request(name, tuple(slot_us), window, Options(), lambda _: None, unseen)
+    values = np.asarray(values)
+    arrays.check_type(Path(name), "light", values.dtype)
+    _check_light(request, values.shape)
+    census = Census()
+    census.look(values)
+    census.reject(name)
+    return _electrons(request, np.ascontiguousarray(values, np.float32))
+
+
 def _existing(spec: str) -> Path:
     path = Path(spec)
     try:
