@@ -22,8 +22,8 @@ from nscc_runtime.plan.model import Plan
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import scene_of
 
-REFERENCE, OTHER_DRAWS, SUMMED, DRAWN = "reference", "reference, other draws", "f32", "per-slot"
-PLANNED, WITH_PLANNING = "planned", "planned, plan made"
+REFERENCE, OTHER_DRAWS, SUMMED, DRAWN = "reference", "reference redrawn", "f32", "per-slot"
+PLANNED, WITH_PLANNING = "planned", "planned with planning"
 ELECTRONS, LSB = "e", "lsb"
 
 _POOLED, _MOST_POOLED = 65536, 64

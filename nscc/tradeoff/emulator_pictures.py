@@ -43,7 +43,8 @@ def precision(studies: Sequence[Study], repeats: int, device: str) -> bytes:
     ]
     times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
     subtitle = (
-        f"against the reference with all effects, same draws (hollow: dominated); {times} on {device}"
+        "against the reference with all effects, same draws (hollow: dominated); "
+        f"{times} on {device}"
     )
     return precision_png(columns, _UNITS, subtitle)
 

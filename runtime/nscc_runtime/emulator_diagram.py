@@ -86,9 +86,7 @@ def _figure(columns: Sequence[Column], units: Sequence[str], subtitle: str) -> F
             axes = figure.add_axes((x / width, y / height, panel / width, _HEIGHT / height))
             _draw(axes, cell, colours, times)
             if j == 0:
-                axes.set_title(
-                    column.title, loc="left", size=10.5, weight="bold", color=INK, pad=7
-                )
+                axes.set_title(column.title, loc="left", size=10.5, weight="bold", color=INK, pad=7)
             if i == 0:
                 axes.set_ylabel(units[j], color=INK, size=9)
                 axes.yaxis.set_label_coords(-0.6 / panel, 0.5)

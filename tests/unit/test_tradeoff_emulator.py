@@ -127,9 +127,7 @@ def test_errors_are_those_of_the_frames(program: Program) -> None:
         assert found[(*key, LSB)].error == pytest.approx(away_lsb, rel=1e-9)
 
     is_found((REFERENCE, "all"), 0.0, 0.0)
-    is_found(
-        (OTHER_DRAWS, "all"), rms(exposures[1:] - exposures[:-1]), rms(codes[1:] - codes[:-1])
-    )
+    is_found((OTHER_DRAWS, "all"), rms(exposures[1:] - exposures[:-1]), rms(codes[1:] - codes[:-1]))
     assert first.resolution_e == found[OTHER_DRAWS, "all", ELECTRONS].error
     assert first.resolution_lsb == found[OTHER_DRAWS, "all", LSB].error
     plain = (light.frames * opened()).sum(axis=0)
