@@ -20,7 +20,7 @@ _CELLS = (52 << _CELL_BITS) + 1
 
 
 def _table() -> NDArray[np.float32]:
-    """Three coefficients of each cell, one after the other: all constants, all slopes, all bends."""
+    """Three coefficients of each cell: all constants, then all slopes, then all bends."""
     from statistics import NormalDist
 
     table = np.zeros((3, _CELLS))
@@ -44,7 +44,7 @@ def normal_fast(u: float) -> np.float32:
     cell = (v.view(np.int32) >> _SHIFT) - _FIRST
     middle = np.int32(((cell + _FIRST) << _SHIFT) | _HALF_CELL).view(np.float32)
     t = v - middle
-    z = _TABLE[cell + 2 * _CELLS]
+    z: np.float32 = _TABLE[cell + 2 * _CELLS]
     z = _TABLE[cell + _CELLS] + t * z
     z = _TABLE[cell] + t * z
     return z if u >= 0.5 else -z

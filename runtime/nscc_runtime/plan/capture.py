@@ -34,7 +34,7 @@ from nscc_runtime.plan.model import Plan
 from nscc_runtime.plan.overlap import Overlap
 from nscc_runtime.plan.pixels import Pixels
 from nscc_runtime.plan.reach import Reach, reach_of
-from nscc_runtime.plan.sums import sums_by_slot
+from nscc_runtime.plan.sums import smeared_frames, sums_by_slot
 from nscc_runtime.plan.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
 from nscc_runtime.reference.noise import SUM
@@ -49,6 +49,35 @@ SIGMAS = 6.0
 def processors() -> int:
     """How many threads a run may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@dataclass(frozen=True, eq=False)
+class Device:
+    """What is fixed on a chip: numbers of each pixel, made when they are asked for."""
+
+    sensor: Sensor
+    seed: int
+    places: NDArray[np.int64]
+
+    @cached_property
+    def response(self) -> Values:
+        """The response to light."""
+        return response(self.sensor, self.seed, self.places)
+
+    @cached_property
+    def current(self) -> Values:
+        """The dark current, electrons a second."""
+        return current_e_per_s(self.sensor, self.seed, self.places)
+
+    @cached_property
+    def pattern(self) -> Values:
+        """The fixed error of one analog word, electrons."""
+        return pattern_e(self.sensor, self.seed, self.places)
+
+    @cached_property
+    def leak(self) -> Values:
+        """The rate of leakage, 1/s."""
+        return leak_per_s(self.sensor, self.seed, self.places)
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,16 +150,27 @@ class Program:
         """The groups of slots that occur."""
         return np.unique(self.reference.groups.of_slot)
 
-    def response(self, device_seed: int) -> Values:
-        """The response to light of each pixel of a device; the last one asked for is kept."""
-        if device_seed not in self._responses:
-            self._responses.clear()
+    def device(self, device_seed: int) -> Device:
+        """What is fixed on a chip; the last one asked for is kept."""
+        if device_seed not in self._devices:
+            self._devices.clear()
             places = np.arange(len(self.lanes), dtype=np.int64)
-            self._responses[device_seed] = response(self.sensor, device_seed, places)
-        return self._responses[device_seed]
+            self._devices[device_seed] = Device(self.sensor, device_seed, places)
+        return self._devices[device_seed]
 
     @cached_property
-    def _responses(self) -> dict[int, Values]:
+    def _devices(self) -> dict[int, Device]:
+        return {}
+
+    def overlap(self, model: Model) -> Overlap:
+        """How much of the neighbours' groups falls on a pixel's open slots; kept."""
+        found = self._overlaps.get(model)
+        if found is None:
+            found = self._overlaps[model] = Overlap.of(self, model)
+        return found
+
+    @cached_property
+    def _overlaps(self) -> dict[Model, Overlap]:
         return {}
 
     def masks(self, group: int) -> Masks:
@@ -152,15 +192,20 @@ class Program:
         return np.ascontiguousarray((self.reference.groups.of_slot == group).T, np.float64)
 
     def mean_weights(self, model: Model) -> dict[int, Values]:
-        """The mean weight (lanes, buckets) over the time of each group's slots."""
+        """The mean weight (lanes, buckets) over the time of each group's slots; kept."""
         weights = self.tables.weights(model).slots
-        found = {}
-        for group in self.group_ids.tolist():
+        found = self._mean_weights.get(model, {})
+        for group in self.group_ids.tolist() if not found else ():
             time = self.members(group) * self.slot_s[:, None]
             total = time.sum(axis=0)[:, None]
             part = np.einsum("nl,nlb->lb", time, weights)
             found[group] = np.divide(part, total, out=np.zeros_like(part), where=total > 0)
+        self._mean_weights[model] = found
         return found
+
+    @cached_property
+    def _mean_weights(self) -> dict[Model, dict[int, Values]]:
+        return {}
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,8 +226,8 @@ class Planned:
     def expose(self, seed: int, frame: int) -> Exposure:
         """Frame number `frame`; threads change no bit."""
         if self.fused is not None:
-            found = self.fused.expose(seed, frame, read_out=False)
-            return Exposure(found.exposure_e, found.valid)
+            simple = self.fused.expose(seed, frame, read_out=False)
+            return Exposure(simple.exposure_e, simple.valid)
         shape = (len(self.program.container.buckets), *self.light.shape)
         if self.plan.slot_loop == "all":
             found = self._words(self.places, self.plan.kept, seed, frame)
@@ -251,7 +296,7 @@ class Planned:
         """What the groups' deviations make of the exposures, neighbours' included."""
         program = self.program
         if CROSSTALK in self.plan.kept:
-            return self.overlap.smeared(away)
+            return program.overlap(program.model(self.plan.kept)).smeared(away)
         weights = program.mean_weights(program.model(self.plan.kept))
         lanes = program.lanes
         buckets = len(program.container.buckets)
@@ -289,6 +334,11 @@ class Planned:
         return total
 
     @property
+    def device(self) -> Device:
+        """What is fixed on the chip."""
+        return self.program.device(self.device_seed)
+
+    @property
     def factor(self) -> float:
         """What becomes of the light of every pixel: the previous frame's is the same."""
         return 1.0 + (self.program.sensor.lag_fraction if LAG in self.plan.kept else 0.0)
@@ -296,7 +346,7 @@ class Planned:
     @property
     def response(self) -> Values:
         """The response of each pixel to light."""
-        return self.program.response(self.device_seed)
+        return self.device.response
 
     @cached_property
     def scale(self) -> Values:
@@ -310,7 +360,7 @@ class Planned:
         """The dark current of each pixel, 0 where there is none."""
         if DARK not in self.plan.kept:
             return np.zeros(len(self.places))
-        return current_e_per_s(self.program.sensor, self.device_seed, self.places)
+        return self.device.current
 
     @cached_property
     def counted(self) -> list[int]:
@@ -342,8 +392,7 @@ class Planned:
         if LEAKAGE not in kept or self.plan.leak_nodes == 1:
             return np.array([program.model(kept).leak_per_s]), np.ones((1, len(self.places)))
         nodes = leak_nodes.rates(program.sensor, self.plan.leak_nodes)
-        leak = leak_per_s(program.sensor, self.device_seed, self.places)
-        return nodes, leak_nodes.between(nodes, leak)
+        return nodes, leak_nodes.between(nodes, self.device.leak)
 
     @cached_property
     def expected(self) -> Values:
@@ -355,10 +404,10 @@ class Planned:
         weights = [program.tables.weights(replace(model, leak_per_s=rate)).slots for rate in nodes]
         stack = [each[:, :, b] for b in range(buckets) for each in weights]
         if CROSSTALK in kept:
-            frames = np.empty_like(self.source.frames)
             scale = self.scale.reshape(self.light.shape)
-            for frame, into in zip(self.source.frames, frames, strict=True):
-                into[...] = smeared(frame * scale, sensor.crosstalk_fraction)
+            frames = smeared_frames(
+                self.source.frames, scale, sensor.crosstalk_fraction, self.threads
+            )
             sums = self._sum(replace(self.source, frames=frames, motion=None), stack)
         else:
             sums = self._sum(self.source, stack) * self.scale
@@ -373,21 +422,15 @@ class Planned:
         return np.asarray(found)
 
     @cached_property
-    def overlap(self) -> Overlap:
-        """How much of the neighbours' groups falls on a pixel's open slots."""
-        return Overlap.of(self.program, self.plan.kept, self.light.shape)
-
-    @cached_property
     def patterns(self) -> Values:
         """The fixed errors (buckets, pixels) of the analog words."""
         program = self.program
-        each = pattern_e(program.sensor, self.device_seed, self.places)
         total = 0.0
         for rate, between in zip(*self.leaks, strict=True):
             # Leakage that is left out is still the better account of where errors go.
             model = replace(self.wanted, leak_per_s=rate) if rate else self.wanted
             total = total + program.tables.pattern(model).T[:, program.lanes] * between
-        return np.asarray(total * each)
+        return np.asarray(total * self.device.pattern)
 
     @cached_property
     def limits(self) -> Values:
@@ -417,7 +460,8 @@ class Planned:
             return np.empty(0, np.int64)
         bound = float(np.max(self.total * self.scale, initial=0.0))
         bound *= 1.0 + 4 * sensor.crosstalk_fraction * (CROSSTALK in kept)
-        bound += float(np.max(self.current, initial=0.0)) * float(program.slot_s.sum())
+        if DARK in kept:
+            bound += float(self.device.current.max(initial=0.0)) * float(program.slot_s.sum())
         if bound + SIGMAS * np.sqrt(bound) < limit.min():
             return np.empty(0, np.int64)
         seen = program.tables.seen().astype(np.float64)

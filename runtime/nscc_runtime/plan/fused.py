@@ -29,9 +29,7 @@ from nscc_runtime.reference.noise import SUM
 if TYPE_CHECKING:
     from nscc_runtime.plan.capture import Planned, Program
 
-_COMPLEX = frozenset(
-    effect.name for effect in (CROSSTALK, DARK, ANALOG, LEAKAGE, DEAD_TIME, DECAY)
-)
+_COMPLEX = frozenset(effect.name for effect in (CROSSTALK, DARK, ANALOG, LEAKAGE, DEAD_TIME, DECAY))
 _BLOCK = 1024
 _SKIPPED, _EVEN, _MASKED, _TABLED = 0, 1, 2, 3
 _MOST_MASKS = 1 << 26
@@ -48,8 +46,8 @@ class Fused:
 
     scene: Planned
     frames: NDArray[np.float32]
+    numbers: NDArray[np.float64]
     buckets: tuple[tuple[NDArray[np.generic], ...], ...]
-    fixed: tuple[NDArray[np.generic], ...]
     sources: tuple[tuple[int, int], ...]
 
     @classmethod
@@ -66,10 +64,7 @@ class Fused:
             return None
         source = scene.source
         frames = np.require(source.frames, np.float32, ["C", "A"]).reshape(len(source.frames), -1)
-        buckets = tuple(
-            _layout(program, source, 1 << b) for b in range(len(program.container.buckets))
-        )
-        sensor = program.sensor
+        sensor, target = program.sensor, program.container.target
         sigmas, sources = [], []
         for effect, sigma in ((READ, sensor.read_noise_e), (RESET, sensor.reset_noise_e)):
             if effect in kept:
@@ -78,69 +73,73 @@ class Fused:
                     if factor[:, :, draw].any():
                         sigmas.append(factor[:, :, draw])
                         sources.append((effect.stream, draw))
-        lanes, count = len(program.container.encoding), len(program.container.buckets)
-        sigma_e = np.array(sigmas).reshape(len(sigmas), lanes, count)
+        shape = len(sigmas), len(program.container.encoding), len(program.container.buckets)
+        sigma_e = np.array(sigmas).reshape(shape)
         single = program.tables.single(program.model(kept))
-        limit = np.where(np.isnan(single), np.inf, single * sensor.full_well_e)
+        limit_e = np.where(np.isnan(single), np.inf, single * sensor.full_well_e)
         response = scene.response if PRNU in kept else np.ones(1)
-        return cls(scene, frames, buckets, (response, limit, sigma_e), tuple(sources))
+        numbers = [
+            scene.factor, RATE_CAP, sensor.electrons_per_lsb, sensor.adc_offset_lsb,
+            2.0**target.adc_bits - 1, sensor.adc_noise_lsb,
+        ]  # fmt: skip
+        buckets = tuple(
+            (
+                *_layout(program, source, 1 << bucket),
+                program.lanes,
+                response,
+                np.ascontiguousarray(limit_e[:, bucket]),
+                np.ascontiguousarray(sigma_e[:, :, bucket]),
+            )
+            for bucket in range(shape[2])
+        )
+        return cls(scene, frames, np.array(numbers), buckets, tuple(sources))
 
     def expose(self, seed: int, frame: int, *, read_out: bool) -> Frame:
         """Frame number `frame`; without `read_out` its codes are left 0."""
-        from nscc_runtime.plan.compiled import entry_points
 
-        scene, program = self.scene, self.scene.program
-        kept, sensor, target = scene.plan.kept, program.sensor, program.container.target
-        shape = (len(self.buckets), *scene.light.shape)
-        pixels = shape[1] * shape[2]
+        shape = (len(self.buckets), *self.scene.light.shape)
         exposure = np.empty(shape)
         codes, valid = np.zeros(shape, np.uint8), np.ones(shape, np.bool_)
-        response, limit, sigma = self.fixed
-        loop = entry_points()["fused"]
-        numbers = np.array(
-            [
-                scene.factor, RATE_CAP, sensor.electrons_per_lsb, sensor.adc_offset_lsb,
-                2.0**target.adc_bits - 1, sensor.adc_noise_lsb,
-            ]
-        )  # fmt: skip
-        clipped = FULL_WELL in kept and REGISTER not in kept
-        for bucket, layout in enumerate(self.buckets):
-            keys = np.array(
-                [
-                    count_key(seed, SHOT, LIGHT, frame, 1 << bucket) if SHOT in kept else 0,
-                    *(key(seed, stream, SUM, frame, draw) for stream, draw in self.sources),
-                    key(seed, ADC_NOISE.stream, frame=frame, group=bucket)
-                    if ADC_NOISE in kept
-                    else 0,
-                ],
-                np.uint64,
-            )
-            limits = np.ascontiguousarray(limit[:, bucket])
-            sigmas = np.ascontiguousarray(sigma[:, :, bucket])
-            switches = (
-                int(PRNU in kept), int(SHOT in kept), int(clipped), len(self.sources),
-                int(ADC_NOISE in kept), int(read_out),
-            )  # fmt: skip
-            out = exposure[bucket], codes[bucket]
-
-            def run(begin: int, end: int) -> None:
-                sizes = np.array(
-                    [pixels, begin, end, len(self.frames), len(limits), *switches], np.int64
-                )
-                scratch = (
-                    np.empty(_BLOCK, np.float32), np.empty(_BLOCK), np.empty(4 * _BLOCK),
-                    np.empty(_BLOCK), np.empty(_BLOCK, np.int64),
-                )  # fmt: skip
-                arrays = (
-                    sizes, numbers, keys, self.frames, *layout, program.lanes, response, limits,
-                    sigmas, *scratch, *out,
-                )  # fmt: skip
-                loop(*(array.ctypes.data for array in arrays))
-
-            busy = bool({SHOT.name, READ.name, RESET.name, ADC_NOISE.name} & kept.on)
-            work = pixels * (len(self.frames) + _DRAWN_FRAMES * busy)
-            in_parts(run, pixels, scene.threads if work >= _MUCH else 1, _BLOCK)
+        for bucket in range(len(self.buckets)):
+            self._fill(bucket, seed, frame, read_out, (exposure[bucket], codes[bucket]))
         return Frame(codes, exposure, valid)
+
+    def _fill(
+        self,
+        bucket: int,
+        seed: int,
+        frame: int,
+        read_out: bool,
+        out: tuple[NDArray[np.float64], NDArray[np.uint8]],
+    ) -> None:
+        """Expose one bucket into `out`: exposures and codes."""
+        from nscc_runtime.plan.compiled import entry_points
+
+        scene, kept, loop = self.scene, self.scene.plan.kept, entry_points()["fused"]
+        keys = [count_key(seed, SHOT, LIGHT, frame, 1 << bucket) if SHOT in kept else np.uint64(0)]
+        keys += [key(seed, stream, SUM, frame, draw) for stream, draw in self.sources]
+        if ADC_NOISE in kept:
+            keys.append(key(seed, ADC_NOISE.stream, frame=frame, group=bucket))
+        pixels, count = out[0].size, len(self.frames)
+        lanes = len(scene.program.container.encoding)
+        switches = (
+            int(PRNU in kept), int(SHOT in kept), int(FULL_WELL in kept and REGISTER not in kept),
+            len(self.sources), int(ADC_NOISE in kept), int(read_out),
+        )  # fmt: skip
+        given = (self.numbers, np.array(keys, np.uint64), self.frames, *self.buckets[bucket])
+
+        def run(begin: int, end: int) -> None:
+            sizes = np.array([pixels, begin, end, count, lanes, *switches], np.int64)
+            scratch = (
+                np.empty(_BLOCK, np.float32), np.empty(_BLOCK), np.empty(4 * _BLOCK),
+                np.empty(_BLOCK), np.empty(_BLOCK, np.int64),
+            )  # fmt: skip
+            arrays: tuple[NDArray[np.generic], ...] = (sizes, *given, *scratch, *out)
+            loop(*(array.ctypes.data for array in arrays))
+
+        drawn = len(keys) > 1 or SHOT in kept
+        work = pixels * (count + _DRAWN_FRAMES * drawn)
+        in_parts(run, pixels, scene.threads if work >= _MUCH else 1, _BLOCK)
 
 
 def _layout(program: Program, light: Light, group: int) -> tuple[NDArray[np.generic], ...]:
@@ -148,7 +147,7 @@ def _layout(program: Program, light: Light, group: int) -> tuple[NDArray[np.gene
     masks, table.
     """
     members = program.members(group)
-    count, lanes = len(light.frames), members.shape[1]
+    count = len(light.frames)
     kinds, weights = np.zeros(count, np.int64), np.ones(count, np.float32)
     rows, table = np.zeros(count, np.int64), np.zeros((1, 1), np.float32)
     slots = np.bincount(light.frame_index, minlength=count)

@@ -126,7 +126,8 @@ def _exp_minus(x: float) -> float:
     p = p * r + 0.5
     p = p * r + 1.0
     p = p * r + 1.0
-    return p * np.int64((np.int64(n) + np.int64(1023)) << np.int64(52)).view(np.float64)
+    power: float = np.int64((np.int64(n) + np.int64(1023)) << np.int64(52)).view(np.float64)
+    return p * power
 
 
 @compiled
@@ -218,7 +219,7 @@ def fused(
 ) -> None:  # fmt: skip
     """One bucket of one frame.
 
-    `sizes`: pixels in all, first and last + 1 of those to do, frames, lanes; then switches: response
+    `sizes`: pixels in all, first and last + 1 of those to do, frames, lanes; switches: response
     given, counted, clipped, sources of noise, noise of the readout, read out. `numbers`: factor of
     all light, rate cap, electrons a code, offset, top code, noise of the readout in codes. `keys`:
     of the counts, of each source of noise, of the readout. `kinds`, `frame_weight`, `mask_row`

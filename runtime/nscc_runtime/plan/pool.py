@@ -6,6 +6,7 @@ import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
+from itertools import pairwise
 
 
 @cache
@@ -13,9 +14,7 @@ def _pool(threads: int) -> ThreadPoolExecutor:
     return ThreadPoolExecutor(threads, thread_name_prefix="nscc")
 
 
-def in_parts(
-    run: Callable[[int, int], None], count: int, threads: int, multiple: int = 1
-) -> None:
+def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple: int = 1) -> None:
     """Call `run(begin, end)` for parts of 0 .. `count`, `threads` at a time.
 
     Parts begin at multiples of `multiple`. Called from a thread of this kind itself, it goes
@@ -29,10 +28,7 @@ def in_parts(
         return
     cuts = [min(blocks * i // threads * multiple, count) for i in range(threads + 1)]
     # One part is done here: a thread less to wake.
-    others = [
-        _pool(threads).submit(run, begin, end)
-        for begin, end in zip(cuts[1:-1], cuts[2:], strict=True)
-    ]
+    others = [_pool(threads).submit(run, begin, end) for begin, end in pairwise(cuts[1:])]
     run(cuts[0], cuts[1])
     for other in others:
         other.result()

@@ -50,6 +50,29 @@ def weighted_sums(
     return out
 
 
+def smeared_frames(
+    frames: NDArray[np.float32], scale: NDArray[np.float64], fraction: float, threads: int = 1
+) -> NDArray[np.float32]:
+    """Frames (T, rows, cols) times `scale` (rows, cols), smeared by crosstalk; in float32."""
+    from nscc_runtime.plan.compiled import entry_points
+
+    out = np.empty(frames.shape, np.float32)
+    arrays = (
+        np.array([fraction]),
+        np.require(frames, np.float32, ["C", "A"]),
+        np.require(scale, np.float64, ["C", "A"]),
+        out,
+    )
+    loop = entry_points()["smeared_frames"]
+
+    def run(begin: int, end: int) -> None:
+        sizes = np.array([begin, end, *frames.shape[1:]], np.int64)
+        loop(sizes.ctypes.data, *(array.ctypes.data for array in arrays))
+
+    in_parts(run, len(frames), threads)
+    return out
+
+
 def sums_by_slot(
     light: Light,
     frames: NDArray[np.float32],
@@ -72,11 +95,6 @@ def sums_by_slot(
 
 
 def on_frames(light: Light, slots: NDArray[np.float64]) -> NDArray[np.float64]:
-    """NDArray[np.float64] of slots (N, ..) as weights of the light's own frames (T, ..)."""
-    from scipy.sparse import csr_array
-
-    matrix = csr_array(
-        (light.weight, light.frame_index, light.row_start), (light.slots, len(light.frames))
-    )
+    """Weights of slots (N, ..) as weights of the light's own frames (T, ..)."""
     flat = slots.reshape(len(slots), -1)
-    return np.asarray(matrix.T @ flat).reshape(len(light.frames), *slots.shape[1:])
+    return light.on_frames(flat).reshape(len(light.frames), *slots.shape[1:])
