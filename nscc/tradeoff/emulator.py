@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from time import perf_counter
 
@@ -224,7 +224,7 @@ class _Bench:
         self.times_ms.setdefault((method, setting), []).append((perf_counter() - begin) * 1e3)
 
     def _plan(self, tolerance_e: float) -> Plan:
-        light, seed = self.scene.light, self.settings.device_seed
+        light, seed = unknown(self.scene.light), self.settings.device_seed
         return plan_for(self.program, light, tolerance_e, None, seed)
 
     def _first(self, plan: Plan) -> Frame:
@@ -232,10 +232,14 @@ class _Bench:
 
     def _planned(self, plan: Plan, count: int) -> Iterable[Frame]:
         """Frames of a scene that is made ready anew: sums over the slots are part of the first."""
-        settings = self.settings
-        return planned_frames(
-            self.program, self.scene.light, plan, settings.seed, settings.device_seed, count
-        )
+        light, settings = unknown(self.scene.light), self.settings
+        return planned_frames(self.program, light, plan, settings.seed, settings.device_seed, count)
+
+
+def unknown(light: Light) -> Light:
+    """The same light, without what has been found out about it."""
+    motion = light.motion
+    return replace(light, motion=None if motion is None else unknown(motion))
 
 
 _ORDER = {

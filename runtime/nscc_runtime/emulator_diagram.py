@@ -15,14 +15,16 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _WIDTH, _HEIGHT = 3.9, 2.7
-_LEFT, _RIGHT, _TOP, _BOTTOM = 0.85, 0.3, 1.55, 0.65
+_LEFT, _RIGHT, _TOP, _BOTTOM = 0.85, 0.3, 1.6, 0.65
 _BETWEEN, _ABOVE, _APART = 0.55, 0.3, 0.95
 _MOST_COLUMNS = 4
 _FLOOR_COLOUR, _REFERENCE_COLOUR = "#6b7280", "#1d2129"
 _LINE = 11.0
 """Marks less far apart in height, in the figure's own pixels (100 an inch), share one name."""
-_EXACT = 1e-3
-"""Errors below this part of the least other one are drawn at the bottom edge, pointing down."""
+_EXACT = 1e-6
+"""Errors below this part of the resolution are drawn at the bottom edge, pointing down."""
+_WIDE = 12.5
+"""Inches that the legend needs in one line."""
 
 
 @dataclass(frozen=True)
@@ -66,8 +68,8 @@ def precision_png(columns: Sequence[Column], units: Sequence[str], subtitle: str
 def _figure(columns: Sequence[Column], units: Sequence[str], subtitle: str) -> Figure:
     from matplotlib.figure import Figure
 
-    across, down = min(len(columns), _MOST_COLUMNS), len(units)
-    blocks = math.ceil(len(columns) / across)
+    blocks, down = math.ceil(len(columns) / _MOST_COLUMNS), len(units)
+    across = math.ceil(len(columns) / blocks)
     tall = down * _HEIGHT + (down - 1) * _ABOVE
     width = max(_LEFT + across * _WIDTH + (across - 1) * _BETWEEN + _RIGHT, 9.4)
     height = _TOP + blocks * tall + (blocks - 1) * _APART + _BOTTOM
@@ -131,7 +133,7 @@ def _draw(axes: Axes, cell: Cell, colours: dict[str, str], times: tuple[float, f
     axes.set_xlim(*times)
     errors = [m.error for curve in cell.curves for m in curve.marks]
     errors = [e for e in (*errors, cell.resolution) if 0 < e < math.inf] or [1.0]
-    least = min(e for e in errors if e >= _EXACT * sorted(errors)[len(errors) // 2])
+    least = min(e for e in errors if e >= _EXACT * min(cell.resolution or math.inf, max(errors)))
     most = max(errors)
     room = max((most / least) ** 0.12, 1.3)
     bottom, top = least / room, most * room
@@ -241,8 +243,8 @@ def _legend(
     ]  # fmt: skip
     legend = figure.legend(
         handles=entries, loc="upper left", bbox_to_anchor=(0.2 / size[0], 1 - 0.78 / size[1]),
-        ncols=len(entries), frameon=False, fontsize=8.5, handlelength=2.2, columnspacing=1.6,
-        borderpad=0, handletextpad=0.6,
+        ncols=len(entries) if size[0] > _WIDE else 4, frameon=False, fontsize=8.5,
+        handlelength=2.2, columnspacing=1.6, borderpad=0, handletextpad=0.6,
     )  # fmt: skip
     for text in legend.get_texts():
         text.set_color(INK)

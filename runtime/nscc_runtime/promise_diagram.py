@@ -137,8 +137,8 @@ def _calibration(promises: Sequence[Promise], slack: float) -> Figure:
 def _budgets(budgets: Sequence[Budget]) -> Figure:
     from matplotlib.figure import Figure
 
-    columns = min(len(budgets), _MOST_COLUMNS)
-    rows = math.ceil(len(budgets) / columns)
+    rows = math.ceil(len(budgets) / _MOST_COLUMNS)
+    columns = math.ceil(len(budgets) / rows)
     most = max(len(budget.bars) for budget in budgets)
     left, right, top, bottom, between, above, panel = 0.95, 0.75, 1.3, 0.95, 1.75, 0.95, 2.75
     tall = most * _BAR
