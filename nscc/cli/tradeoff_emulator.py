@@ -9,9 +9,9 @@ import click
 
 from nscc.cli.programs import BuildChoice, build_options, compile_options, load_program
 from nscc.cli.support import CommonCommand, Product, done, progress, say, write_together
+from nscc.diagnostics.model import Diagnostic, Rejected
 
 if TYPE_CHECKING:
-    from nscc.diagnostics.model import Diagnostic
     from nscc.tradeoff.emulator import Scene, Settings, Study
     from nscc.words.container import Container
     from nscc_runtime.sensor import Sensor
@@ -79,6 +79,7 @@ def command(program: Path | None, **options: Any) -> int:
     from nscc_runtime.plan.capture import Program
     from nscc_runtime.sensor import load_sensor
 
+    files = _files(options["out"], options["csv_path"], options["png_path"])
     container, messages = _container(program, options)
     sensor = load_sensor(container.target, options["sensor"], options["sensor_set"])
     settings = _settings(options, sensor)
@@ -87,7 +88,7 @@ def command(program: Path | None, **options: Any) -> int:
     gb_per_s = copy_gb_per_s()
     studies = measure(made, scenes, settings, gb_per_s, lambda work: progress(work, "measuring"))
     click.echo(studies_text(studies, gb_per_s))
-    products = _products(studies, options)
+    products = _products(studies, files, options["repeats"])
     write_together(products)
     if products:
         done("wrote " + ", ".join(path.as_posix() for path in products))
@@ -148,26 +149,46 @@ def _scenes(
     ]
 
 
-def _products(studies: tuple[Study, ...], options: dict[str, Any]) -> dict[Path, Product]:
-    from nscc.tradeoff.device import processor_name
-    from nscc.tradeoff.points import csv_text
-
-    out, csv_path, png_path = options["out"], options["csv_path"], options["png_path"]
-    device = processor_name()
+def _files(out: Path | None, csv_path: Path | None, png_path: Path | None) -> dict[str, Path]:
+    """What goes where; NS0745 where two products would be one file."""
+    found = {}
     if out is not None:
         csv_path = csv_path or out.with_name(out.name + ".csv")
         png_path = png_path or out.with_name(out.name + ".png")
+        found["calibration"] = out.with_name(out.name + "_calibration.png")
+        found["budget"] = out.with_name(out.name + "_budget.png")
+    given = {"csv": csv_path, "png": png_path}
+    found = {name: path for name, path in given.items() if path is not None} | found
+    if len({path.absolute() for path in found.values()}) < len(found):
+        names = ", ".join(map(str, found.values()))
+        raise Rejected(
+            Diagnostic(
+                "NS0745",
+                f"two products would be written to one file: {names}",
+                helps=("give --csv and --png different names",),
+            ),
+            status=2,
+        )
+    return found
+
+
+def _products(
+    studies: tuple[Study, ...], files: dict[str, Path], repeats: int
+) -> dict[Path, Product]:
+    from nscc.tradeoff.device import processor_name
+    from nscc.tradeoff.points import csv_text
+
     products: dict[Path, Product] = {}
-    if csv_path is not None:
+    if "csv" in files:
         points = [point for study in studies for point in study.points]
-        products[csv_path] = csv_text(points, device).encode()
-    if png_path is None and out is None:
+        products[files["csv"]] = csv_text(points, processor_name()).encode()
+    if not files.keys() - {"csv"}:
         return products
     from nscc.tradeoff.emulator_pictures import budgets, calibration, precision
 
-    if png_path is not None:
-        products[png_path] = precision(studies, options["repeats"], device)
-    if out is not None:
-        products[out.with_name(out.name + "_calibration.png")] = calibration(studies)
-        products[out.with_name(out.name + "_budget.png")] = budgets(studies)
+    if "png" in files:
+        products[files["png"]] = precision(studies, repeats, processor_name())
+    if "calibration" in files:
+        products[files["calibration"]] = calibration(studies)
+        products[files["budget"]] = budgets(studies)
     return products

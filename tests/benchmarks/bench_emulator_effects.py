@@ -3,7 +3,8 @@
     python tests/benchmarks/bench_emulator_effects.py [--rounds 15] [--slots 16]
 
 256 x 256 pixels, float32 light, through `nscc_runtime.capture`. Every line prints its goal beside
-what was measured; times are the best of several rounds, taken in turn (light and sums may lie in the cache):
+what was measured; times are the best of several rounds, taken in turn, of light that may lie in the
+cache:
 
 * one frame under a plan, against `L.sum(0)`: without noise, and with shot noise, read noise, the
   full well and the ADC, for a mean charge above and below 20 electrons;

@@ -306,6 +306,8 @@ def test_command_writes_tables_csv_and_pictures(folder: Path) -> None:
         (["--tolerances", "1e,0e"], "NS0746"),
         (["--budget", "x"], "NS0746"),
         (["--frames", "1"], "NS0783"),
+        (["--csv", "a", "--png", "a"], "NS0745"),
+        (["--csv", "out_budget.png"], "NS0745"),
         (["--repeats", "0"], "NS0783"),
         (["--scene", "builtin:none"], "NS0731"),
         (["--sensor-set", "no_such=1"], "NS0753"),
