@@ -12,9 +12,9 @@ from nscc.cli.support import CommonCommand, Product, done, progress, say, write_
 from nscc.diagnostics.model import Diagnostic, Rejected
 
 if TYPE_CHECKING:
-    from nscc.tradeoff.emulator import Scene, Settings, Study
     from nscc.words.container import Container
     from nscc_runtime.sensor import Sensor
+    from nscc_runtime.tradeoff.study import Scene, Settings, Study
 
 _SEEDS = click.IntRange(0, 2**63 - 1)
 
@@ -73,11 +73,11 @@ def command(program: Path | None, **options: Any) -> int:
     holds the error measured against the tolerance asked, a third says what each effect does and
     which are left out. Ends with status 1 where a plan broke its promise.
     """
-    from nscc.tradeoff.emulator import measure
-    from nscc.tradeoff.emulator_text import kept, studies_text
-    from nscc.tradeoff.naive import copy_gb_per_s
     from nscc_runtime.plan.capture import Program
     from nscc_runtime.sensor import load_sensor
+    from nscc_runtime.tradeoff.naive import copy_gb_per_s
+    from nscc_runtime.tradeoff.study import measure
+    from nscc_runtime.tradeoff.tables import kept, studies_text
 
     files = _files(options["out"], options["csv_path"], options["png_path"])
     container, messages = _container(program, options)
@@ -107,7 +107,7 @@ def _container(
     else:
         from nscc.pipeline import compile_source
         from nscc.source import Source
-        from nscc.tradeoff.emulator import PROGRAM
+        from nscc_runtime.tradeoff.study import PROGRAM
 
         path, choice = Path("default.nsl"), compile_options(BuildChoice.of(options))
         compiled = compile_source(Source(path.name, PROGRAM), Path(), choice).container
@@ -117,8 +117,8 @@ def _container(
 
 
 def _settings(options: dict[str, Any], sensor: Sensor) -> Settings:
-    from nscc.tradeoff.emulator import Settings
     from nscc_runtime.plan.tolerance import tolerance_e
+    from nscc_runtime.tradeoff.study import Settings
 
     asked = {tolerance_e(part, sensor) for part in options["tolerances"].split(",")}
     return Settings(
@@ -136,7 +136,7 @@ def _scenes(
 ) -> list[Scene]:
     """The scenes, by the shortest names that tell them apart."""
     from nscc.cli.run import scene_light
-    from nscc.tradeoff.emulator import SCENES, Scene
+    from nscc_runtime.tradeoff.study import SCENES, Scene
 
     specs = list(dict.fromkeys(options["scenes"] or SCENES))
     names = [spec if spec.startswith("builtin:") else Path(spec).stem for spec in specs]
@@ -184,7 +184,7 @@ def _products(
         products[files["csv"]] = csv_text(points, processor_name()).encode()
     if not files.keys() - {"csv"}:
         return products
-    from nscc.tradeoff.emulator_pictures import budgets, calibration, precision
+    from nscc_runtime.tradeoff.pictures import budgets, calibration, precision
 
     if "png" in files:
         products[files["png"]] = precision(studies, repeats, processor_name())

@@ -32,7 +32,6 @@ from time import perf_counter
 import numpy as np
 
 from nscc.pipeline import Options, compile_file
-from nscc.tradeoff.emulator import unknown
 from nscc.words.container import Container
 from nscc_runtime.capture import as_light, capture, made_ready
 from nscc_runtime.effects import selected
@@ -41,6 +40,7 @@ from nscc_runtime.plan.choose import plan_for
 from nscc_runtime.plan.model import Plan
 from nscc_runtime.scenes import load_scene
 from nscc_runtime.sensor import default_sensor
+from nscc_runtime.tradeoff.study import unknown
 
 ROOT = Path(__file__).resolve().parents[2]
 SIDE = 256

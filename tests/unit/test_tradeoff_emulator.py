@@ -15,8 +15,18 @@ from PIL import Image
 from nscc.pipeline import Options, compile_source
 from nscc.source import Source
 from nscc.target.load import builtin_target, target_toml
-from nscc.tradeoff import emulator, naive
-from nscc.tradeoff.emulator import (
+from nscc_runtime.capture import capture
+from nscc_runtime.effects import selected
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.light import Light
+from nscc_runtime.plan.capture import Program
+from nscc_runtime.reference import frames as reference_frames
+from nscc_runtime.sensor import default_sensor
+from nscc_runtime.tradeoff import naive
+from nscc_runtime.tradeoff.naive import Naive, copy_gb_per_s, floor_ms
+from nscc_runtime.tradeoff.precision_diagram import Cell, Column, Curve, precision_png
+from nscc_runtime.tradeoff.promise_diagram import Bar, Budget, Promise, budget_png, calibration_png
+from nscc_runtime.tradeoff.study import (
     DRAWN,
     ELECTRONS,
     LSB,
@@ -25,24 +35,13 @@ from nscc.tradeoff.emulator import (
     REFERENCE,
     SUMMED,
     WITH_PLANNING,
-    Asked,
     Scene,
     Settings,
     Study,
     error,
     measure,
 )
-from nscc.tradeoff.emulator_text import kept, studies_text
-from nscc.tradeoff.naive import Naive, copy_gb_per_s, floor_ms
-from nscc_runtime.capture import capture
-from nscc_runtime.effects import selected
-from nscc_runtime.emulator_diagram import Cell, Column, Curve, precision_png
-from nscc_runtime.frame_file import Frame
-from nscc_runtime.light import Light
-from nscc_runtime.plan.capture import Program
-from nscc_runtime.promise_diagram import Bar, Budget, Promise, budget_png, calibration_png
-from nscc_runtime.reference import frames as reference_frames
-from nscc_runtime.sensor import default_sensor
+from nscc_runtime.tradeoff.tables import kept, studies_text
 
 ROWS, COLS, SLOTS = 48, 32, 4
 TEXT = f"""nsl 1
@@ -242,7 +241,7 @@ def test_a_broken_promise_is_told(study: Study, folder: Path, monkeypatch) -> No
     broken = replace(study, asked=(replace(asked, measured_e=5.51),))
     assert not kept(broken.asked[0])
     assert "PROMISE BROKEN" in studies_text([broken], 1.0)
-    monkeypatch.setattr(emulator, "measure", lambda *_: (broken,))
+    monkeypatch.setattr("nscc_runtime.tradeoff.study.measure", lambda *_: (broken,))
     done = invoke(["tradeoff", "emulator", "p.nsl", "-o", "out"], folder)
     assert done.status == 1
     assert (folder / "out.csv").exists(), "what was measured is there to be looked at"
@@ -377,9 +376,3 @@ def test_diagrams_of_anything() -> None:
                  lambda: budget_png([])):  # fmt: skip
         with pytest.raises(ValueError, match="to draw"):
             draw()
-
-
-def test_what_was_asked_is_the_plan_s(study: Study) -> None:
-    [asked] = study.asked
-    assert isinstance(asked, Asked)
-    assert asked.tolerance_e == asked.plan.tolerance_e == 5.0

@@ -10,7 +10,6 @@ from time import perf_counter
 
 import numpy as np
 
-from nscc.tradeoff.naive import Naive, floor_ms
 from nscc.tradeoff.points import Point
 from nscc_runtime.capture import planned_frames
 from nscc_runtime.effects import selected
@@ -21,6 +20,7 @@ from nscc_runtime.plan.choose import plan_for
 from nscc_runtime.plan.model import Plan
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import scene_of
+from nscc_runtime.tradeoff.naive import Naive, floor_ms
 
 REFERENCE, OTHER_DRAWS, SUMMED, DRAWN = "reference", "reference redrawn", "f32", "per-slot"
 PLANNED, WITH_PLANNING = "planned", "planned with planning"

@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nscc.tradeoff.emulator import (
+from nscc.tradeoff.points import Point, dominated
+from nscc_runtime.diagram import Mark
+from nscc_runtime.tradeoff.precision_diagram import Cell, Column, Curve, precision_png
+from nscc_runtime.tradeoff.promise_diagram import Bar, Budget, Promise, budget_png, calibration_png
+from nscc_runtime.tradeoff.study import (
     DRAWN,
     ELECTRONS,
     LSB,
@@ -14,11 +18,7 @@ from nscc.tradeoff.emulator import (
     WITH_PLANNING,
     Study,
 )  # fmt: skip
-from nscc.tradeoff.emulator_text import SLACK
-from nscc.tradeoff.points import Point, dominated
-from nscc_runtime.diagram import Mark
-from nscc_runtime.emulator_diagram import Cell, Column, Curve, precision_png
-from nscc_runtime.promise_diagram import Bar, Budget, Promise, budget_png, calibration_png
+from nscc_runtime.tradeoff.tables import SLACK
 
 _NAMES = {
     SUMMED: "f32 sum",

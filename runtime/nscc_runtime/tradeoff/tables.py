@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nscc.tradeoff.emulator import ELECTRONS, PLANNED, REFERENCE, WITH_PLANNING, Asked, Study
 from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.plan.model import Decision, Plan
+from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, REFERENCE, WITH_PLANNING, Asked, Study
 
 SLACK = 1.1
 """A promise is kept while the measured error is at most this times the tolerance."""
