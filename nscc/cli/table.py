@@ -41,5 +41,5 @@ PLANNED = (
 )
 """Commands whose names are taken by versions to come."""
 
-PLANNED_TRADEOFFS = ("decoder", "emulator", "sensor")
+PLANNED_TRADEOFFS = ("decoder", "sensor")
 """The same of `nscc tradeoff`."""

@@ -18,6 +18,7 @@ PAGES = (
     "docs/encodings.md",
     "docs/cpp.md",
     "docs/calibrate.md",
+    "docs/tradeoff.md",
     "examples/README.md",
 )
 
