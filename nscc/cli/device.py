@@ -109,7 +109,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
               "frame, until Ctrl-C.")  # fmt: skip
 @click.option("--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: so many frames.")
 @click.option("--every", type=click.FloatRange(0, _LONGEST_S), default=0.0,
-              help="With --to: seconds from frame to frame (default: as fast as it goes).")  # fmt: skip
+              help="With --to: seconds from frame to frame (default: 0).")  # fmt: skip
 @click.option("--target", metavar="NAME|FILE.toml", help="The chip, of a program that is there.")
 @click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
 @click.option("--sensor", type=click.Path(path_type=Path), help="The sensor's numbers.")

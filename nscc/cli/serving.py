@@ -26,8 +26,8 @@ def serve(options: dict[str, Any]) -> None:
     from nscc.target.load import load_target
     from nscc_runtime.device.board import EmulatedChip
     from nscc_runtime.device.faults import Faults, parse_faults
-    from nscc_runtime.emulator.compiled import entry_point, is_compiled
     from nscc_runtime.device.serving import Server
+    from nscc_runtime.emulator.compiled import entry_point, is_compiled
     from nscc_runtime.sensor import load_sensor
 
     faults = parse_faults(options["fault"]) if options["fault"] else Faults()

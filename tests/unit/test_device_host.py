@@ -86,9 +86,7 @@ def test_a_program_that_is_there_is_not_sent_again(large: Upload) -> None:
 
 @pytest.mark.parametrize("after", [5_000, 60_000, 125_000])
 @pytest.mark.parametrize("outage_s", [0.05, 2.0])
-def test_a_lost_link_is_taken_up_where_it_broke(
-    large: Upload, after: int, outage_s: float
-) -> None:
+def test_a_lost_link_is_taken_up_where_it_broke(large: Upload, after: int, outage_s: float) -> None:
     line = line_of(Faults(disconnect_after=after, outage_s=outage_s))
     upload(line, large)
     [(broke, _)] = line.events
@@ -96,7 +94,9 @@ def test_a_lost_link_is_taken_up_where_it_broke(
     unsent_s = (len(large.stream) - after) * BITS_A_BYTE / BAUD
     assert again_s <= 2.0 + 1.1 * unsent_s
     window = 16384
-    assert line.up.bytes <= 1.05 * len(large.stream) + window + 4000, "only what was lost comes twice"
+    assert line.up.bytes <= 1.05 * len(large.stream) + window + 4000, (
+        "only what was lost comes twice"
+    )
 
 
 def test_a_dead_line_is_taken_up_without_being_told() -> None:

@@ -100,9 +100,7 @@ class Chip:
             nonlocal sent
             sent = max(sent, done // _STEP)
 
-        steps = self.link.steps(
-            lambda: tasks.upload(self.link.host, program, watch), lambda: sent
-        )
+        steps = self.link.steps(lambda: tasks.upload(self.link.host, program, watch), lambda: sent)
         for _ in self.progress(steps, "uploading", len(program.stream) // _STEP):
             pass
 

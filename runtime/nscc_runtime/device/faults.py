@@ -144,7 +144,7 @@ class Accidents:
         self._disconnected = self._rebooted = False
 
     def passed(self, count: int) -> list[str]:
-        """"disconnect" and "reboot" where these bytes bring them about."""
+        """ "disconnect" and "reboot" where these bytes bring them about."""
         self._passed += count
         found = []
         after = self._faults.disconnect_after

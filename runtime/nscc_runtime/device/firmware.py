@@ -13,7 +13,6 @@ import tempfile
 from atexit import register
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from select import select

@@ -72,9 +72,7 @@ class Link:
             pass
         return self.host.result  # type: ignore[return-value]
 
-    def steps(
-        self, work: Callable[[], Task[Any]], reached: Callable[[], int]
-    ) -> Iterator[int]:
+    def steps(self, work: Callable[[], Task[Any]], reached: Callable[[], int]) -> Iterator[int]:
         """Do `work`, and yield whenever `reached()` has grown, so many times as it grew."""
         with explained(self.path, self.patience_s):
             self.host.start(self.host.lasting(work), monotonic())
@@ -123,4 +121,3 @@ class Link:
             if monotonic() > until:
                 raise port_lost(self.path, self.patience_s)
         self.host.line_restored(monotonic())
-

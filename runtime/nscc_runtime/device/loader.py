@@ -232,9 +232,7 @@ class Loader:
         if program is None:
             return Progress(self._shown_state, 0, 0, 0).pack()
         failures = min(program.failures, 255)
-        return Progress(
-            self._shown_state, failures, len(program.entries), program.position
-        ).pack()
+        return Progress(self._shown_state, failures, len(program.entries), program.position).pack()
 
     def _refused(self) -> None:
         if self.refusal is not None:
@@ -421,7 +419,7 @@ class Loader:
         frame = self.frame
         if frame is None or frame.data is None or frame.number != read.number:
             raise Refusal(Fault.NO_FRAME)
-        inside = 0 < read.length and read.offset + read.length <= len(frame.data)
+        inside = read.length > 0 and read.offset + read.length <= len(frame.data)
         if not inside or not _SMALLEST_CHUNK <= read.chunk <= MOST_DATA:
             raise Refusal(Fault.MALFORMED)
         if len(self._reads) == MOST_READS:

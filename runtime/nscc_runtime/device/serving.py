@@ -101,6 +101,7 @@ class Server:
         self._leaving: deque[tuple[float, bytes]] = deque()
         self._boots_until = 0.0
         self._connected = False
+        self._until: float | None = None
 
     @property
     def port(self) -> str:
@@ -109,7 +110,8 @@ class Server:
 
     def serve(self, *, once: bool = False, until: float | None = None) -> None:
         """Serve until `until` (of `monotonic`), or with `once` until the first host has left."""
-        while until is None or monotonic() < until:
+        self._until = until
+        while not self._over():
             if self.terminal.hung_up():
                 # What is said while nobody listens is lost, as on any line.
                 self._leaving.clear()
@@ -122,6 +124,9 @@ class Server:
             data = self.terminal.read()
             self._turn(data)
             self._wait()
+
+    def _over(self) -> bool:
+        return self._until is not None and monotonic() >= self._until
 
     def _now_us(self) -> int:
         return int(monotonic() * 1e6)
@@ -165,6 +170,8 @@ class Server:
         self.terminal.close()
         back = monotonic() + self.faults.outage_s
         while monotonic() < back or (os.path.exists(name) and monotonic() < back + _IDLE_S):
+            if self._over():
+                break
             sleep(_BUSY_S)
         self.terminal = Terminal(name)
         self._connected = False
