@@ -65,10 +65,12 @@ class Serving:
 
 
 @contextmanager
-def serving(folder: Path, *more: str, scene: str = "builtin:hdr") -> Iterator[Serving]:
-    """A stand-in for the small chip."""
+def serving(
+    folder: Path, *more: str, scene: str = "builtin:hdr", line: list[str] | None = None
+) -> Iterator[Serving]:
+    """A stand-in for the small chip; or any, with the whole command as `line`."""
     arguments = ["device", "serve", "--target", "chip.toml", "--scene", scene, *more]
-    process = start(arguments, folder)
+    process = start(line or arguments, folder)
     try:
         assert process.stdout is not None
         port = process.stdout.readline().strip()

@@ -6,6 +6,7 @@ import ast
 import json
 import os
 import re
+import shutil
 import signal
 import time
 from datetime import datetime
@@ -274,6 +275,23 @@ def test_serving_without_a_compiler(folder: Path, monkeypatch: pytest.MonkeyPatc
     assert outcome.status == 0
     assert re.fullmatch(r"/dev/pts/\d+\n", outcome.out)
     assert "Python twin" in outcome.err
+
+
+def test_the_page_keeps_its_word(tmp_path: Path, root: Path) -> None:
+    text = (root / "docs/device.md").read_text()
+    lines = "".join(re.findall(r"^```sh\n(.*?)^```$", text, re.M | re.S)).splitlines()
+    serve = [line.split()[1:] for line in lines if " serve " in line]
+    assert len(serve) == 2
+    shutil.copytree(root / "examples", tmp_path / "examples")
+    (tmp_path / "build").mkdir()
+    for arguments in serve:
+        with serving(tmp_path, line=arguments) as device:
+            for line in lines:
+                if " serve " not in line and (" run " in line or arguments is serve[0]):
+                    said = line.replace("/dev/pts/4", device.port).split()[1:]
+                    outcome = invoke(said, tmp_path)
+                    assert outcome.status == 0, outcome.err
+    assert len(list((tmp_path / "build/many").iterdir())) == 3
 
 
 def test_doctor_lists_ports(folder: Path) -> None:
