@@ -58,6 +58,7 @@ def capture_frames(port: str, program: Path | None, options: dict[str, Any]) -> 
     from nscc.cli.run import with_pixels
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.link import Link
+    from nscc_runtime.frame_file import check_adc
     from nscc_runtime.sensor import load_sensor
 
     container = None
@@ -79,6 +80,7 @@ def capture_frames(port: str, program: Path | None, options: dict[str, Any]) -> 
         chip = Chip(link, progress=progress)
         target = container.target if container else _target(chip, options["target"])
         sensor = load_sensor(target, options["sensor"], options["sensor_set"])
+        check_adc(target)
         chip.sensor = sensor
         if container is not None:
             chip.upload(container)

@@ -63,6 +63,16 @@ def read_out(
     infinities read as the end of the scale. NS0742 for a target whose ADC has more than 8 bits.
     """
     sensor = sensor or default_sensor(target)
+    check_adc(target)
+    known = ~np.isnan(exposure.exposure_e)
+    scaled = np.where(known, exposure.exposure_e, 0.0) / sensor.electrons_per_lsb
+    codes = np.clip(np.rint(scaled + noise_lsb) + sensor.adc_offset_lsb, 0, 2**target.adc_bits - 1)
+    frame = np.where(known, np.rint(codes), 0.0).astype(np.uint8)
+    return Frame(frame, exposure.exposure_e, exposure.valid & known)
+
+
+def check_adc(target: Target) -> None:
+    """NS0742 (status 2) for a target whose ADC has more bits than a frame file holds."""
     if target.adc_bits > _MOST_BITS:
         raise Rejected(
             Diagnostic(
@@ -74,11 +84,6 @@ def read_out(
             ),
             status=2,
         )
-    known = ~np.isnan(exposure.exposure_e)
-    scaled = np.where(known, exposure.exposure_e, 0.0) / sensor.electrons_per_lsb
-    codes = np.clip(np.rint(scaled + noise_lsb) + sensor.adc_offset_lsb, 0, 2**target.adc_bits - 1)
-    frame = np.where(known, np.rint(codes), 0.0).astype(np.uint8)
-    return Frame(frame, exposure.exposure_e, exposure.valid & known)
 
 
 def stacked(frames: Sequence[Frame]) -> Frame:

@@ -75,12 +75,14 @@ def test_the_frame_is_the_emulators(folder: Path, loader: str) -> None:
         digest = sha256((folder / "small.icw").read_bytes()).hexdigest()
         assert meta["program_sha256"] == digest
         line = ["run", "small.icw", "--on", device.port, "--repeat", "2", "--png", "p.png"]
+        line += ["--timings", "t.json"]
         assert invoke([*line, "-o", "two.npz", "--keep", "shutter,codes"], folder).status == 0
         with np.load(folder / "two.npz") as two, np.load(folder / "d.npz") as one:
             assert two["frame"].shape == (2, 1, SIZE, SIZE)
             np.testing.assert_array_equal(two["exposure_e"][1], one["exposure_e"])
             assert two["shutter_shape"].tolist() == [1, SIZE, SIZE, 8]
         assert (folder / "p.png").read_bytes().startswith(b"\x89PNG")
+        assert json.loads((folder / "t.json").read_text())["expose_s"] > 0
 
 
 @pytest.mark.parametrize("loader", LOADERS)
@@ -211,6 +213,18 @@ def test_a_device_that_does_not_come_back(folder: Path) -> None:
         line = ["run", "small.icw", "--on", device.port, "--patience", "0.5", "-o", "d.npz"]
         assert "did not come back" in failed(invoke(line, folder), "NS0766")
     assert not (folder / "d.npz").exists()
+
+
+def test_capture_wants_one_place(folder: Path) -> None:
+    line = ["device", "capture", "/dev/nowhere"]
+    for more in ([], ["-o", "f.npz", "--to", "many"], ["-o", "f.npz", "--count", "2"]):
+        failed(invoke([*line, *more], folder), "NS0780", 2)
+    failed(invoke([*line, "-o", "f.npz", "--pixels", "codes.npz"], folder), "NS0770", 2)
+    failed(invoke([*line, "small.icw", "-o", "f", "--target", "scamp5"], folder), "NS0743", 2)
+    (folder / "taken").write_text("")
+    with serving(folder, "--loader", "python") as device:
+        line = ["device", "capture", device.port, "small.icw", "--to", "taken/many"]
+        failed(invoke(line, folder), "NS0784", 2)
 
 
 def test_a_scene_that_does_not_suit_the_program(folder: Path) -> None:

@@ -278,3 +278,16 @@ def test_packets_grow_small_on_a_bad_line_and_large_on_a_good_one(large: Upload)
     spoiled = sizes(Faults(corrupt=2e-3, seed=5))
     assert np.median(spoiled) <= 256
     assert REPLY == 0x80
+
+
+@pytest.mark.parametrize("delay_s", [0.3, 0.7, 1.5])
+def test_a_slow_line_only_takes_longer(delay_s: float) -> None:
+    """A reply takes longer than the host waits at first: it has to learn that."""
+    example = examples()[1]
+    host = new_host(1)
+    line = Simulation(host, python_loader(example), Faults(delay_s=delay_s))
+    taken = line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)), limit_s=100)
+    assert isinstance(taken, tasks.Taken)
+    assert taken.data == example.frame
+    # Hello, begin, declare, data, finish, capture (some), read; and what learning took.
+    assert line.now <= 12 * 2 * delay_s + 2.0
