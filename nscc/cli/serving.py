@@ -108,6 +108,7 @@ def _moved(port: str) -> None:
 def _loader(choice: str, target: Target, chip: EmulatedChip) -> Iterator[Loaded]:
     """The loader that was chosen: the firmware in a process of its own, or its Python twin."""
     from nscc_runtime.device import firmware
+    from nscc_runtime.device.board import BackgroundChip
     from nscc_runtime.device.loader import Loader
 
     if choice != "python":
@@ -132,4 +133,4 @@ def _loader(choice: str, target: Target, chip: EmulatedChip) -> Iterator[Loaded]
                 yield process
             return
     done("loader: the Python twin of the firmware")
-    yield Loader(target, chip, firmware.PYTHON_NAME)
+    yield Loader(target, BackgroundChip(chip), firmware.PYTHON_NAME)
