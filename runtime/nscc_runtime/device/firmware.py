@@ -13,6 +13,7 @@ import tempfile
 from atexit import register
 from collections.abc import Callable, Sequence
 from contextlib import suppress
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from select import select
