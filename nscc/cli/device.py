@@ -11,12 +11,37 @@ from nscc.cli.link_options import link_options
 from nscc.cli.programs import BuildChoice, build_options, load_program
 from nscc.cli.support import CommonCommand, done, progress, say
 from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.suggest import closest
 
 _LONGEST_S = 1e6
 _MOST_FRAMES = 1_000_000
 
 
-@click.group("device")
+class _Device(CommonCommand, click.Group):
+    """What one can do with a device; anything else is rejected by name (NS0781)."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The command named first in `args`, and what follows it."""
+        name = args[0]
+        if name in self.commands or name.startswith("-"):
+            return super().resolve_command(ctx, args)
+        near = closest(name, self.commands)
+        raise Rejected(
+            Diagnostic(
+                "NS0781",
+                f"nscc has no command 'device {name[:60]}'",
+                helps=(
+                    *((f"did you mean `nscc device {near}`?",) if near else ()),
+                    f"there is: {', '.join(self.commands)}",
+                ),
+            ),
+            status=2,
+        )
+
+
+@click.group("device", cls=_Device)
 def command() -> None:
     """Talk to a chip at a serial port, or stand in for one.
 

@@ -145,13 +145,7 @@ def _write(
 
     info = chip.link.host.info
     assert info is not None  # a frame came
-    buckets = container.buckets if container else _numbered(shot)
-    lowering = container.notes.get("lowering") if container else None
-    meta = device_meta(shot.frame, info, sensor, chip.label.hex(), buckets, lowering)
+    meta = device_meta(shot.frame, info, sensor, chip.label.hex(), container)
     meta["time_utc"] = stamp
     meta["device_time_us"] = shot.captured.started_us
     write_whole(path, FrameFile(shot.frame, meta, {}, {}).write)
-
-
-def _numbered(shot: Shot) -> list[str]:
-    return [f"bucket{number}" for number in range(shot.captured.readouts)]

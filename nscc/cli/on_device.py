@@ -117,8 +117,7 @@ def _exposed(
     info = chip.link.host.info
     assert info is not None  # a frame came
     digest = sha256(to_bytes(container)).hexdigest()
-    lowering = container.notes.get("lowering")
-    return frame, device_meta(frame, info, sensor, digest, container.buckets, lowering, light)
+    return frame, device_meta(frame, info, sensor, digest, container, light)
 
 
 def _products(

@@ -21,14 +21,12 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
+    from nscc.cli.simulate import Simulated
     from nscc.words.container import Container
     from nscc_runtime.effects import Selection
-    from nscc_runtime.frame_file import Frame, Provenance
+    from nscc_runtime.frame_file import Frame
     from nscc_runtime.light import Light
-    from nscc_runtime.sensor import Sensor
 
-_UNBUILT = ("tolerance", "audit", "plan")
-"""Options of the planner, which this version does not have."""
 _MOST_REPEATS = 10000
 
 
@@ -68,9 +66,7 @@ class Timings:
 @click.option("--png", type=click.Path(path_type=Path), help="Also write a picture of the frame.")
 @click.option(
     "--effects",
-    default="none",
-    show_default=True,
-    help="Sensor effects: all, none, or names; +NAME adds one, -NAME leaves one out.",
+    help="Sensor effects: auto, all, none (the default), or names; +NAME forces one on, -NAME off.",
 )
 @click.option(
     "--seed", type=click.IntRange(0, 2**63 - 1), default=0, help="Seed of a frame's noise."
@@ -104,11 +100,15 @@ class Timings:
     "--fidelity",
     type=click.Choice(["planned", "reference"]),
     default="planned",
-    help="reference: effects slot by slot, exactly (slow). planned: without effects only, so far.",
+    help="reference: effects slot by slot, exactly (slow). planned: to a tolerance.",
 )
-@click.option("--tolerance", hidden=True)
-@click.option("--audit", is_flag=True, default=None, hidden=True)
-@click.option("--plan", hidden=True)
+@click.option(
+    "--tolerance", metavar="5e|0.1lsb", help="RMS error that a plan may make (default: 5e)."
+)
+@click.option("--audit", is_flag=True, help="Compare with the reference; exit 1 if it broke.")
+@click.option(
+    "--plan", type=click.Path(path_type=Path), help="Use this plan; if there is none, write it."
+)
 @click.option(
     "--sensor", type=click.Path(path_type=Path), help="The sensor's numbers (nscc effects --toml)."
 )
@@ -127,8 +127,9 @@ def command(program: Path, **options: Any) -> None:
 
         run_on_device(program, options, _parse_keep(options["keep"]))
         return
-    _refuse_unbuilt(options)
-    chosen = _chosen(options)
+    from nscc.cli.simulate import Wanted, simulated
+
+    wanted = Wanted.of(options)
     keep = _parse_keep(options["keep"])
     timings = Timings()
     with timings.part("compile_s"):
@@ -139,95 +140,22 @@ def command(program: Path, **options: Any) -> None:
     sensor = load_sensor(container.target, options["sensor"], options["sensor_set"])
     with timings.part("scene_s"):
         light = scene_light(container, options, messages)
-    with timings.part("expose_s"):
-        frame = _exposed(container, light, sensor, chosen, options)
+    taken = simulated(container, light, sensor, wanted, timings)
     # Not NAME.npz: that may well be the program's own data.
     out = options["out"] or Path(program.stem + ".frame.npz")
-    refuse_same(out, options["png"], options["timings"])
+    refuse_same(out, options["png"], options["timings"], options["plan"])
     with timings.part("write_s"):
-        origin = _origin(container, light, sensor, chosen, options)
-        products = _products(container, light, frame, keep, out, options, program, origin)
+        products = _products(container, light, taken, keep, out, options, program)
+        if taken.plan_file is not None:
+            products[options["plan"]] = taken.plan_file.encode()
         write_together(products)
     if options["timings"]:
         write_together({options["timings"]: timings.json()})
-    done(summary(container, frame, [*products], chosen))
-
-
-def _refuse_unbuilt(options: dict[str, Any]) -> None:
-    """NS0750 for what the contract names and this version lacks."""
-    for name in _UNBUILT:
-        if options[name]:
-            option = "--" + name.replace("_", "-")
-            raise _not_here(f"{option} belongs to the planner of effects", f"leave {option} out")
-
-
-def _chosen(options: dict[str, Any]) -> Selection:
-    """The effects of this run; NS0750 for those that only a planner could choose or serve."""
-    from nscc_runtime.effects import selected
-
-    text = options["effects"]
-    if text.strip().partition(",")[0].strip() == "auto":
-        raise _not_here(
-            "--effects auto needs the planner of effects",
-            "name the effects: `--effects all --fidelity reference`, or --effects none",
-        )
-    chosen = selected(text)
-    if options["fidelity"] == "planned" and not chosen.noiseless:
-        raise _not_here(
-            f"--effects {text[:60]} with --fidelity planned needs the planner of effects",
-            "add --fidelity reference, or use --effects none (the default)",
-        )
-    return chosen
-
-
-def _exposed(
-    container: Container, light: Light, sensor: Sensor, chosen: Selection, options: dict[str, Any]
-) -> Frame:
-    """The frame, or with --repeat all of them."""
-    from nscc_runtime import frame_file
-
-    repeat = options["repeat"]
-    if chosen.noiseless:
-        from nscc_runtime.emulator import expose
-        from nscc_runtime.emulator.compiled import is_compiled
-
-        if not is_compiled():
-            done("compiling the emulator's loops for this processor: once, some seconds")
-        exact = expose(container, light, device_seed=options["device_seed"])
-        frame = frame_file.read_out(exact, container.target, sensor)
-        return frame_file.repeated(frame, repeat) if repeat else frame
-    from nscc_runtime.noise.compiled import is_compiled as noise_is_compiled
-    from nscc_runtime.reference import frames
-
-    if not noise_is_compiled():
-        done("compiling the noise's loops for this processor: once, some seconds")
-    made = frames(
-        container,
-        light,
-        sensor,
-        chosen,
-        seed=options["seed"],
-        device_seed=options["device_seed"],
-        count=repeat or 1,
-    )
-    found = list(progress(made, "exposing", repeat or 1))
-    return frame_file.stacked(found) if repeat else found[0]
-
-
-def _origin(
-    container: Container, light: Light, sensor: Sensor, chosen: Selection, options: dict[str, Any]
-) -> Provenance:
-    from nscc.words.file import to_bytes
-    from nscc_runtime.frame_file import Provenance, decisions
-
-    return Provenance(
-        to_bytes(container),
-        options["seed"],
-        options["device_seed"],
-        options["fidelity"],
-        sensor,
-        decisions(chosen, light.motion is not None),
-    )
+    if taken.table:
+        done(taken.table + "\n")
+    done(summary(container, taken.frame, [*products], wanted.effects))
+    if taken.broken is not None:
+        raise taken.broken
 
 
 def refuse_same(*files: Path | None) -> None:
@@ -238,17 +166,10 @@ def refuse_same(*files: Path | None) -> None:
             Diagnostic(
                 "NS0745",
                 f"two products would be written to one file: {', '.join(map(str, named))}",
-                helps=("give -o, --png and --timings different names",),
+                helps=("give -o, --png, --timings and --plan different names",),
             ),
             status=2,
         )
-
-
-def _not_here(what: str, instead: str) -> Rejected:
-    return Rejected(
-        Diagnostic("NS0750", f"{what}, which this version of nscc does not have", helps=(instead,)),
-        status=2,
-    )
 
 
 def _parse_keep(text: str) -> tuple[str, ...]:
@@ -340,12 +261,11 @@ def scene_light(
 def _products(
     container: Container,
     light: Light,
-    frame: Frame,
+    taken: Simulated,
     keep: tuple[str, ...],
     out: Path,
     options: dict[str, Any],
     program: Path,
-    origin: Provenance,
 ) -> dict[Path, Product]:
     """The files of this run, by path, each ready to be written."""
     from nscc_runtime import frame_file
@@ -354,7 +274,8 @@ def _products(
     if "shutter" in keep:
         shutters = replayed(container)
     kept, slots = frame_file.kept_arrays(container, light, keep, shutters)
-    meta = frame_file.meta(container, light, frame, origin)
+    frame = taken.frame
+    meta = frame_file.meta(container, light, frame, taken.origin)
     products: dict[Path, Product] = {
         out: frame_file.FrameFile(frame, meta, kept, slots, progress).write,
     }

@@ -26,16 +26,16 @@ COMMANDS = (
     Entry("explain", "nscc.cli.explain", "Explain the code of a message."),
     Entry("targets", "nscc.cli.targets", "List the chips that nscc knows, and their limits."),
     Entry("effects", "nscc.cli.effects", "List the sensor's effects and its parameters."),
+    Entry("calibrate", "nscc.cli.calibrate", "Measure a sensor from flat and dark frames."),
     Entry("device", "nscc.cli.device", "Talk to a chip at a serial port, or stand in for one."),
     Entry("tradeoff", "nscc.cli.tradeoff", "Measure what more time buys."),
+    Entry("metrics", "nscc.cli.metrics", "Compare a reconstruction with the truth."),
+    Entry("evaluate", "nscc.cli.evaluate", "Score reconstructions under a protocol."),
     Entry("doctor", "nscc.cli.doctor", "Report on this installation."),
 )
 """The commands of this version, in the order in which `nscc --help` lists them."""
 
 PLANNED = (
-    "calibrate",
-    "evaluate",
-    "metrics",
     "reconstruct",
     "train",
 )

@@ -108,7 +108,8 @@ def repeated(frame: Frame, count: int) -> Frame:
 class Provenance:
     """Where a frame came from, as far as arrays do not tell.
 
-    `sensor` None is the target's own; `effects` as in `decisions`.
+    `sensor` None is the target's own; `effects` as in `decisions`; `plan` and `audit` as JSON
+    values where there was a planner.
     """
 
     program: bytes
@@ -117,6 +118,8 @@ class Provenance:
     fidelity: str = "planned"
     sensor: Sensor | None = None
     effects: Sequence[Mapping[str, Any]] = ()
+    plan: Mapping[str, Any] | None = None
+    audit: Mapping[str, Any] | None = None
 
 
 def decisions(chosen: Selection, moving: bool) -> list[dict[str, Any]]:
@@ -157,7 +160,9 @@ def _reason(effect: Effect, chosen: Selection, moving: bool) -> str:
 
 
 def meta(container: Container, light: Light, frame: Frame, origin: Provenance) -> dict[str, Any]:
-    """The `meta` of a frame file, for a run without a planner: words executed slot by slot."""
+    """The `meta` of a frame file. Without a planner words were executed slot by slot, and nothing
+    was predicted.
+    """
     import hashlib
 
     sensor = origin.sensor or default_sensor(container.target)
@@ -174,19 +179,32 @@ def meta(container: Container, light: Light, frame: Frame, origin: Provenance) -
         "electrons_per_lsb": sensor.electrons_per_lsb,
         "adc_offset": sensor.adc_offset_lsb,
         "exposure_scale_e": light.exposure_scale_e,
+        "open_us": open_us(container),
         "invalid_pixels": int(np.count_nonzero(~frame.valid)),
-        "plan": {
-            "tolerance_e": 0.0,
-            "predicted_e": 0.0,
-            "bound_e": 0.0,
+        "plan": dict(origin.plan)
+        if origin.plan is not None
+        else {
+            "tolerance_e": None,
+            "predicted_e": None,
+            "bound_e": None,
             "slot_loop": True,
             "slot_loop_reasons": ["words are executed slot by slot"],
             "sampled_fraction": 0.0,
             "approximations": [],
             "effects": list(origin.effects),
         },
-        "audit": None,
+        "audit": None if origin.audit is None else dict(origin.audit),
     }
+
+
+def open_us(container: Container) -> list[float] | None:
+    """For each bucket how long its pixels are open; None where pixels differ."""
+    if container.pixel_codes is None:
+        return None
+    lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])
+    times = container.table.shutters[lanes] @ np.array(container.slot_us, np.float64)
+    same = bool(np.all(times == times[0]))
+    return [float(time) for time in times[0]] if same else None
 
 
 def packed_shutters(

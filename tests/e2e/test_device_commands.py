@@ -227,6 +227,11 @@ def test_capture_wants_one_place(folder: Path) -> None:
         failed(invoke(line, folder), "NS0784", 2)
 
 
+def test_there_is_no_other_command(folder: Path) -> None:
+    assert "`nscc device serve`" in failed(invoke(["device", "sreve"], folder), "NS0781", 2)
+    assert invoke(["device", "--help"], folder).status == 0
+
+
 def test_a_scene_that_does_not_suit_the_program(folder: Path) -> None:
     np.savez(folder / "short.npz", light=np.ones((3, SIZE, SIZE), np.float32))
     with serving(folder, "--loader", "python", scene="short.npz") as device:

@@ -17,6 +17,7 @@ PAGES = (
     "docs/levels.md",
     "docs/encodings.md",
     "docs/cpp.md",
+    "docs/calibrate.md",
     "docs/device.md",
     "examples/README.md",
 )

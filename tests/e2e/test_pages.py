@@ -17,7 +17,9 @@ from nscc_command import Outcome, invoke
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 PAGES = sorted((ROOT / "nscc/diagnostics/pages").glob("*.md"))
-SOURCES = sorted([*ROOT.glob("nscc/**/*.py"), *ROOT.glob("runtime/**/*.py")])
+SOURCES = sorted(
+    path for part in ("nscc", "runtime", "training") for path in ROOT.glob(f"{part}/**/*.py")
+)
 HEADINGS = ["What it means", "Bad", "Good", "What to do"]
 
 OK = """nsl 1

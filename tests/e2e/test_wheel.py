@@ -59,6 +59,7 @@ def test_wheel_holds_grammar_targets_pages_and_types(elsewhere: Path) -> None:
     assert (site / "nscc/syntax/nsl.lark").is_file()
     assert (site / "nscc/target/tables/scamp5.toml").is_file()
     assert len(list((site / "nscc/diagnostics/pages").glob("NS*.md"))) > 50
+    assert (site / "nscc_training/protocol_files/sci8.toml").is_file()
     for name in OWN:
         assert (site / name / "py.typed").is_file()
 

@@ -231,6 +231,18 @@ def test_values_that_are_no_light(tmp_path: Path, value: float, word: str) -> No
     assert "[1, 2, 3]" in found.notes[0]
 
 
+@pytest.mark.parametrize("dtype", [np.float16, np.float32, np.float64])
+def test_infinite_light_of_any_width_is_counted(dtype: type, tmp_path: Path) -> None:
+    still = np.ones((ROWS, COLS), dtype)
+    still[1, 0], still[2, 1], still[0, 0] = np.inf, -np.inf, -1
+    np.savez(tmp_path / "s.npz", light=still)
+    with pytest.raises(Rejected) as caught:
+        load(tmp_path / "s.npz")
+    (diagnostic,) = caught.value.diagnostics
+    assert diagnostic.code == "NS0736"
+    assert "2 too large, 1 negative" in diagnostic.message
+
+
 def test_float64_beyond_float32_is_too_large(tmp_path: Path) -> None:
     np.savez(tmp_path / "a.npz", light=np.full((3, ROWS, COLS), 1e39))
     assert rejection(tmp_path / "a.npz").code == "NS0736"

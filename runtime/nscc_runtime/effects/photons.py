@@ -13,7 +13,8 @@ from nscc_runtime.sensor.model import Sensor
 
 LIGHT, DARK = 0, 1
 """Sources of charge, in the keys of counts."""
-_SOURCES = 2
+THINNED = 2
+"""Added to a source: the key with which its counts are spread over the slots of a group."""
 
 SHOT = Effect(
     name="shot",
@@ -58,4 +59,4 @@ def count_key(seed: int, effect: Effect, source: int, frame: int, group: int) ->
 
 def thinning_key(seed: int, effect: Effect, source: int, frame: int, group: int) -> np.uint64:
     """The key with which these counts are spread over the slots of the group."""
-    return key(seed, effect.stream, _SOURCES + source, frame, group)
+    return key(seed, effect.stream, THINNED + source, frame, group)

@@ -26,15 +26,19 @@ EFFECTS: tuple[Effect, ...] = (
 
 BY_NAME = {effect.name: effect for effect in EFFECTS}
 OPTIONAL = tuple(effect.name for effect in EFFECTS if not effect.always)
-_WORDS = ("all", "none")
+_WORDS = ("auto", "all", "none")
 
 
 @dataclass(frozen=True)
 class Selection:
-    """The effects that are on, `always` ones included, and those that were named one by one."""
+    """The effects that are on, `always` ones included, and those that were named one by one.
+
+    With `auto` a planner decides on those that were not named; `on` has them all.
+    """
 
     on: frozenset[str]
     forced: frozenset[str]
+    auto: bool = False
 
     @property
     def noiseless(self) -> bool:
@@ -46,7 +50,7 @@ class Selection:
 
 
 def selected(text: str) -> Selection:
-    """The effects of `all`, `none` or `a,b`, each followed by changes `+a` and `-a`.
+    """The effects of `auto`, `all`, `none` or `a,b`, each followed by changes `+a` and `-a`.
 
     Changes alone start from `none` where the first adds, from `all` where it takes away.
     Raises Rejected (NS0756, status 2) for anything else.
@@ -54,7 +58,8 @@ def selected(text: str) -> Selection:
     parts = [part.strip() for part in text.split(",") if part.strip()]
     if not parts:
         raise _wrong("--effects names no effect", f"write one of {', '.join(_WORDS)}, or effects")
-    on = set(OPTIONAL) if parts[0] == "all" or parts[0][0] == "-" else set()
+    auto = parts[0] == "auto"
+    on = set(OPTIONAL) if parts[0] in ("auto", "all") or parts[0][0] == "-" else set()
     forced: set[str] = set()
     for index, part in enumerate(parts):
         if part in _WORDS:
@@ -69,7 +74,7 @@ def selected(text: str) -> Selection:
             (on.add if add else on.discard)(name)
             forced.add(name)
     always = {effect.name for effect in EFFECTS if effect.always}
-    return Selection(frozenset(on | always), frozenset(forced))
+    return Selection(frozenset(on | always), frozenset(forced), auto)
 
 
 def effects_json(sensor: Sensor) -> list[dict[str, Any]]:
@@ -119,8 +124,8 @@ def _wrong(what: str, help_text: str) -> Rejected:
             "NS0756",
             what,
             notes=(
-                "--effects takes all, none or names separated by commas; +NAME adds one, -NAME "
-                "leaves one out",
+                "--effects takes auto, all, none or names separated by commas; +NAME adds one, "
+                "-NAME leaves one out",
                 f"the effects are {', '.join(BY_NAME)}",
             ),
             helps=(help_text,),

@@ -57,9 +57,11 @@ def poisson(
 def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floats:
     """Spread each count over slots in proportion to `shares`: (pixels, slots), rows sum to counts.
 
-    `pixels` and `counts` are flat; `shares` (pixels, slots) or, for all pixels alike, (slots,). One
-    binomial draw a slot, in their order, of what the slots before have left; a slot's count never
-    decreases in the slot's part of the shares that are left. Raises ValueError for other shapes,
+    `pixels` and `counts` are flat; `shares` (pixels, slots) or, for all pixels alike, (slots,). The
+    slots are halved again and again (at multiples of powers of two), and one binomial draw says
+    how much of a count falls into the first half: never less where that half's part of the shares
+    is greater. So the charge of a run of slots takes a draw for each halving that it cuts, and no
+    slot has to be looked at alone. Raises ValueError for other shapes,
     for counts that are not whole numbers in 0 .. 2**53, for shares that are negative or not finite
     or whose sum is not finite, and for a count without any share.
     """

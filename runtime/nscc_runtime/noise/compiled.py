@@ -16,7 +16,8 @@ from nscc_runtime import machine_code
 PARAMETERS = {"fill_uniforms": 4, "fill_normals": 4, "fill_poisson": 7, "fill_thin": 6}
 """The loops of `nscc_runtime.noise.loops`, with how many addresses each takes."""
 
-_SOURCES = ("counter.py", "gaussian.py", "poisson_law.py", "binomial_law.py", "loops.py")
+SOURCES = ("counter.py", "gaussian.py", "poisson_law.py", "binomial_law.py", "loops.py")
+"""What the machine code depends on."""
 
 
 @cache
@@ -40,7 +41,7 @@ def _build() -> bytes:
 
 
 def _name() -> str:
-    return machine_code.name("noise", [Path(__file__).with_name(source) for source in _SOURCES])
+    return machine_code.name("noise", [Path(__file__).with_name(source) for source in SOURCES])
 
 
 if __name__ == "__main__":

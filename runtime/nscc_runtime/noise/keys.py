@@ -29,9 +29,17 @@ def key(seed: int, effect: int, source: int = 0, frame: int = 0, group: int = 0)
     for name, value in values.items():
         if not 0 <= value < 1 << _LIMITS[name]:
             raise ValueError(f"{name} {value} is outside 0 .. 2**{_LIMITS[name]} - 1")
-    first = philox((*_halves(seed), effect, source), _START)
-    last = philox((*_halves(frame), *_halves(group)), first[:2])
+    first = base(seed, effect, source)
+    last = philox((*_halves(frame), *_halves(group)), _halves(int(first)))
     return np.uint64(last[0] | last[1] << 32)
+
+
+def base(seed: int, effect: int, source: int = 0) -> np.uint64:
+    """The half of the way to `key` that frame and group have no part in: `key` is
+    `nscc_runtime.noise.counter.bits(base, frame, group)`.
+    """
+    first = philox((*_halves(seed), effect, source), _START)
+    return np.uint64(first[0] | first[1] << 32)
 
 
 def philox(counter: tuple[int, int, int, int], key: tuple[int, int]) -> tuple[int, int, int, int]:

@@ -108,29 +108,50 @@ def fill_poisson(
                     out[i] = poisson_fast(u, _drawable(rate[i], top))
 
 
+@compiled
+def halved(
+    stream: np.uint64, pixel: int, node: int, count: float, left: float, right: float
+) -> float:
+    """How many of `count` fall into the left half of a node whose halves have these shares."""
+    if count <= 0.0 or left <= 0.0:
+        return 0.0
+    if right <= 0.0:
+        return count
+    u = unit(bits(stream, pixel, _SLOT_LANES | np.uint64(node)))
+    return binomial(u, count, left / (left + right))
+
+
 def fill_thin(
     sizes: Ints, key: Keys, pixels: Ints, counts: Floats, shares: Floats, out: Floats
 ) -> None:
     """Spread counts[i] over the slots of out[i] in proportion to shares[i * stride ..].
 
     `sizes` are how many pixels, how many slots, and the stride: slots, or 0 for shares that all
-    pixels have in common.
+    pixels have in common. Halves are numbered as in a heap: 1 is the whole.
     """
     slots, stride, stream = sizes[1], sizes[2], key[0]
+    whole = 1
+    while whole < slots:
+        whole *= 2
     for i in range(sizes[0]):
         first, row = i * stride, i * slots
-        rest = 0.0
-        for j in range(slots - 1, -1, -1):
-            rest += shares[first + j]
-            out[row + j] = rest
-        left = counts[i]
-        for j in range(slots):
-            drawn = 0.0
-            if left > 0.0 and shares[first + j] > 0.0:
-                u = unit(bits(stream, pixels[i], _SLOT_LANES | np.uint64(j)))
-                drawn = binomial(u, left, shares[first + j] / out[row + j])
-            out[row + j] = drawn
-            left -= drawn
+        if slots > 0:
+            out[row] = counts[i]
+        size = whole // 2
+        while size > 0:
+            for start in range(0, slots, 2 * size):
+                middle, end = start + size, min(start + 2 * size, slots)
+                if middle < slots:
+                    left, right = 0.0, 0.0
+                    for j in range(start, middle):
+                        left += shares[first + j]
+                    for j in range(middle, end):
+                        right += shares[first + j]
+                    count, node = out[row + start], (whole + start) // (2 * size)
+                    drawn = halved(stream, pixels[i], node, count, left, right)
+                    out[row + start] = drawn
+                    out[row + middle] = count - drawn
+            size //= 2
 
 
 _HEAD = "void(CPointer(int64), CPointer(uint64), CPointer(int64), "

@@ -33,9 +33,9 @@ Values = NDArray[np.float64]
 
 _CELLS = 1 << 21
 """Most slots x pixels of a chunk of rows: some ten arrays of that size are alive at once."""
-_DESTINATIONS = 4
+DESTINATIONS = 4
 """More than a word has: draws of errors are numbered word by word, destination by destination."""
-_START = 0
+START = 0
 """The stream of what registers hold when a frame starts; effects have streams from 1."""
 
 
@@ -56,40 +56,43 @@ class Reference:
         if container.pixel_codes is None:
             raise ValueError("a container without pixels")
         fresh = analog_words(container)
-        weights = backward(container, fresh)
-        opened = weights.open()
+        opened = backward(container, fresh).open()
         bits = np.int64(1) << np.arange(len(container.buckets), dtype=np.int64)
         # After decay other lanes may act; the draws stay those of the words as they were meant.
         words = fresh
         if DECAY in effects:
             words = analog_words(container, sensor.digital_retention_us)
-        draws: dict[str, Mapping[int, Weights]] = {}
-        if READ in effects:
-            draws[READ.name] = orthonormal(weights.reads)
-        if RESET in effects:
-            draws[RESET.name] = orthonormal(weights.resets)
-        if ANALOG in effects:
-            errors = backward(container, fresh, sensor.analog_gain).errors
-            draws[ANALOG.name] = orthonormal(
-                {number * _DESTINATIONS + i: found for (number, i), found in errors.items()}
-            )
+        # The sensor's gain and leakage, on or off: no effect changes the draws of another.
+        weights = backward(container, fresh, sensor.analog_gain, 1.0 / sensor.leakage_tau_s)
+        errors = {number * DESTINATIONS + i: e for (number, i), e in weights.errors.items()}
+        draws = {
+            READ.name: orthonormal(weights.reads),
+            RESET.name: orthonormal(weights.resets),
+            ANALOG.name: orthonormal(errors),
+        }
         lane = container.table.shutter_of_code[container.pixel_codes].astype(np.intp)
         groups = Groups(np.ascontiguousarray((opened @ bits).T), lane)
         return cls(container, sensor, effects, words, groups, draws)
 
     def expose(self, scene: Scene, seed: int = 0, device_seed: int = 0, frame: int = 0) -> Exposure:
         """Frame number `frame` of a scene."""
+        return self.expose_rows(scene, range(scene.light.shape[0]), seed, device_seed, frame)
+
+    def expose_rows(
+        self, scene: Scene, rows: range, seed: int = 0, device_seed: int = 0, frame: int = 0
+    ) -> Exposure:
+        """Consecutive rows of a frame, bit for bit as the whole frame has them."""
         container = self.container
-        rows, cols = scene.light.shape
-        exposure = np.empty((len(container.buckets), rows, cols))
-        valid = np.empty((rows, cols), np.bool_)
+        cols = scene.light.shape[1]
+        exposure = np.empty((len(container.buckets), len(rows), cols))
+        valid = np.empty((len(rows), cols), np.bool_)
         step = max(1, _CELLS // (container.slots * cols))
-        for begin in range(0, rows, step):
-            part = range(begin, min(begin + step, rows))
+        for begin in range(rows.start, rows.stop, step):
+            part = range(begin, min(begin + step, rows.stop))
             charge, good = charge_of_rows(
                 scene, self.groups, self.sensor, self.effects, (seed, device_seed), frame, part
             )
-            chunk = slice(part.start, part.stop)
+            chunk = slice(part.start - rows.start, part.stop - rows.start)
             places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
             pixels = _Pixels(self, places, seed, device_seed, frame)
             found = pixels.run(charge.reshape(container.slots, -1))
@@ -140,8 +143,7 @@ class _Pixels:
         self.lanes = program.groups.lane.reshape(-1)[places]
         names = ("PIX", *self.container.target.analog_registers)
         start = {
-            name: uniforms(key(device_seed, _START, group=i), places)
-            for i, name in enumerate(names)
+            name: uniforms(key(device_seed, START, group=i), places) for i, name in enumerate(names)
         }
         # Well inside the range, so that a program that reads what it has not written is far off.
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
@@ -206,7 +208,7 @@ class _Pixels:
         for index, name in enumerate(word.op.destinations):
             value = result
             if ANALOG in self.effects:
-                random = self.noise[ANALOG.name].draw(word.number * _DESTINATIONS + index)
+                random = self.noise[ANALOG.name].draw(word.number * DESTINATIONS + index)
                 error = self.pattern + self.sensor.analog_noise_e * random
                 value = self.sensor.analog_gain * value + error_sign(name, self.container) * error
             if REGISTER in self.effects:

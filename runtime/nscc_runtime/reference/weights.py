@@ -2,13 +2,14 @@
 backwards over the lanes.
 
 Words are linear, so an exposure is a weighted sum of the charge of the slots and of every error on
-the way. The weights here are those of ideal words, but for the gain.
+the way, as long as nothing saturates.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from math import exp
 from typing import TypeVar
 
 import numpy as np
@@ -52,40 +53,89 @@ class Backward:
         return found
 
 
-def backward(container: Container, words: Sequence[AnalogWord], gain: float = 1.0) -> Backward:
-    """The weights of `words`, whose results each word multiplies with `gain`."""
+def backward(
+    container: Container,
+    words: Sequence[AnalogWord],
+    gain: float = 1.0,
+    leak_per_s: float = 0.0,
+    dead_time: bool = False,
+) -> Backward:
+    """The weights of `words`, whose results each word multiplies with `gain`.
+
+    Analog registers lose their value at the rate `leak_per_s`. With `dead_time` a slot's charge
+    falls on PIX while the words of its boundary run, at an even rate.
+    """
     lanes, buckets = len(container.encoding), len(container.buckets)
     names = (*container.target.analog_registers, "PIX", "IN")
     weight = {name: np.zeros((lanes, buckets)) for name in names}
-    for readout in container.readouts:
-        weight[readout.register][:, container.buckets.index(readout.bucket)] += readout.gain
+    for order, readout in enumerate(container.readouts):
+        kept = exp(-leak_per_s * order * container.target.readout_us * 1e-6)
+        bucket = container.buckets.index(readout.bucket)
+        weight[readout.register][:, bucket] += readout.gain * kept
     result = Backward(np.zeros((container.slots, lanes, buckets)), {}, {}, {})
-    boundary = container.slots
-    for word in reversed(words):
-        while boundary > word.boundary:
-            boundary -= 1
-            result.slots[boundary] = weight["PIX"]
-        where = word.lanes[:, None]
-        if word.resets:
-            _keep(result.resets, word.number, weight["PIX"] * where)
-            weight["PIX"] = weight["PIX"] * ~where
-            continue
-        through = np.zeros((lanes, buckets))
-        for index, name in enumerate(word.op.destinations):
-            here = weight[name] * where
-            weight[name] = weight[name] * ~where
-            through += here
-            sign = error_sign(name, container)
-            _keep(result.errors, (word.number, index), sign * here)
-        through *= -gain / word.op.operation.divisor
-        for name in word.op.sources:
-            weight[name] = weight[name] + through
-        if "PIX" in word.op.sources:
-            _keep(result.reads, word.number, through)
-    while boundary > 0:
-        boundary -= 1
-        result.slots[boundary] = weight["PIX"]
+    start_s = np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6
+    later = container.slots
+    after_the_last = np.zeros((lanes, buckets))
+    for boundary, executed in reversed(_by_boundary(words)):
+        result.slots[boundary:later] = weight["PIX"]
+        kept = exp(-leak_per_s * (start_s[later] - start_s[boundary]))
+        if kept != 1.0:
+            for name in container.target.analog_registers:
+                weight[name] = weight[name] * kept
+        later = boundary
+        slot = min(boundary, container.slots - 1)
+        ends = _ends(executed, container.slot_us[slot], boundary == container.slots)
+        fallen = after_the_last if boundary == container.slots else result.slots[slot]
+        if dead_time:
+            fallen *= 1.0 - ends[-1]
+        for index in reversed(range(len(executed))):
+            _through(executed[index], weight, container, gain, result)
+            if dead_time:
+                waited = ends[index] - (ends[index - 1] if index else 0.0)
+                fallen += waited * weight["PIX"]
+    result.slots[:later] = weight["PIX"]
+    result.slots[-1] += after_the_last
     return result
+
+
+def _by_boundary(words: Sequence[AnalogWord]) -> list[tuple[int, list[AnalogWord]]]:
+    """The words of each boundary that has some, in order."""
+    found: dict[int, list[AnalogWord]] = {}
+    for word in words:
+        found.setdefault(word.boundary, []).append(word)
+    return list(found.items())
+
+
+def _ends(executed: Sequence[AnalogWord], slot_us: float, after_the_last: bool) -> list[float]:
+    """When the words of a boundary end, in parts of the slot whose light falls meanwhile."""
+    ends = [word.after_us / slot_us for word in executed]
+    return ends if after_the_last else [min(end, 1.0) for end in ends]
+
+
+def _through(
+    word: AnalogWord,
+    weight: dict[str, Weights],
+    container: Container,
+    gain: float,
+    result: Backward,
+) -> None:
+    """Take the weights from after a word to before it; keeps those of its noise."""
+    where = word.lanes[:, None]
+    if word.resets:
+        _keep(result.resets, word.number, weight["PIX"] * where)
+        weight["PIX"] = weight["PIX"] * ~where
+        return
+    through = np.zeros_like(weight["PIX"])
+    for index, name in enumerate(word.op.destinations):
+        here = weight[name] * where
+        weight[name] = weight[name] * ~where
+        through += here
+        _keep(result.errors, (word.number, index), error_sign(name, container) * here)
+    through *= -gain / word.op.operation.divisor
+    for name in word.op.sources:
+        weight[name] = weight[name] + through
+    if "PIX" in word.op.sources:
+        _keep(result.reads, word.number, through)
 
 
 def error_sign(destination: str, container: Container) -> float:

@@ -136,7 +136,7 @@ def _gather(
     start = 0
     for block in blocks:
         census.look(block, start)
-        with np.errstate(over="ignore"):  # the census has seen these
+        with np.errstate(over="ignore", invalid="ignore"):  # the census has seen these
             out[start : start + len(block)] = block
         start += len(block)
     census.reject(path)

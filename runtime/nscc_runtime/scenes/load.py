@@ -94,6 +94,25 @@ def load_scene(
     return _load_path(request, _existing(spec))
 
 
+def light_of_array(
+    values: NDArray[Any], *, slot_us: Sequence[float], rows: int, cols: int, name: str = "light"
+) -> Light:
+    """The light of an array: electrons a slot (N, rows, cols), or a second (rows, cols).
+
+    float32 arrays are not copied, and must not be written to while the light is in use. Raises
+    Rejected with status 2 (NS0733 .. NS0736) for arrays that do not fit or hold what is no light.
+    """
+    window = Window(rows, cols, None)
+    request = _Request(name, tuple(slot_us), window, Options(), lambda _: None, unseen)
+    values = np.asarray(values)
+    arrays.check_type(Path(name), "light", values.dtype)
+    _check_light(request, values.shape)
+    census = Census()
+    census.look(values)
+    census.reject(name)
+    return _electrons(request, np.ascontiguousarray(values, np.float32))
+
+
 def _existing(spec: str) -> Path:
     path = Path(spec)
     try:
@@ -268,10 +287,11 @@ def _luminance(
     request: _Request, stored: NDArray[Any], transfer: Transfer, name: str
 ) -> NDArray[np.float32]:
     """The part of a stored picture on the array as luminance; NS0736 for what is not light."""
-    peak = float(stored.max()) if stored.dtype.kind == "f" else 0.0
-    part = linear(request.window.of(stored, request.name), transfer)
-    values = luminance(part) if part.ndim == 3 else part
-    low = float(values.min())
+    with np.errstate(invalid="ignore", over="ignore"):  # the census says what is no light
+        peak = float(stored.max()) if stored.dtype.kind == "f" else 0.0
+        part = linear(request.window.of(stored, request.name), transfer)
+        values = luminance(part) if part.ndim == 3 else part
+        low = float(values.min())
     if low < 0 and low >= -_TINY_NEGATIVE * peak:
         count = int(np.count_nonzero(values < 0))
         values = np.maximum(values, 0.0)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import textwrap
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -40,18 +40,26 @@ def load_sensor(target: Target, path: Path | None = None, changes: Sequence[str]
     return completed(values, target)
 
 
-def sensor_toml(sensor: Sensor) -> str:
-    """A complete, commented file that `load_sensor` reads back as this sensor."""
+def sensor_toml(
+    sensor: Sensor, sources: Mapping[str, str] | None = None, heading: Sequence[str] = ()
+) -> str:
+    """A complete, commented file that `load_sensor` reads back as this sensor.
+
+    `sources` say where values come from that are no defaults; `heading` are lines to begin with.
+    """
+    origin = "the value" if sources else "the default"
     lines = [
         "# A sensor of nscc: every number that the sensor effects depend on.",
+        *(f"# {part}" for text in heading for part in textwrap.wrap(text, _WIDTH - 2)),
         "# `nscc run --sensor FILE.toml` reads it; a line that is left out has its default.",
-        "# Each line is preceded by: meaning [unit, range] (where the default comes from).",
+        f"# Each line is preceded by: meaning [unit, range] (where {origin} comes from).",
     ]
     for group, remark in GROUPS.items():
         lines += ["", f"## {group}: {remark}"]
         for row in PARAMETERS:
             if row.group == group:
-                text = f"{row.meaning} [{row.unit}, {row.allowed}] ({row.source})"
+                source = (sources or {}).get(row.name, row.source)
+                text = f"{row.meaning} [{row.unit}, {row.allowed}] ({source})"
                 lines += [f"# {part}" for part in textwrap.wrap(text, _WIDTH - 2)]
                 lines.append(f"{row.name} = {getattr(sensor, row.name)!r}")
     return "\n".join(lines) + "\n"

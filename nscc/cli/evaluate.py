@@ -1,0 +1,186 @@
+"""`nscc evaluate`: scores under a protocol, and comparisons of them."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nscc.cli.support import CommonCommand, Product, done, write_together
+from nscc.diagnostics.model import Diagnostic, Rejected
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+_PLANNED = ("tables",)
+"""Evaluations whose names are taken by versions to come."""
+
+
+class _Evaluations(CommonCommand, click.Group):
+    """What can be evaluated; what is of a version to come is rejected by name (NS0786)."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The evaluation named first in `args`, and what follows it."""
+        name = args[0]
+        if name in self.commands or name.startswith("-"):
+            return super().resolve_command(ctx, args)
+        if name not in _PLANNED:
+            return "of", self.commands["of"], args
+        known = ", ".join(self.commands)
+        raise Rejected(
+            Diagnostic(
+                "NS0786",
+                f"`nscc evaluate {name[:60]}` is not in this version of nscc",
+                notes=(f"this version has: {known}",),
+            ),
+            status=2,
+        )
+
+
+@click.group("evaluate", cls=_Evaluations, epilog="Not in this version: " + ", ".join(_PLANNED))
+def command() -> None:
+    """Score reconstructions under a frozen protocol, whose digest stands beside every number.
+
+    `nscc evaluate NAME --data DIR --protocol P` is short for `nscc evaluate of NAME ..`.
+    """
+
+
+def _outputs(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Adds `--json` and `-o`."""
+    options = (
+        click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
+        click.option("-o", "out", type=click.Path(path_type=Path), help="Write it to a file."),
+    )
+    for option in reversed(options):
+        function = option(function)
+    return function
+
+
+@command.command("sci8", cls=CommonCommand)
+@click.argument(
+    "clips", metavar="CLIP.mat...", nargs=-1, required=True, type=click.Path(path_type=Path)
+)
+@click.option("--method", default="gap-tv", show_default=True, metavar="M",
+              help="gap-tv, admm-tv, adjoint, or the yardsticks bilinear, thin-out.")  # fmt: skip
+@click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
+@click.option("--weight", type=click.FloatRange(0, 10, min_open=True), default=0.1,
+              show_default=True, help="Of total variation, for values on [0, 1].")  # fmt: skip
+@click.option("--save", type=click.Path(path_type=Path), metavar="DIR",
+              help="Write reconstructions and truth into this folder.")  # fmt: skip
+@_outputs
+def sci8(
+    clips: tuple[Path, ...], method: str, iterations: int, weight: float, save: Path | None,
+    as_json: bool, out: Path | None,
+) -> None:  # fmt: skip
+    """The benchmark of snapshot compressive imaging: eight frames from one measurement.
+
+    The yardsticks see the truth, not the measurement, and say so in the result ("sees").
+    """
+    from nscc_training.baselines.compiled import is_compiled
+    from nscc_training.evaluation.sci8 import evaluate_sci8
+
+    if method.endswith("-tv") and not is_compiled():
+        done("compiling the loop of total variation for this processor: once, some seconds")
+    found, arrays = evaluate_sci8(list(clips), method, iterations, weight)
+    _finish(found, arrays, save, as_json, out)
+
+
+@command.command("of", cls=CommonCommand)
+@click.argument("subject", metavar="BASELINE")
+@click.option("--data", required=True, type=click.Path(path_type=Path), metavar="DIR",
+              help="The folder of scenes.")  # fmt: skip
+@click.option("--protocol", required=True, metavar="P", help="hdr-v1, video-v1 or sci8.")
+@click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
+@click.option("--save", type=click.Path(path_type=Path), metavar="DIR",
+              help="Write reconstructions and truth into this folder.")  # fmt: skip
+@_outputs
+def of(
+    subject: str, data: Path, protocol: str, seed: int, save: Path | None, as_json: bool,
+    out: Path | None,
+) -> None:  # fmt: skip
+    """Score a baseline on a folder of scenes.
+
+    For hdr-v1: ldr (always open), best-uniform (the best single stop in hindsight), quad (2 x 2
+    geometric exposures), random; coded frames are decoded by merging neighbours.
+    """
+    from nscc_training.evaluation.subjects import evaluate
+
+    found, arrays = evaluate(subject, data, protocol, seed)
+    _finish(found, arrays, save, as_json, out)
+
+
+@command.command("compare", cls=CommonCommand)
+@click.argument("first", metavar="A.json", type=click.Path(path_type=Path))
+@click.argument("second", metavar="B.json", type=click.Path(path_type=Path))
+@_outputs
+def compare(first: Path, second: Path, as_json: bool, out: Path | None) -> None:
+    """How much better B is than A, in pairs: the same items of the same scenes."""
+    from nscc_training.evaluation.results import compare as compared
+    from nscc_training.evaluation.results import read_result
+
+    found = compared(read_result(first), read_result(second))
+    text = json.dumps(found, indent=2, allow_nan=False) + "\n"
+    if out is not None:
+        write_together({out: text.encode()})
+    if as_json:
+        click.echo(text, nl=False)
+        return
+    gain, interval = found["gain_db"], found["ci95"]
+    if gain is None:
+        click.echo("no pair of items has finite scores")
+        return
+    click.echo(
+        f"{found['second']['method']} over {found['first']['method']}: {gain:+.3f} dB, "
+        f"95 % {interval[0]:+.3f} to {interval[1]:+.3f} "
+        f"({found['items']} items of {found['scenes']} scenes, protocol {found['protocol']})"
+    )
+
+
+def _finish(
+    found: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, as_json: bool,
+    out: Path | None,
+) -> None:  # fmt: skip
+    """Write and print a result."""
+    import numpy as np
+
+    text = json.dumps(found, indent=2, allow_nan=False) + "\n"
+    products: dict[Path, Product] = {}
+    if out is not None:
+        products[out] = text.encode()
+    if save is not None:
+        save.mkdir(parents=True, exist_ok=True)
+        for name, values in arrays.items():
+            stream = io.BytesIO()
+            np.save(stream, values)
+            products[save / f"{name}.npy"] = stream.getvalue()
+    write_together(products)
+    click.echo(text if as_json else _lines(found), nl=False)
+
+
+def _lines(found: dict[str, Any]) -> str:
+    """A result as a few lines."""
+    lines = [f"{found['method']}, protocol {found['protocol']} ({found['protocol_sha256'][:12]})"]
+    if found["sees"] == "truth":
+        lines.append("  a yardstick: it sees the truth, not the capture")
+    files = list(dict.fromkeys(item["file"] for item in found["items"]))
+    for file in files:
+        items = [item for item in found["items"] if item["file"] == file]
+        finite = [item["psnr_db"] for item in items if item["psnr_db"] != "inf"]
+        mean = f"{sum(finite) / len(finite):.2f} dB" if finite else "inf"
+        ssim = sum(item["ssim"] for item in items) / len(items)
+        lines.append(f"  {file:24}{mean}, SSIM {ssim:.4f}, {len(items)} items")
+    if found["mean"] is not None:
+        low, high = found["ci95"]
+        lines.append(
+            f"  mean {found['mean']:.2f} dB, sd {found['sd']:.2f}, 95 % {low:.2f} to {high:.2f}"
+            f", {found['infinite']} infinite"
+        )
+    if found["decoder_ms"] is not None:
+        lines.append(f"  {found['decoder_ms']:.0f} ms a scene on {found['device']}")
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,24 @@
+"""`nscc calibrate`: the numbers of a sensor from flat and dark frames, by photon transfer."""
+
+from __future__ import annotations
+
+from nscc_runtime.calibrate.chain import Chain
+from nscc_runtime.calibrate.estimate import Calibration, calibrated
+from nscc_runtime.calibrate.frames import Stack, grouped, load_stack
+from nscc_runtime.calibrate.report import as_json, as_table, as_toml, messages
+from nscc_runtime.calibrate.sensor import Choice, parameters
+
+__all__ = [
+    "Calibration",
+    "Chain",
+    "Choice",
+    "Stack",
+    "as_json",
+    "as_table",
+    "as_toml",
+    "calibrated",
+    "grouped",
+    "load_stack",
+    "messages",
+    "parameters",
+]

@@ -1,0 +1,48 @@
+"""What a program does to the numbers of a chip on their way into a frame."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from nscc.words.container import Container
+
+if TYPE_CHECKING:
+    from nscc_runtime.reference.weights import Weights
+
+
+@dataclass(frozen=True)
+class Chain:
+    """How often the noise of one part reaches an exposure.
+
+    `reads` and `resets`: of PIX, each weighted with its squared coefficient; `word_sum`: the signed
+    sum of the coefficients of all analog words, with which errors common to all words add up.
+    The default is a chain of one read and one word: figures of the sensor are those of a frame.
+    """
+
+    reads: float = 1.0
+    resets: float = 1.0
+    word_sum: float = 1.0
+
+    @classmethod
+    def of(cls, container: Container) -> Chain:
+        """The chain of a program that opens all its pixels alike, found from its words.
+
+        Means over the codes in use. Raises Rejected as `nscc_runtime.reference.trace.analog_words`.
+        """
+        import numpy as np
+
+        from nscc_runtime.reference.trace import analog_words
+        from nscc_runtime.reference.weights import backward
+
+        weights = backward(container, analog_words(container))
+        lanes = np.arange(len(container.encoding))
+        if container.pixel_codes is not None:
+            lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])
+
+        def squared(parts: Mapping[int, Weights]) -> float:
+            return float(sum((part[lanes, 0] ** 2).mean() for part in parts.values()))
+
+        total = sum(part[lanes, 0].mean() for part in weights.errors.values())
+        return cls(squared(weights.reads), squared(weights.resets), float(total))

@@ -1,0 +1,113 @@
+"""Darks: the code without charge and the dark current, pixel by pixel."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import hypot, sqrt
+
+import numpy as np
+
+from nscc_runtime.calibrate.levels import Level, Map, Mask, Moments
+
+
+@dataclass(frozen=True, eq=False)
+class Dark:
+    """What the darks say, in codes.
+
+    `offset` is the mean code without charge, `offset_se` what the frames' noise leaves uncertain
+    of it, `offset_spread_se` with the pixels' own spread: of a chip's mean, and of the mean of all
+    such pixels. `current` in codes a second, its error as the latter; None where all times are the
+    same or unknown: then `offset` includes the dark charge of these frames. `offsets` and
+    `currents` are maps from the even and from the odd frames.
+    """
+
+    offset: float
+    offset_se: float
+    offset_spread_se: float
+    offsets: tuple[Map, Map]
+    current: float | None
+    current_se: float | None
+    currents: tuple[Map, Map] | None
+    times_s: tuple[float, ...]
+
+    def at(self, exposure_s: float | None) -> tuple[Map, Map]:
+        """The codes of a frame without light, from the even and from the odd frames."""
+        if self.currents is None or exposure_s is None:
+            return self.offsets
+        one, other = (
+            offset + current * exposure_s
+            for offset, current in zip(self.offsets, self.currents, strict=True)
+        )
+        return one, other
+
+    def mean_at(self, exposure_s: float | None) -> float:
+        """Their mean over the good pixels."""
+        return self.offset + (self.current or 0.0) * (exposure_s or 0.0)
+
+
+def dark_of(levels: Sequence[Level], seen: Sequence[Moments], good: Mask) -> Dark | None:
+    """The line of codes over time through darks that are not cut off; None if there are none."""
+    usable = [
+        (level, moments)
+        for level, moments in zip(levels, seen, strict=True)
+        if not (moments.cut_at_zero or moments.cut_at_top)
+    ]
+    if not usable:
+        return None
+    given = [level.exposure_s for level, _ in usable]
+    known = [time for time in given if time is not None]
+    pixels = int(np.count_nonzero(good))
+    if len(known) < len(given) or len(set(known)) < 2:
+        # Without times the darkest frames are the nearest to no charge.
+        level, moments = min(usable, key=lambda pair: pair[1].mean)
+        same = [pair for pair in usable if pair[0].exposure_s == level.exposure_s]
+        if level.exposure_s is None:
+            same = [(level, moments)]
+        weight = np.array([pair[0].frames for pair in same], np.float64)
+        halves = _combined([pair[0] for pair in same], weight / weight.sum())
+        mean, spread = _mean(halves, good)
+        error = moments.mean_se
+        times = () if level.exposure_s is None else (level.exposure_s,)
+        both = hypot(spread / sqrt(pixels), moments.mean_rounding)
+        return Dark(mean, error, both, halves, None, None, None, times)
+    time = np.array(known)
+    weight = np.array([level.frames for level, _ in usable], np.float64)
+    centre = float((weight * time).sum() / weight.sum())
+    moment = float((weight * (time - centre) ** 2).sum())
+    every = [level for level, _ in usable]
+    slopes = weight * (time - centre) / moment
+    starts = weight / weight.sum() - centre * slopes
+    currents, offsets = _combined(every, slopes), _combined(every, starts)
+    offset, offset_spread = _mean(offsets, good)
+    current, current_spread = _mean(currents, good)
+    errors = np.array([moments.mean_se for _, moments in usable])
+    rounding = np.array([moments.mean_rounding for _, moments in usable])
+    offset_se = hypot(offset_spread / sqrt(pixels), _size(starts * rounding))
+    current_se = hypot(current_spread / sqrt(pixels), _size(slopes * rounding))
+    return Dark(
+        offset, _size(starts * errors), offset_se, offsets, current, current_se, currents,
+        tuple(sorted(set(known))),
+    )  # fmt: skip
+
+
+def _size(parts: np.ndarray) -> float:
+    return sqrt(float((parts**2).sum()))
+
+
+def _combined(levels: Sequence[Level], weights: np.ndarray) -> tuple[Map, Map]:
+    """The weighted sums of the levels' halves."""
+    one, other = (
+        sum(
+            (weight * level.halves[half] for level, weight in zip(levels, weights, strict=True)),
+            start=np.zeros_like(levels[0].variance),
+        )
+        for half in (0, 1)
+    )
+    return one, other
+
+
+def _mean(halves: tuple[Map, Map], good: Mask) -> tuple[float, float]:
+    """Mean over the good pixels, and how much these differ."""
+    both = (halves[0][good] + halves[1][good]) / 2
+    return float(both.mean()), float(both.std())

@@ -1,0 +1,300 @@
+"""From frames to what photon transfer tells of a chip, in the words of EMVA 1288."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import sqrt
+from typing import Literal
+
+import numpy as np
+
+from nscc_runtime.calibrate.dark import Dark, dark_of
+from nscc_runtime.calibrate.errors import NOT_TRANSFER, rejected
+from nscc_runtime.calibrate.fit import propagated, root, shared_variance
+from nscc_runtime.calibrate.frames import Stack
+from nscc_runtime.calibrate.levels import QUIET, Mask, Moments, level_of, moments
+from nscc_runtime.calibrate.pixels import good_pixels, refuse_uneven, valid_pixels
+from nscc_runtime.calibrate.response import linearity, response_variance
+from nscc_runtime.calibrate.transfer import Transfer, kept_variance, transfer
+
+ROUNDING = 1 / 12
+"""The variance that an ADC adds by rounding, in squared codes."""
+_SURE = 4.0
+"""Standard errors above 0 from which a dark current has a spread to speak of."""
+_MOST_PRNU = 0.2
+_CUT_OFF = "the codes of every dark reach the end of the ADC's scale: raise its offset"
+
+Known = Literal["measured", "at least", "at most", "given", "unknown"]
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """One figure: value and standard error, or why there is none.
+
+    `known`: "measured"; a bound, or "given" by the user, without an error; or "unknown", both None.
+    `remark` says what the value is or why it is not there.
+    """
+
+    title: str
+    unit: str
+    value: float | None
+    se: float | None = None
+    known: Known = "measured"
+    remark: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Calibration:
+    """Everything found. `levels` are flats, then darks; `pixels` counts those that were used."""
+
+    quantities: dict[str, Quantity]
+    curve: Transfer
+    flats: tuple[Moments, ...]
+    darks: tuple[Moments, ...]
+    pixels: int
+    defects: int
+    shape: tuple[int, int]
+
+    @property
+    def frames(self) -> int:
+        """How many frames it was made from."""
+        return sum(level.frames for level in (*self.flats, *self.darks))
+
+
+def calibrated(
+    flats: Sequence[Stack], darks: Sequence[Stack], top_code: int, crosstalk: float | None = None
+) -> Calibration:
+    """The photon transfer of flats and darks, codes 0..`top_code`.
+
+    `crosstalk`, where given, is taken as known instead of being measured: 0 is what EMVA 1288
+    assumes.
+
+    Raises Rejected, status 2: NS0757 for frames that do not go together, NS0758 for too few frames
+    or levels, NS0759 for frames that are no flats and darks.
+    """
+    light = [level_of(stack, top_code) for stack in flats]
+    dim = [level_of(stack, top_code) for stack in darks]
+    good = good_pixels(light, dim)
+    flat_moments = [moments(level, good) for level in light]
+    dark_moments = [moments(level, good) for level in dim]
+    _refuse_exchanged(flat_moments, dark_moments)
+    dark = dark_of(dim, dark_moments, good)
+    offset = None if dark is None else (dark.offset, dark.offset_se)
+    curve = transfer(flat_moments, dark_moments, offset, top_code, crosstalk)
+    used = [i for i, seen in enumerate(flat_moments) if seen in curve.used]
+    chosen = [light[i] for i in used]
+    refuse_uneven(chosen, good, 0.0 if dark is None else dark.offset)
+
+    spread = response_variance(chosen, [flat_moments[i] for i in used], dark, good)
+    found = {
+        **_gain(curve, crosstalk),
+        **_noise(curve, dark_moments, dark),
+        **_dark(curve, dark, good),
+    }
+    found["prnu"] = _prnu(spread, curve, _fits(dark, flat_moments))
+    found |= _range(curve, flat_moments, top_code)
+    full = curve.saturation.mean if curve.saturation else float(top_code)
+    line = linearity(flat_moments, dark, full)
+    if isinstance(line, str):
+        found["linearity_error"] = Quantity("linearity error", "%", None, None, "unknown", line)
+    else:
+        remark = f"mean absolute deviation of {line.levels} levels from the line over time"
+        found["linearity_error"] = Quantity(
+            "linearity error", "%", line.error_percent, line.error_se, "measured", remark
+        )
+    count = int(np.count_nonzero(good))
+    return Calibration(
+        found, curve, tuple(flat_moments), tuple(dark_moments), count,
+        int(np.count_nonzero(valid_pixels((*light, *dim)))) - count, (good.shape[0], good.shape[1]),
+    )  # fmt: skip
+
+
+def _refuse_exchanged(flats: Sequence[Moments], darks: Sequence[Moments]) -> None:
+    if max(level.mean for level in flats) > min(level.mean for level in darks):
+        return
+    raise rejected(
+        NOT_TRANSFER,
+        f"the darks (mean {min(level.mean for level in darks):.4g}) are no darker than the flats "
+        f"(mean {max(level.mean for level in flats):.4g})",
+        helps=("flats come first, darks after --dark",),
+    )
+
+
+def _gain(curve: Transfer, given: float | None) -> dict[str, Quantity]:
+    remark = f"slope of variance over mean through {len(curve.used)} levels, " + (
+        "neighbours' covariance included"
+        if given is None
+        else f"crosstalk {given:g} taken as known"
+    )
+    inverse = propagated(lambda v: 1 / v[0], [curve.gain], curve.covariance[:1, :1])
+    crosstalk_se = sqrt(float(curve.covariance[2, 2]))
+    return {
+        "system_gain": Quantity(
+            "system gain K", "DN/e", curve.gain, curve.gain_se, "measured", remark
+        ),
+        "conversion_gain": Quantity("conversion gain 1/K", "e/DN", *inverse, "measured", remark),
+        "crosstalk": Quantity(
+            "crosstalk to each neighbour", "1", max(curve.crosstalk, 0.0),
+            None if given is not None else crosstalk_se, "measured" if given is None else "given",
+            "covariance of the shot noise of neighbours" if given is None else "--crosstalk",
+        ),
+    }  # fmt: skip
+
+
+def _noise(curve: Transfer, darks: Sequence[Moments], dark: Dark | None) -> dict[str, Quantity]:
+    codes, electrons = "temporal dark noise", "temporal dark noise"
+    if dark is None:
+        why = _CUT_OFF
+        return {
+            "dark_noise_lsb": Quantity(codes, "DN", None, None, "unknown", why),
+            "dark_noise_e": Quantity(electrons, "e", None, None, "unknown", why),
+        }
+    if not any(level in curve.used for level in darks):
+        why = f"the darks' noise is below {sqrt(QUIET):.2f} codes: rounding hides it"
+        most = sqrt(QUIET)
+        return {
+            "dark_noise_lsb": Quantity(codes, "DN", most, None, "at most", why),
+            "dark_noise_e": Quantity(electrons, "e", most / curve.gain, None, "at most", why),
+        }
+    remark = "of a frame without charge, rounding taken away"
+    if dark.current is None:
+        remark = "of the darks, shot noise of their dark charge included; rounding taken away"
+    if curve.noise <= ROUNDING:
+        why = "the line of variance over mean leaves no noise without charge"
+        error = sqrt(float(curve.covariance[1, 1]))
+        most = sqrt(max(curve.noise - ROUNDING, 0.0) + 2 * error)
+        return {
+            "dark_noise_lsb": Quantity(codes, "DN", most, None, "at most", why),
+            "dark_noise_e": Quantity(electrons, "e", most / curve.gain, None, "at most", why),
+        }
+    errors, values = curve.covariance[:2, :2], [curve.gain, curve.noise]
+    in_codes = propagated(lambda v: sqrt(max(v[1] - ROUNDING, 0.0)), values, errors)
+    in_electrons = propagated(lambda v: sqrt(max(v[1] - ROUNDING, 0.0)) / v[0], values, errors)
+    return {
+        "dark_noise_lsb": Quantity(codes, "DN", *in_codes, "measured", remark),
+        "dark_noise_e": Quantity(electrons, "e", *in_electrons, "measured", remark),
+    }
+
+
+def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]:
+    """Offset, its pattern (DSNU), dark current and its spread over the pixels."""
+    titles = {
+        "offset": ("code without charge", "DN"),
+        "dsnu_lsb": ("DSNU, pattern of the code without charge", "DN"),
+        "dsnu_e": ("DSNU, pattern of the code without charge", "e"),
+        "dark_current": ("dark current", "e/s"),
+        "dark_spread": ("its standard deviation over the pixels", "1"),
+    }
+
+    def unknown(why: str, *names: str) -> dict[str, Quantity]:
+        return {n: Quantity(*titles[n], None, None, "unknown", why) for n in names}
+
+    if dark is None:
+        return unknown(_CUT_OFF, *titles)
+    if dark.currents is None:
+        times = ", ".join(f"{1e3 * t:.6g} ms" for t in dark.times_s) or "an unknown time"
+        remark = f"of darks of {times}"
+    else:
+        remark = f"darks of {len(dark.times_s)} times, extrapolated to no time"
+    variance = shared_variance(*dark.offsets, good)
+    pattern, pattern_se = root(*variance)
+    gain_share = curve.gain_se / curve.gain
+    in_electrons = pattern / curve.gain
+    found = {
+        "offset": Quantity(
+            *titles["offset"], dark.offset, dark.offset_spread_se, "measured", remark
+        ),
+        "dsnu_lsb": Quantity(*titles["dsnu_lsb"], pattern, pattern_se, "measured", remark),
+        "dsnu_e": Quantity(
+            *titles["dsnu_e"], in_electrons,
+            sqrt((pattern_se / curve.gain) ** 2 + (in_electrons * gain_share) ** 2),
+            "measured", remark,
+        ),
+    }  # fmt: skip
+    if dark.currents is None or dark.current is None or dark.current_se is None:
+        why = "it takes darks of two exposure times or more, times given"
+        return found | unknown(why, "dark_current", "dark_spread")
+    current = max(dark.current, 0.0) / curve.gain
+    current_se = sqrt((dark.current_se / curve.gain) ** 2 + (current * gain_share) ** 2)
+    found["dark_current"] = Quantity(
+        *titles["dark_current"], current, current_se, "measured",
+        f"slope of the darks of {len(dark.times_s)} times",
+    )  # fmt: skip
+    if dark.current < _SURE * dark.current_se:
+        return found | unknown("the dark current is too small to see its spread", "dark_spread")
+    wide, wide_se = shared_variance(*dark.currents, good)
+    sigma, sigma_se = root(*_unsmeared((wide, wide_se), curve))
+    spread = sigma / dark.current
+    spread_se = sqrt(
+        (sigma_se / dark.current) ** 2 + (spread * dark.current_se / dark.current) ** 2
+    )
+    found["dark_spread"] = Quantity(
+        *titles["dark_spread"], spread, spread_se, "measured", "relative to the mean"
+    )
+    return found
+
+
+def _unsmeared(variance: tuple[float, float], curve: Transfer) -> tuple[float, float]:
+    """A variance over the pixels, and its error, as it was before crosstalk."""
+    errors = np.diag([variance[1] ** 2, float(curve.covariance[2, 2])])
+    return propagated(lambda v: v[0] / kept_variance(v[1]), [variance[0], curve.crosstalk], errors)
+
+
+def _fits(dark: Dark | None, flats: Sequence[Moments]) -> bool:
+    """Whether the dark charge of every flat is known, pixel by pixel."""
+    if dark is None:
+        return False
+    if dark.currents is not None:
+        return all(level.exposure_s is not None for level in flats)
+    return bool(dark.times_s) and all(level.exposure_s == dark.times_s[0] for level in flats)
+
+
+def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> Quantity:
+    """`freed`: of the spread of the dark charge, which otherwise counts in it."""
+    value, error = root(*_unsmeared(spread, curve))
+    if value > _MOST_PRNU:
+        raise rejected(
+            NOT_TRANSFER,
+            f"the pixels' response differs by {value:.0%}: the frames are not flat",
+            notes=("photon transfer takes flats: an evenly lit surface, no picture",),
+            helps=("take flats of an evenly lit white surface, out of focus",),
+        )
+    if not freed:
+        why = "no darks of the flats' times: the spread of their dark charge counts in it"
+        return Quantity("PRNU", "1", value, None, "at most", why)
+    return Quantity("PRNU", "1", value, error, "measured", "about a smooth surface")
+
+
+def _range(curve: Transfer, flats: Sequence[Moments], top_code: int) -> dict[str, Quantity]:
+    """Where the chip saturates, in codes and electrons."""
+    titles = (("saturation", "DN"), ("full well", "e"))
+    if curve.offset is None:
+        why = "no dark tells the code without charge"
+        values = [Quantity(*title, None, None, "unknown", why) for title in titles]
+        return dict(zip(("saturation_lsb", "full_well"), values, strict=True))
+    zero = curve.offset
+    limit = curve.saturation
+    if limit is not None and limit.of_pixel:
+        remark = "mean code of flats that rise no more, less the code without charge"
+        height, height_se = limit.mean - zero, sqrt(limit.mean_se**2 + curve.offset_se**2)
+        electrons = propagated(
+            lambda v: v[1] / v[0],
+            [curve.gain, height],
+            np.diag([curve.gain_se**2, height_se**2]),
+        )
+        return {
+            "saturation_lsb": Quantity(*titles[0], height, height_se, "measured", remark),
+            "full_well": Quantity(*titles[1], *electrons, "measured", remark),
+        }
+    highest = max(level.mean for level in flats) - zero
+    if limit is None:
+        remark = "no flat saturates"
+    elif max(level.share_at_top for level in flats) > 0:
+        remark = f"the ADC ends (code {top_code}) before the pixels do"
+    else:
+        remark = "the brightest flat saturates in part"
+    return {
+        "saturation_lsb": Quantity(*titles[0], highest, None, "at least", remark),
+        "full_well": Quantity(*titles[1], highest / curve.gain, None, "at least", remark),
+    }

@@ -1,0 +1,290 @@
+"""The frames of a calibration: frame files of our own, arrays, pictures and folders of them.
+
+Each file or folder is one level: frames of the same light and exposure time. An exposure time is
+taken, in this order, from the name as given (PATH@TIME, TIME a number with s, ms or us), from the
+key `exposure_us` of an .npz or .mat file, and from the `meta` of a frame file.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Rejected
+from nscc_runtime.calibrate.errors import UNUSABLE, rejected
+from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.scenes.errors import size
+
+Codes = NDArray[np.uint16]
+
+TIME_KEY = "exposure_us"
+KEYS = ("frame", "frames")
+_SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
+_TIMED = re.compile(r"(.+)@([0-9.]+(?:e[+-]?[0-9]+)?)(s|ms|us)")
+_SAME_PROGRAM = ("program_sha256", "scene_sha256", "sensor_sha256", "device_seed")
+
+
+@dataclass(frozen=True, eq=False)
+class Stack:
+    """Frames of one light and one exposure time.
+
+    `codes` uint16 (K, rows, cols), what the ADC gave; `valid` bool (rows, cols); `exposure_s` None
+    where nobody says. `origin` tells frame files of the same run apart from others, None for
+    frames that do not say where they come from.
+    """
+
+    name: str
+    codes: Codes
+    valid: NDArray[np.bool_]
+    exposure_s: float | None = None
+    origin: str | None = None
+
+
+def load_stack(given: str, top_code: int) -> Stack:
+    """The frames of PATH or PATH@TIME, every code in 0..`top_code`.
+
+    Raises Rejected, status 2: NS0757 for what is no such frames, NS0732, NS0734, NS0735 for
+    pictures that cannot be read.
+    """
+    path, time_s = _timed(given)
+    name = str(path)
+    if not path.exists():
+        raise rejected(
+            UNUSABLE,
+            f"the frames '{name[:200]}' cannot be read: there is no such file",
+            helps=(
+                "name a frame file, an array (.npz, .npy, .mat), a picture or a folder of them",
+            ),
+        )
+    suffix = path.suffix.lower()
+    origin = None
+    if suffix in (".npz", ".npy", ".mat") and path.is_file():
+        try:
+            found = _arrays(path)
+        except Rejected:
+            raise
+        except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
+            reason = " ".join(str(error).split())[:200]
+            raise rejected(
+                UNUSABLE,
+                f"the frames '{name}' cannot be read: {reason}",
+                helps=("check that the file is whole and that its ending says what it is",),
+            ) from error
+        key, values = _chosen(name, found)
+        meta = _meta(found)
+        if meta is not None:
+            values, from_meta = _ours(name, values, meta)
+            origin = json.dumps([meta.get(key) for key in _SAME_PROGRAM])
+            time_s = from_meta if time_s is None else time_s
+        elif suffix == ".mat" and values.ndim == 3:
+            values = np.moveaxis(values, 2, 0)
+        if time_s is None and TIME_KEY in found:
+            time_s = _time_of_key(name, found[TIME_KEY])
+        valid = _valid(found, values.shape) if meta is not None else None
+    else:
+        key, values, valid = "the picture", _pictures(path), None
+    codes = _codes(name, key, values, top_code)
+    if valid is None:
+        valid = np.ones(codes.shape[1:], np.bool_)
+    if time_s is not None:
+        time_s = float(f"{time_s:.9g}")  # sums of slots differ in their last bits
+    return Stack(name, codes, valid, time_s, origin)
+
+
+def grouped(stacks: Iterable[Stack]) -> list[Stack]:
+    """The same with frame files of one run (other seeds, same light) made one stack."""
+    found: list[Stack] = []
+    for stack in stacks:
+        for index, other in enumerate(found):
+            if _alike(stack, other):
+                codes = np.concatenate([other.codes, stack.codes])
+                valid = other.valid & stack.valid
+                found[index] = Stack(other.name, codes, valid, stack.exposure_s, stack.origin)
+                break
+        else:
+            found.append(stack)
+    return found
+
+
+def _alike(one: Stack, other: Stack) -> bool:
+    same = one.origin is not None and one.origin == other.origin
+    return (
+        same and one.exposure_s == other.exposure_s and one.codes.shape[1:] == other.codes.shape[1:]
+    )
+
+
+def _timed(given: str) -> tuple[Path, float | None]:
+    """The path and the time of PATH@TIME; a file of the whole name wins."""
+    match = _TIMED.fullmatch(given)
+    if match is None or Path(given).exists():
+        return Path(given), None
+    try:
+        seconds = float(match[2]) * _SECONDS[match[3]]
+    except ValueError:
+        return Path(given), None
+    if not isfinite(seconds):
+        raise _wrong_time(given, f"{match[2]}{match[3]}")
+    return Path(match[1]), seconds
+
+
+def _time_of_key(name: str, value: NDArray[Any]) -> float:
+    try:
+        seconds = float(np.asarray(value, np.float64).reshape(())) * 1e-6
+    except (ValueError, TypeError):
+        raise _wrong_time(name, f"`{TIME_KEY}`") from None
+    if not (isfinite(seconds) and seconds >= 0):
+        raise _wrong_time(name, f"`{TIME_KEY}`")
+    return seconds
+
+
+def _wrong_time(name: str, what: str) -> Rejected:
+    return rejected(
+        UNUSABLE,
+        f"the exposure time of '{name[:200]}' is no time: {what}",
+        helps=("write PATH@TIME with TIME such as 2ms, 500us or 0.1s",),
+    )
+
+
+def _arrays(path: Path) -> dict[str, NDArray[Any]]:
+    """Everything in the file that is needed, by key; an .npy file's array is `frame`."""
+    suffix = path.suffix.lower()
+    if suffix == ".npy":
+        return {KEYS[0]: np.load(path, allow_pickle=False)}
+    if suffix == ".mat":
+        from scipy.io import loadmat
+
+        found = loadmat(path)
+        return {key: value for key, value in found.items() if isinstance(value, np.ndarray)}
+    with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
+        names = set(archive.files)
+        if "meta" in names:  # the exposures in electrons are what a chip does not give
+            names &= {KEYS[0], "valid", "meta", TIME_KEY}
+        return {key: archive[key] for key in sorted(names)}
+
+
+def _chosen(name: str, found: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[Any]]:
+    for key in KEYS:
+        if key in found:
+            return key, found[key]
+    others = [key for key in found if key != TIME_KEY]
+    if len(others) == 1:
+        return others[0], found[others[0]]
+    shown = ", ".join(repr(key[:40]) for key in others[:12]) or "nothing"
+    raise rejected(
+        UNUSABLE,
+        f"'{name}' has no array 'frame'",
+        notes=(f"it holds {shown}",),
+        helps=("save the codes under that name: np.savez(file, frame=a), (K, rows, cols)",),
+    )
+
+
+def _meta(found: Mapping[str, NDArray[Any]]) -> dict[str, Any] | None:
+    """The `meta` of a frame file of our own; None for other files."""
+    if "meta" not in found or found["meta"].dtype.kind != "U":
+        return None
+    try:
+        meta = json.loads(str(found["meta"]))
+    except ValueError:
+        return None
+    return meta if isinstance(meta, dict) and meta.get("schema") == SCHEMA else None
+
+
+def _ours(
+    name: str, values: NDArray[Any], meta: Mapping[str, Any]
+) -> tuple[NDArray[Any], float | None]:
+    """(K, rows, cols) of a frame file, and how long its pixels were open."""
+    shaped = values[None] if values.ndim == 3 else values
+    if shaped.ndim != 4 or shaped.shape[1] != 1:
+        raise rejected(
+            UNUSABLE,
+            f"the frame file '{name}' has {size(values.shape)} codes: more than one bucket",
+            helps=("expose flats and darks with a program of one bucket: `open when n < N`",),
+        )
+    if "open_us" not in meta:
+        return shaped[:, 0], None
+    times = meta["open_us"]
+    if not isinstance(times, list) or len(times) != 1 or not isinstance(times[0], int | float):
+        raise rejected(
+            UNUSABLE,
+            f"the pixels of '{name}' were not open for the same time",
+            notes=("photon transfer compares pixels of one light and one exposure time",),
+            helps=("expose flats and darks with a program without codes: `open when n < N`",),
+        )
+    return shaped[:, 0], float(times[0]) * 1e-6
+
+
+def _valid(found: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.bool_] | None:
+    """Pixels that are valid in every frame of the file."""
+    valid = found.get("valid")
+    if valid is None or valid.size != np.prod(shape):
+        return None
+    return np.asarray(valid.reshape(shape).astype(np.bool_).all(axis=0))
+
+
+def _pictures(path: Path) -> NDArray[Any]:
+    """(K, rows, cols) of a picture or a folder of pictures, grey, as stored."""
+    from nscc_runtime.scenes import pictures
+
+    suffix = path.suffix.lower()
+    if path.is_dir():
+        files = pictures.files_of(path)
+        found = list(pictures.read_folder(files))
+    elif suffix in pictures.PICTURES:
+        found = [pictures.read_picture(path)]
+    else:
+        raise rejected(
+            UNUSABLE,
+            f"'{path}' does not end like frames",
+            notes=(f"frames end in .npz, .npy, .mat, {', '.join(pictures.PICTURES)}",),
+            helps=("give the file the ending of its format",),
+        )
+    for picture in found:
+        if picture.ndim == 3 and np.any(picture != picture[..., :1]):
+            raise rejected(
+                UNUSABLE,
+                f"'{path}' is in colour",
+                notes=("photon transfer takes the codes of the ADC, one a pixel",),
+                helps=("save the frames as grey pictures or arrays",),
+            )
+    return np.stack([p[..., 0] if p.ndim == 3 else p for p in found])
+
+
+def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
+    """Codes (K, rows, cols); NS0757 where the values are no codes of the ADC."""
+    if values.ndim == 2:
+        values = values[None]
+    if values.ndim != 3 or 0 in values.shape or min(values.shape[1:]) < 2:
+        raise rejected(
+            UNUSABLE,
+            f"'{key}' in '{name}' is {size(values.shape)}, not frames",
+            notes=("a frame is (rows, cols), frames of one level (K, rows, cols)",),
+            helps=("in a .mat file frames are (rows, cols, K)",),
+        )
+    if values.dtype.kind not in "uif":
+        raise rejected(
+            UNUSABLE,
+            f"'{key}' in '{name}' is of type {values.dtype}, not codes of the ADC",
+            helps=("save the codes as integers: a.astype(np.uint8)",),
+        )
+    low, high = float(values.min()), float(values.max())
+    whole = values.dtype.kind in "ui" or bool(np.all(values == np.rint(values)))
+    if not (whole and low >= 0 and high <= top_code):
+        what = f"values from {low:g} to {high:g}" if whole else "values that are not whole"
+        raise rejected(
+            UNUSABLE,
+            f"'{key}' in '{name}' has {what}: no codes of an ADC that ends at {top_code}",
+            notes=("averages and electrons have lost what photon transfer measures: the noise",),
+            helps=(
+                "give the frames as the ADC gave them, one by one",
+                "an ADC of more bits is a key of the target (adc_bits): --target FILE.toml",
+            ),
+        )
+    return values.astype(np.uint16)

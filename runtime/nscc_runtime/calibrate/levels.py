@@ -1,0 +1,171 @@
+"""The moments of one level: means of two halves, temporal variance, neighbours' covariance.
+
+The noise of a level is what is left of its frames when every pixel's mean and every frame's mean
+are taken away: for two frames that is half the squared difference, fixed patterns and a light that
+drifts from frame to frame have no part in it. Fixed patterns are found the other way round, as
+the covariance of two halves of the frames, in which the noise has no part.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.calibrate.errors import TOO_FEW, UNUSABLE, rejected
+from nscc_runtime.calibrate.frames import Codes, Stack
+
+Map = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+QUIET = 0.24
+"""A variance, in squared codes, below which an ADC's rounding hides the noise (EMVA 1288)."""
+CLIPPED = 1e-4
+"""Levels with a larger part of their samples at an end of the ADC's scale are cut off there."""
+
+
+@dataclass(frozen=True, eq=False)
+class Level:
+    """The moments of `frames` frames of one light and exposure time, in codes.
+
+    Maps are (rows, cols). `halves`: the means of the even and of the odd frames; `variance`: over
+    time; `beside` (rows, cols - 1) and `below` (rows - 1, cols): the covariance over time of a
+    pixel and its neighbour; `at_zero` and `at_top`: how many of the frames had that code there.
+    """
+
+    name: str
+    exposure_s: float | None
+    frames: int
+    valid: Mask
+    halves: tuple[Map, Map]
+    variance: Map
+    beside: Map
+    below: Map
+    at_zero: NDArray[np.int64]
+    at_top: NDArray[np.int64]
+
+    @property
+    def mean_map(self) -> Map:
+        """The mean of all frames."""
+        even = (self.frames + 1) // 2
+        return (self.halves[0] * even + self.halves[1] * (self.frames - even)) / self.frames
+
+
+@dataclass(frozen=True)
+class Moments:
+    """The same over the good pixels.
+
+    `mean_se` is what noise and rounding leave uncertain of `mean`. `mean_rounding` is what rounding
+    does to it, and `rounding` what it does to `variance` beyond 1/12, as standard deviations.
+    """
+
+    name: str
+    exposure_s: float | None
+    frames: int
+    pixels: int
+    mean: float
+    mean_se: float
+    mean_rounding: float
+    variance: float
+    rounding: float
+    neighbours: float
+    share_at_zero: float
+    share_at_top: float
+
+    @property
+    def cut_at_zero(self) -> bool:
+        """Whether codes below 0 would have been needed."""
+        return self.share_at_zero > CLIPPED
+
+    @property
+    def cut_at_top(self) -> bool:
+        """Whether codes above the top one would have been needed."""
+        return self.share_at_top > CLIPPED
+
+
+def level_of(stack: Stack, top_code: int) -> Level:
+    """The moments of a stack; NS0758 where it is a single frame, NS0757 for a frame given twice."""
+    count = len(stack.codes)
+    if count < 2:
+        raise rejected(
+            TOO_FEW,
+            f"'{stack.name}' is one frame: noise takes two of the same light or more",
+            helps=("expose with --repeat K, or give a folder or an array (K, rows, cols) a level",),
+            data={"required": 2, "available": count},
+        )
+    codes = stack.codes
+    halves = (codes[0::2].mean(axis=0, dtype=np.float64), codes[1::2].mean(axis=0))
+    mean = codes.mean(axis=0, dtype=np.float64)
+    squares, beside, below = (
+        np.zeros_like(mean),
+        np.zeros_like(mean[:, 1:]),
+        np.zeros_like(mean[1:]),
+    )
+    for frame in codes:
+        rest = frame - mean
+        rest -= rest.mean()
+        squares += rest * rest
+        beside += rest[:, :-1] * rest[:, 1:]
+        below += rest[:-1] * rest[1:]
+    # What the means of N pixels and of the frames took away: one part in N, of K - 1 in all.
+    variance = squares / (count - 1) * (mean.size / (mean.size - 1))
+    taken = variance.mean() / mean.size
+    level = Level(
+        stack.name, stack.exposure_s, count, stack.valid, halves, variance,
+        beside / (count - 1) + taken, below / (count - 1) + taken,
+        np.count_nonzero(codes == 0, axis=0), np.count_nonzero(codes == top_code, axis=0),
+    )  # fmt: skip
+    _refuse_twice(codes, level)
+    return level
+
+
+def moments(level: Level, good: Mask) -> Moments:
+    """Over the pixels where `good`; neighbours count where both are."""
+    pixels = int(np.count_nonzero(good))
+    variance = float(level.variance[good].mean())
+    pairs = (level.beside[good[:, :-1] & good[:, 1:]], level.below[good[:-1] & good[1:]])
+    joined = np.concatenate(pairs)
+    samples = pixels * level.frames
+    spread = float(level.mean_map[good].var()) - variance / level.frames
+    of_mean, of_variance = _rounding(variance, max(spread, 0.0))
+    return Moments(
+        level.name,
+        level.exposure_s,
+        level.frames,
+        pixels,
+        float(level.mean_map[good].mean()),
+        float(np.sqrt(variance / samples + of_mean**2)),
+        of_mean,
+        variance,
+        of_variance,
+        float(joined.mean()) if joined.size else 0.0,
+        float(level.at_zero[good].sum() / samples),
+        float(level.at_top[good].sum() / samples),
+    )
+
+
+def _rounding(variance: float, spread: float) -> tuple[float, float]:
+    """What rounding does to mean and variance of a level, as standard deviations in codes.
+
+    Of normal noise of variance v rounded at fraction f of a code the mean is off by a sin(2 pi f) /
+    pi and the variance by 1/12 - a (4 v + 1 / pi^2) cos(2 pi f), a = exp(-2 pi^2 v); smaller terms
+    left out. f is unknown. Pixels whose means differ have all fractions: what is left is another
+    factor exp(-2 pi^2 spread), `spread` the variance of the pixels' own means.
+    """
+    noise = max(variance - 1 / 12, 0.0)
+    left = np.exp(-2 * np.pi**2 * (noise + spread)) / np.sqrt(2)
+    return float(left / np.pi), float(left * (4 * noise + np.pi**-2))
+
+
+def _refuse_twice(codes: Codes, level: Level) -> None:
+    """NS0757 where a level with noise has the same frame twice: its noise would be too small."""
+    if level.variance.mean() < QUIET:
+        return  # chance may make quiet frames equal
+    if len({frame.tobytes() for frame in codes}) < len(codes):
+        raise rejected(
+            UNUSABLE,
+            f"'{level.name}' has the same frame more than once",
+            notes=("noise is what differs between frames: a copy makes it look smaller",),
+            helps=("give each frame once; frames of an emulator take different seeds",),
+        )

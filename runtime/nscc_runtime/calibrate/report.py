@@ -1,0 +1,155 @@
+"""A calibration in words: the sensor file, JSON, a table, and what the user must be told."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import Any
+
+from nscc.diagnostics.model import Diagnostic, Severity
+from nscc_runtime.calibrate.errors import NOT_A_LINE, UNDETERMINED
+from nscc_runtime.calibrate.estimate import Calibration
+from nscc_runtime.calibrate.levels import Moments
+from nscc_runtime.calibrate.sensor import Choice, sensor_of
+from nscc_runtime.sensor import sensor_toml
+
+SCHEMA = "nscc-calibration-1"
+_BENT = 0.01
+"""A curve whose levels are further off than this part is worth a warning."""
+
+
+def as_toml(found: Calibration, chosen: Mapping[str, Choice]) -> str:
+    """A complete file for `--sensor`, every value with its standard error or its source."""
+    flats, darks = found.flats, found.darks
+    linear = found.quantities["linearity_error"]
+    heading = [
+        f"Calibrated by photon transfer (EMVA 1288) from {sum(m.frames for m in flats)} flats of "
+        f"{len(flats)} levels and {sum(m.frames for m in darks)} darks of {len(darks)}, "
+        f"{found.shape[0]} x {found.shape[1]} pixels, {found.defects} of them left out as defects.",
+        "linearity error: "
+        + (
+            f"{linear.value:.3g} +- {linear.se:.2g} %"
+            if linear.value is not None and linear.se is not None
+            else f"not measured: {linear.remark}"
+        ),
+    ]
+    sources = {name: _source(choice) for name, choice in chosen.items()}
+    return sensor_toml(sensor_of(chosen), sources, heading)
+
+
+def _source(choice: Choice) -> str:
+    if choice.status == "measured" and choice.se is not None:
+        return f"measured {choice.value:.6g} +- {choice.se:.2g}: {choice.remark}"
+    return f"measured: {choice.remark}" if choice.status == "measured" else choice.remark
+
+
+def as_json(found: Calibration, chosen: Mapping[str, Choice]) -> str:
+    """The same for programs, with the points of the photon transfer curve."""
+    curve = found.curve
+    reasons = {id(level): reason for level, reason in curve.left_out}
+
+    def points(levels: tuple[Moments, ...]) -> list[dict[str, Any]]:
+        return [
+            {
+                "exposure_s": level.exposure_s,
+                "frames": level.frames,
+                "mean_lsb": level.mean,
+                "variance_lsb2": level.variance,
+                "neighbour_covariance_lsb2": level.neighbours,
+                "share_at_zero": level.share_at_zero,
+                "share_at_top": level.share_at_top,
+                "used": level in curve.used,
+                "left_out": reasons.get(id(level)),
+            }
+            for level in levels
+        ]
+
+    return json.dumps(
+        {
+            "schema": SCHEMA,
+            "frames": found.frames,
+            "pixels": found.pixels,
+            "defects": found.defects,
+            "quantities": {
+                name: {
+                    "title": q.title, "unit": q.unit, "value": q.value, "standard_error": q.se,
+                    "known": q.known, "remark": q.remark,
+                }
+                for name, q in found.quantities.items()
+            },
+            "fit": {
+                "chi2": curve.fit.misfit,
+                "degrees_of_freedom": curve.fit.freedom,
+                "probability": curve.fit.chance,
+            },
+            "parameters": {
+                name: {
+                    "value": c.value, "standard_error": c.se, "status": c.status,
+                    "remark": c.remark,
+                }
+                for name, c in chosen.items()
+            },
+            "flats": points(found.flats),
+            "darks": points(found.darks),
+        },
+        indent=2,
+        allow_nan=False,
+    )  # fmt: skip
+
+
+def as_table(found: Calibration) -> str:
+    """A line a quantity."""
+    rows = []
+    for q in found.quantities.values():
+        error = "" if q.se is None else f" +- {q.se:.2g}"
+        bound = "" if q.known == "measured" else f"{q.known} "
+        value = "not measured"
+        if q.value is not None:
+            value = f"{bound}{q.value:.6g}{error} {q.unit if q.unit != '1' else ''}".rstrip()
+        rows.append((q.title, value, q.remark))
+    widths = [max(len(row[i]) for row in rows) for i in (0, 1)]
+    return "\n".join(f"{a:<{widths[0]}}  {b:<{widths[1]}}  {c}".rstrip() for a, b, c in rows)
+
+
+def messages(found: Calibration) -> list[Diagnostic]:
+    """What could not be determined (a note), and a curve that is no line (a warning)."""
+    said: list[Diagnostic] = []
+    unknown: dict[str, list[str]] = {}
+    for quantity in found.quantities.values():
+        if quantity.value is None:
+            unknown.setdefault(quantity.remark, []).append(quantity.title)
+    if unknown:
+        count = sum(len(titles) for titles in unknown.values())
+        said.append(
+            Diagnostic(
+                UNDETERMINED,
+                f"these frames leave {count} of {len(found.quantities)} figures open",
+                severity=Severity.NOTE,
+                notes=tuple(
+                    f"{', '.join(dict.fromkeys(titles))}: {why}" for why, titles in unknown.items()
+                ),
+                helps=("the sensor file has the defaults there, and says so",),
+                data={"open": [n for n, q in found.quantities.items() if q.value is None]},
+            )
+        )
+    fit = found.curve.fit
+    if fit.excess > 1:
+        bent = fit.apart > _BENT
+        said.append(
+            Diagnostic(
+                NOT_A_LINE,
+                f"the noise does not rise with the mean along a line: levels are {fit.apart:.2%} "
+                f"off, {fit.excess**0.5:.2g} times as much as their errors",
+                severity=Severity.WARNING if bent else Severity.NOTE,
+                notes=(
+                    f"chi squared is {fit.misfit:.3g} for {fit.freedom} degrees of freedom; the "
+                    "errors of gain and noise were made larger by that factor",
+                    "levels near saturation, light that flickers within a frame, memories that "
+                    "leak and noise that grows with the signal bend the line",
+                ),
+                helps=("look at the levels with --json, and leave out what is off",)
+                if bent
+                else (),
+            )
+        )
+    return said

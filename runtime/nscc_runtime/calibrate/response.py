@@ -1,0 +1,91 @@
+"""The pixels' response to light: how unequal it is, and how far it is from a line."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import sqrt
+
+import numpy as np
+
+from nscc_runtime.calibrate.dark import Dark
+from nscc_runtime.calibrate.fit import SURFACE_TERMS, shared_variance, surface
+from nscc_runtime.calibrate.levels import Level, Map, Mask, Moments
+
+_RANGE = (0.05, 0.95)
+"""The part of the range up to saturation over which linearity is judged (EMVA 1288)."""
+_SAME = 0.01
+
+
+def response_variance(
+    levels: Sequence[Level], seen: Sequence[Moments], dark: Dark | None, good: Mask
+) -> tuple[float, float]:
+    """Variance over the pixels of the response to light, relative to its mean, with its error.
+
+    Each pixel's response is the weighted slope of its signal over the mean signal of the levels.
+    With darks it goes through them; without, it has a start of its own in each pixel. A smooth
+    surface, the fall of the light, does not count.
+    """
+    halves = [_response(levels, seen, dark, good, half) for half in (0, 1)]
+    smooth = surface((halves[0] + halves[1]) / 2, good)
+    return shared_variance(halves[0] - smooth, halves[1] - smooth, good, SURFACE_TERMS)
+
+
+def _response(
+    levels: Sequence[Level], seen: Sequence[Moments], dark: Dark | None, good: Mask, half: int
+) -> Map:
+    weight = np.array([moments.frames / moments.variance for moments in seen])
+    signal = [
+        level.halves[half] - (0.0 if dark is None else dark.at(level.exposure_s)[half])
+        for level in levels
+    ]
+    mean = np.array([values[good].mean() for values in signal])
+    centre = float((weight * mean).sum() / weight.sum()) if dark is None else 0.0
+    share = weight * (mean - centre)
+    total = np.zeros_like(signal[0])
+    for part, values in zip(share, signal, strict=True):
+        total += part * values
+    # For every pixel alike, the part of `centre` falls out: the shares of a start add up to 0.
+    return np.asarray(total / (share * (mean - centre)).sum())
+
+
+@dataclass(frozen=True)
+class Linearity:
+    """Mean absolute deviation from the line of signal over time, in percent, over `levels`."""
+
+    error_percent: float
+    error_se: float
+    levels: int
+
+
+def linearity(seen: Sequence[Moments], dark: Dark | None, full: float) -> Linearity | str:
+    """EMVA 1288's linearity error of flats of one light and several times, or why there is none.
+
+    `full` is the code at which flats saturate.
+    """
+    if dark is None:
+        return "no dark tells the code without charge"
+    if any(level.exposure_s is None for level in seen):
+        return "not all flats have an exposure time"
+    low, high = (dark.offset + part * (full - dark.offset) for part in _RANGE)
+    inside = [m for m in seen if low <= m.mean <= high and not (m.cut_at_top or m.cut_at_zero)]
+    time = np.array([level.exposure_s for level in inside], np.float64)
+    if len(set(time)) < 3:
+        return (
+            "it takes flats of one light and three exposure times or more between 5 % and 95 % of "
+            f"saturation, there {'is' if len(set(time)) == 1 else 'are'} {len(set(time))}"
+        )
+    signal = np.array([level.mean - dark.mean_at(level.exposure_s) for level in inside])
+    for t in set(time):
+        same = signal[time == t]
+        if np.ptp(same) > _SAME * same.mean():
+            return "flats of the same time differ: the light was not constant"
+    weight = 1.0 / signal**2
+    centre = float((weight * time).sum() / weight.sum())
+    slope = float((weight * (time - centre) * signal).sum() / (weight * (time - centre) ** 2).sum())
+    start = float((weight * signal).sum() / weight.sum()) - slope * centre
+    fitted = start + slope * time
+    apart = np.abs(signal - fitted) / fitted
+    errors = np.array([level.mean_se for level in inside]) / fitted
+    count = len(inside)
+    return Linearity(100 * float(apart.mean()), 100 * sqrt(float((errors**2).sum())) / count, count)

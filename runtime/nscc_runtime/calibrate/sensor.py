@@ -1,0 +1,174 @@
+"""The parameters of a sensor file from what photon transfer found.
+
+Photon transfer sees a whole frame, not the parts that the sensor model takes it from. So noise of
+reads, resets, words and ADC comes as one (`read_noise_e`), gain of words and ADC as another
+(`electrons_per_lsb`); what such a sum contains is set to nothing, lest it count twice.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import sqrt
+from typing import Literal
+
+from nscc.target.model import Target
+from nscc_runtime.calibrate.chain import Chain
+from nscc_runtime.calibrate.estimate import Calibration, Quantity
+from nscc_runtime.sensor.model import Sensor
+from nscc_runtime.sensor.schema import BY_NAME
+from nscc_runtime.sensor.values import completed
+
+Status = Literal["measured", "bound", "given", "contained", "default"]
+_NO_PART = 1e-9
+
+
+@dataclass(frozen=True)
+class Choice:
+    """The value of one parameter: `measured` with its standard error, taken from a `bound`,
+    `given` by the user, `contained` in another parameter, or the `default`; `remark` says why."""
+
+    value: float
+    se: float | None
+    status: Status
+    remark: str
+
+
+def parameters(found: Calibration, target: Target, chain: Chain) -> dict[str, Choice]:
+    """A value for every parameter of the sensor file, in the schema's order."""
+    quantity = found.quantities
+    chosen: dict[str, Choice] = {}
+    gain = quantity["conversion_gain"]
+    _take(chosen, "electrons_per_lsb", gain)
+    _contain(chosen, "analog_gain", 1.0, "electrons_per_lsb")
+    _take(chosen, "crosstalk_fraction", quantity["crosstalk"])
+    _take(chosen, "prnu_fraction", quantity["prnu"])
+    _take(chosen, "dark_current_e_per_s", quantity["dark_current"])
+    _take(chosen, "dark_spread_fraction", quantity["dark_spread"])
+    _noise(chosen, quantity["dark_noise_e"], chain)
+    _pattern(chosen, quantity, chain)
+    _range(chosen, quantity["full_well"], target)
+
+    plain = completed({name: choice.value for name, choice in chosen.items()}, target)
+    for name, row in BY_NAME.items():
+        if name not in chosen:
+            said = _unknown(name, quantity)
+            remark = f"not measured: {said}; {row.source}"
+            chosen[name] = Choice(getattr(plain, name), None, "default", remark)
+    return {name: _rounded(chosen[name]) for name in BY_NAME}
+
+
+def sensor_of(chosen: Mapping[str, Choice]) -> Sensor:
+    """The sensor of these parameters."""
+    return Sensor(**{name: choice.value for name, choice in chosen.items()})
+
+
+def _take(chosen: dict[str, Choice], name: str, quantity: Quantity) -> None:
+    if quantity.known == "measured" and quantity.value is not None:
+        chosen[name] = Choice(quantity.value, quantity.se, "measured", quantity.remark)
+    elif quantity.known == "at most" and quantity.value is not None:
+        chosen[name] = Choice(quantity.value, None, "bound", f"at most: {quantity.remark}")
+    elif quantity.known == "given" and quantity.value is not None:
+        chosen[name] = Choice(quantity.value, None, "given", f"given: {quantity.remark}")
+
+
+def _contain(chosen: dict[str, Choice], name: str, value: float, where: str) -> None:
+    chosen[name] = Choice(value, None, "contained", f"part of {where}: frames show only the sum")
+
+
+def _noise(chosen: dict[str, Choice], noise: Quantity, chain: Chain) -> None:
+    """Everything that differs between dark frames, as noise of the reads."""
+    if noise.value is None or chain.reads < _NO_PART:
+        return
+    part = sqrt(chain.reads)
+    text = noise.remark if chain.reads == 1 else f"{noise.remark}; {chain.reads:.4g} reads a frame"
+    if noise.known == "measured" and noise.se is not None:
+        chosen["read_noise_e"] = Choice(noise.value / part, noise.se / part, "measured", text)
+    else:
+        chosen["read_noise_e"] = Choice(noise.value / part, None, "bound", f"at most: {text}")
+    if chain.resets > _NO_PART:
+        _contain(chosen, "reset_noise_e", 0.0, "read_noise_e")
+    _contain(chosen, "analog_noise_lsb", 0.0, "read_noise_e")
+    _contain(chosen, "adc_noise_lsb", 0.0, "read_noise_e")
+
+
+def _pattern(chosen: dict[str, Choice], found: Mapping[str, Quantity], chain: Chain) -> None:
+    """The code without charge: whole codes in the ADC's offset, which adds after rounding; the
+    rest and the pattern of the pixels as errors of the words."""
+    offset, pattern = found["offset"], found["dsnu_lsb"]
+    if offset.value is None or pattern.value is None:
+        return
+    words = abs(chain.word_sum)
+    text = "" if words == 1 else f"; words that add up to {chain.word_sum:.4g}"
+    if words < _NO_PART:
+        remark = f"{offset.remark}; the program's words cancel what is not whole codes"
+        chosen["adc_offset_lsb"] = Choice(offset.value, offset.se, "measured", remark)
+        return
+    whole = float(round(offset.value))
+    chosen["adc_offset_lsb"] = Choice(
+        whole, None, "measured", f"whole codes of {_shown(offset)}, {offset.remark}"
+    )
+    se = None if offset.se is None else offset.se / words
+    rest = (offset.value - whole) / chain.word_sum
+    chosen["analog_bias_lsb"] = Choice(
+        rest, se, "measured", f"what adc_offset_lsb leaves of {_shown(offset)}{text}"
+    )
+    se = None if pattern.se is None else pattern.se / words
+    chosen["analog_pattern_lsb"] = Choice(
+        pattern.value / words, se, "measured", f"DSNU {_shown(pattern)}, {pattern.remark}{text}"
+    )
+
+
+def _range(chosen: dict[str, Choice], full: Quantity, target: Target) -> None:
+    """The full well, and registers that hold it: words of a frame pass it through them."""
+    if full.value is None:
+        return
+    if full.known == "measured":
+        _take(chosen, "full_well_e", full)
+    elif full.value > target.full_well_e:
+        remark = f"at least: {full.remark}"
+        chosen["full_well_e"] = Choice(full.value, None, "bound", remark)
+    for name, limit in (
+        ("register_max_e", target.register_max_e),
+        ("register_min_e", -target.register_min_e),
+    ):
+        if full.value > limit:
+            sign = -1.0 if name == "register_min_e" else 1.0
+            remark = "at least: frames hold as much"
+            chosen[name] = Choice(sign * full.value, None, "bound", remark)
+
+
+def _unknown(name: str, found: Mapping[str, Quantity]) -> str:
+    """Why a parameter keeps its default."""
+    source = {
+        "dark_current_e_per_s": "dark_current",
+        "dark_spread_fraction": "dark_spread",
+        "read_noise_e": "dark_noise_e",
+        "analog_pattern_lsb": "dsnu_lsb",
+        "analog_bias_lsb": "offset",
+        "adc_offset_lsb": "offset",
+        "analog_noise_lsb": "dark_noise_e",
+        "adc_noise_lsb": "dark_noise_e",
+        "full_well_e": "full_well",
+    }.get(name)
+    quantity = found.get(source or "")
+    if quantity is None:
+        return "photon transfer does not tell"
+    if quantity.known in ("at least", "at most") and quantity.value is not None:
+        return f"{quantity.known} {quantity.value:.4g} {quantity.unit}, {quantity.remark}"
+    if quantity.known == "measured":
+        return "the program's words cancel it"
+    return quantity.remark
+
+
+def _shown(quantity: Quantity) -> str:
+    error = "" if quantity.se is None else f" +- {quantity.se:.2g}"
+    return f"{quantity.value:.6g}{error} {quantity.unit}"
+
+
+def _rounded(choice: Choice) -> Choice:
+    """To six digits: beyond the errors, and the same on every machine."""
+    if choice.status == "default":
+        return choice
+    se = None if choice.se is None else float(f"{choice.se:.3g}")
+    return Choice(float(f"{choice.value:.6g}"), se, choice.status, choice.remark)

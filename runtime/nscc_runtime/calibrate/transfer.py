@@ -1,0 +1,217 @@
+"""The photon transfer curve: which levels may be used, the gain of the system, saturation.
+
+Of a count of electrons mean and variance are equal. A code is K electrons, so the variance of a
+level over its mean rises with slope K, from the noise of a frame without charge. Charge that a
+pixel shares with its neighbours is lost to that variance, and found again in the neighbours'
+covariance (EMVA 1288 takes crosstalk to be absent).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import sqrt
+
+import numpy as np
+
+from nscc.diagnostics.model import Rejected
+from nscc_runtime.calibrate.errors import NOT_TRANSFER, TOO_FEW, rejected
+from nscc_runtime.calibrate.fit import Line, Vector, line
+from nscc_runtime.calibrate.levels import QUIET, Moments
+
+LINEAR_PART = 0.7
+"""The part of the range up to saturation that the gain is fitted to (EMVA 1288)."""
+_DROP = 0.2
+"""Variance that falls by this part beyond its maximum has saturated."""
+_STILL = 0.1
+"""Saturated pixels with less than this part of the shot noise are all at their limit."""
+
+
+@dataclass(frozen=True)
+class Saturation:
+    """Where flats stop rising: `mean` code; `of_pixel` if below the ADC's end, all pixels at it."""
+
+    mean: float
+    mean_se: float
+    of_pixel: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Transfer:
+    """The fitted curve. `offset` is the code without charge, None where no dark tells.
+
+    `noise` is the variance of the codes without charge (rounding included), `gain` K in codes an
+    electron; `covariance` (3, 3) of (gain, noise, crosstalk). Without an offset `noise` means
+    nothing. `used` are the levels of the fit, `left_out` the others, each with the reason.
+    """
+
+    offset: float | None
+    offset_se: float
+    gain: float
+    noise: float
+    crosstalk: float
+    covariance: Vector
+    fit: Line
+    used: tuple[Moments, ...]
+    left_out: tuple[tuple[Moments, str], ...]
+    saturation: Saturation | None
+
+    @property
+    def gain_se(self) -> float:
+        """Standard error of the gain."""
+        return sqrt(float(self.covariance[0, 0]))
+
+
+def transfer(
+    flats: Sequence[Moments],
+    darks: Sequence[Moments],
+    offset: tuple[float, float] | None,
+    top_code: int,
+    crosstalk: float | None = None,
+) -> Transfer:
+    """The photon transfer curve of levels.
+
+    `offset` is the code without charge, with its error, or None; `crosstalk` is taken as known
+    where it is given. NS0758 where fewer than two levels of light can be used, NS0759 where
+    variance does not rise with the mean.
+    """
+    zero, zero_se = offset or (0.0, 0.0)
+    peak = max(flats, key=lambda level: level.variance)
+    highest = max(flats, key=lambda level: level.mean)
+    fallen = highest.mean > peak.mean and highest.variance < (1 - _DROP) * peak.variance
+    full = highest.mean if fallen or highest.cut_at_top else float(top_code)
+    limit = zero + LINEAR_PART * (full - zero)
+    used: list[Moments] = []
+    left_out: list[tuple[Moments, str]] = []
+    for level in flats:
+        reason = _unfit(level, limit)
+        if reason is None:
+            used.append(level)
+        else:
+            left_out.append((level, reason))
+    if len({round(level.mean) for level in used}) < 2:
+        raise _too_few(used, left_out, limit)
+    if offset is not None:
+        for level in darks:
+            reason = _unfit(level, limit)
+            if reason is None:
+                used.append(level)
+            else:
+                left_out.append((level, reason))
+    result = _fitted(used, offset, zero, zero_se, crosstalk)
+    found = replace(result, left_out=tuple(left_out))
+    if not (fallen or highest.cut_at_top):
+        return found
+    excess = highest.variance - found.noise
+    still = excess < _STILL * found.gain * (highest.mean - zero)
+    of_pixel = offset is not None and still and not highest.cut_at_top
+    return replace(found, saturation=Saturation(highest.mean, highest.mean_se, of_pixel))
+
+
+def _unfit(level: Moments, limit: float) -> str | None:
+    """Why a level cannot be part of the fit; None if it can."""
+    if level.cut_at_top:
+        return f"{100 * level.share_at_top:.3g} % of its codes are at the top"
+    if level.cut_at_zero:
+        return f"{100 * level.share_at_zero:.3g} % of its codes are 0"
+    if level.variance < QUIET:
+        return f"its noise is below half a code (variance {level.variance:.2g})"
+    if level.mean > limit:
+        return f"its mean is above {LINEAR_PART:.0%} of saturation (code {limit:.4g})"
+    return None
+
+
+def _fitted(
+    used: Sequence[Moments],
+    offset: tuple[float, float] | None,
+    zero: float,
+    zero_se: float,
+    known: float | None,
+) -> Transfer:
+    x = np.array([level.mean - zero for level in used])
+    variance = np.array([level.variance for level in used])
+    neighbours = np.array([level.neighbours for level in used])
+    # Of a sample variance and of a mean covariance of 2 N pairs, both of normal numbers.
+    degrees = np.array([(level.frames - 1) * level.pixels for level in used], np.float64)
+    samples = np.array([level.frames * level.pixels for level in used], np.float64)
+    # Darks of nearly the same mean are rounded alike: together no better than one of them.
+    alike = np.array([sum(abs(level.mean - other.mean) < 0.5 for other in used) for level in used])
+    rounding = np.array([level.rounding for level in used]) * np.sqrt(alike)
+    slope = float(np.ptp(variance) / max(np.ptp(x), 1e-9))
+
+    def own(fitted: Vector) -> Vector:
+        size = np.maximum(fitted, QUIET / 2)
+        errors = 2 * size**2 / degrees + slope**2 * size / samples + rounding**2
+        return np.asarray(np.sqrt(errors))
+
+    if np.ptp(x) < 1e-6:
+        raise _no_transfer("all its levels have the same mean")
+    fit = line(x, variance, own)
+    across = line(x, neighbours, lambda _: own(fit.start + fit.slope * x) / 2)
+    if fit.slope <= 3 * sqrt(fit.covariance[1, 1]):
+        raise _no_transfer(f"from {variance.min():.3g} to {variance.max():.3g} squared codes")
+
+    values = np.array([fit.slope, fit.start, across.slope])
+    errors = np.zeros((3, 3))
+    errors[:2, :2] = fit.covariance[::-1, ::-1] * fit.excess
+    errors[2, 2] = across.covariance[1, 1]
+    jacobian = np.zeros((3, 3))
+    for column in range(3):
+        step = np.zeros(3)
+        step[column] = sqrt(errors[column, column]) * 1e-3
+        jacobian[:, column] = _solved(values + step, known) - _solved(values, known)
+        jacobian[:, column] /= step[column]
+    covariance = jacobian @ errors @ jacobian.T
+    gain, noise, crosstalk = map(float, _solved(values, known))
+    covariance[1, 1] += (gain * zero_se) ** 2
+    return Transfer(
+        None if offset is None else zero, zero_se, gain, noise, crosstalk, covariance, fit,
+        tuple(used), (), None,
+    )  # fmt: skip
+
+
+def _solved(slopes: Vector, known: float | None) -> Vector:
+    """Gain, noise and crosstalk from slope and start of the variance, slope of the covariance."""
+    crosstalk = _crosstalk(float(slopes[0]), float(slopes[2])) if known is None else known
+    return np.array([slopes[0] / kept_variance(crosstalk), slopes[1], crosstalk])
+
+
+def kept_variance(crosstalk: float) -> float:
+    """What is left of the variance of independent pixels that give c to each neighbour."""
+    return (1 - 4 * crosstalk) ** 2 + 4 * crosstalk**2
+
+
+def _crosstalk(own: float, across: float) -> float:
+    """c, from covariance / variance = 2 c (1 - 4 c) / ((1 - 4 c)^2 + 4 c^2)."""
+    ratio = across / own
+    a, half_b = 20 * ratio + 8, 4 * ratio + 1
+    return float((half_b - np.sqrt(max(half_b**2 - a * ratio, 0.0))) / a)
+
+
+def _too_few(
+    used: Sequence[Moments], left_out: Sequence[tuple[Moments, str]], limit: float
+) -> Rejected:
+    count = len({round(level.mean) for level in used})
+    notes = [f"'{level.name}' (mean {level.mean:.4g}): {reason}" for level, reason in left_out]
+    if len(used) > count:
+        notes.append(f"{len(used)} flats have the same mean, {used[0].mean:.4g}: that is one level")
+    return rejected(
+        TOO_FEW,
+        f"{count} level{'' if count == 1 else 's'} of light can be used, photon transfer needs 2 "
+        "or more",
+        notes=notes[-10:],
+        helps=(
+            "add flats of other exposure times or other light, with means spread evenly up to "
+            f"code {limit:.0f}; each argument is one level",
+        ),
+        data={"required": 2, "available": count},
+    )
+
+
+def _no_transfer(why: str) -> Rejected:
+    return rejected(
+        NOT_TRANSFER,
+        f"the noise of the flats does not rise with their mean: {why}",
+        notes=("photon transfer takes frames with photon shot noise, of several levels of light",),
+        helps=("check that flats and darks are not exchanged, and that frames are not averaged",),
+    )

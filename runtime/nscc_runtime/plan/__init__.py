@@ -1,0 +1,1 @@
+"""Plans: which effects of the sensor a run simulates, and how, to a tolerance."""

@@ -1,0 +1,390 @@
+"""Running a plan: sums first, one draw a pixel, and single pixels through their words where needed.
+
+Nothing is done for a slot that can be done for all of them: light is added up with the weights of
+the pixel's code, counts are drawn for groups of slots, the noise of all words is one draw a bucket.
+The draws are those of the reference (`nscc_runtime.effects`), so that what a plan leaves out is the
+only difference from it. Pixels that may saturate run through all their words.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection, selected
+from nscc_runtime.effects.crosstalk import CROSSTALK, smeared
+from nscc_runtime.effects.dark import DARK, current_e_per_s
+from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
+from nscc_runtime.effects.photons import DARK as DARK_SOURCE
+from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, count_key, response
+from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER, leak_per_s, pattern_e
+from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
+from nscc_runtime.emulator.capture import check
+from nscc_runtime.interface import Exposure
+from nscc_runtime.light import Light
+from nscc_runtime.noise import key, normals, poisson
+from nscc_runtime.plan import leak_nodes
+from nscc_runtime.plan.model import Plan
+from nscc_runtime.plan.overlap import Overlap
+from nscc_runtime.plan.pixels import Pixels
+from nscc_runtime.plan.reach import Reach, reach_of
+from nscc_runtime.plan.sums import sums_by_slot
+from nscc_runtime.plan.tables import Model, Tables
+from nscc_runtime.reference.capture import Reference
+from nscc_runtime.reference.noise import SUM
+from nscc_runtime.sensor.model import Sensor
+
+Values = NDArray[np.float64]
+
+SIGMAS = 6.0
+"""How far from its mean a pixel is taken to come when it is asked whether it may saturate."""
+
+
+def processors() -> int:
+    """How many threads a run may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """A compiled program and a sensor, made ready once for any number of scenes and plans."""
+
+    container: Container
+    sensor: Sensor
+    reference: Reference
+    tables: Tables
+    slot_s: Values
+
+    @classmethod
+    def of(cls, container: Container, sensor: Sensor) -> Program:
+        """Raises Rejected where the words open no shutters (NS0442) or cannot run."""
+        reference = Reference.of(container, sensor, selected("all"))
+        slot_s = np.array(container.slot_us, np.float64) * 1e-6
+        return cls(container, sensor, reference, Tables.of(reference), slot_s)
+
+    @property
+    def full(self) -> Model:
+        """The weights with every effect on."""
+        return Model(True, 1.0 / self.sensor.leakage_tau_s, True, True)
+
+    def model(self, kept: Selection) -> Model:
+        """The weights under the effects of a plan, at the mean leakage."""
+        leak = 1.0 / self.sensor.leakage_tau_s if LEAKAGE in kept else 0.0
+        return Model(ANALOG in kept, leak, DEAD_TIME in kept, DECAY in kept)
+
+    @cached_property
+    def pixels(self) -> Pixels:
+        """The words as they are, decayed."""
+        return Pixels.of(self.reference)
+
+    @cached_property
+    def fresh_pixels(self) -> Pixels:
+        """The words as they are meant."""
+        return Pixels.of(replace(self.reference, words=self.tables.fresh))
+
+    def words(self, kept: Selection) -> Pixels:
+        """The loop over the words of single pixels."""
+        return self.pixels if DECAY in kept or not self.tables.decays else self.fresh_pixels
+
+    @cached_property
+    def reach(self) -> Reach:
+        """How far registers go with every effect on."""
+        return reach_of(self.tables, selected("all"))
+
+    @cached_property
+    def lanes(self) -> NDArray[np.int32]:
+        """The lane of every pixel, flat."""
+        return self.reference.groups.lane.reshape(-1).astype(np.int32)
+
+    @cached_property
+    def group_ids(self) -> NDArray[np.int64]:
+        """The groups of slots that occur."""
+        return np.unique(self.reference.groups.of_slot)
+
+    def members(self, group: int) -> Values:
+        """1 where a slot (N, lanes) belongs to a group."""
+        return np.ascontiguousarray((self.reference.groups.of_slot == group).T, np.float64)
+
+    def mean_weights(self, model: Model) -> dict[int, Values]:
+        """The mean weight (lanes, buckets) over the time of each group's slots."""
+        weights = self.tables.weights(model).slots
+        found = {}
+        for group in self.group_ids.tolist():
+            time = self.members(group) * self.slot_s[:, None]
+            total = time.sum(axis=0)[:, None]
+            part = np.einsum("nl,nlb->lb", time, weights)
+            found[group] = np.divide(part, total, out=np.zeros_like(part), where=total > 0)
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class Planned:
+    """A scene made ready under a plan: what all its frames have in common."""
+
+    program: Program
+    light: Light
+    plan: Plan
+    device_seed: int
+    threads: int
+
+    def expose(self, seed: int, frame: int) -> Exposure:
+        """Frame number `frame`; threads change no bit."""
+        shape = (len(self.program.container.buckets), *self.light.shape)
+        if self.plan.slot_loop == "all":
+            found = self._words(self.places, self.plan.kept, seed, frame)
+        else:
+            found = self._sums(seed, frame)
+        if len(self.saturating):
+            found[:, self.saturating] = self._words(
+                self.saturating, self.plan.kept_in_words, seed, frame
+            )
+        found += 0.0
+        return Exposure(found.reshape(shape), np.isfinite(found).reshape(shape))
+
+    def _words(self, chosen: NDArray[np.int64], kept: Selection, seed: int, frame: int) -> Values:
+        program = self.program
+        return program.words(kept).exposures(
+            self.light,
+            program.slot_s,
+            chosen,
+            kept,
+            seed=seed,
+            device_seed=self.device_seed,
+            frame=frame,
+            threads=self.threads,
+        )
+
+    def _sums(self, seed: int, frame: int) -> Values:
+        """Exposures (buckets, pixels) by sums over the slots."""
+        program, kept, sensor = self.program, self.plan.kept, self.program.sensor
+        away = self._counts(seed, frame)
+        found = self.expected + self._spread(away) if away else self.expected.copy()
+        if FULL_WELL in kept and REGISTER not in kept:
+            np.minimum(found, self.limits, out=found)
+        if ANALOG in kept:
+            found += self.patterns
+        for effect, sigma in (
+            (READ, sensor.read_noise_e),
+            (RESET, sensor.reset_noise_e),
+            (ANALOG, sensor.analog_noise_e),
+        ):
+            if effect in kept:
+                factor = sigma * program.tables.noise(effect.name, self.wanted)[0]
+                for draw in range(factor.shape[2]):
+                    if factor[:, :, draw].any():
+                        z = normals(key(seed, effect.stream, SUM, frame, draw), self.places)
+                        for bucket in range(len(found)):
+                            found[bucket] += factor[program.lanes, bucket, draw] * z
+        return found
+
+    def _counts(self, seed: int, frame: int) -> dict[int, Values]:
+        """How far the counts of each group are from their means."""
+        kept, found = self.plan.kept, {}
+        for group in self.counted:
+            total = np.zeros(len(self.places))
+            for effect, source, rates in (
+                (SHOT, LIGHT, self.light_rates),
+                (DARK, DARK_SOURCE, self.dark_rates),
+            ):
+                if effect in kept:
+                    stream = count_key(seed, effect, source, frame, group)
+                    counts, _ = poisson(stream, self.places, rates[group], exact=False)
+                    total += counts - rates[group]
+            found[group] = total
+        return found
+
+    def _spread(self, away: dict[int, Values]) -> Values:
+        """What the groups' deviations make of the exposures, neighbours' included."""
+        program = self.program
+        if CROSSTALK in self.plan.kept:
+            return self.overlap.smeared(away)
+        weights = program.mean_weights(program.model(self.plan.kept))
+        lanes = program.lanes
+        buckets = len(program.container.buckets)
+        found = np.zeros((buckets, len(self.places)))
+        for group, each in away.items():
+            for bucket in range(buckets):
+                found[bucket] += weights[group][lanes, bucket] * each
+        return found
+
+    @property
+    def wanted(self) -> Model:
+        """The weights of all effects but those that the user wants off: what is left out by choice
+        is still the better account of where noise goes.
+        """
+        return self.program.model(self.plan.wanted)
+
+    @cached_property
+    def places(self) -> NDArray[np.int64]:
+        """Every pixel's place."""
+        return np.arange(len(self.program.lanes), dtype=np.int64)
+
+    @cached_property
+    def source(self) -> Light:
+        """The scene's light, with or without motion inside its slots."""
+        moving = MOTION in self.plan.kept and self.light.motion is not None
+        return self.light.motion if moving and self.light.motion is not None else self.light
+
+    @cached_property
+    def total(self) -> Values:
+        """All the light of each pixel."""
+        weights = [np.ones((self.light.slots, 1))]
+        frames = self.source.frames.reshape(len(self.source.frames), -1)
+        lanes = np.zeros(len(self.places), np.int32)
+        total: Values = sums_by_slot(self.source, frames, lanes, weights, self.threads)[0]
+        return total
+
+    @cached_property
+    def scale(self) -> Values:
+        """What becomes of the light of each pixel before it is counted: a factor."""
+        kept, sensor = self.plan.kept, self.program.sensor
+        scale = np.full(len(self.places), 1.0 + (sensor.lag_fraction if LAG in kept else 0.0))
+        if PRNU in kept:
+            scale *= response(sensor, self.device_seed, self.places)
+        return scale
+
+    @cached_property
+    def current(self) -> Values:
+        """The dark current of each pixel, 0 where there is none."""
+        if DARK not in self.plan.kept:
+            return np.zeros(len(self.places))
+        return current_e_per_s(self.program.sensor, self.device_seed, self.places)
+
+    @cached_property
+    def counted(self) -> list[int]:
+        """The groups whose charge is counted."""
+        if not {SHOT.name, DARK.name} & self.plan.kept.on:
+            return []
+        return [g for g in self.program.group_ids.tolist() if g or self.plan.closed]
+
+    @cached_property
+    def light_rates(self) -> dict[int, Values]:
+        """The light of each counted group of slots."""
+        if SHOT not in self.plan.kept:
+            return {}
+        sums = self._sum(self.source, [self.program.members(group) for group in self.counted])
+        return {g: each * self.scale for g, each in zip(self.counted, sums, strict=True)}
+
+    @cached_property
+    def dark_rates(self) -> dict[int, Values]:
+        """The dark charge of each counted group of slots."""
+        times = {g: self.program.slot_s @ self.program.members(g) for g in self.counted}
+        return {g: self.current * time[self.program.lanes] for g, time in times.items()}
+
+    @cached_property
+    def leaks(self) -> tuple[Values, Values]:
+        """The rates of leakage at which sums are made, and the weights (rates, pixels) with which
+        they give that of each pixel.
+        """
+        program, kept = self.program, self.plan.kept
+        if LEAKAGE not in kept or self.plan.leak_nodes == 1:
+            return np.array([program.model(kept).leak_per_s]), np.ones((1, len(self.places)))
+        nodes = leak_nodes.rates(program.sensor, self.plan.leak_nodes)
+        leak = leak_per_s(program.sensor, self.device_seed, self.places)
+        return nodes, leak_nodes.between(nodes, leak)
+
+    @cached_property
+    def expected(self) -> Values:
+        """The exposures (buckets, pixels) of the mean charge, nothing saturated."""
+        program, kept, sensor = self.program, self.plan.kept, self.program.sensor
+        model = program.model(kept)
+        nodes, between = self.leaks
+        buckets = len(program.container.buckets)
+        weights = [program.tables.weights(replace(model, leak_per_s=rate)).slots for rate in nodes]
+        stack = [each[:, :, b] for b in range(buckets) for each in weights]
+        if CROSSTALK in kept:
+            frames = np.empty_like(self.source.frames)
+            scale = self.scale.reshape(self.light.shape)
+            for frame, into in zip(self.source.frames, frames, strict=True):
+                into[...] = smeared(frame * scale, sensor.crosstalk_fraction)
+            sums = self._sum(replace(self.source, frames=frames, motion=None), stack)
+        else:
+            sums = self._sum(self.source, stack) * self.scale
+        found = (sums.reshape(buckets, len(nodes), -1) * between).sum(axis=1)
+        if DARK in kept:
+            current = self.current
+            if CROSSTALK in kept:
+                shaped = current.reshape(self.light.shape)
+                current = smeared(shaped, sensor.crosstalk_fraction).reshape(-1)
+            open_s = np.einsum("n,nlb->bl", program.slot_s, program.tables.weights(model).slots)
+            found = found + current * open_s[:, program.lanes]
+        return np.asarray(found)
+
+    @cached_property
+    def overlap(self) -> Overlap:
+        """How much of the neighbours' groups falls on a pixel's open slots."""
+        return Overlap.of(self.program, self.plan.kept, self.light.shape)
+
+    @cached_property
+    def patterns(self) -> Values:
+        """The fixed errors (buckets, pixels) of the analog words."""
+        program = self.program
+        each = pattern_e(program.sensor, self.device_seed, self.places)
+        total = 0.0
+        for rate, between in zip(*self.leaks, strict=True):
+            # Leakage that is left out is still the better account of where errors go.
+            model = replace(self.wanted, leak_per_s=rate) if rate else self.wanted
+            total = total + program.tables.pattern(model).T[:, program.lanes] * between
+        return np.asarray(total * each)
+
+    @cached_property
+    def limits(self) -> Values:
+        """What the full well lets through, (buckets, pixels); infinite where pixels that may reach
+        it run through their words.
+        """
+        program = self.program
+        single = program.tables.single(program.model(self.plan.kept))
+        limit = np.where(np.isnan(single), np.inf, single * program.sensor.full_well_e)
+        return limit.T[:, program.lanes]
+
+    @cached_property
+    def saturating(self) -> NDArray[np.int64]:
+        """The places of pixels that may saturate in a way that sums do not know."""
+        program, kept, sensor = self.program, self.plan.kept, self.program.sensor
+        if FULL_WELL not in kept and REGISTER not in kept:
+            return np.empty(0, np.int64)
+        reach = program.reach
+        single = np.all(~np.isnan(program.tables.single(program.model(kept))), axis=1)
+        limit = np.full(single.shape, np.inf)
+        if FULL_WELL in kept:
+            limit = np.where(single, np.inf, sensor.full_well_e)
+        if REGISTER in kept:
+            low, high = abs(sensor.register_min_e), sensor.register_max_e
+            room = sensor.register_knee_fraction * min(low, high) - reach.noise_e
+            limit = np.minimum(limit, room / reach.light)
+        bound = float(np.max(self.total * self.scale, initial=0.0))
+        bound *= 1.0 + 4 * sensor.crosstalk_fraction * (CROSSTALK in kept)
+        bound += float(np.max(self.current, initial=0.0)) * float(program.slot_s.sum())
+        if bound + SIGMAS * np.sqrt(bound) < limit.min():
+            return np.empty(0, np.int64)
+        seen = program.tables.seen().astype(np.float64)
+        charge = self._sum(self.source, [seen])[0] * self.scale
+        if CROSSTALK in kept:
+            shaped = charge.reshape(self.light.shape)
+            charge = np.maximum(shaped, smeared(shaped, sensor.crosstalk_fraction)).reshape(-1)
+        charge += self.current * (program.slot_s @ seen)[program.lanes]
+        near = charge + SIGMAS * np.sqrt(charge)
+        return np.flatnonzero(near >= limit[program.lanes])
+
+    def _sum(self, light: Light, weights: list[Values]) -> Values:
+        """Sums (len(weights), pixels) of a light, each weighted by slot and lane (N, lanes)."""
+        frames = light.frames.reshape(len(light.frames), -1)
+        return sums_by_slot(light, frames, self.program.lanes, weights, self.threads)
+
+
+def prepared(
+    program: Program,
+    light: Light,
+    plan: Plan,
+    *,
+    device_seed: int = 0,
+    threads: int | None = None,
+) -> Planned:
+    """A scene made ready; raises Rejected as `nscc_runtime.emulator.expose` does."""
+    check(program.container, light)
+    return Planned(program, light, plan, device_seed, processors() if threads is None else threads)

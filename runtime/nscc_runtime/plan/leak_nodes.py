@@ -1,0 +1,55 @@
+"""Leakage that differs from pixel to pixel: sums at a few rates, and what lies between them.
+
+A sum of terms exp(-rate age) is a smooth function of the rate: a polynomial through a few rates
+about the mean is as good as the spread of the rates is small beside the frame's own time.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.sensor.model import Sensor
+
+MOST = 8
+_SIGMAS = 4.0
+"""Rates further out than so many standard deviations (of the logarithm) are extrapolated."""
+
+
+def rates(sensor: Sensor, count: int) -> NDArray[np.float64]:
+    """`count` rates in 1/s: the mean alone, or Chebyshev's nodes over the range of the pixels'."""
+    mean = 1.0 / sensor.leakage_tau_s
+    if count == 1:
+        return np.array([mean])
+    low, high = _range(sensor)
+    angle = (2 * np.arange(count) + 1) * math.pi / (2 * count)
+    return mean * ((low + high) / 2 - (high - low) / 2 * np.cos(angle))
+
+
+def between(nodes: NDArray[np.float64], leak: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Weights (nodes, pixels) with which values at `nodes` give those at the rates `leak`."""
+    found = np.ones((len(nodes), len(leak)))
+    for i, node in enumerate(nodes):
+        for j, other in enumerate(nodes):
+            if i != j:
+                found[i] *= (leak - other) / (node - other)
+    return found
+
+
+def error(sensor: Sensor, count: int, age_s: float) -> float:
+    """The relative RMS error over the pixels of exp(-rate age) found so, by normal numbers."""
+    z = np.linspace(-_SIGMAS, _SIGMAS, 161)
+    density = np.exp(-z * z / 2)
+    variance = math.log1p(sensor.leakage_spread_fraction**2)
+    leak = np.exp(math.sqrt(variance) * z - variance / 2) / sensor.leakage_tau_s
+    nodes = rates(sensor, count)
+    near = between(nodes, leak).T @ np.exp(-nodes * age_s)
+    return float(np.sqrt(np.average((near - np.exp(-leak * age_s)) ** 2, weights=density)))
+
+
+def _range(sensor: Sensor) -> tuple[float, float]:
+    """The pixels' rates, relative to their mean."""
+    sigma = math.sqrt(math.log1p(sensor.leakage_spread_fraction**2))
+    return (math.exp(-_SIGMAS * sigma - sigma**2 / 2), math.exp(_SIGMAS * sigma - sigma**2 / 2))

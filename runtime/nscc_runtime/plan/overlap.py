@@ -1,0 +1,100 @@
+"""Crosstalk of counts: how much of a neighbour's counted charge falls on a pixel's open slots.
+
+A neighbour's charge is counted for its own groups of slots. What of a group's count lies in the
+slots that another pixel has open is taken as that part of the group's time.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import Selection
+
+if TYPE_CHECKING:
+    from nscc_runtime.plan.capture import Program
+
+Values = NDArray[np.float64]
+
+_MOST_PAIRS = 1 << 20
+"""Pairs of lanes up to which a table of all pairs is made; else each pixel's pair is computed."""
+_CHUNK = 4096
+_DIRECTIONS = ((-1, 0), (1, 0), (0, -1), (0, 1))
+
+
+@dataclass(frozen=True, eq=False)
+class Overlap:
+    """Weights of own and neighbours' deviations in the exposures; see `smeared`."""
+
+    fraction: float
+    shape: tuple[int, int]
+    own: dict[int, Values]
+    neighbours: dict[int, tuple[Values, ...]]
+
+    @classmethod
+    def of(cls, program: Program, kept: Selection, shape: tuple[int, int]) -> Overlap:
+        """For the weights of a plan's effects."""
+        model = program.model(kept)
+        weights = program.tables.weights(model).slots * program.slot_s[:, None, None]
+        lanes = program.lanes.reshape(shape)
+        means = program.mean_weights(model)
+        own, neighbours = {}, {}
+        for group in program.group_ids.tolist():
+            members = program.members(group)
+            time = program.slot_s @ members
+            parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
+            own[group] = means[group].T[:, program.lanes].reshape(-1, *shape)
+            neighbours[group] = tuple(_pairs(weights, parts, lanes, shift) for shift in _DIRECTIONS)
+        return cls(program.sensor.crosstalk_fraction, shape, own, neighbours)
+
+    def smeared(self, away: dict[int, Values]) -> Values:
+        """What deviations (pixels,) of the groups' counts make of exposures (buckets, pixels)."""
+        total: Values | float = 0.0
+        for group, flat in away.items():
+            each = flat.reshape(self.shape)
+            own = self.own[group] * each
+            total = total + own
+            for shift, weight in zip(_DIRECTIONS, self.neighbours[group], strict=True):
+                to, source = _slices(shift)
+                total[(..., *to)] += self.fraction * (
+                    weight[(..., *to)] * each[source] - own[(..., *to)]
+                )
+        return np.asarray(total).reshape(len(next(iter(self.own.values()))), -1)
+
+
+def _pairs(
+    weights: Values, parts: Values, lanes: NDArray[np.int32], shift: tuple[int, int]
+) -> Values:
+    """The weight (buckets, rows, cols) of the neighbour at `shift`; 0 where there is none.
+
+    `weights` (N, lanes, buckets) times the slots' seconds, `parts` (N, lanes).
+    """
+    buckets = weights.shape[2]
+    found = np.zeros((buckets, *lanes.shape))
+    to, source = _slices(shift)
+    mine, other = lanes[to].reshape(-1), lanes[source].reshape(-1)
+    values = np.empty((buckets, mine.size))
+    if weights.shape[1] ** 2 <= _MOST_PAIRS:
+        for bucket in range(buckets):
+            values[bucket] = (weights[:, :, bucket].T @ parts)[mine, other]
+    else:
+        for first in range(0, mine.size, _CHUNK):
+            part = slice(first, first + _CHUNK)
+            values[:, part] = np.einsum("npb,np->bp", weights[:, mine[part]], parts[:, other[part]])
+    found[(..., *to)] = values.reshape(buckets, *lanes[to].shape)
+    return found
+
+
+def _slices(shift: tuple[int, int]) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
+    """The pixels that have a neighbour at `shift`, and those neighbours."""
+
+    def along(step: int) -> tuple[slice, slice]:
+        if step == 0:
+            return slice(None), slice(None)
+        return (slice(1, None), slice(None, -1)) if step < 0 else (slice(None, -1), slice(1, None))
+
+    (row_to, row_from), (col_to, col_from) = along(shift[0]), along(shift[1])
+    return (row_to, col_to), (row_from, col_from)

@@ -1,0 +1,268 @@
+"""Single pixels of a frame, each run through all of its words: exact, and dear.
+
+`Pixels` lays a program, a sensor and a choice of effects out as `nscc_runtime.plan.pixel_loop`
+takes them. With the same effects it gives what `nscc_runtime.reference` gives, to rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import Effect, Selection
+from nscc_runtime.effects.crosstalk import CROSSTALK
+from nscc_runtime.effects.dark import DARK
+from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
+from nscc_runtime.effects.photons import DARK as DARK_SOURCE
+from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, THINNED
+from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
+from nscc_runtime.effects.timing import DEAD_TIME, LAG, MOTION
+from nscc_runtime.light import Light
+from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.noise.keys import base
+from nscc_runtime.plan.layout import ENTRY_COLUMNS, MOST_DESTINATIONS, Entry, Key, Number, Size
+from nscc_runtime.reference.capture import DESTINATIONS, START, Reference
+from nscc_runtime.reference.noise import PART, SUM
+from nscc_runtime.reference.trace import AnalogWord
+from nscc_runtime.sensor.model import Sensor
+
+_DRAWN = (READ, RESET, ANALOG)
+_SITES = 5
+
+
+@dataclass(frozen=True, eq=False)
+class Pixels:
+    """A program's words by lane, for the loop; see `nscc_runtime.plan.pixel_loop.run_pixels`."""
+
+    program: Reference
+    entry_start: NDArray[np.int64]
+    entries: NDArray[np.int64]
+    times: NDArray[np.float64]
+    weights: NDArray[np.float64]
+    groups: NDArray[np.int32]
+    group_ids: NDArray[np.uint64]
+
+    @classmethod
+    def of(cls, program: Reference) -> Pixels:
+        """Lay out the words of a program made ready for the reference."""
+        container = program.container
+        lanes, buckets = len(container.encoding), len(container.buckets)
+        acts = np.array([word.lanes for word in program.words]).reshape(-1, lanes)
+        draws = np.zeros((len(program.words), 1 + MOST_DESTINATIONS, lanes, buckets))
+        for name, shift in ((READ.name, None), (RESET.name, None), (ANALOG.name, 1)):
+            for number, weight in program.draws[name].items():
+                if shift is None:
+                    draws[number, 0] = weight
+                else:
+                    draws[number // DESTINATIONS, number % DESTINATIONS + shift] = weight
+        needed = acts | draws.any(axis=(1, 3))
+        lane, word = np.nonzero(needed.T)
+        rows = np.array([_row(each, program) for each in program.words], np.int64)
+        entries = rows.reshape(-1, ENTRY_COLUMNS)[word]
+        entries[:, Entry.ACTS] = acts[word, lane]
+        times = np.array([_times(each, program) for each in program.words]).reshape(-1, 2)
+        ids, groups = np.unique(program.groups.of_slot, return_inverse=True)
+        return cls(
+            program,
+            np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64),
+            np.ascontiguousarray(entries),
+            np.ascontiguousarray(times[word]),
+            np.ascontiguousarray(draws[word, :, lane]),
+            groups.reshape(program.groups.of_slot.shape).astype(np.int32),
+            ids.astype(np.uint64),
+        )
+
+    def exposures(
+        self,
+        light: Light,
+        slot_s: NDArray[np.float64],
+        chosen: NDArray[np.int64],
+        effects: Selection,
+        *,
+        seed: int = 0,
+        device_seed: int = 0,
+        frame: int = 0,
+        expected: bool = False,
+        threads: int = 1,
+    ) -> NDArray[np.float64]:
+        """Electrons (buckets, pixels) at the places `chosen` = row * cols + col.
+
+        The frame before was the same scene. `expected` leaves everything random out: charge is not
+        counted, words and PIX have no noise. Threads and the order of places change no bit.
+        """
+        program = self.program
+        source = light.motion if MOTION in effects and light.motion is not None else light
+        present = np.zeros((len(self.groups), len(self.group_ids)), np.uint8)
+        np.put_along_axis(present, self.groups.astype(np.intp), 1, axis=1)
+        container = program.container
+        names = (*container.target.analog_registers, "PIX")
+        signs = np.array([-1.0 if n == container.target.analog_scratch else 1.0 for n in names])
+        readouts = {readout.bucket: readout for readout in container.readouts}
+        order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
+        waited_s = container.target.readout_us * 1e-6
+        fixed = (
+            _numbers(program.sensor, effects),
+            _keys(seed, device_seed),
+        )
+        scene = (
+            np.require(program.groups.lane, np.int32, ["C"]),
+            np.require(source.frames, np.float32, ["C", "A"]),
+            np.require(source.row_start, np.int64, ["C", "A"]),
+            np.require(source.frame_index, np.int32, ["C", "A"]),
+            np.require(source.weight, np.float64, ["C", "A"]),
+            np.require(slot_s, np.float64, ["C", "A"]),
+            np.concatenate(([0.0], np.cumsum(slot_s))),
+            self.groups,
+            present,
+            self.group_ids,
+            self.entry_start,
+            self.entries,
+            self.times,
+            self.weights,
+            signs,
+            np.array([names.index(readouts[b].register) for b in container.buckets], np.int64),
+            np.array([(readouts[b].gain, order[b] * waited_s) for b in container.buckets]),
+        )
+        switches = _switches(effects, expected)
+        chosen = np.require(chosen, np.int64, ["C", "A"])
+
+        def run(part: NDArray[np.int64]) -> NDArray[np.float64]:
+            sizes = self._sizes(len(part), light, frame, switches)
+            scratch = _scratch(sizes)
+            out = np.empty((len(container.buckets), len(part)))
+            arrays = (sizes, *fixed, part, *scene, *scratch, out)
+            entry_point()(*(array.ctypes.data for array in arrays))
+            return out
+
+        parts = np.array_split(chosen, max(1, min(threads, len(chosen) // 64)))
+        if len(parts) == 1:
+            return run(parts[0])
+        with ThreadPoolExecutor(len(parts)) as pool:
+            return np.concatenate(list(pool.map(run, parts)), axis=1)
+
+    def _sizes(
+        self, count: int, light: Light, frame: int, switches: Sequence[tuple[Size, int]]
+    ) -> NDArray[np.int64]:
+        container = self.program.container
+        sizes = np.zeros(len(Size), np.int64)
+        sizes[Size.PIXELS] = count
+        sizes[Size.SLOTS] = container.slots
+        sizes[Size.ROWS], sizes[Size.COLS] = light.shape
+        sizes[Size.BUCKETS] = len(container.buckets)
+        sizes[Size.GROUPS] = len(self.group_ids)
+        sizes[Size.REGISTERS] = len(container.target.analog_registers)
+        sizes[Size.WHOLE] = 1 << (container.slots - 1).bit_length()
+        sizes[Size.FRAME] = frame
+        for size, value in switches:
+            sizes[size] = value
+        return sizes
+
+
+def entry_point() -> Callable[..., None]:
+    """`run_pixels` as machine code."""
+    from nscc_runtime.plan.compiled import entry_points
+
+    return entry_points()["run_pixels"]
+
+
+def _row(word: AnalogWord, program: Reference) -> list[int]:
+    """The columns of a word, as it is where it acts."""
+    names = (*program.container.target.analog_registers, "PIX", "reset level", "IN")
+    row = [0] * ENTRY_COLUMNS
+    row[Entry.BOUNDARY], row[Entry.RESETS] = word.boundary, int(word.resets)
+    row[Entry.NUMBER] = word.number
+    if not word.resets:
+        row[Entry.READS_PIX] = int("PIX" in word.op.sources)
+        row[Entry.SOURCES], row[Entry.DESTINATIONS] = (
+            len(word.op.sources),
+            len(word.op.destinations),
+        )
+        for i, name in enumerate(word.op.sources):
+            row[Entry.FIRST_SOURCE + i] = names.index(name)
+        for i, name in enumerate(word.op.destinations):
+            row[Entry.FIRST_DESTINATION + i] = names.index(name)
+    return row
+
+
+def _times(word: AnalogWord, program: Reference) -> tuple[float, float]:
+    """When a word ends, in parts of the slot, and its divisor."""
+    container = program.container
+    last = word.boundary == container.slots
+    end = word.after_us / container.slot_us[min(word.boundary, container.slots - 1)]
+    return end if last else min(end, 1.0), float(word.op.operation.divisor)
+
+
+def _numbers(sensor: Sensor, effects: Selection) -> NDArray[np.float64]:
+    values = {
+        Number.FULL_WELL: sensor.full_well_e,
+        Number.REGISTER_MIN: sensor.register_min_e,
+        Number.REGISTER_MAX: sensor.register_max_e,
+        Number.KNEE: sensor.register_knee_fraction,
+        Number.CROSSTALK: sensor.crosstalk_fraction,
+        Number.LAG: sensor.lag_fraction if LAG in effects else 0.0,
+        Number.PRNU: sensor.prnu_fraction,
+        Number.DARK: sensor.dark_current_e_per_s,
+        Number.DARK_VARIANCE: np.log1p(sensor.dark_spread_fraction**2),
+        Number.READ: sensor.read_noise_e,
+        Number.RESET: sensor.reset_noise_e,
+        Number.GAIN: sensor.analog_gain,
+        Number.ANALOG_NOISE: sensor.analog_noise_e,
+        Number.PATTERN: sensor.analog_pattern_e,
+        Number.BIAS: sensor.analog_bias_e,
+        Number.LEAK: 1.0 / sensor.leakage_tau_s,
+        Number.LEAK_VARIANCE: np.log1p(sensor.leakage_spread_fraction**2),
+        Number.RATE_CAP: RATE_CAP,
+    }
+    return np.array([values[number] for number in Number])
+
+
+def _keys(seed: int, device_seed: int) -> NDArray[np.uint64]:
+    values = [
+        base(device_seed, START),
+        *(key(device_seed, effect.stream) for effect in (PRNU, DARK, ANALOG, LEAKAGE)),
+        base(seed, SHOT.stream, LIGHT),
+        base(seed, DARK.stream, DARK_SOURCE),
+        base(seed, SHOT.stream, THINNED + LIGHT),
+        base(seed, DARK.stream, THINNED + DARK_SOURCE),
+        *(base(seed, effect.stream, SUM) for effect in _DRAWN),
+        *(base(seed, effect.stream, PART) for effect in _DRAWN),
+    ]
+    assert len(values) == Key.PART + len(_DRAWN)
+    return np.array(values, np.uint64)
+
+
+def _switches(effects: Selection, expected: bool) -> list[tuple[Size, int]]:
+    random = 0 if expected else 1
+
+    def on(effect: Effect) -> int:
+        return int(effect in effects)
+
+    return [
+        (Size.SHOT, on(SHOT) * random),
+        (Size.DARK, on(DARK) * (2 - random)),
+        (Size.FULL_WELL, on(FULL_WELL)),
+        (Size.READ, on(READ) * random),
+        (Size.RESET, on(RESET) * random),
+        (Size.DEAD_TIME, on(DEAD_TIME)),
+        (Size.ANALOG, on(ANALOG) * (2 - random)),
+        (Size.REGISTER, on(REGISTER)),
+        (Size.LEAKAGE, on(LEAKAGE)),
+        (Size.CROSSTALK, on(CROSSTALK)),
+        (Size.PRNU, on(PRNU)),
+    ]
+
+
+def _scratch(sizes: NDArray[np.int64]) -> tuple[NDArray[np.generic], ...]:
+    slots, room = int(sizes[Size.SLOTS]), 2 * int(sizes[Size.WHOLE]) * int(sizes[Size.GROUPS])
+    return (
+        np.empty(2 * _SITES * slots),
+        np.empty(2 * _SITES * room),
+        np.full(2 * _SITES * room, -1, np.int64),
+        np.empty(len(_DRAWN) * int(sizes[Size.BUCKETS])),
+        np.empty(int(sizes[Size.REGISTERS]) + 3),
+        np.empty(_SITES, np.int64),
+    )

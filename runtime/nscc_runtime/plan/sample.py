@@ -1,0 +1,77 @@
+"""A sample of the pixels of a scene, on which a plan's predictions are made.
+
+Errors grow with light and with its differences between neighbours, and a few lamps may carry most
+of them: pixels are drawn in proportion to both, half of the sample, and evenly, the other half.
+Pixels that may saturate are a stratum of their own. What a pixel stands for makes up for how likely
+it was to be drawn, so that means over the sample are those of the array.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+_MOST_PIXELS = 4096
+_FEWEST_PIXELS = 1024
+_MOST_SAMPLES = 1 << 18
+"""Frames x pixels, above the fewest pixels."""
+_MOST_NEAR = 256
+_GOLDEN = 0.6180339887498949
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """Places row * cols + col, how many pixels each stands for, and which may saturate."""
+
+    places: NDArray[np.int64]
+    weight: NDArray[np.float64]
+    near: NDArray[np.bool_]
+
+    def mean(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The mean over the whole array of values (.., pixels) at the places."""
+        return np.asarray(values @ self.weight / self.weight.sum())
+
+
+def sample_of(total_e: NDArray[np.float64], frames: int, near: NDArray[np.int64]) -> Sample:
+    """A sample of a scene of that many frames; the same on every call.
+
+    `total_e` (rows, cols): all the light of each pixel. `near`: the places of pixels that may
+    saturate, in order.
+    """
+    pixels = total_e.size
+    wanted = min(max(_MOST_SAMPLES // frames, _FEWEST_PIXELS), _MOST_PIXELS, pixels)
+    chance = _chances(total_e)
+    chance[near] = 0.0
+    drawn = np.arange(pixels, dtype=np.int64)
+    if wanted < pixels and chance.any():
+        steps = np.cumsum(chance)
+        # An additive recurrence inside equal strata: in step with no tile of codes.
+        points = (np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0) * (steps[-1] / wanted)
+        drawn = np.minimum(np.searchsorted(steps, points, side="right"), pixels - 1)
+    else:
+        chance[...] = 1.0
+        drawn = np.delete(drawn, near)
+    places, count = np.unique(drawn, return_counts=True)
+    weight = count / chance[places]
+    weight *= (pixels - len(near)) / max(weight.sum(), 1e-300)
+    some = near[:: max(1, -(-len(near) // _MOST_NEAR))]
+    weight = np.concatenate([weight, np.full(len(some), len(near) / max(1, len(some)))])
+    places = np.concatenate([places, some]).astype(np.int64)
+    return Sample(places, weight, np.arange(len(places)) >= len(places) - len(some))
+
+
+def _chances(total_e: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How likely each pixel (flat) is to be drawn, up to a factor."""
+    score = total_e.copy()
+    for axis in (0, 1):
+        step = np.abs(np.diff(total_e, axis=axis))
+        if axis == 0:
+            score[1:] += step
+            score[:-1] += step
+        else:
+            score[:, 1:] += step
+            score[:, :-1] += step
+    mean = score.mean()
+    return np.asarray(score + (mean if mean > 0 else 1.0)).reshape(-1)

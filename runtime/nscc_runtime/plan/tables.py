@@ -1,0 +1,140 @@
+"""What a program does to light, as numbers for each lane: its words as weights.
+
+As long as nothing saturates, an exposure is a weighted sum of the charge of the slots, of the
+errors of the words, and of nothing else. The weights depend on the pixel's code (its lane), on the
+gain of the words, on leakage, dead time and decay.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.reference.capture import DESTINATIONS, Reference
+from nscc_runtime.reference.trace import AnalogWord, analog_words
+from nscc_runtime.reference.weights import Backward, backward
+from nscc_runtime.sensor.model import Sensor
+
+Weights = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Model:
+    """Which of the effects on weights are on: the gain of words, `leak_per_s`, dead time, decay."""
+
+    gain: bool = False
+    leak_per_s: float = 0.0
+    dead_time: bool = False
+    decay: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Tables:
+    """A program's weights. `program` has every effect on, so that its draws are all there.
+
+    `fresh` are the analog words as they are meant, `decayed` as they are with digital registers
+    that lose their values; the same object where none does.
+    """
+
+    program: Reference
+    sensor: Sensor
+    fresh: tuple[AnalogWord, ...]
+    decayed: tuple[AnalogWord, ...]
+    _found: dict[Model, Backward] = field(default_factory=dict)
+
+    @classmethod
+    def of(cls, program: Reference) -> Tables:
+        """The tables of a program made ready with every effect."""
+        fresh = analog_words(program.container)
+        alike = all(
+            np.array_equal(a.lanes, b.lanes) for a, b in zip(fresh, program.words, strict=True)
+        )
+        return cls(program, program.sensor, fresh, fresh if alike else program.words)
+
+    @property
+    def container(self) -> Container:
+        """The program's container."""
+        return self.program.container
+
+    @property
+    def decays(self) -> bool:
+        """Whether any word acts otherwise because a digital register has lost its value."""
+        return self.decayed is not self.fresh
+
+    def weights(self, model: Model) -> Backward:
+        """The weights under a model, kept."""
+        model = model if self.decays else Model(model.gain, model.leak_per_s, model.dead_time)
+        found = self._found.get(model)
+        if found is None:
+            words = self.decayed if model.decay else self.fresh
+            gain = self.sensor.analog_gain if model.gain else 1.0
+            found = backward(self.container, words, gain, model.leak_per_s, model.dead_time)
+            self._found[model] = found
+        return found
+
+    def noise(self, name: str, full: Model) -> tuple[Weights, Weights]:
+        """Coefficients L (lanes, buckets, draws) of the keyed draws of `read`, `reset` or `analog`,
+        and the variance (lanes, buckets) of what they leave out, for unit errors.
+        """
+        weights = self.weights(full)
+        lanes, buckets = len(self.container.encoding), len(self.container.buckets)
+        found: dict[int, Weights] = {
+            "read": weights.reads,
+            "reset": weights.resets,
+            "analog": {n * DESTINATIONS + i: e for (n, i), e in weights.errors.items()},
+        }[name]
+        drawn = self.program.draws[name]
+        factor = np.zeros((lanes, buckets, buckets))
+        square = np.zeros((lanes, buckets))
+        for number, weight in found.items():
+            square += weight * weight
+            if number in drawn:
+                factor += weight[:, :, None] * drawn[number][:, None, :]
+        return factor, np.maximum(square - (factor * factor).sum(axis=2), 0.0)
+
+    def pattern(self, full: Model) -> Weights:
+        """The sum (lanes, buckets) of the signed coefficients of the analog words' errors."""
+        shape = len(self.container.encoding), len(self.container.buckets)
+        total = np.zeros(shape)
+        for weight in self.weights(full).errors.values():
+            total += weight
+        return total
+
+    def seen(self) -> NDArray[np.bool_]:
+        """The slots (N, lanes) whose charge is on PIX at some read: no register holds more."""
+        container = self.container
+        found = np.zeros((container.slots, len(container.encoding)), np.bool_)
+        live = np.zeros(len(container.encoding), np.bool_)
+        later = container.slots
+        for word in reversed(self.decayed):
+            if word.boundary < later:
+                found[word.boundary : later] = live
+                later = word.boundary
+            if word.resets:
+                live = live & ~word.lanes
+            elif "PIX" in word.op.sources:
+                live = live | word.lanes
+        found[:later] = live
+        return found
+
+    def single(self, full: Model) -> Weights:
+        """The coefficient (lanes, buckets) of the one read through which all charge reaches the
+        bucket; NaN where there are several such reads.
+        """
+        container = self.container
+        shape = len(container.encoding), len(container.buckets)
+        reset_at = np.zeros(shape[0], np.int64)
+        count, found = np.zeros(shape, np.int64), np.zeros(shape)
+        reads = self.weights(full).reads
+        for word in self.decayed:
+            if word.resets:
+                reset_at = np.where(word.lanes, word.boundary, reset_at)
+            elif word.number in reads:
+                weight = reads[word.number]
+                loaded = (weight != 0.0) & (reset_at < word.boundary)[:, None]
+                count += loaded
+                found = np.where(loaded, weight, found)
+        return np.where(count > 1, np.nan, found)

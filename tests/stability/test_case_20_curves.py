@@ -1,0 +1,62 @@
+"""Hard case 20: log, mu-law, gamma and PU21 at 0, below 0, at 1e-6 and at 1e8."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from nscc_training import curves
+
+VALUES = [0.0, -1e-7, 1e-6, 1e8, 1.0, 3e-3]
+CURVES: dict[str, tuple[Callable[[Any], Any], Callable[[Any], Any]]] = {
+    "log": (
+        lambda x: curves.log_curve(x, 1e-3),
+        lambda y: curves.log_curve_inverse(y, 1e-3),
+    ),
+    "mu": (curves.mu_law, curves.mu_law_inverse),
+    "gamma": (curves.gamma, curves.gamma_inverse),
+}
+
+
+@pytest.mark.parametrize("name", CURVES)
+@pytest.mark.parametrize("kind", [np.float32, np.float64])
+def test_round_trip(name: str, kind: type) -> None:
+    there, back = CURVES[name]
+    x = np.array(VALUES, kind)
+    y = there(x)
+    assert y.dtype == kind
+    assert np.isfinite(y).all()
+    np.testing.assert_allclose(back(y), x, rtol=2e-6, atol=0)
+
+
+def test_round_trip_of_pu21_where_it_is_defined() -> None:
+    x = np.array([0.005, 0.01, 1.0, 100.0, 1e4, 1e8, -1e-7, 0.0])
+    np.testing.assert_allclose(curves.pu21_inverse(curves.pu21(x)), x, rtol=2e-6, atol=1e-12)
+    # the authors scale it so that an ordinary display's white is near 256
+    assert curves.pu21(np.float64(100.0)) == pytest.approx(256, abs=1)
+    assert curves.pu21(np.float64(0.005)) == pytest.approx(0, abs=1e-6)
+
+
+@pytest.mark.parametrize("name", [*CURVES, "pu21"])
+@pytest.mark.parametrize("dtype", ["float32", "float64"])
+def test_gradients_are_finite_and_positive(name: str, dtype: str) -> None:
+    torch = pytest.importorskip("torch")
+    there = CURVES[name][0] if name in CURVES else curves.pu21
+    x = torch.tensor(VALUES, dtype=getattr(torch, dtype), requires_grad=True)
+    y = there(x)
+    assert y.dtype == x.dtype
+    y.sum().backward()
+    assert torch.isfinite(x.grad).all()
+    assert (x.grad > 0).all()
+    np.testing.assert_allclose(y.detach().numpy(), there(x.detach().numpy()), rtol=1e-6, atol=1e-12)
+
+
+@pytest.mark.parametrize("name", [*CURVES, "pu21"])
+def test_gradients_are_slopes(name: str) -> None:
+    torch = pytest.importorskip("torch")
+    there = CURVES[name][0] if name in CURVES else curves.pu21
+    x = torch.tensor([-0.5, 0.02, 0.7, 40.0, 2e4], dtype=torch.float64, requires_grad=True)
+    assert torch.autograd.gradcheck(there, (x,), eps=1e-7, atol=1e-5, rtol=1e-4)

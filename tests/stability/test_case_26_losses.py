@@ -1,0 +1,45 @@
+"""Hard case 26: a few bright pixels must not rule the loss on light of high dynamic range."""
+
+from __future__ import annotations
+
+import pytest
+
+torch = pytest.importorskip("torch")
+
+from nscc_training.losses import LOSSES  # noqa: E402
+
+
+def share_of_the_brightest(name: str, seed: int) -> float:
+    """The part of the loss that the top 0.1 % of lognormal light has, at 10 % error everywhere.
+
+    Found by asking for the loss without them: a mean, so the parts add up.
+    """
+    generator = torch.Generator().manual_seed(seed)
+    light = torch.exp(2.5 * torch.randn(200_000, generator=generator, dtype=torch.float64))
+    truth, _ = torch.sort(light / torch.quantile(light[:100_000], 0.999))
+    error = 1 + 0.2 * (torch.rand(truth.shape, generator=generator, dtype=torch.float64) - 0.5)
+    loss = LOSSES[name]
+    whole = loss(truth * error, truth) * len(truth)
+    rest = loss((truth * error)[:-200], truth[:-200]) * (len(truth) - 200)
+    return float((whole - rest) / whole)
+
+
+@pytest.mark.parametrize("name", ["log", "mu-law", "pu21"])
+def test_the_brightest_have_their_part_and_no_more(name: str) -> None:
+    assert share_of_the_brightest(name, 1) < 0.05
+
+
+def test_on_linear_light_they_rule() -> None:
+    assert share_of_the_brightest("l1", 1) > 0.2
+
+
+@pytest.mark.parametrize("name", LOSSES)
+def test_gradients_are_finite_at_nothing_and_at_a_sun(name: str) -> None:
+    prediction = torch.tensor([0.0, -1e-7, 1e-6, 1e8, -3.0], requires_grad=True)
+    truth = torch.tensor([0.5, 0.0, 0.0, 1.0, 0.0])
+    loss = LOSSES[name](prediction, truth)
+    loss.backward()
+    assert torch.isfinite(loss)
+    assert torch.isfinite(prediction.grad).all()
+    assert (prediction.grad != 0).all()
+    assert LOSSES[name](truth, truth) == 0

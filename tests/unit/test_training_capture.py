@@ -1,0 +1,118 @@
+"""The differentiable capture beside the emulator, which executes compiled words."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+torch = pytest.importorskip("torch")
+
+from nscc.target.load import load_target  # noqa: E402
+from nscc_runtime.emulator import expose  # noqa: E402
+from nscc_runtime.frame_file import read_out as emulated_read_out  # noqa: E402
+from nscc_runtime.light import Light  # noqa: E402
+from nscc_runtime.sensor import default_sensor  # noqa: E402
+from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
+from nscc_training.programs import Chip, compiled, program_of  # noqa: E402
+from nscc_training.sensor_model import SensorModel, capture, laid, read_out  # noqa: E402
+
+SPECS = [
+    ShutterSpec("a", 6, (1, 1)),
+    ShutterSpec("b", 64, (4, 4)),
+    ShutterSpec("c", 16, (3, 5), length=4),
+    ShutterSpec("d", 12, (4, 4)),
+    ShutterSpec("e", 13, (8, 8)),
+    ShutterSpec("codebook", 20, (4, 4), rows=16),
+]
+
+
+def sensor_model() -> tuple[SensorModel, object, object]:
+    from pathlib import Path
+
+    target = load_target("scamp5", Path())
+    sensor = default_sensor(target)
+    return SensorModel.of(sensor, target, noise=False), sensor, target
+
+
+@pytest.mark.parametrize("still", [False, True])
+@pytest.mark.parametrize("spec", SPECS, ids=lambda spec: spec.kind)
+def test_hard_capture_is_the_emulators(spec: ShutterSpec, still: bool) -> None:
+    """1e-6 before the ADC; the same code after it unless a tie is within 1e-6."""
+    model, sensor, target = sensor_model()
+    encoder = make_encoder(spec, "random", seed=8)
+    container = compiled(program_of(encoder, Chip()), Chip()).container
+    assert container is not None
+    rng = np.random.default_rng(1)
+    shape = (target.rows, target.cols)  # type: ignore[attr-defined]
+    if still:
+        # six decades, so that some pixels saturate and most hold a few codes
+        picture = np.exp(rng.uniform(-2, 12, shape)).astype(np.float32)
+        light = Light.of_still(picture, np.full(spec.slots, 1.0 / spec.slots))
+        given = torch.as_tensor(picture)[None]
+    else:
+        clip = np.exp(rng.uniform(-4, 10, (spec.slots, *shape))).astype(np.float32)
+        light = Light.of_clip(clip)
+        given = torch.as_tensor(clip)[None]
+    exact = expose(container, light)
+    frame = emulated_read_out(exact, target, sensor).frame[0]  # type: ignore[arg-type]
+    found = capture(given, encoder.hard(), model)
+    np.testing.assert_allclose(found.exposure_e[0].numpy(), exact.exposure_e[0], rtol=1e-6)
+    scaled = exact.exposure_e[0] / model.electrons_per_lsb
+    tie = np.abs(scaled - np.floor(scaled) - 0.5) <= 1e-6 * np.maximum(scaled, 1)
+    assert ((found.frame[0].numpy() == frame) | tie).all()
+    assert tie.mean() < 0.01
+    assert (frame == 255).any()
+
+
+def test_tiles_are_laid_from_the_corner() -> None:
+    tile = torch.arange(6.0).reshape(1, 2, 3)
+    wanted = [[float(3 * (r % 2) + c % 3) for c in range(7)] for r in range(5)]
+    assert laid(tile, 5, 7)[0].tolist() == wanted
+
+
+def test_unequal_slots_of_a_still() -> None:
+    model, _, _ = sensor_model()
+    shutters = torch.tensor([1.0, 0.0, 1.0]).reshape(3, 1, 1)
+    share = torch.tensor([0.5, 0.3, 0.2], dtype=torch.float64)
+    found = capture(torch.full((1, 2, 2), 1000.0), shutters, model, slot_share=share)
+    assert torch.allclose(found.exposure_e, torch.full((1, 2, 2), 700.0, dtype=torch.float64))
+
+
+def test_saturation_has_a_stand_in_slope() -> None:
+    model = SensorModel(full_well_e=255.0, electrons_per_lsb=1.0, slope=0.25)
+    exposure = torch.tensor([100.0, 255.0, 256.0, 1e6], dtype=torch.float64, requires_grad=True)
+    frame = read_out(exposure, model)
+    assert frame.tolist() == [100.0, 255.0, 255.0, 255.0]
+    frame.sum().backward()
+    assert exposure.grad.tolist() == [1.0, 1.0, 0.25, 0.25]
+
+
+def test_noise_has_the_variance_of_photons() -> None:
+    model = SensorModel(1e9, 1.0, adc_bits=16, shot_noise=True)
+    light = torch.full((1, 1, 200, 200), 10000.0)
+    shutters = torch.ones(1, 1, 1)
+    generator = torch.Generator().manual_seed(3)
+    frame = capture(light, shutters, model, generator=generator).frame
+    assert abs(frame.mean().item() - 10000) < 5 * 100 / 200
+    # a variance of 40000 numbers is known to 0.7 %
+    assert frame.var().item() == pytest.approx(10000, rel=0.035)
+    again = capture(light, shutters, model, generator=torch.Generator().manual_seed(3)).frame
+    assert torch.equal(frame, again)
+    assert capture(light, shutters, model).frame.var() == 0
+
+
+def test_gradients_of_the_whole_capture() -> None:
+    """Soft shutters, unrounded readout: finite differences agree in float64."""
+    encoder = make_encoder(ShutterSpec("d", 6, (2, 2)), "random", 1, "sigmoid")
+    light = torch.rand(2, 6, 4, 4, dtype=torch.float64) * 100
+
+    def exposures(start: torch.Tensor, stop: torch.Tensor) -> torch.Tensor:
+        fields = torch.stack([start, stop])
+        begin, end = encoder.edges(fields)
+        middle = torch.arange(6, dtype=torch.float64).reshape(-1, 1, 1) + 0.5
+        soft = torch.sigmoid(middle - begin) * torch.sigmoid(end - middle)
+        return (light * laid(soft, 4, 4)).sum(dim=1)
+
+    start = torch.tensor([[0.3, 1.2], [2.1, 0.7]], dtype=torch.float64, requires_grad=True)
+    stop = torch.tensor([[3.3, 4.2], [5.1, 2.7]], dtype=torch.float64, requires_grad=True)
+    assert torch.autograd.gradcheck(exposures, (start, stop))

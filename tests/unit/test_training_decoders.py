@@ -1,0 +1,134 @@
+"""Decoders: shapes, sizes, what they see, and that sizes are the paper's."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+torch = pytest.importorskip("torch")
+
+from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc_training.decoders import flops, make_decoder, parameter_count  # noqa: E402
+from nscc_training.decoders.blocks import BlockNet  # noqa: E402
+from nscc_training.decoders.make import Task  # noqa: E402
+from nscc_training.decoders.unet import UNet  # noqa: E402
+
+STILL = Task("still", 256, (8, 8))
+CLIP = Task("clip", 16, (8, 8))
+
+
+def coded(slots: int, rows: int, cols: int) -> tuple[torch.Tensor, torch.Tensor]:
+    generator = torch.Generator().manual_seed(1)
+    frame = torch.rand(2, rows, cols, generator=generator)
+    return frame, (torch.rand(slots, rows, cols, generator=generator) < 0.5).float()
+
+
+@pytest.mark.parametrize("size", [(32, 32), (37, 41), (16, 24)])
+@pytest.mark.parametrize("name", ["unet2d", "unet3d", "fcnet"])
+def test_clips_of_any_size(name: str, size: tuple[int, int]) -> None:
+    decoder = make_decoder(name, "small", CLIP)
+    found = decoder(*coded(16, *size))
+    assert found.shape == (2, 16, *size)
+    assert found.dtype == torch.float32
+    assert torch.isfinite(found).all()
+
+
+@pytest.mark.parametrize("sees_code", [True, False])
+def test_stills(sees_code: bool) -> None:
+    decoder = make_decoder("unet2d", "small", Task("still", 64, (4, 4), sees_code))
+    frame, shutters = coded(64, 29, 35)
+    found = decoder(frame, shutters)
+    assert found.shape == frame.shape
+    other = decoder(frame, 1 - shutters)
+    assert torch.equal(found, other) != sees_code
+
+
+def test_sizes_are_those_that_were_promised() -> None:
+    """31, 13 and 51 million parameters as in the paper; at most 0.6 million when small."""
+    wanted = {("unet2d", "still"): 31e6, ("unet3d", "clip"): 13e6, ("fcnet", "clip"): 51e6}
+    for (name, kind), count in wanted.items():
+        task = STILL if kind == "still" else CLIP
+        with torch.device("meta"):
+            assert parameter_count(make_decoder(name, "paper", task)) == pytest.approx(
+                count, rel=0.03
+            )
+            assert parameter_count(make_decoder(name, "small", task)) <= 600_000
+
+
+def test_operations_are_counted() -> None:
+    """The paper's 2D network: 34 GFLOP, of which a multiplication and addition are two."""
+    with torch.device("meta"):
+        decoder = make_decoder("unet2d", "paper", Task("still", 16, (8, 8), sees_code=False))
+    assert flops(decoder, 16, 256, 256) == pytest.approx(34e9, rel=0.1)
+
+
+def test_a_unet_is_its_convolutions() -> None:
+    """One level: two convolutions and a mixing, written out."""
+    network = UNet(2, 3, (4,), 2).double()
+    x = torch.rand(1, 2, 6, 5, dtype=torch.float64)
+    first, _, second, _ = network.down[0]
+
+    def convolved(x: torch.Tensor, layer: torch.nn.Conv2d) -> torch.Tensor:
+        rows, cols = x.shape[2:]
+        padded = torch.zeros(1, x.shape[1], rows + 2, cols + 2, dtype=torch.float64)
+        padded[:, :, 1:-1, 1:-1] = x
+        out = layer.bias.reshape(1, -1, 1, 1).expand(1, -1, rows, cols).clone()
+        for r in range(3):
+            for c in range(3):
+                part = padded[:, :, r : r + rows, c : c + cols]
+                out += torch.einsum("oi,birc->borc", layer.weight[:, :, r, c], part)
+        return out
+
+    middle = convolved(convolved(x, first).clamp(min=0), second).clamp(min=0)
+    wanted = torch.einsum("oi,birc->borc", network.last.weight[:, :, 0, 0], middle)
+    wanted += network.last.bias.reshape(1, -1, 1, 1)
+    assert torch.allclose(network(x), wanted)
+
+
+def test_blocks_overlap_and_are_averaged() -> None:
+    """Against a loop over blocks that adds each where it belongs."""
+    net = BlockNet(8, 3, (2, 2))
+    frame = torch.rand(1, 6, 8)
+    total, holders = torch.zeros(3, 6, 8), torch.zeros(6, 8)
+    for row in (0, 2):
+        for col in (0, 2, 4):
+            made = net.layers(frame[0, row : row + 4, col : col + 4].reshape(1, 16))
+            total[:, row : row + 4, col : col + 4] += made.reshape(3, 4, 4)
+            holders[row : row + 4, col : col + 4] += 1
+    found = net(frame, torch.ones(3, 6, 8))
+    assert torch.allclose(found[0], (total / holders), atol=1e-6)
+
+
+def test_what_a_decoder_cannot_be() -> None:
+    for name, task, words in (
+        ("unet3d", STILL, "clips"),
+        ("fcnet", STILL, "clips"),
+        ("unet3d", Task("clip", 16, (8, 8), sees_code=False), "S\\^T E"),
+        ("unet4d", CLIP, "none of"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            make_decoder(name, "small", task)
+
+
+def test_ones_own_decoder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "mine_of_tests.py").write_text(
+        "import torch\n"
+        "class Mine(torch.nn.Module):\n"
+        "    def __init__(self, size, kind, slots, tile, sees_code):\n"
+        "        super().__init__()\n"
+        "        self.gain = torch.nn.Parameter(torch.tensor(float(slots)))\n"
+        "    def forward(self, frame, shutters):\n"
+        "        return frame * self.gain\n"
+        "number = 3\n"
+        "def wrong(**settings):\n"
+        "    return settings\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    decoder = make_decoder("mine_of_tests:Mine", "small", STILL)
+    assert decoder(torch.ones(1, 4, 4), torch.ones(1, 4, 4)).mean() == 256
+    for name in ("mine_of_tests:number", "mine_of_tests:Other", "no_such_module:X", ":"):
+        with pytest.raises(Rejected, match="NS0812"):
+            make_decoder(name, "small", STILL)
+    with pytest.raises(ValueError, match="not a torch module"):
+        make_decoder("mine_of_tests:wrong", "small", STILL)

@@ -1,0 +1,223 @@
+"""Learned shutters: codes mean what the classes say, files keep them, gradients flow."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+from training_oracle import shutters_of, small_target
+
+torch = pytest.importorskip("torch")
+
+from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc_training.codes_files import codes_bytes, load_codes, save_codes  # noqa: E402
+from nscc_training.encoders import RELAXATIONS, Encoder, ShutterSpec, make_encoder  # noqa: E402
+from nscc_training.programs import Chip, compiled, legal_codes, program_of  # noqa: E402
+from nscc_training.sensor_model import SensorModel, capture  # noqa: E402
+
+SPECS = [
+    ShutterSpec("a", 6, (1, 1)),
+    ShutterSpec("b", 32, (4, 4)),
+    ShutterSpec("c", 16, (3, 5), length=4),
+    ShutterSpec("d", 12, (4, 4)),
+    ShutterSpec("e", 13, (4, 2)),
+    ShutterSpec("codebook", 24, (4, 4), rows=16),
+    ShutterSpec("codebook", 9, (4, 4), rows=5),
+]
+STARTS = ["random", "uniform", "quad"]
+IDEAL = SensorModel(full_well_e=30000.0, electrons_per_lsb=30000.0 / 255)
+
+
+def name_of(spec: ShutterSpec) -> str:
+    return f"{spec.kind}{spec.slots}"
+
+
+def all_codes(encoder: Encoder) -> dict[str, np.ndarray]:
+    found = encoder.codes()
+    if encoder.spec.kind == "codebook":
+        found["book"] = encoder.book()  # type: ignore[operator]
+    return found
+
+
+@pytest.mark.parametrize("start", STARTS)
+@pytest.mark.parametrize("spec", SPECS, ids=name_of)
+def test_shutters_are_those_of_the_codes(spec: ShutterSpec, start: str) -> None:
+    encoder = make_encoder(spec, start, seed=3)
+    hard = encoder.hard().numpy()
+    wanted = shutters_of(spec.kind, spec.slots, all_codes(encoder), spec.length)
+    assert (hard == wanted).all()
+    assert (encoder(torch.Generator()).detach().numpy() == wanted).all()
+    again = make_encoder(spec, "uniform")
+    again.load_codes(all_codes(encoder))
+    assert torch.equal(again.hard(), encoder.hard())
+
+
+@pytest.mark.parametrize("spec", SPECS, ids=name_of)
+def test_a_program_opens_the_same_shutters(spec: ShutterSpec, tmp_path: Path) -> None:
+    """`nscc build` accepts the files, and the words replayed are the encoder's hard pass."""
+    encoder = make_encoder(spec, "random", seed=5)
+    files = program_of(encoder, Chip())
+    (tmp_path / "shutter.nsl").write_text(files.text)
+    built = invoke(["build", "shutter.nsl", "-O", "1", "-o", "s.icw"], tmp_path)
+    assert built.status == 0, built.err
+    assert invoke(["shutters", "s.icw", "-o", "s.npz"], tmp_path).status == 0
+    with np.load(tmp_path / "s.npz") as found:
+        shape = found["shutter_shape"]
+        bits = np.unpackbits(found["shutter"], axis=-1, count=shape[3], bitorder="little")[0]
+    rows, cols = spec.tile
+    hard = encoder.hard().numpy().transpose(1, 2, 0)
+    expected = np.tile(hard, (-(-shape[1] // rows), -(-shape[2] // cols), 1))
+    assert (bits == expected[: shape[1], : shape[2]]).all()
+    assert program_of(encoder, Chip()) == files
+
+
+def test_a_large_tile_goes_into_a_file_with_its_digest(tmp_path: Path) -> None:
+    chip = Chip(target=str(tmp_path / "small.toml"))
+    text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
+    Path(chip.target).write_text(small_target(text, 20, 24))
+    encoder = make_encoder(ShutterSpec("b", 8, (20, 24)), "random", seed=1)
+    files = program_of(encoder, chip)
+    assert len(files.text) < 400
+    found = compiled(files, chip)
+    table, pixels = found.program.table, found.program.pixel_codes
+    assert (table.codes[pixels, 0] == encoder.codes()["stop"]).all()
+    (tmp_path / "shutter.nsl").write_text(files.text)
+    (tmp_path / "codes.npz").write_bytes(codes_bytes({"stop": encoder.codes()["stop"] * 0 + 1}))
+    damaged = invoke(["check", "shutter.nsl", "--target", "small.toml"], tmp_path)
+    assert "NS0315" in damaged.codes
+
+
+@pytest.mark.parametrize("ending", [".npz", ".mat"])
+@pytest.mark.parametrize("spec", SPECS[1:], ids=name_of)
+def test_codes_survive_a_file(spec: ShutterSpec, ending: str, tmp_path: Path) -> None:
+    encoder = make_encoder(spec, "random", seed=9)
+    path = tmp_path / f"codes{ending}"
+    save_codes(path, all_codes(encoder))
+    other = make_encoder(spec, "quad")
+    other.load_codes(load_codes(path))
+    assert torch.equal(other.hard(), encoder.hard())
+
+
+def test_bad_codes_are_refused(tmp_path: Path) -> None:
+    encoder = make_encoder(ShutterSpec("d", 8, (2, 2)), "quad")
+    good = encoder.codes()
+    for bad, words in (
+        ({"start": good["start"]}, "no field 'stop'"),
+        ({**good, "stop": good["stop"][:1]}, "tile"),
+        ({**good, "stop": good["stop"] + 8}, "outside"),
+        ({"start": good["stop"] - 1, "stop": good["stop"] * 0 + 1}, "before it has begun"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            encoder.load_codes(bad)
+    for number, content in enumerate((b"", b"PK\x03\x04", b"nonsense")):
+        path = tmp_path / f"{number}.npz"
+        path.write_bytes(content)
+        with pytest.raises(Rejected, match="NS0805"):
+            load_codes(path)
+    np.savez(tmp_path / "half.npz", stop=np.full((2, 2), 0.5))
+    with pytest.raises(Rejected, match="no code"):
+        load_codes(tmp_path / "half.npz")
+    with pytest.raises(Rejected, match="NS0805"):
+        load_codes(tmp_path / "none.mat")
+
+
+def test_what_cannot_be_compiled_is_the_compilers_error() -> None:
+    """Sixteen free bits do not fit thirteen registers when every code is wanted."""
+    encoder = make_encoder(ShutterSpec("e", 16, (2, 2)), "random")
+    compiled(program_of(encoder, Chip()), Chip())
+    with pytest.raises(Rejected, match="NS0412") as caught:
+        compiled(program_of(encoder, Chip()), Chip(), every_code=True)
+    data = caught.value.diagnostics[-1].data
+    assert data["resource"]
+    with pytest.raises(Rejected, match="NS0601"):
+        compiled(program_of(encoder, Chip(slot_us=0.3)), Chip(slot_us=0.3))
+
+
+def test_require_is_respected() -> None:
+    chip = Chip(require="(stop - start) % 3 == 0")
+    spec = ShutterSpec("d", 12, (4, 4))
+    legal = legal_codes(spec, chip)
+    assert {tuple(c) for c in legal.tolist()} == {
+        (a, b) for a in range(12) for b in range(a + 1, 13) if (b - a) % 3 == 0
+    }
+    encoder = make_encoder(spec, "random", seed=2)
+    encoder.legal = torch.as_tensor(legal, dtype=torch.float64)
+    codes = encoder.codes()
+    assert ((codes["stop"] - codes["start"]) % 3 == 0).all()
+    assert (encoder.hard().numpy() == shutters_of("d", 12, codes)).all()
+    compiled(program_of(encoder, chip), chip)
+    encoder().sum().backward()
+    assert torch.isfinite(encoder.start.grad).all()
+
+
+def test_random_codes_are_uniform_over_the_legal_ones() -> None:
+    spec = ShutterSpec("d", 4, (100, 100))
+    codes = make_encoder(spec, "random", seed=1).codes()
+    pairs, counts = np.unique(
+        np.stack([codes["start"].ravel(), codes["stop"].ravel()]), axis=1, return_counts=True
+    )
+    assert pairs.shape[1] == 10  # N (N + 1) / 2
+    assert abs(counts - 1000).max() < 5 * 30
+    stops = make_encoder(ShutterSpec("b", 8, (100, 100)), "random", seed=1).codes()["stop"]
+    assert (np.bincount(stops.ravel(), minlength=9)[1:] > 1000).all()
+
+
+def test_the_quad_is_the_two_by_two_pattern() -> None:
+    stop = make_encoder(ShutterSpec("b", 256, (4, 4)), "quad").codes()["stop"]
+    assert stop.tolist() == [[256, 64, 256, 64], [16, 4, 16, 4]] * 2
+
+
+@pytest.mark.parametrize("relaxation", RELAXATIONS)
+@pytest.mark.parametrize("spec", SPECS[1:], ids=name_of)
+def test_projection_keeps_parameters_where_gradients_live(
+    spec: ShutterSpec, relaxation: str
+) -> None:
+    encoder = make_encoder(spec, "random", 0, relaxation)
+    generator = torch.Generator().manual_seed(0)
+    encoder.noise = 0.1
+    optimiser = torch.optim.SGD(encoder.parameters(), lr=1e3)
+    before = encoder.hard()
+    wish = torch.rand(spec.slots, *spec.tile, generator=generator)
+    for _ in range(3):
+        optimiser.zero_grad()
+        ((encoder(generator) - wish) ** 2).sum().backward()
+        optimiser.step()
+        encoder.project()
+    for parameter, (low, high) in encoder.ranges():
+        assert parameter.min() >= low
+        assert parameter.max() <= high
+    assert not torch.equal(encoder.hard(), before)
+    assert (
+        encoder.hard().numpy() == shutters_of(spec.kind, spec.slots, all_codes(encoder),
+                                              spec.length)
+    ).all()  # fmt: skip
+
+
+@pytest.mark.parametrize("relaxation", ["sigmoid", "gumbel"])
+@pytest.mark.parametrize("spec", SPECS[1:], ids=name_of)
+def test_a_cold_relaxation_is_the_hard_shutter(spec: ShutterSpec, relaxation: str) -> None:
+    encoder = make_encoder(spec, "random", 4, relaxation)
+    encoder.temperature = 1e-3
+    soft = encoder(None).detach()
+    assert torch.allclose(soft, encoder.hard(), atol=1e-6)
+
+
+def test_an_edge_moves_towards_the_light() -> None:
+    """More light is wanted: every stop must rise, by the light of the slots beside it."""
+    encoder = make_encoder(ShutterSpec("b", 8, (1, 2)), "uniform")
+    encoder.load_codes({"stop": np.array([[3, 5]])})
+    light = torch.arange(1.0, 9.0).reshape(1, 8, 1, 1).repeat(1, 1, 1, 2)
+    capture(light, encoder, IDEAL).exposure_e.sum().backward()
+    # at boundary 3 lie slots 2 and 3, with 3 and 4 electrons
+    assert encoder.stop.grad.tolist() == [[3.5, 5.5]]
+
+
+def test_a_codebook_with_a_row_for_each_place_is_as_free_as_class_e() -> None:
+    wish = np.random.default_rng(6).random((9, 4, 4)) < 0.5
+    book = wish.reshape(9, 16).T.astype(np.int64)
+    encoder = make_encoder(ShutterSpec("codebook", 9, (4, 4), rows=16), "uniform")
+    encoder.load_codes({"id": np.arange(16).reshape(4, 4), "book": book})
+    assert (encoder.hard().numpy() == wish).all()
+    assert encoder.unused_share() == 0  # type: ignore[operator]

@@ -1,0 +1,197 @@
+"""Metrics against sums written out by hand, and `nscc metrics` as a command."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+from numpy.typing import NDArray
+
+from nscc_training import metrics
+from nscc_training.statistics import bootstrap, paired, summary
+
+Picture = NDArray[np.float64]
+
+
+def _pair(shape: tuple[int, ...], seed: int = 1) -> tuple[Picture, Picture]:
+    rng = np.random.default_rng(seed)
+    truth = rng.random(shape)
+    return truth, np.clip(truth + 0.1 * rng.standard_normal(shape), 0, 1)
+
+
+def slow_ssim(x: Picture, y: Picture, data_range: float) -> float:
+    """The definition, window by window, with exact sums."""
+    weight = [math.exp(-0.5 * (k / 1.5) ** 2) for k in range(-5, 6)]
+    total = math.fsum(weight)
+    weight = [w / total for w in weight]
+    window = [wr * wc for wr in weight for wc in weight]
+    values = []
+    for r in range(x.shape[0] - 10):
+        for c in range(x.shape[1] - 10):
+            a, b = (p[r : r + 11, c : c + 11].ravel().tolist() for p in (x, y))
+            mean_a, mean_b = (
+                math.fsum(w * v for w, v in zip(window, part, strict=True)) for part in (a, b)
+            )
+            vaa = math.fsum(w * (v - mean_a) ** 2 for w, v in zip(window, a, strict=True))
+            vbb = math.fsum(w * (v - mean_b) ** 2 for w, v in zip(window, b, strict=True))
+            vab = math.fsum(
+                w * (p - mean_a) * (q - mean_b) for w, p, q in zip(window, a, b, strict=True)
+            )
+            c1, c2 = (0.01 * data_range) ** 2, (0.03 * data_range) ** 2
+            values.append(
+                (2 * mean_a * mean_b + c1) * (2 * vab + c2)
+                / ((mean_a**2 + mean_b**2 + c1) * (vaa + vbb + c2))
+            )  # fmt: skip
+    return math.fsum(values) / len(values)
+
+
+def test_psnr_is_its_definition() -> None:
+    truth, result = _pair((17, 13))
+    mse = math.fsum((a - b) ** 2 for a, b in zip(truth.flat, result.flat, strict=True)) / truth.size
+    assert metrics.psnr(truth, result, 1.0) == pytest.approx(10 * math.log10(1 / mse), abs=1e-9)
+    assert metrics.psnr(truth * 255, result * 255, 255.0) == pytest.approx(
+        metrics.psnr(truth, result, 1.0), abs=1e-9
+    )
+
+
+def test_psnr_of_bytes_does_not_wrap() -> None:
+    low, high = np.zeros((11, 11), np.uint8), np.full((11, 11), 255, np.uint8)
+    assert metrics.psnr(low, high, 255.0) == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("data_range", [1.0, 0.25])
+def test_ssim_is_its_definition(data_range: float) -> None:
+    truth, result = _pair((14, 16))
+    assert metrics.ssim(truth, result, data_range) == pytest.approx(
+        slow_ssim(truth, result, data_range), abs=1e-10
+    )
+    assert metrics.ssim(truth, 1 - truth, data_range) == pytest.approx(
+        slow_ssim(truth, 1 - truth, data_range), abs=1e-10
+    )
+
+
+def test_mu_and_pu21_count_dark_errors_more() -> None:
+    truth = np.full((12, 12), 0.01)
+    bright = truth + 0.9
+    for measure in (
+        metrics.mu_psnr,
+        lambda a, b, r: metrics.pu21_psnr(a, b, r, 1000.0),
+    ):
+        in_dark = measure(truth, truth + 0.005, 1.0)
+        in_light = measure(bright, bright + 0.005, 1.0)
+        assert in_light > in_dark + 20
+        assert measure(truth * 7, (truth + 0.005) * 7, 7.0) == pytest.approx(in_dark, abs=1e-9)
+
+
+def test_mu_psnr_by_hand() -> None:
+    truth, result = np.full((11, 11), 0.5), np.full((11, 11), 0.25)
+    difference = (math.log1p(2500) - math.log1p(1250)) / math.log1p(5000)
+    assert metrics.mu_psnr(truth, result, 1.0) == pytest.approx(-20 * math.log10(difference))
+
+
+def test_temporal_error_sees_flicker_only() -> None:
+    truth = np.tile(np.linspace(0, 1, 12)[None, None], (6, 12, 1))
+    assert metrics.temporal_error(truth, truth + 0.2, 1.0) == pytest.approx(0.0, abs=1e-15)
+    flicker = truth + 0.1 * (-1.0) ** np.arange(6)[:, None, None]
+    assert metrics.temporal_error(truth, flicker, 2.0) == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize("bad", [0.0, -1.0, math.nan])
+def test_a_data_range_is_needed(bad: float) -> None:
+    truth, result = _pair((12, 12))
+    for measure in (metrics.psnr, metrics.ssim):
+        with pytest.raises(ValueError, match="data range"):
+            measure(truth, result, bad)
+
+
+def test_summary_and_interval() -> None:
+    found = summary([1.0, 2.0, 3.0, math.inf], ["a", "a", "b", "b"])
+    assert (found["mean"], found["sd"], found["infinite"]) == (2.0, 1.0, 1)
+    assert summary([math.inf], ["a"])["mean"] is None
+    rng = np.random.default_rng(3)
+    values, groups = rng.normal(5, 1, 400), [str(k) for k in range(400)]
+    low, high = bootstrap(values.tolist(), groups)
+    # the normal interval of 400 draws is 2 * 1.96 / 20 wide
+    assert high - low == pytest.approx(0.196, rel=0.15)
+    assert low < values.mean() < high
+    # ten equal values a scene are one draw a scene: the interval knows
+    few = bootstrap(np.repeat(values[:40], 10).tolist(), np.repeat(groups[:40], 10).tolist())
+    assert few[1] - few[0] == pytest.approx(2 * 1.96 * values[:40].std() / 40**0.5, rel=0.15)
+
+
+def test_pairs_compare_what_both_have() -> None:
+    first = {"a": 20.0, "b": 30.0, "c": 1.0, "d": math.inf}
+    second = {"a": 21.0, "b": 33.0, "d": 5.0, "e": 2.0}
+    found = paired(first, second, {"a": "s", "b": "t", "d": "t"})
+    assert found["items"] == 3
+    assert (found["gain_db"], found["infinite"]) == (2.0, 1)
+    assert (found["only_first"], found["only_second"]) == (1, 1)
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder with a truth and a result, of a still and of a clip."""
+    truth, result = _pair((3, 16, 16))
+    np.save(tmp_path / "t.npy", truth[0])
+    np.savez(tmp_path / "r.npz", image=result[0].astype(np.float32), other=result)
+    np.savez(tmp_path / "clip.npz", truth=truth, video=result)
+    np.save(tmp_path / "small.npy", truth[0, :10])
+    np.save(tmp_path / "nan.npy", np.where(truth[0] > 0.5, np.nan, 1.0))
+    np.save(tmp_path / "text.npy", np.full((16, 16), "x"))
+    (tmp_path / "broken.npz").write_bytes(b"PK\x03\x04 and nothing")
+    (tmp_path / "notes.txt").write_text("no picture")
+    return tmp_path
+
+
+def test_the_command_prints_every_metric(folder: Path) -> None:
+    outcome = invoke(["metrics", "t.npy", "r.npz", "--data-range", "1", "--json"], folder)
+    assert outcome.status == 0, outcome.err
+    found = json.loads(outcome.out)
+    truth, result = np.load(folder / "t.npy"), np.load(folder / "r.npz")["image"]
+    assert found["psnr_db"] == pytest.approx(metrics.psnr(truth, result, 1.0))
+    assert found["ssim"] == pytest.approx(slow_ssim(truth, result.astype(np.float64), 1.0))
+    assert found["data_range"] == 1.0
+    assert found["shape"] == [16, 16]
+    assert found["temporal_error"] is None
+    human = invoke(["metrics", "t.npy", "r.npz", "--data-range", "1"], folder).out
+    assert f"{found['psnr_db']:.4f} dB" in human
+
+
+def test_the_command_takes_clips_apart(folder: Path) -> None:
+    arguments = ["metrics", "clip.npz", "clip.npz", "--truth-key", "truth", "--data-range", "1"]
+    found = json.loads(invoke([*arguments, "--json", "-o", "m.json"], folder).out)
+    assert found == json.loads((folder / "m.json").read_text())
+    each = [frame["psnr_db"] for frame in found["frames"]]
+    assert len(each) == 3
+    assert found["psnr_db"] == pytest.approx(sum(each) / 3)
+    same = json.loads(
+        invoke(["metrics", "clip.npz", "clip.npz", "--data-range", "1", "--json"], folder).out
+    )
+    assert (same["psnr_db"], same["infinite"], same["ssim"]) == ("inf", 3, pytest.approx(1.0))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (["t.npy", "small.npy", "--data-range", "1"], "NS0802"),
+        (["small.npy", "small.npy", "--data-range", "1"], "NS0802"),
+        (["t.npy", "clip.npz", "--data-range", "1"], "NS0802"),
+        (["t.npy", "nan.npy", "--data-range", "1"], "NS0804"),
+        (["t.npy", "text.npy", "--data-range", "1"], "NS0801"),
+        (["t.npy", "broken.npz", "--data-range", "1"], "NS0801"),
+        (["t.npy", "notes.txt", "--data-range", "1"], "NS0801"),
+        (["t.npy", "none.npy", "--data-range", "1"], "NS0801"),
+        (["t.npy", "r.npz", "--rec-key", "imag", "--data-range", "1"], "NS0801"),
+        (["t.npy", "r.npz", "--data-range", "0"], "NS0803"),
+        (["t.npy", "r.npz", "--data-range", "inf"], "NS0803"),
+        (["t.npy", "r.npz"], "NS0780"),
+        (["t.npy", "r.npz", "--data-range", "1", "--nits", "0"], "NS0783"),
+    ],
+)
+def test_the_command_refuses(folder: Path, arguments: list[str], code: str) -> None:
+    outcome = invoke(["metrics", *arguments], folder)
+    assert (outcome.status, outcome.codes) == (2, [code])

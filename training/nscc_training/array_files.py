@@ -1,0 +1,134 @@
+"""Pictures and clips as arrays, from files that anyone may have made."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.suggest import closest
+from nscc_training.problems import listed, rejected
+
+KEYS = ("image", "video", "truth_e", "light", "orig")
+"""The arrays that a file of several is taken to mean, the first that it has."""
+
+ARRAYS = (".mat", ".npy", ".npz")
+
+
+def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
+    """The array of a file: (rows, cols) or (T, rows, cols), real numbers, all finite.
+
+    `.npy`, `.npz` and `.mat` (`key` names one of several; `orig` clips, stored (rows, cols, T),
+    are turned), linear pictures as luminance, grey display pictures as stored. Raises Rejected:
+    NS0801 where the file cannot be read as such, NS0802 for other shapes, NS0804 for values that
+    are not finite.
+    """
+    found = _read(path, key)
+    if found.dtype.kind not in "uifb":
+        raise rejected(
+            "NS0801",
+            f"the array in '{path}' holds {found.dtype}, not real numbers",
+            helps=("save it as float32, or as integers",),
+        )
+    if found.ndim == 3 and found.shape[0] == 1:
+        found = found[0]
+    if found.ndim not in (2, 3) or 0 in found.shape:
+        raise rejected(
+            "NS0802",
+            f"the array in '{path}' has the shape {found.shape}",
+            notes=("a picture is (rows, cols), a clip (T, rows, cols)",),
+            helps=("save one picture or one clip, without an axis for colours or batches",),
+        )
+    bad = int(np.count_nonzero(~np.isfinite(found))) if found.dtype.kind == "f" else 0
+    if bad:
+        raise rejected(
+            "NS0804",
+            f"{bad} of {found.size} values in '{path}' are not finite",
+            notes=("one of them would make every mean of errors meaningless",),
+            helps=("find where they come from; np.nan_to_num hides them",),
+            data={"count": bad},
+        )
+    return found
+
+
+def _read(path: Path, key: str | None) -> NDArray[Any]:
+    suffix = path.suffix.lower()
+    try:
+        if not path.is_file():
+            raise rejected("NS0801", f"'{path}' is not a file", helps=("name an existing file",))
+        if suffix in ARRAYS:
+            return _read_array(path, suffix, key)
+    except Rejected:
+        raise
+    except Exception as error:  # zipfile, numpy and scipy raise a dozen types for damaged files
+        words = " ".join(str(error).split())[:200]
+        raise rejected(
+            "NS0801",
+            f"'{path}' cannot be read as a {suffix} file",
+            notes=(f"the reader says: {words}",) if words else (),
+            helps=("check that the file is whole and that its ending says what it is",),
+        ) from error
+    return _read_image(path, suffix)
+
+
+def _read_array(path: Path, suffix: str, key: str | None) -> NDArray[Any]:
+    if suffix == ".npy":
+        return np.asarray(np.load(path, allow_pickle=False))
+    if suffix == ".npz":
+        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
+            return np.asarray(file[_chosen(path, list(file.files), key)])
+    from scipy.io import loadmat, whosmat
+
+    name = _chosen(path, [str(entry[0]) for entry in whosmat(path)], key)
+    found = np.asarray(loadmat(path, variable_names=[name])[name])
+    return np.moveaxis(found, 2, 0) if name == "orig" and found.ndim == 3 else found
+
+
+def _chosen(path: Path, names: list[str], key: str | None) -> str:
+    wanted = [key] if key is not None else [name for name in KEYS if name in names]
+    if key is None and not wanted and len(names) == 1:
+        wanted = names
+    if wanted and wanted[0] in names:
+        return wanted[0]
+    near = closest(key, names) if key else None
+    raise rejected(
+        "NS0801",
+        f"'{path}' has no array '{key}'"
+        if key
+        else f"which array of '{path}' is meant is not clear",
+        notes=(f"it holds {listed(sorted(names))}",),
+        helps=(f"did you mean '{near}'?",)
+        if near
+        else (f"name the array with an option; without one, {', '.join(KEYS)} are looked for",),
+    )
+
+
+def _read_image(path: Path, suffix: str) -> NDArray[Any]:
+    from nscc_runtime.scenes.colour import linear, luminance
+    from nscc_runtime.scenes.pictures import LINEAR, PICTURES, read_picture
+
+    if suffix not in PICTURES:
+        raise rejected(
+            "NS0801",
+            f"'{path}' does not end like a picture or an array",
+            notes=(f"arrays end in {', '.join(ARRAYS)}, pictures in {', '.join(PICTURES)}",),
+            helps=("give the file the ending of its format",),
+        )
+    stored = read_picture(path)
+    if stored.ndim == 2:
+        return stored
+    if suffix in LINEAR:
+        return luminance(linear(stored, "linear"))
+    if np.array_equal(stored[..., 0], stored[..., 1]) and np.array_equal(
+        stored[..., 0], stored[..., 2]
+    ):
+        return stored[..., 0]
+    raise rejected(
+        "NS0801",
+        f"'{path}' is a colour picture",
+        notes=("the sensor and its reconstructions have one channel",),
+        helps=("compare luminance: convert the picture to grey, or give a linear one (.exr .hdr)",),
+    )

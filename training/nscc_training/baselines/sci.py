@@ -1,0 +1,139 @@
+"""Video snapshot compressive imaging without learning: T frames from one coded exposure.
+
+Everywhere `mask` is (T, rows, cols), `measurement` (rows, cols) = sum over T of mask * clip, and
+the result a clip (T, rows, cols) in the measurement's unit of a frame, here 0..1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training.baselines.tv import Clip, tv_denoise
+
+WEIGHT = 0.1
+ITERATIONS = 40
+_INNER = 5
+_TIME = 0.3
+"""Differences from frame to frame weigh less than those between pixels: things move."""
+_RIDGE = 0.01
+
+
+def gap_tv(
+    measurement: NDArray[np.float32], mask: Clip, iterations: int = ITERATIONS,
+    weight: float = WEIGHT,
+) -> Clip:  # fmt: skip
+    """Generalised alternating projection with TV (Yuan 2016), accelerated."""
+    energy = _energy(mask)
+    clip = mask * (measurement / energy)
+    target = np.zeros_like(measurement)
+    for _ in range(iterations):
+        seen = np.einsum("trc,trc->rc", mask, clip)
+        target += measurement - seen
+        clip = tv_denoise(clip + mask * ((target - seen) / energy), weight, _INNER, _TIME)
+    return clip
+
+
+def admm_tv(
+    measurement: NDArray[np.float32], mask: Clip, iterations: int = ITERATIONS,
+    weight: float = WEIGHT,
+) -> Clip:  # fmt: skip
+    """Alternating direction method of multipliers with TV."""
+    energy = _energy(mask) + np.float32(_RIDGE)
+    clip = mask * (measurement / energy)
+    dual = np.zeros_like(clip)
+    for _ in range(iterations):
+        split = clip + dual
+        seen = np.einsum("trc,trc->rc", mask, split)
+        split += mask * ((measurement - seen) / energy)
+        clip = tv_denoise(split - dual, weight, _INNER, _TIME)
+        dual -= split - clip
+    return clip
+
+
+def adjoint(measurement: NDArray[np.float32], mask: Clip) -> Clip:
+    """S^T E over the number of frames seen: what decoders start from."""
+    return np.asarray(mask * (measurement / _energy(mask)), np.float32)
+
+
+def bilinear(clip: Clip, mask: Clip) -> Clip:
+    """The coded volume, before it was integrated, inpainted frame by frame with tent weights.
+
+    It decodes no capture: a yardstick only. A tent reaches as far as it must to find a sample.
+    """
+    return np.stack(
+        [_inpainted(frame * seen, seen) for frame, seen in zip(clip, mask, strict=True)]
+    )
+
+
+def thin_out(clip: Clip, step: int = 4) -> Clip:
+    """Every fourth pixel in x and y at full rate, interpolated linearly; a yardstick as well."""
+    rows, cols = clip.shape[1:]
+    down, right = _between(rows, step), _between(cols, step)
+    return np.asarray(down @ clip[:, ::step, ::step] @ right.T, np.float32)
+
+
+@dataclass(frozen=True)
+class Method:
+    """A way to get a clip; `sees` says whether from the capture or, as a yardstick, the truth."""
+
+    name: str
+    sees: Literal["capture", "truth"]
+    run: Callable[[NDArray[np.float32], Clip, Clip, int, float], Clip]
+
+
+METHODS: Mapping[str, Method] = {
+    method.name: method
+    for method in (
+        Method("gap-tv", "capture", lambda y, s, _truth, n, w: gap_tv(y, s, n, w)),
+        Method("admm-tv", "capture", lambda y, s, _truth, n, w: admm_tv(y, s, n, w)),
+        Method("adjoint", "capture", lambda y, s, _truth, _n, _w: adjoint(y, s)),
+        Method("bilinear", "truth", lambda _y, s, truth, _n, _w: bilinear(truth, s)),
+        Method("thin-out", "truth", lambda _y, _s, truth, _n, _w: thin_out(truth)),
+    )
+}
+
+
+def _energy(mask: Clip) -> NDArray[np.float32]:
+    """sum of squares of the mask at each pixel; 1 where it never opens, so that nothing divides
+    by 0 and nothing comes of it."""
+    energy = np.einsum("trc,trc->rc", mask, mask)
+    return np.asarray(np.where(energy > 0, energy, 1), np.float32)
+
+
+def _inpainted(values: NDArray[np.float32], seen: NDArray[np.float32]) -> NDArray[np.float32]:
+    found = np.zeros_like(values)
+    missing = np.ones(values.shape, bool)
+    reach = 2
+    while missing.any():
+        tent = 1 - np.abs(np.arange(1 - reach, reach)) / reach
+        weight = _spread(seen, tent)
+        here = missing & (weight > 0)
+        found[here] = (_spread(values, tent)[here] / weight[here]).astype(np.float32)
+        missing &= ~here
+        if reach > 2 * max(values.shape):
+            break
+        reach *= 2
+    keep = seen > 0
+    found[keep] = values[keep] / seen[keep]
+    return found
+
+
+def _spread(values: NDArray[np.float32], weights: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Weighted sums over windows centred on each pixel; nothing lies outside of the picture."""
+    found = values.astype(np.float64)
+    for axis in (0, 1):
+        found = np.apply_along_axis(np.convolve, axis, found, weights, mode="full")
+        margin = len(weights) // 2
+        found = np.take(found, np.arange(margin, margin + values.shape[axis]), axis=axis)
+    return found
+
+
+def _between(length: int, step: int) -> NDArray[np.float64]:
+    """The matrix (length, samples) of linear interpolation from every step-th place."""
+    places = np.arange(0, length, step)
+    return np.stack([np.interp(np.arange(length), places, unit) for unit in np.eye(len(places))], 1)

@@ -1,0 +1,91 @@
+"""Codes to and from `.npz` and `.mat`: one integer array a field, and a codebook's `book`."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from collections.abc import Mapping
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Rejected
+from nscc_training.problems import rejected
+
+Codes = Mapping[str, NDArray[np.int64]]
+
+
+def codes_bytes(codes: Codes) -> bytes:
+    """An .npz file of these codes: the same codes, the same bytes."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in sorted(codes):
+            entry = io.BytesIO()
+            np.lib.format.write_array(entry, _small(codes[name]), version=(1, 0))
+            info = zipfile.ZipInfo(f"{name}.npy", (1980, 1, 1, 0, 0, 0))
+            archive.writestr(info, entry.getvalue(), zipfile.ZIP_DEFLATED)
+    return stream.getvalue()
+
+
+def save_codes(path: Path, codes: Codes) -> None:
+    """Write codes to a `.npz` or `.mat` file; ValueError for another ending."""
+    if path.suffix == ".npz":
+        path.write_bytes(codes_bytes(codes))
+    elif path.suffix == ".mat":
+        from scipy.io import savemat
+
+        savemat(path, dict(codes), do_compression=True)
+    else:
+        raise ValueError(f"codes are kept in .npz or .mat files, not '{path.suffix}'")
+
+
+def load_codes(path: Path) -> dict[str, NDArray[np.int64]]:
+    """The integer arrays of a `.npz` or `.mat` file, by name.
+
+    Raises Rejected (NS0805) for a file that cannot be read or holds something else; floats that are
+    whole numbers count as integers, because MATLAB saves them so.
+    """
+    try:
+        if path.suffix == ".mat":
+            from scipy.io import loadmat
+
+            found = {k: v for k, v in loadmat(path).items() if not k.startswith("__")}
+        else:
+            with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
+                found = {name: file[name] for name in file.files}
+        return {name: _integers(path, name, values) for name, values in found.items()}
+    except Rejected:
+        raise
+    except Exception as error:  # numpy, zipfile and scipy raise a dozen types for damaged files
+        words = " ".join(str(error).split())[:200]
+        raise rejected(
+            "NS0805",
+            f"the codes in '{path}' cannot be read",
+            notes=(f"the reader says: {words}",) if words else (),
+            helps=("codes are .npz or .mat files with an integer array (rows, cols) a field",),
+        ) from error
+
+
+def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.int64]:
+    whole = values.dtype.kind in "iub"
+    if values.dtype.kind == "f":
+        reals = values.astype(np.float64)
+        whole = bool((np.abs(reals) < 2**53).all() and (np.rint(reals) == reals).all())
+    if not whole or values.ndim != 2 or values.size == 0:
+        raise rejected(
+            "NS0805",
+            f"'{name}' in '{path}' is no code: {values.dtype}, {values.shape}",
+            notes=("a field's codes are whole numbers, (rows, cols) of the tile or of the array",),
+            helps=("save integers, and nothing else in the file",),
+        )
+    return values.astype(np.int64)
+
+
+def _small(values: NDArray[np.int64]) -> NDArray[np.generic]:
+    """The smallest integer type that holds the values."""
+    low, high = int(values.min()), int(values.max())
+    for kind in (np.uint8, np.uint16, np.int32):
+        if np.iinfo(kind).min <= low and high <= np.iinfo(kind).max:
+            return values.astype(kind)
+    return values

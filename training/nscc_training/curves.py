@@ -1,0 +1,127 @@
+"""Curves from linear light to numbers that errors may be counted in: mu-law, log, gamma, PU21.
+
+Each takes a numpy array or a torch tensor and returns the same kind and precision; inside it
+calculates in float64, because a float32 logarithm of 1e8 alone is 1e-6 off. Below their domain all
+of them go on as a straight line, so that values and gradients stay finite at 0 and below it.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, TypeVar, cast
+
+import numpy as np
+
+Array = TypeVar("Array", bound=Any)
+
+MU = 5000.0
+"""The mu of the HDR literature's mu-law."""
+
+GAMMA_TOE = 1e-4
+"""Below this a gamma curve is a straight line through 0."""
+
+PU21_LOW, PU21_HIGH = 0.005, 10000.0
+"""The luminances in cd/m2 that PU21 was fitted to."""
+
+_PU21 = (
+    0.353487901, 0.3734658629, 8.277049286e-05, 0.9062562627,
+    0.09150303166, 0.9099517204, 596.3148142,
+)  # fmt: skip
+"""Mantiuk and Azimi, Picture Coding Symposium 2021: the fit with banding and glare."""
+
+
+def mu_law(x: Array, mu: float = MU) -> Array:
+    """log(1 + mu x) / log(1 + mu): 0 to 0, 1 to 1; x relative to the data range."""
+    return _as(x, log_curve(_wide(x), 1.0 / mu) / math.log1p(mu))
+
+
+def mu_law_inverse(y: Array, mu: float = MU) -> Array:
+    """The x that `mu_law` takes to y."""
+    return _as(y, log_curve_inverse(_wide(y) * math.log1p(mu), 1.0 / mu))
+
+
+def log_curve(x: Array, floor: float) -> Array:
+    """log(1 + x / floor): relative errors count alike well above `floor`, absolute ones below."""
+    xp, wide = _library(x), _wide(x)
+    scaled = wide / floor
+    return _as(x, xp.where(wide >= 0, xp.log1p(xp.clip(scaled, 0.0, None)), scaled))
+
+
+def log_curve_inverse(y: Array, floor: float) -> Array:
+    """The x that `log_curve` takes to y."""
+    xp, wide = _library(y), _wide(y)
+    return _as(y, floor * xp.where(wide >= 0, xp.expm1(xp.clip(wide, 0.0, None)), wide))
+
+
+def gamma(x: Array, exponent: float = 0.5) -> Array:
+    """x ** exponent, a straight line below `GAMMA_TOE`."""
+    xp, wide = _library(x), _wide(x)
+    power = xp.clip(wide, GAMMA_TOE, None) ** exponent
+    return _as(x, xp.where(wide > GAMMA_TOE, power, wide * GAMMA_TOE ** (exponent - 1.0)))
+
+
+def gamma_inverse(y: Array, exponent: float = 0.5) -> Array:
+    """The x that `gamma` takes to y."""
+    xp, wide = _library(y), _wide(y)
+    toe = GAMMA_TOE**exponent
+    power = xp.clip(wide, toe, None) ** (1.0 / exponent)
+    return _as(y, xp.where(wide > toe, power, wide * GAMMA_TOE ** (1.0 - exponent)))
+
+
+def pu21(luminance: Array) -> Array:
+    """Perceptually uniform units of a luminance in cd/m2: about 256 at 100 cd/m2, 0 at 0.005.
+
+    Outside of `PU21_LOW`..`PU21_HIGH` it goes on as a straight line with the slope at that end.
+    """
+    xp, wide = _library(luminance), _wide(luminance)
+    inside = xp.clip(wide, PU21_LOW, PU21_HIGH)
+    low, high = (_pu21_slope(end) for end in (PU21_LOW, PU21_HIGH))
+    below, above = xp.clip(wide - PU21_LOW, None, 0.0), xp.clip(wide - PU21_HIGH, 0.0, None)
+    return _as(luminance, _pu21_inside(inside) + below * low + above * high)
+
+
+def pu21_inverse(units: Array) -> Array:
+    """The luminance in cd/m2 that `pu21` takes to `units`."""
+    xp, wide = _library(units), _wide(units)
+    bottom, top = _pu21_inside(PU21_LOW), _pu21_inside(PU21_HIGH)
+    a, b, c, d, e, f, scale = _PU21
+    ratio = (xp.clip(wide, bottom, top) / scale + f) ** (1.0 / e)
+    inside = ((ratio - a) / (b - c * ratio)) ** (1.0 / d)
+    below, above = xp.clip(wide - bottom, None, 0.0), xp.clip(wide - top, 0.0, None)
+    low, high = (_pu21_slope(end) for end in (PU21_LOW, PU21_HIGH))
+    return _as(units, inside + below / low + above / high)
+
+
+def _pu21_inside(luminance: Any) -> Any:
+    a, b, c, d, e, f, scale = _PU21
+    power = luminance**d
+    return scale * (((a + b * power) / (1.0 + c * power)) ** e - f)
+
+
+def _pu21_slope(luminance: float) -> float:
+    a, b, c, d, e, _f, scale = _PU21
+    power = luminance**d
+    ratio = (a + b * power) / (1.0 + c * power)
+    inner = (b - a * c) / (1.0 + c * power) ** 2 * d * power / luminance
+    return float(scale * e * ratio ** (e - 1.0) * inner)
+
+
+def _library(x: Any) -> Any:
+    """numpy, or torch for its tensors: it is imported already where they are."""
+    if type(x).__module__.partition(".")[0] == "torch":
+        import torch
+
+        return torch
+    return np
+
+
+def _wide(x: Any) -> Any:
+    return x.double() if _library(x) is not np else np.asarray(x, np.float64)
+
+
+def _as(x: Array, y: Any) -> Array:
+    """y in the precision of x; whole numbers give float64."""
+    if _library(x) is not np:
+        return cast(Array, y.to(x.dtype) if x.is_floating_point() else y)
+    kind = np.asarray(x).dtype
+    return cast(Array, y.astype(kind) if kind.kind == "f" else y)

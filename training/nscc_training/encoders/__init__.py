@@ -1,0 +1,8 @@
+"""Shutters that can be learned: real parameters outside, legal codes of a class inside."""
+
+from __future__ import annotations
+
+from nscc_training.encoders.base import RELAXATIONS, Encoder, ShutterSpec
+from nscc_training.encoders.make import CLASSES, make_encoder
+
+__all__ = ["CLASSES", "RELAXATIONS", "Encoder", "ShutterSpec", "make_encoder"]

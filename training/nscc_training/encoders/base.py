@@ -1,0 +1,149 @@
+"""What all encoders share: a tile of codes, its shutters hard and soft, starts and projections."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+
+RELAXATIONS = ("straight-through", "sigmoid", "gumbel")
+"""How gradients get past the quantisation.
+
+`straight-through`: hard shutters forward, a stand-in slope backward. `sigmoid`: soft shutters
+forward, whose temperature a schedule takes down. `gumbel` (codebooks; elsewhere as `sigmoid`): soft
+shapes and a random soft choice of them.
+"""
+
+Codes = dict[str, NDArray[np.int64]]
+"""Field values at every place of the tile, by field name, each (rows, cols)."""
+
+
+@dataclass(frozen=True)
+class ShutterSpec:
+    """A shutter class on a grid.
+
+    `kind` is a, b, c, d, e or codebook; `slots` N; `tile` (rows, cols) repeats over the array, and
+    is the array itself for free codes. `length` is the bump of class c, `rows` the number of a
+    codebook's shapes.
+    """
+
+    kind: str
+    slots: int
+    tile: tuple[int, int]
+    length: int | None = None
+    rows: int | None = None
+
+    @property
+    def places(self) -> int:
+        """Codes in a tile."""
+        return self.tile[0] * self.tile[1]
+
+
+class Encoder(nn.Module, ABC):
+    """Learned shutters of one class.
+
+    Calling it gives the shutters that training uses, (N, rows, cols) of the tile: exactly 0 and 1
+    with `straight-through`, between them with a relaxation. `hard()` gives the ones that get
+    compiled. `project()` belongs after every optimiser step: it takes parameters back to their
+    range, where gradients live.
+    """
+
+    def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        super().__init__()
+        if relaxation not in RELAXATIONS:
+            raise ValueError(f"{relaxation!r} is none of {RELAXATIONS}")
+        self.spec = spec
+        self.relaxation = relaxation
+        self.temperature = 1.0
+        self.noise = 0.0
+        """Standard deviation of the noise on parameters while training, in their own unit."""
+
+    @abstractmethod
+    def codes(self) -> Codes:
+        """The legal codes that the parameters stand for now."""
+
+    @abstractmethod
+    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        """Set the parameters to these codes. ValueError for wrong names, shapes or values."""
+
+    @abstractmethod
+    def start_random(self, generator: np.random.Generator) -> None:
+        """Independent codes, uniform over the legal ones of the class."""
+
+    @abstractmethod
+    def start_uniform(self) -> None:
+        """One code for all places."""
+
+    @abstractmethod
+    def start_quad(self) -> None:
+        """The pattern of 2 x 2 places: geometric exposures, or for clips moments side by side."""
+
+    @abstractmethod
+    def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        """Shutters (N, rows, cols): for training where `soft`, else the hard ones."""
+
+    def forward(self, generator: torch.Generator | None = None) -> Tensor:
+        """The shutters of this step; noise on parameters comes from `generator`, if given."""
+        return self.shutters(generator, soft=self.relaxation != "straight-through")
+
+    def hard(self) -> Tensor:
+        """The shutters that the codes open, exactly 0 and 1, without gradient or noise."""
+        with torch.no_grad():
+            return self.shutters(None, soft=False)
+
+    @torch.no_grad()
+    def project(self) -> None:
+        """Take parameters back into their legal range."""
+        for parameter, (low, high) in self.ranges():
+            parameter.clamp_(low, high)
+
+    def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+        """The parameters with their legal ranges."""
+        return []
+
+    def dead_share(self) -> float:
+        """The share of parameters whose gradient is exactly 0 after a backward pass, 0..1.
+
+        Such a code cannot learn from this batch: all its pixels are saturated, dark or unused.
+        1 where no gradient arrived at all, 0 for a class without parameters.
+        """
+        grads = [p.grad for p in self.parameters()]
+        if not grads:
+            return 0.0
+        dead = sum(int((g == 0).sum()) if g is not None else p.numel()
+                   for g, p in zip(grads, self.parameters(), strict=True))  # fmt: skip
+        return dead / sum(p.numel() for p in self.parameters())
+
+    def noisy(self, parameter: Tensor, generator: torch.Generator | None) -> Tensor:
+        """The parameter with the noise of training, if there is a generator."""
+        if generator is None or self.noise == 0:
+            return parameter
+        drawn = torch.randn(parameter.shape, generator=generator, dtype=parameter.dtype)
+        return parameter + self.noise * drawn.to(parameter.device)
+
+    def checked(
+        self, codes: Mapping[str, NDArray[np.int64]], limits: Mapping[str, tuple[int, int]]
+    ) -> list[Tensor]:
+        """The fields in the order of `limits` as float64 tensors; ValueError where one is wrong."""
+        found = []
+        for name, (low, high) in limits.items():
+            values = codes.get(name)
+            if values is None:
+                raise ValueError(f"there is no field '{name}'")
+            if values.shape != self.spec.tile:
+                raise ValueError(f"'{name}' is {values.shape}, the tile {self.spec.tile}")
+            if values.min() < low or values.max() > high:
+                raise ValueError(f"'{name}' has values outside {low}..{high}")
+            found.append(torch.tensor(values.astype(np.float64)))
+        return found
+
+    def quad_ranks(self) -> NDArray[np.int64]:
+        """0..3 at every place: its rank in the 2 x 2 pattern, the longest exposure first."""
+        rows, cols = self.spec.tile
+        y, x = np.mgrid[:rows, :cols]
+        return np.asarray((y % 2) * 2 + x % 2, np.int64)

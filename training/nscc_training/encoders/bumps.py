@@ -1,0 +1,192 @@
+"""Classes a to d: one bump a frame, whose edges are learned."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+
+from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
+from nscc_training.gradients import opened, replaced, rounded
+
+_FAR = 1e6
+"""Slots before the frame: an edge there never matters."""
+_MOST_DISTANCES = 1 << 24
+
+
+class AlwaysOpen(Encoder):
+    """Class a: an ordinary camera, with nothing to learn."""
+
+    def codes(self) -> Codes:
+        return {}
+
+    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        if codes:
+            raise ValueError(f"class a has no fields, and not {sorted(codes)}")
+
+    def start_random(self, generator: np.random.Generator) -> None: ...
+
+    def start_uniform(self) -> None: ...
+
+    def start_quad(self) -> None: ...
+
+    def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        return torch.ones(self.spec.slots, *self.spec.tile)
+
+
+class Bump(Encoder):
+    """Open in the slots from an opening edge to a closing edge, either of which may be fixed.
+
+    Edges are boundaries 0..N between slots, real-valued as parameters, float64 so that thousands
+    of slots leave their fractions alone. The gradient of an edge is that of the light flowing
+    through the slots beside it.
+
+    `limits` are the legal values of each field; every field is a parameter of its name. `legal`
+    (codes, fields), if set, lists the codes that a program's `require` allows: codes then snap to
+    the nearest of them.
+    """
+
+    width = 1.0
+    """How far, in slots, an edge's stand-in gradient reaches: 1 is the light's own."""
+
+    def __init__(
+        self, spec: ShutterSpec, relaxation: str, limits: dict[str, tuple[int, int]]
+    ) -> None:
+        super().__init__(spec, relaxation)
+        self.limits = limits
+        self.legal: Tensor | None = None
+        for name, (low, _) in limits.items():
+            start = torch.full(spec.tile, float(low), dtype=torch.float64)
+            self.register_parameter(name, nn.Parameter(start))
+
+    def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
+        """Opening and closing boundaries (rows, cols) of field values (fields, rows, cols)."""
+        raise NotImplementedError
+
+    def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        fields = self.fields(generator)
+        start, stop = self.edges(fields if soft else self.snapped(fields))
+        n = torch.arange(self.spec.slots, dtype=torch.float64, device=stop.device)
+        middle = n.reshape(-1, 1, 1) + 0.5
+        after, before = middle - start, stop - middle
+        if soft:
+            scale = 1.0 / self.temperature
+            return (torch.sigmoid(after * scale) * torch.sigmoid(before * scale)).float()
+        return (opened(after, self.width) * opened(before, self.width)).float()
+
+    def fields(self, generator: torch.Generator | None) -> Tensor:
+        """The fields (fields, rows, cols), real, within their limits; gradient 1 there."""
+        found = [
+            torch.clamp(self.noisy(self.get_parameter(name), generator), *limits)
+            for name, limits in self.limits.items()
+        ]
+        return torch.stack(found)
+
+    def snapped(self, fields: Tensor) -> Tensor:
+        """The nearest legal codes, straight through."""
+        if self.legal is None:
+            return rounded(fields)
+        legal = self.legal.to(fields)
+        flat = fields.detach().reshape(len(fields), -1).T
+        nearest = [
+            (part[:, None] - legal[None]).abs().sum(dim=-1).argmin(dim=1)
+            for part in torch.split(flat, max(1, _MOST_DISTANCES // legal.numel()))
+        ]
+        return replaced(fields, legal[torch.cat(nearest)].T.reshape(fields.shape))
+
+    def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+        return [(self.get_parameter(name), limits) for name, limits in self.limits.items()]
+
+    def codes(self) -> Codes:
+        with torch.no_grad():
+            values = self.snapped(self.fields(None)).to("cpu", torch.int64).numpy()
+        return dict(zip(self.limits, values, strict=True))
+
+    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        self.fill(*(values.numpy() for values in self.checked(codes, self.limits)))
+
+    def fill(self, *fields: NDArray[np.float64] | NDArray[np.int64]) -> None:
+        """Set the fields, in their order."""
+        with torch.no_grad():
+            for name, values in zip(self.limits, fields, strict=True):
+                self.get_parameter(name).copy_(torch.as_tensor(np.asarray(values, np.float64)))
+
+
+class Stop(Bump):
+    """Class b: open from slot 0 up to a stop of 1..N; never open does not exist."""
+
+    def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        super().__init__(spec, relaxation, {"stop": (1, spec.slots)})
+
+    def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
+        return torch.full_like(fields[0].detach(), -_FAR), fields[0]
+
+    def start_random(self, generator: np.random.Generator) -> None:
+        self.fill(generator.integers(1, self.spec.slots, self.spec.tile, endpoint=True))
+
+    def start_uniform(self) -> None:
+        self.fill(np.full(self.spec.tile, max(1.0, np.rint(self.spec.slots**0.5))))
+
+    def start_quad(self) -> None:
+        self.fill(np.maximum(1, np.rint(self.spec.slots / 4.0 ** self.quad_ranks())))
+
+
+class Start(Bump):
+    """Class c: one bump of a fixed length, opening at 0..N - length."""
+
+    def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        if spec.length is None or not 1 <= spec.length <= spec.slots:
+            raise ValueError(f"a bump of {spec.length} slots in a frame of {spec.slots}")
+        self.length, self.last = spec.length, spec.slots - spec.length
+        super().__init__(spec, relaxation, {"start": (0, self.last)})
+
+    def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
+        return fields[0], fields[0] + self.length
+
+    def start_random(self, generator: np.random.Generator) -> None:
+        self.fill(generator.integers(0, self.last, self.spec.tile, endpoint=True))
+
+    def start_uniform(self) -> None:
+        self.fill(np.full(self.spec.tile, self.last // 2))
+
+    def start_quad(self) -> None:
+        self.fill(np.rint(self.quad_ranks() * (self.last / 3)))
+
+
+class StartStop(Bump):
+    """Class d: one bump from start to stop, at least a slot long."""
+
+    def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        super().__init__(spec, relaxation, {"start": (0, spec.slots - 1), "stop": (1, spec.slots)})
+
+    def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
+        return fields[0], torch.maximum(fields[1], fields[0] + 1)
+
+    def codes(self) -> Codes:
+        found = super().codes()
+        found["stop"] = np.maximum(found["stop"], found["start"] + 1)
+        return found
+
+    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        start, stop = self.checked(codes, self.limits)
+        if not bool((start < stop).all()):
+            raise ValueError("a bump stops before it has begun")
+        self.fill(start.numpy(), stop.numpy())
+
+    def start_random(self, generator: np.random.Generator) -> None:
+        first, last = np.triu_indices(self.spec.slots)
+        drawn = generator.integers(0, len(first), self.spec.tile)
+        self.fill(first[drawn], last[drawn] + 1)
+
+    def start_uniform(self) -> None:
+        quarter = self.spec.slots // 4
+        stop = max(self.spec.slots - quarter, quarter + 1)
+        self.fill(np.full(self.spec.tile, quarter), np.full(self.spec.tile, stop))
+
+    def start_quad(self) -> None:
+        n, rank = self.spec.slots, self.quad_ranks()
+        start = np.minimum(np.rint(rank * n / 4), n - 1)
+        self.fill(start, np.maximum(np.rint((rank + 1) * n / 4), start + 1))

@@ -1,0 +1,155 @@
+"""Class e, any bits, and the codebook: shapes that are learned, and which pixel has which."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+from torch.nn import functional
+
+from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
+from nscc_training.gradients import replaced, signed
+
+MOST_BITS = 62
+"""Class e's code is one number of so many bits at most, as in the language."""
+
+
+class _Digits(Encoder):
+    """Digits whose parameter is above 0 are 1; parameters live in -1..1."""
+
+    def digits(self, logits: Tensor, generator: torch.Generator | None, soft: bool) -> Tensor:
+        """0 or 1 for every logit, or something between them if `soft`."""
+        noisy = self.noisy(logits, generator)
+        return torch.sigmoid(noisy / self.temperature) if soft else signed(noisy)
+
+    def set_digits(self, logits: Tensor, digits: NDArray[np.bool_]) -> None:
+        """Half-way between undecided and certain."""
+        with torch.no_grad():
+            logits.copy_(torch.where(torch.as_tensor(digits), 0.5, -0.5))
+
+
+class Bits(_Digits):
+    """Class e: every pixel of the tile has N bits of its own."""
+
+    def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        super().__init__(spec, relaxation)
+        self.logits = nn.Parameter(torch.full((spec.slots, *spec.tile), 0.5))
+
+    def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        return self.digits(self.logits, generator, soft)
+
+    def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+        return [(self.logits, (-1.0, 1.0))]
+
+    def codes(self) -> Codes:
+        if self.spec.slots > MOST_BITS:
+            raise ValueError(f"class e has at most {MOST_BITS} slots, not {self.spec.slots}")
+        opened = (self.logits.detach() > 0).cpu().numpy().astype(np.int64)
+        weights = np.int64(1) << np.arange(self.spec.slots, dtype=np.int64)
+        return {"bits": np.einsum("n,nrc->rc", weights, opened)}
+
+    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        self.checked(codes, {"bits": (0, (1 << self.spec.slots) - 1)})
+        n = np.arange(self.spec.slots, dtype=np.int64).reshape(-1, 1, 1)
+        self.set_digits(self.logits, (codes["bits"][None] >> n) & 1 == 1)
+
+    def start_random(self, generator: np.random.Generator) -> None:
+        self.set_digits(self.logits, generator.random((self.spec.slots, *self.spec.tile)) < 0.5)
+
+    def start_uniform(self) -> None:
+        self.set_digits(self.logits, np.ones((self.spec.slots, *self.spec.tile), np.bool_))
+
+    def start_quad(self) -> None:
+        self.set_digits(self.logits, quarters(self.spec.slots)[:, self.quad_ranks()])
+
+
+class Codebook(_Digits):
+    """K shapes of N digits, and for every pixel of the tile the choice of one.
+
+    With as many shapes as places it has all of class e's freedom, at any N. The choice is a row of
+    K scores a pixel; the highest wins.
+    """
+
+    def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        super().__init__(spec, relaxation)
+        if spec.rows is None or spec.rows < 1:
+            raise ValueError(f"a codebook of {spec.rows} rows")
+        self.rows = spec.rows
+        self.shapes = nn.Parameter(torch.full((spec.rows, spec.slots), 0.5))
+        self.choice = nn.Parameter(torch.zeros((*spec.tile, spec.rows)))
+        self.choose(self.spread())
+
+    def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        digits = self.digits(self.shapes, generator, soft)
+        return torch.einsum("rck,kn->nrc", self.chosen(generator, soft), digits)
+
+    def chosen(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        """The weights (rows, cols, K) of the shapes at each place: one 1 unless `soft`."""
+        scores: Tensor = self.choice
+        if soft and self.relaxation == "gumbel" and generator is not None:
+            drawn = torch.empty(scores.shape).exponential_(generator=generator).to(scores.device)
+            scores = scores - torch.log(drawn)
+        likely = functional.softmax(scores / self.temperature, dim=-1)
+        if soft:
+            return likely
+        hard = functional.one_hot(self.choice.argmax(dim=-1), self.rows).to(likely.dtype)
+        return replaced(likely, hard)
+
+    def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+        return [(self.shapes, (-1.0, 1.0))]
+
+    def unused_share(self) -> float:
+        """The share of shapes that no pixel chooses."""
+        return 1 - len(torch.unique(self.choice.argmax(dim=-1))) / self.rows
+
+    def book(self) -> NDArray[np.int64]:
+        """The shapes (K, N) as digits."""
+        return np.asarray((self.shapes.detach() > 0).cpu().numpy(), np.int64)
+
+    def codes(self) -> Codes:
+        return {"id": np.asarray(self.choice.detach().argmax(dim=-1).cpu().numpy(), np.int64)}
+
+    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        self.checked(codes, {"id": (0, self.rows - 1)})
+        book = codes.get("book")
+        if book is not None:
+            if book.shape != (self.rows, self.spec.slots) or not np.isin(book, (0, 1)).all():
+                raise ValueError(f"'book' must be {(self.rows, self.spec.slots)} digits 0 and 1")
+            self.set_digits(self.shapes, book == 1)
+        self.choose(codes["id"])
+
+    def start_random(self, generator: np.random.Generator) -> None:
+        self.set_digits(self.shapes, generator.random((self.rows, self.spec.slots)) < 0.5)
+        self.choose(self.spread())
+
+    def start_uniform(self) -> None:
+        self.set_digits(self.shapes, np.ones((self.rows, self.spec.slots), np.bool_))
+        self.choose(self.spread())
+
+    def start_quad(self) -> None:
+        shapes = quarters(self.spec.slots)[:, np.arange(self.rows) % 4].T
+        self.set_digits(self.shapes, shapes)
+        rank = self.quad_ranks()
+        again = self.spread() // 4 * 4 + rank
+        self.choose(np.where(again < self.rows, again, rank % self.rows))
+
+    def spread(self) -> NDArray[np.int64]:
+        """Shapes dealt out to places one after the other."""
+        return np.arange(self.spec.places, dtype=np.int64).reshape(self.spec.tile) % self.rows
+
+    def choose(self, rows: NDArray[np.int64]) -> None:
+        """Let every place prefer a row, by a margin that training can overcome."""
+        with torch.no_grad():
+            chosen = functional.one_hot(torch.as_tensor(rows), self.rows)
+            self.choice.copy_(chosen.to(self.choice.dtype))
+
+
+def quarters(slots: int) -> NDArray[np.bool_]:
+    """Four shutters (N, 4), each open in a quarter of the frame, in at least one slot."""
+    n = np.arange(slots)[:, None]
+    first = np.minimum(np.arange(4) * slots // 4, slots - 1)
+    last = np.maximum((np.arange(4) + 1) * slots // 4, first + 1)
+    return np.asarray((first <= n) & (n < last), np.bool_)

@@ -1,0 +1,1 @@
+"""Numbers under a protocol, with everything that says what they mean."""

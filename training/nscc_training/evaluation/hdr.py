@@ -1,0 +1,117 @@
+"""Protocol hdr-v1: crops of panoramas, exposed so that a given part of them saturates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training import metrics
+from nscc_training.measures import decibels
+from nscc_training.metrics.psnr import mean_square_error, psnr_of_mse
+from nscc_training.problems import rejected
+from nscc_training.protocols import Protocol
+
+Picture = NDArray[np.float64]
+ENDINGS = (".hdr", ".exr", ".pfm")
+
+
+@dataclass(frozen=True, eq=False)
+class Crop:
+    """A scene of the protocol: `light_e` (rows, cols), electrons over the whole frame."""
+
+    file: Path
+    corner: tuple[int, int]
+    light_e: Picture
+
+
+@dataclass(frozen=True)
+class Unusable:
+    """A crop that cannot be exposed as the protocol says."""
+
+    file: str
+    corner: tuple[int, int]
+    reason: str
+
+
+def panoramas(folder: Path) -> list[Path]:
+    """The linear pictures of a folder by name; Rejected (NS0811) where there are none."""
+    found = (
+        sorted(p for p in folder.iterdir() if p.suffix.lower() in ENDINGS)
+        if folder.is_dir()
+        else []
+    )
+    if not found:
+        raise rejected(
+            "NS0811",
+            f"'{folder}' holds no data for protocol hdr-v1",
+            notes=(f"panoramas are files ending in {', '.join(ENDINGS)}",),
+            helps=("name a folder of linear panoramas, 512 x 1024",),
+        )
+    return found
+
+
+def crops(
+    files: list[Path], protocol: Protocol, fraction: float | None = None
+) -> Iterator[Crop | Unusable]:
+    """The crops of panoramas, in order; those that cannot be used as `Unusable`."""
+    from nscc_runtime.scenes.colour import linear
+    from nscc_runtime.scenes.pictures import read_picture
+
+    rows, cols = protocol["panorama"]
+    top, bottom = protocol["crop_rows"]
+    size = int(protocol["crop_size"])
+    weights = np.array(protocol["luminance"])
+    for path in files:
+        picture = linear(read_picture(path), "linear")
+        light = picture @ weights if picture.ndim == 3 else picture
+        if light.shape != (rows, cols):
+            yield Unusable(path.name, (0, 0), f"{light.shape}, not {(rows, cols)}")
+            continue
+        for left in range(0, cols - size + 1, size):
+            part = np.maximum(light[top:bottom, left : left + size], 0.0)
+            yield exposed_crop(path, (top, left), part, protocol, fraction)
+
+
+def exposed_crop(
+    path: Path, corner: tuple[int, int], light: Picture, protocol: Protocol,
+    fraction: float | None = None,
+) -> Crop | Unusable:  # fmt: skip
+    """The crop scaled so that `fraction` of its pixels saturate when always open."""
+    wanted = float(protocol["saturated_fraction"]) if fraction is None else fraction
+    well = float(protocol["full_well_e"])
+    if not np.isfinite(light).all():
+        return Unusable(path.name, corner, "its light is not finite")
+    level = float(np.quantile(light, 1 - wanted, method="higher"))
+    if level <= 0:
+        return Unusable(path.name, corner, "it is dark where it should saturate")
+    scaled = light * (well / level)
+    share = float(np.mean(scaled >= well))
+    if abs(share - wanted) > float(protocol["saturated_tolerance"]):
+        return Unusable(path.name, corner, f"{share:.1%} saturate instead of {wanted:.0%}")
+    return Crop(path, corner, scaled)
+
+
+def scores(truth_e: Picture, result_e: Picture, protocol: Protocol) -> dict[str, Any]:
+    """The protocol's metrics of one crop, as JSON values."""
+    peak = float(np.percentile(truth_e, protocol["normalise_percentile"]))
+    truth, result = (np.clip(x / peak, 0.0, 1.0) for x in (truth_e, result_e))
+    well = float(protocol["full_well_e"])
+    found: dict[str, Any] = {
+        "psnr_db": decibels(metrics.psnr(truth, result, 1.0)),
+        "ssim": metrics.ssim(truth, result, 1.0),
+        "mu_psnr_db": decibels(metrics.mu_psnr(truth, result, 1.0, protocol["mu"])),
+        "pu21_psnr_db": decibels(metrics.pu21_psnr(truth, result, 1.0, protocol["pu21_nits"])),
+    }
+    for name, where in (
+        ("saturated", truth_e >= well),
+        ("dark", truth_e < float(protocol["dark_fraction"]) * well),
+    ):
+        error = mean_square_error(truth[where], result[where]) if where.any() else None
+        found[f"{name}_share"] = float(where.mean())
+        found[f"{name}_psnr_db"] = None if error is None else decibels(psnr_of_mse(error, 1.0))
+    return found

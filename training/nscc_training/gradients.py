@@ -1,0 +1,83 @@
+"""Functions with a corner or a step, and the gradients that learning uses in their place."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import torch
+from torch import Tensor
+from torch.autograd import Function
+
+
+class _Replace(Function):
+    @staticmethod
+    def forward(ctx: Any, x: Tensor, value: Tensor) -> Tensor:
+        return value.clone()
+
+    @staticmethod
+    def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None]:
+        return grad, None
+
+
+class _Step(Function):
+    @staticmethod
+    def forward(ctx: Any, x: Tensor, width: float, peaked: bool) -> Tensor:
+        ctx.save_for_backward(x)
+        ctx.width, ctx.peaked = width, peaked
+        return (x > 0).to(x.dtype)
+
+    @staticmethod
+    def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None]:
+        (x,) = ctx.saved_tensors
+        if ctx.peaked:
+            slope = torch.clamp(1 - x.abs() / ctx.width, min=0) / ctx.width
+        else:
+            slope = (x.abs() <= ctx.width).to(x.dtype)
+        return grad * slope, None, None
+
+
+class _Saturate(Function):
+    @staticmethod
+    def forward(ctx: Any, x: Tensor, low: float, high: float, slope: float) -> Tensor:
+        ctx.save_for_backward((x >= low) & (x <= high))
+        ctx.slope = slope
+        return torch.clamp(x, low, high)
+
+    @staticmethod
+    def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None, None]:
+        (inside,) = ctx.saved_tensors
+        return torch.where(inside, grad, grad * ctx.slope), None, None, None
+
+
+def replaced(x: Tensor, value: Tensor) -> Tensor:
+    """`value`, with the gradient of x."""
+    return _apply(_Replace, x, value)
+
+
+def rounded(x: Tensor) -> Tensor:
+    """x rounded half to even; straight through: the gradient of x itself."""
+    return replaced(x, torch.round(x.detach()))
+
+
+def opened(x: Tensor, width: float = 1.0) -> Tensor:
+    """1 where x > 0, else 0. The gradient is a triangle of unit area reaching `width` to each side.
+
+    For an edge that lies between slots, x is its distance from the slot's middle: with width 1
+    the gradient is that of light flowing evenly through the slot.
+    """
+    return _apply(_Step, x, width, True)
+
+
+def signed(x: Tensor, width: float = 1.0) -> Tensor:
+    """1 where x > 0, else 0; the gradient is 1 for -width <= x <= width, and 0 beyond."""
+    return _apply(_Step, x, width, False)
+
+
+def saturated(x: Tensor, low: float, high: float, slope: float = 0.0) -> Tensor:
+    """x clipped to low..high; the gradient is 1 inside and at the bounds, `slope` outside."""
+    return _apply(_Saturate, x, low, high, slope)
+
+
+def _apply(function: Any, *arguments: Any) -> Tensor:
+    found: Tensor = function.apply(*arguments)
+    return found

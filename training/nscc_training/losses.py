@@ -1,0 +1,43 @@
+"""What training minimises. Truth and prediction are light relative to the data range (1)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import torch
+from torch import Tensor
+
+from nscc_training.curves import MU, log_curve, mu_law, pu21
+
+Loss = Callable[[Tensor, Tensor], Tensor]
+"""(prediction, truth) of one shape to a scalar."""
+
+LOG_FLOOR = 1e-3
+"""The log loss counts relative errors above this part of the data range."""
+NITS = 1000.0
+"""The luminance in cd/m2 that PU21 takes the data range for, as protocol hdr-v1 does."""
+
+
+def l1(prediction: Tensor, truth: Tensor) -> Tensor:
+    """Mean absolute error of linear light, as in the paper. Bright pixels rule it."""
+    return (prediction - truth).abs().mean()
+
+
+def log(prediction: Tensor, truth: Tensor) -> Tensor:
+    """Mean absolute error of log(1 + light / LOG_FLOOR)."""
+    return l1(log_curve(prediction, LOG_FLOOR), log_curve(truth, LOG_FLOOR))
+
+
+def mu(prediction: Tensor, truth: Tensor) -> Tensor:
+    """Mean absolute error after mu-law with mu = 5000."""
+    return l1(mu_law(prediction, MU), mu_law(truth, MU))
+
+
+def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
+    """Mean absolute error in PU21 units over those of the data range, `NITS` cd/m2."""
+    most = pu21(torch.tensor(NITS, dtype=torch.float64)).item()
+    return l1(pu21(prediction * NITS), pu21(truth * NITS)) / most
+
+
+LOSSES: dict[str, Loss] = {"l1": l1, "log": log, "mu-law": mu, "pu21": pu21_loss}
+"""The losses by the names that configurations use."""

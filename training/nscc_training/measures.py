@@ -1,0 +1,89 @@
+"""All metrics of one pair: what `nscc metrics` and `nscc evaluate` write."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training import metrics
+from nscc_training.metrics.psnr import mean_square_error
+from nscc_training.metrics.ssim import WINDOW
+from nscc_training.problems import rejected
+
+NITS = 1000.0
+"""The luminance in cd/m2 that the data range stands for in PU21-PSNR, unless stated."""
+
+
+def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
+    """Raises Rejected (NS0802) unless both have one shape that metrics can be taken of."""
+    if truth.shape != result.shape:
+        raise rejected(
+            "NS0802",
+            f"the truth is {truth.shape}, the reconstruction {result.shape}",
+            notes=("a metric compares pixel with pixel: nothing is cropped or scaled",),
+            helps=("cut both to the same frames, rows and columns",),
+            data={"truth": list(truth.shape), "result": list(result.shape)},
+        )
+    if min(truth.shape[-2:]) < WINDOW:
+        raise rejected(
+            "NS0802",
+            f"{truth.shape[-2]} x {truth.shape[-1]} is too small: SSIM needs {WINDOW} x {WINDOW}",
+            helps=("give larger pictures",),
+        )
+
+
+def check_data_range(data_range: float) -> None:
+    """Raises Rejected (NS0803) for a data range that is not a finite number above 0."""
+    if not (0 < data_range < math.inf):
+        raise rejected(
+            "NS0803",
+            f"{data_range:g} is no data range",
+            notes=("the data range is the peak that PSNR and SSIM count errors against",),
+            helps=("255 for 8-bit values, 1 for values on [0, 1], a full well for electrons",),
+        )
+
+
+def measures(
+    truth: NDArray[Any], result: NDArray[Any], data_range: float, nits: float = NITS
+) -> dict[str, Any]:
+    """Every metric of a checked pair, as JSON values; clips also frame by frame.
+
+    Infinite dB are the text "inf". `psnr_db` of a clip is the mean over its finite frames.
+    """
+    frames = [(truth, result)] if truth.ndim == 2 else list(zip(truth, result, strict=True))
+    scores = metrics.frame_scores((mean_square_error(a, b) for a, b in frames), data_range)
+    found: dict[str, Any] = {
+        "psnr_db": decibels(scores.mean),
+        "psnr_of_mean_mse_db": decibels(scores.of_mean_mse),
+        "infinite": scores.infinite,
+        "ssim": metrics.ssim(truth, result, data_range),
+        "mu_psnr_db": decibels(metrics.mu_psnr(truth, result, data_range)),
+        "pu21_psnr_db": decibels(metrics.pu21_psnr(truth, result, data_range, nits)),
+        "temporal_error": metrics.temporal_error(truth, result, data_range)
+        if len(frames) > 1
+        else None,
+    }
+    if truth.ndim == 3:
+        found["sd_db"] = scores.sd
+        found["frames"] = [
+            {
+                "frame": k,
+                "psnr_db": decibels(metrics.psnr(a, b, data_range)),
+                "ssim": metrics.ssim(a, b, data_range),
+            }
+            for k, (a, b) in enumerate(frames)
+        ]
+    return found
+
+
+def decibels(value: float) -> float | str:
+    """A number of dB as JSON can hold it."""
+    return "inf" if math.isinf(value) else value
+
+
+def number(value: float | str) -> float:
+    """The dB that `decibels` wrote."""
+    return float(np.inf) if value == "inf" else float(value)

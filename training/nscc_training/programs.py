@@ -1,0 +1,161 @@
+"""Learned shutters as programs: `.nsl` text that a person can read, and what the compiler says."""
+
+from __future__ import annotations
+
+import tempfile
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Rejected, Severity
+from nscc.pipeline import Compiled, Options, compile_source
+from nscc.program.analyse import analyse
+from nscc.source import Source
+from nscc.syntax.parse import parse
+from nscc.target.load import load_target
+from nscc_training.codes_files import Codes, codes_bytes
+
+if TYPE_CHECKING:
+    from nscc_training.encoders import Encoder, ShutterSpec
+
+CODES_FILE = "codes.npz"
+_MOST_LISTED = 256
+"""A tile of more places than this goes into a file."""
+_MOST_DIGITS = 1 << 15
+"""A codebook of more digits than this goes into a file."""
+
+
+@dataclass(frozen=True)
+class Chip:
+    """Where shutters are to run: a target's name or file, slots of `slot_us`, and a `require`."""
+
+    target: str = "scamp5"
+    slot_us: float = 125.0
+    require: str | None = None
+
+
+@dataclass(frozen=True)
+class ProgramFiles:
+    """`text` of the program and the bytes of the codes beside it, which it names if it needs them.
+
+    `codes` hold every field on the tile, and a codebook's digits as `book`.
+    """
+
+    text: str
+    codes: bytes
+
+
+def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
+    """The program of the shutters that an encoder has now."""
+    codes: dict[str, NDArray[np.int64]] = encoder.codes()
+    book = getattr(encoder, "book", None)
+    if book is not None:
+        codes["book"] = book()
+    return program(encoder.spec, codes, chip, remark)
+
+
+def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> ProgramFiles:
+    """The program of given codes; `remark` stands at its head."""
+    packed = codes_bytes(codes) if codes else b""
+    lines = [f"# {line}" for line in remark.splitlines()]
+    lines += ["nsl 1", ""]
+    # A file's path is relative to where the user works, not to the program: it is an option of
+    # the compiler then, not part of the text.
+    if not chip.target.endswith(".toml"):
+        lines.append(f"target {chip.target}")
+    lines += [f"frame {spec.slots} slots of {_time(chip.slot_us)}", ""]
+    lines += _rule(spec, codes, packed)
+    if chip.require is not None:
+        lines.append(f"require {chip.require}")
+    fields = [name for name in codes if name != "book"]
+    if fields:
+        lines.append("")
+        lines += _pixels(spec, codes, fields, packed)
+    return ProgramFiles("\n".join(lines) + "\n", packed)
+
+
+def compiled(
+    files: ProgramFiles, chip: Chip, *, level: int = 1, every_code: bool = False
+) -> Compiled:
+    """The program, compiled and proved; Rejected with the compiler's own errors where it is not.
+
+    `every_code` compiles for all codes that the class allows, not only those in use.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        if files.codes:
+            (Path(folder) / CODES_FILE).write_bytes(files.codes)
+        options = Options(
+            level=level,
+            codes="open" if every_code else "fixed",
+            target=chip.target if chip.target.endswith(".toml") else None,
+        )
+        return compile_source(Source("shutter.nsl", files.text), Path(folder), options)
+
+
+def words_per_slot(found: Compiled) -> float:
+    """Words executed in a slot, in the mean over the frame: digital, analog and refresh."""
+    assert found.lowered is not None
+    return sum(found.lowered.words_per_boundary) / len(found.program.frame.slot_us)
+
+
+def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
+    """The codes (codes, fields) that the class and `require` allow; Rejected where none is left."""
+    source = Source("shutter.nsl", program(spec, {}, chip).text)
+    tree, wrong = parse(source)
+    if any(found.severity is Severity.ERROR for found in wrong):
+        raise Rejected(wrong)
+    target = load_target(chip.target, Path())
+    return analyse(source, tree, base=Path(), codes="open", target=target).table.codes
+
+
+def _rule(spec: ShutterSpec, codes: Codes, packed: bytes) -> list[str]:
+    """The code's fields and when a pixel is open."""
+    if spec.kind == "a":
+        return ["open when true"]
+    if spec.kind == "b":
+        return ["code stop : 1..N", "open when n < stop"]
+    if spec.kind == "c":
+        return [
+            f"let len = {spec.length}",
+            "code start : 0..N - len",
+            "open when start <= n < start + len",
+        ]
+    if spec.kind == "d":
+        return [
+            "code start : 0..N - 1",
+            "code stop : 1..N",
+            "require start < stop",
+            "open when start <= n < stop",
+        ]
+    if spec.kind == "e":
+        return ["code bits : bit[N]", "open when bits[n]"]
+    return [*_book(codes["book"], packed), "code id : row of book", "open when book[id]"]
+
+
+def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:
+    if book.size > _MOST_DIGITS:
+        return [f'shutters book from "{CODES_FILE}" sha256 "{sha256(packed).hexdigest()}"']
+    rows = ("".join(map(str, row)) for row in book.tolist())
+    grouped = ("_".join(row[k : k + 4] for k in range(0, len(row), 4)) for row in rows)
+    return ["shutters book [", *(f"    {row}," for row in grouped), "]"]
+
+
+def _pixels(spec: ShutterSpec, codes: Codes, fields: list[str], packed: bytes) -> list[str]:
+    if spec.places > _MOST_LISTED:
+        return [f'pixels from "{CODES_FILE}" sha256 "{sha256(packed).hexdigest()}"']
+    lines = []
+    for name in fields:
+        width = len(str(int(codes[name].max())))
+        rows = [", ".join(f"{v:{width}}" for v in row) for row in codes[name].tolist()]
+        head = f"pixels {name} = tile ["
+        lines += [head, *(f"    [{row}]," for row in rows[:-1]), f"    [{rows[-1]}]", "]"]
+    return lines
+
+
+def _time(microseconds: float) -> str:
+    text = f"{microseconds:.6f}".rstrip("0").rstrip(".")
+    return f"{text}us"

@@ -1,0 +1,153 @@
+"""`capture`: from light and shutters to a frame, so that gradients find their way back.
+
+Light is float32, its sums and everything up to the ADC float64, whatever precision the network
+around has.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import torch
+from torch import Tensor
+
+from nscc.target.model import Target
+from nscc_runtime.sensor import Sensor
+from nscc_training.encoders.base import Encoder
+from nscc_training.gradients import rounded, saturated
+
+_BLOCK = 32
+"""Slots whose light is masked at a time: what is kept besides the light itself."""
+
+
+@dataclass(frozen=True)
+class SensorModel:
+    """The part of a sensor that training sees; units as in `nscc_runtime.sensor`.
+
+    `shot_noise` is Gaussian with the variance of photons; `slope` stands in for the gradient 0
+    of saturated pixels.
+    """
+
+    full_well_e: float
+    electrons_per_lsb: float
+    adc_offset_lsb: float = 0.0
+    adc_bits: int = 8
+    adc_noise_lsb: float = 0.0
+    shot_noise: bool = False
+    slope: float = 0.1
+
+    @classmethod
+    def of(cls, sensor: Sensor, target: Target, *, noise: bool = True) -> SensorModel:
+        """The model of a sensor's values; without `noise`, of an ideal one."""
+        return cls(
+            full_well_e=sensor.full_well_e,
+            electrons_per_lsb=sensor.electrons_per_lsb,
+            adc_offset_lsb=sensor.adc_offset_lsb,
+            adc_bits=target.adc_bits,
+            adc_noise_lsb=sensor.adc_noise_lsb if noise else 0.0,
+            shot_noise=noise,
+        )
+
+    def noiseless(self) -> SensorModel:
+        """The same sensor without noise."""
+        return replace(self, adc_noise_lsb=0.0, shot_noise=False)
+
+    @property
+    def top_code(self) -> int:
+        """The largest code of the ADC."""
+        return (1 << self.adc_bits) - 1
+
+
+class Captured(NamedTuple):
+    """What a capture gives: electrons before saturation and noise, and the frame's codes.
+
+    Both (batch, rows, cols): `exposure_e` float64, `frame` float32, whole numbers 0..top code.
+    """
+
+    exposure_e: Tensor
+    frame: Tensor
+
+
+def capture(
+    light: Tensor,
+    codes: Encoder | Tensor,
+    sensor: SensorModel,
+    *,
+    generator: torch.Generator | None = None,
+    slot_share: Tensor | None = None,
+) -> Captured:
+    """Expose a batch of scenes with the shutters of an encoder, or with (N, rows, cols) of them.
+
+    `light` is (batch, N, rows, cols), electrons of each slot, or (batch, rows, cols), a still's
+    electrons over the whole frame, of which slot n has the part `slot_share[n]` (default: 1 / N).
+    A tile of shutters is repeated over the array from its top left corner. With a `generator` the
+    sensor's noise is drawn from it, and the encoder's; without, there is none.
+    """
+    with torch.autocast(light.device.type, enabled=False):
+        shutters = codes(generator) if isinstance(codes, Encoder) else codes
+        shutters = laid(shutters.to(light.device), light.shape[-2], light.shape[-1])
+        exposure = exposed(light.float(), shutters, slot_share)
+        return Captured(exposure, read_out(exposure, sensor, generator))
+
+
+def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
+    """A tile (N, r, c) repeated to (N, rows, cols)."""
+    if tile.shape[1:] == (rows, cols):
+        return tile
+    down, across = -(-rows // tile.shape[1]), -(-cols // tile.shape[2])
+    return tile.repeat(1, down, across)[:, :rows, :cols]
+
+
+def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -> Tensor:
+    """Electrons (batch, rows, cols), float64: the light of the slots that each pixel is open in."""
+    slots = shutters.shape[0]
+    if light.ndim == 3:
+        share = torch.full((slots,), 1.0 / slots) if slot_share is None else slot_share
+        weights = share.to(shutters.device, torch.float64).reshape(-1, 1, 1)
+        return light.double() * (shutters.double() * weights).sum(dim=0)
+    if light.shape[1] != slots:
+        raise ValueError(f"light of {light.shape[1]} slots, shutters of {slots}")
+    total = torch.zeros_like(light[:, 0], dtype=torch.float64)
+    for first in range(0, slots, _BLOCK):
+        part = light[:, first : first + _BLOCK] * shutters[first : first + _BLOCK]
+        total = total + part.sum(dim=1, dtype=torch.float64)
+    return total
+
+
+def read_out(
+    exposure: Tensor, sensor: SensorModel, generator: torch.Generator | None = None
+) -> Tensor:
+    """The frame's codes: photon noise, full well, readout noise, rounding half to even, ends.
+
+    `exposure` float64 (batch, rows, cols); the result is float32.
+    """
+    charge = exposure
+    if generator is not None and sensor.shot_noise:
+        drawn = _normal(charge, generator)
+        # Without the detour of the gradient through the noise, which is infinite in the dark.
+        charge = charge + torch.sqrt(charge.detach().clamp(min=0)) * drawn
+    charge = saturated(charge, -sensor.full_well_e, sensor.full_well_e, sensor.slope)
+    codes = charge / sensor.electrons_per_lsb
+    if generator is not None and sensor.adc_noise_lsb:
+        codes = codes + sensor.adc_noise_lsb * _normal(codes, generator)
+    codes = rounded(codes) + sensor.adc_offset_lsb
+    return saturated(codes, 0.0, float(sensor.top_code), sensor.slope).float()
+
+
+def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:
+    """S^T E: the frame copied to the slots in which each pixel was open, in light a slot.
+
+    `exposure` (batch, rows, cols), `shutters` (N, rows, cols); returns (batch, N, rows, cols) and
+    `valid` (rows, cols), False for pixels that never open: they are 0 and have no gradient.
+    """
+    count = shutters.sum(dim=0)
+    valid = count > 0
+    mean = torch.where(valid, exposure, torch.zeros_like(exposure))
+    mean = mean / torch.where(valid, count, torch.ones_like(count))
+    return mean.unsqueeze(1) * shutters.unsqueeze(0), valid
+
+
+def _normal(like: Tensor, generator: torch.Generator) -> Tensor:
+    """Standard normal numbers, drawn on the CPU so that every device has the same."""
+    return torch.randn(like.shape, generator=generator, dtype=torch.float32).to(like)
