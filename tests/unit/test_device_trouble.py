@@ -102,6 +102,14 @@ def test_a_port_that_goes_away_says_so() -> None:
         closed.read()
 
 
+def test_the_options_have_the_links_defaults() -> None:
+    from nscc.cli import link_options
+    from nscc_runtime.device import link, port
+
+    assert link_options.DEFAULT_BAUD == port.DEFAULT_BAUD
+    assert link_options.DEFAULT_PATIENCE_S == link.PATIENCE_S
+
+
 def test_the_list_of_ports_is_sorted() -> None:
     found = [SimpleNamespace(device=name, description=None) for name in ("/dev/b", "/dev/a")]
     assert list_ports(lambda: found) == [("/dev/a", ""), ("/dev/b", "")]

@@ -1,6 +1,6 @@
 """What a loader makes of an object: checked before it is believed, sizes before anything else.
 
-This is the Python twin of the firmware's `objects.cpp`: same checks, in the same order, with the
+This is the Python twin of the firmware's `program.cpp`: same checks, in the same order, with the
 same faults. What a word may be comes from `nscc.words`.
 """
 
