@@ -111,6 +111,7 @@ def _loader(choice: str, target: Target, chip: EmulatedChip) -> Iterator[Loaded]
     from nscc_runtime.device.board import BackgroundChip
     from nscc_runtime.device.loader import Loader
 
+    why = "as asked for"
     if choice != "python":
         try:
             built = firmware.built(target)
@@ -127,10 +128,11 @@ def _loader(choice: str, target: Target, chip: EmulatedChip) -> Iterator[Loaded]
                     ),
                     status=2,
                 ) from None
+            why = str(reason)
         else:
             with firmware.Process(built, chip) as process:
                 done(f"loader: the firmware, compiled by {built.compiler}")
                 yield process
             return
-    done("loader: the Python twin of the firmware")
+    done(f"loader: the Python twin of the firmware ({why})")
     yield Loader(target, BackgroundChip(chip), firmware.PYTHON_NAME)

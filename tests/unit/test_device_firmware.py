@@ -81,9 +81,9 @@ def test_a_refresh_changes_nothing() -> None:
 @needs_compiler
 @pytest.mark.parametrize("name", builtin_names())
 def test_it_is_built_without_a_warning_for_every_chip(name: str, tmp_path: Path) -> None:
-    loader = firmware.built(builtin_target(name), ("-O0",), tmp_path)
+    loader = firmware.built(builtin_target(name), ("-O0", "-Werror"), tmp_path)
     assert loader.path.exists()
-    again = firmware.built(builtin_target(name), ("-O0",), tmp_path)
+    again = firmware.built(builtin_target(name), ("-O0", "-Werror"), tmp_path)
     assert again == loader
     assert len(list(tmp_path.iterdir())) == 1
 
@@ -140,7 +140,15 @@ def test_the_scamp5d_layer_does_what_it_is_told(
     includes = [f"-I{firmware.SOURCES / part}" for part in ("core", "scamp5d", "targets/scamp5")]
     found = firmware.compiler()
     assert found is not None
-    command = [found, *form, "-std=c++17", "-O1", *firmware.WARNINGS, *firmware.SANITIZERS]
+    command = [
+        found,
+        *form,
+        "-std=c++17",
+        "-O1",
+        *firmware.WARNINGS,
+        "-Werror",
+        *firmware.SANITIZERS,
+    ]
     command += [*includes, "-isystem", str(root / "tests/devkit_stub"), *map(str, sources)]
     subprocess.run([*command, "-o", str(program)], check=True)
 

@@ -21,6 +21,8 @@ _BUSY_S = 0.002
 _PAUSE_S = 0.0002
 _IDLE_S = 0.25
 _BOOT_S = 0.1
+_LET_GO_S = 2.0
+"""How long a host may take to let go of a port that vanished."""
 _MOST_TRIES = 64
 
 
@@ -167,13 +169,18 @@ class Server:
     def _disconnect(self) -> None:
         """The port vanishes, and is there again after the outage, under its old name if it can."""
         name = self.terminal.name
+        # As long as somebody has its other side open, nobody else gets its number.
+        reserved = os.open(name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         self.terminal.close()
         back = monotonic() + self.faults.outage_s
-        while monotonic() < back or (os.path.exists(name) and monotonic() < back + _IDLE_S):
-            if self._over():
-                break
+        while monotonic() < back and not self._over():
             sleep(_BUSY_S)
+        os.close(reserved)
         self.terminal = Terminal(name)
+        while self.terminal.name != name and monotonic() < back + _LET_GO_S:
+            self.terminal.close()
+            sleep(_BUSY_S)
+            self.terminal = Terminal(name)
         self._connected = False
         if self.terminal.name != name:
             self.moved(self.terminal.name)
