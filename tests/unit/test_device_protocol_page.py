@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from nscc_runtime.device import messages, objects, packets
-from nscc_runtime.device.loader import MOST_OBJECTS, MOST_READS
+from nscc_runtime.device.intake import MOST_OBJECTS
+from nscc_runtime.device.loader import MOST_READS
 
 
 @pytest.fixture(scope="module")
