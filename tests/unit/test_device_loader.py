@@ -335,6 +335,7 @@ def test_halves_of_different_pairs_are_refused(talk: Talk) -> None:
         ([GOOD_READOUT, GOOD_KERNELS], Fault.NO_PROGRAM),
         ([GOOD_KERNELS, GOOD_SCHEDULE], Fault.NO_PROGRAM),
         ([GOOD_READOUT, GOOD_SCHEDULE, GOOD_KERNELS], Fault.SCHEDULE),
+        ([GOOD_READOUT, GOOD_KERNELS, GOOD_SCHEDULE, kernels([])], Fault.NO_PROGRAM),
         ([GOOD_READOUT, kernels([op("nop")] * 1025)], Fault.TOO_LARGE),
         ([GOOD_READOUT, kernels(*[[]] * 1025)], Fault.TOO_LARGE),
         ([readouts()], Fault.READOUT),

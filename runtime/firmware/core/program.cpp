@@ -9,9 +9,6 @@ namespace {
 constexpr uint32_t most_slots = 1u << 20, most_launches = 1u << 20;
 constexpr double longest_slot_us = 1e15;
 
-Verdict refused(Fault fault, uint32_t detail = 0) { return {fault, detail}; }
-constexpr Verdict fine = {NO_FAULT, 0};
-
 bool finite(double value) { return value - value == 0; }
 
 // Takes a buffer apart, never reading behind its end.

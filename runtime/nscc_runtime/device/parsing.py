@@ -63,6 +63,8 @@ class Held:
                 self.readouts = _readouts(data, target)
             case ObjectKind.KERNELS:
                 self.kernels = _kernels(data, target, most)
+                # A schedule is one of certain kernels: it has to come again.
+                self.runs, self.rows = None, ()
             case ObjectKind.SCHEDULE:
                 self._schedule(data, most)
             case ObjectKind.PLANE:
