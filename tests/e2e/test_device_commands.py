@@ -296,6 +296,18 @@ def test_serving_without_a_compiler(folder: Path, monkeypatch: pytest.MonkeyPatc
     assert "Python twin" in outcome.err
 
 
+def test_examples_on_a_whole_chip(tmp_path: Path, root: Path) -> None:
+    """Two buckets, a codebook, 4096 slots: the same frames as on the emulator."""
+    with serving(tmp_path, line=["device", "serve", "--scene", "builtin:motion"]) as device:
+        for name in ("two_buckets", "codebook", "class_b_4096"):
+            program = str(root / f"examples/{name}.nsl")
+            common = ["run", program, "-O", "1", "-o"]
+            emulated = invoke([*common, "emulated.npz", "--scene", "builtin:motion"], tmp_path)
+            exposed = invoke([*common, "d.npz", "--on", device.port], tmp_path)
+            assert (emulated.status, exposed.status) == (0, 0), exposed.err
+            same_frame(tmp_path, "d.npz")
+
+
 def test_the_page_keeps_its_word(tmp_path: Path, root: Path) -> None:
     text = (root / "docs/device.md").read_text()
     lines = "".join(re.findall(r"^```sh\n(.*?)^```$", text, re.M | re.S)).splitlines()
