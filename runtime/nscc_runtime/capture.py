@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.readout import ADC_NOISE, noise_lsb
-from nscc_runtime.frame_file import Frame, read_out, stacked
+from nscc_runtime.frame_file import Frame, check_adc, read_out, stacked
 from nscc_runtime.light import Light
 from nscc_runtime.plan.capture import Program, prepared, processors
 from nscc_runtime.plan.choose import plan_for
@@ -133,6 +133,11 @@ def planned_frames(
     sensor, target = program.sensor, program.container.target
     noisy = ADC_NOISE in plan.kept
     places = np.arange(light.shape[0] * light.shape[1], dtype=np.int64)
+    check_adc(target)
+    if scene.fused is not None:
+        for number in range(count):
+            yield scene.fused.expose(seed, number, read_out=True)
+        return
     for number in range(count):
         exposure = scene.expose(seed, number)
         noise: NDArray[np.float64] | float = 0.0

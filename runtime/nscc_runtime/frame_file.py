@@ -72,7 +72,7 @@ def read_out(
 
 
 def check_adc(target: Target) -> None:
-    """NS0742 (status 2) for a target whose ADC has more bits than a frame file holds."""
+    """Refuse an ADC of more bits than a frame file holds (NS0742)."""
     if target.adc_bits > _MOST_BITS:
         raise Rejected(
             Diagnostic(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -134,6 +134,26 @@ class Light:
             key = (self.frame_index[part].tobytes(), self.weight[part].tobytes())
             counts.setdefault(key, [n, 0])[1] += 1
         yield from ((n, count) for n, count in counts.values())
+
+    def on_frames(self, slots: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Weights (N, J) of the slots as weights (T, J) of the frames."""
+        if len(self.frames) == 1 and len(self.weight) == self.slots:
+            return (self.weight @ slots)[None]
+        if len(self.weight) == self.slots == len(self.frames) and self._in_order:
+            return self.weight[:, None] * slots
+        return np.asarray(self._transposed @ slots)
+
+    @cached_property
+    def _in_order(self) -> bool:
+        """Whether slot n is a multiple of frame n."""
+        return bool(np.array_equal(self.frame_index, np.arange(len(self.frames))))
+
+    @cached_property
+    def _transposed(self) -> Any:
+        from scipy.sparse import csr_array
+
+        entries = self.weight, self.frame_index, self.row_start
+        return csr_array(entries, (self.slots, len(self.frames))).T.tocsr()
 
     def sha256(self) -> str:
         """Hexadecimal digest of shape, matrix and frames: the same light wherever it came from."""

@@ -139,6 +139,12 @@ def _light(light: Light) -> tuple[NDArray[np.generic], ...]:
 
 def check(container: Container, light: Light) -> None:
     """Refuse what cannot run before anything runs: the compiled loops check nothing."""
+    check_program(container)
+    check_size(container, light)
+
+
+def check_program(container: Container) -> None:
+    """Refuse a program without pixel codes (NS0741), and a container that contradicts itself."""
     if container.pixel_codes is None:
         raise Rejected(
             Diagnostic(
@@ -150,7 +156,11 @@ def check(container: Container, light: Light) -> None:
     unsound = faults(container)
     if unsound:
         raise ValueError(f"unsound container: {unsound[0]}")
-    shape = container.pixel_codes.shape
+
+
+def check_size(container: Container, light: Light) -> None:
+    """Refuse light of another array or of other slots (NS0734)."""
+    shape = light.shape if container.pixel_codes is None else container.pixel_codes.shape
     if light.shape != shape or light.slots != container.slots:
         raise Rejected(
             Diagnostic(

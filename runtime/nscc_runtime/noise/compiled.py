@@ -16,7 +16,14 @@ from nscc_runtime import machine_code
 PARAMETERS = {"fill_uniforms": 4, "fill_normals": 4, "fill_poisson": 7, "fill_thin": 6}
 """The loops of `nscc_runtime.noise.loops`, with how many addresses each takes."""
 
-SOURCES = ("counter.py", "gaussian.py", "poisson_law.py", "binomial_law.py", "loops.py")
+SOURCES = (
+    "counter.py",
+    "gaussian.py",
+    "gaussian_fast.py",
+    "poisson_law.py",
+    "binomial_law.py",
+    "loops.py",
+)
 """What the machine code depends on."""
 
 

@@ -26,7 +26,7 @@ _CELLS = 52 << _CELL_BITS
 _LAST = np.int64(_CELLS - 1)
 
 
-def _taylor(z: float) -> list[float]:
+def taylor(z: float) -> list[float]:
     """Coefficients of the quantile about the probability where it is z >= 0."""
     density = math.exp(-z * z / 2) / math.sqrt(2 * math.pi)
     terms = [z]
@@ -49,7 +49,7 @@ def _table() -> NDArray[np.float64]:
         octave, step = divmod(cell, 1 << _CELL_BITS)
         size = 2.0 ** (octave - 53)
         upper = size * (1 + (step + 1) * width)
-        terms = _taylor(-NormalDist().inv_cdf(upper) if upper < 0.5 else 0.0)
+        terms = taylor(-NormalDist().inv_cdf(upper) if upper < 0.5 else 0.0)
         terms[0] = max(terms[0], below)
         table[cell] = terms
         below = 0.0

@@ -6,6 +6,8 @@ changes no other effect's draw.
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 _MASK_32 = 0xFFFF_FFFF
@@ -34,6 +36,7 @@ def key(seed: int, effect: int, source: int = 0, frame: int = 0, group: int = 0)
     return np.uint64(last[0] | last[1] << 32)
 
 
+@lru_cache(maxsize=1024)
 def base(seed: int, effect: int, source: int = 0) -> np.uint64:
     """The half of the way to `key` that frame and group have no part in: `key` is
     `nscc_runtime.noise.counter.bits(base, frame, group)`.

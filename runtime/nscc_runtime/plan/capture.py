@@ -24,16 +24,17 @@ from nscc_runtime.effects.photons import DARK as DARK_SOURCE
 from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, count_key, response
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER, leak_per_s, pattern_e
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
-from nscc_runtime.emulator.capture import check
+from nscc_runtime.emulator.capture import check_program, check_size
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, poisson
 from nscc_runtime.plan import leak_nodes
+from nscc_runtime.plan.fused import Fused
 from nscc_runtime.plan.model import Plan
 from nscc_runtime.plan.overlap import Overlap
 from nscc_runtime.plan.pixels import Pixels
 from nscc_runtime.plan.reach import Reach, reach_of
-from nscc_runtime.plan.sums import sums_by_slot
+from nscc_runtime.plan.sums import smeared_frames, sums_by_slot
 from nscc_runtime.plan.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
 from nscc_runtime.reference.noise import SUM
@@ -51,6 +52,43 @@ def processors() -> int:
 
 
 @dataclass(frozen=True, eq=False)
+class Device:
+    """What is fixed on a chip: numbers of each pixel, made when they are asked for."""
+
+    sensor: Sensor
+    seed: int
+    places: NDArray[np.int64]
+
+    @cached_property
+    def response(self) -> Values:
+        """The response to light."""
+        return response(self.sensor, self.seed, self.places)
+
+    @cached_property
+    def current(self) -> Values:
+        """The dark current, electrons a second."""
+        return current_e_per_s(self.sensor, self.seed, self.places)
+
+    @cached_property
+    def pattern(self) -> Values:
+        """The fixed error of one analog word, electrons."""
+        return pattern_e(self.sensor, self.seed, self.places)
+
+    @cached_property
+    def leak(self) -> Values:
+        """The rate of leakage, 1/s."""
+        return leak_per_s(self.sensor, self.seed, self.places)
+
+
+@dataclass(frozen=True, eq=False)
+class Masks:
+    """`planes` uint8 (rows, pixels), each the mask of some slots; `row_of_slot` (N,) says which."""
+
+    row_of_slot: NDArray[np.intp]
+    planes: NDArray[np.uint8]
+
+
+@dataclass(frozen=True, eq=False)
 class Program:
     """A compiled program and a sensor, made ready once for any number of scenes and plans."""
 
@@ -63,6 +101,7 @@ class Program:
     @classmethod
     def of(cls, container: Container, sensor: Sensor) -> Program:
         """Raises Rejected where the words open no shutters (NS0442) or cannot run."""
+        check_program(container)
         reference = Reference.of(container, sensor, selected("all"))
         slot_s = np.array(container.slot_us, np.float64) * 1e-6
         return cls(container, sensor, reference, Tables.of(reference), slot_s)
@@ -102,24 +141,71 @@ class Program:
         return self.reference.groups.lane.reshape(-1).astype(np.int32)
 
     @cached_property
+    def overlapping(self) -> bool:
+        """Whether some slot is open in several buckets at once."""
+        return any(group & (group - 1) for group in self.group_ids.tolist())
+
+    @cached_property
     def group_ids(self) -> NDArray[np.int64]:
         """The groups of slots that occur."""
         return np.unique(self.reference.groups.of_slot)
+
+    def device(self, device_seed: int) -> Device:
+        """What is fixed on a chip; the last one asked for is kept."""
+        if device_seed not in self._devices:
+            self._devices.clear()
+            places = np.arange(len(self.lanes), dtype=np.int64)
+            self._devices[device_seed] = Device(self.sensor, device_seed, places)
+        return self._devices[device_seed]
+
+    @cached_property
+    def _devices(self) -> dict[int, Device]:
+        return {}
+
+    def overlap(self, model: Model) -> Overlap:
+        """How much of the neighbours' groups falls on a pixel's open slots; kept."""
+        found = self._overlaps.get(model)
+        if found is None:
+            found = self._overlaps[model] = Overlap.of(self, model)
+        return found
+
+    @cached_property
+    def _overlaps(self) -> dict[Model, Overlap]:
+        return {}
+
+    def masks(self, group: int) -> Masks:
+        """Where each slot belongs to a group, pixel by pixel; kept."""
+        found = self._masks.get(group)
+        if found is None:
+            members = self.reference.groups.of_slot == group
+            kinds, row_of_slot = np.unique(members.T, axis=0, return_inverse=True)
+            planes = np.ascontiguousarray(kinds[:, self.lanes], np.uint8)
+            found = self._masks[group] = Masks(row_of_slot.reshape(-1), planes)
+        return found
+
+    @cached_property
+    def _masks(self) -> dict[int, Masks]:
+        return {}
 
     def members(self, group: int) -> Values:
         """1 where a slot (N, lanes) belongs to a group."""
         return np.ascontiguousarray((self.reference.groups.of_slot == group).T, np.float64)
 
     def mean_weights(self, model: Model) -> dict[int, Values]:
-        """The mean weight (lanes, buckets) over the time of each group's slots."""
+        """The mean weight (lanes, buckets) over the time of each group's slots; kept."""
         weights = self.tables.weights(model).slots
-        found = {}
-        for group in self.group_ids.tolist():
+        found = self._mean_weights.get(model, {})
+        for group in self.group_ids.tolist() if not found else ():
             time = self.members(group) * self.slot_s[:, None]
             total = time.sum(axis=0)[:, None]
             part = np.einsum("nl,nlb->lb", time, weights)
             found[group] = np.divide(part, total, out=np.zeros_like(part), where=total > 0)
+        self._mean_weights[model] = found
         return found
+
+    @cached_property
+    def _mean_weights(self) -> dict[Model, dict[int, Values]]:
+        return {}
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,8 +218,16 @@ class Planned:
     device_seed: int
     threads: int
 
+    @cached_property
+    def fused(self) -> Fused | None:
+        """The scene laid out for the loop that does it all, where the plan is simple."""
+        return Fused.of(self)
+
     def expose(self, seed: int, frame: int) -> Exposure:
         """Frame number `frame`; threads change no bit."""
+        if self.fused is not None:
+            simple = self.fused.expose(seed, frame, read_out=False)
+            return Exposure(simple.exposure_e, simple.valid)
         shape = (len(self.program.container.buckets), *self.light.shape)
         if self.plan.slot_loop == "all":
             found = self._words(self.places, self.plan.kept, seed, frame)
@@ -202,7 +296,7 @@ class Planned:
         """What the groups' deviations make of the exposures, neighbours' included."""
         program = self.program
         if CROSSTALK in self.plan.kept:
-            return self.overlap.smeared(away)
+            return program.overlap(program.model(self.plan.kept)).smeared(away)
         weights = program.mean_weights(program.model(self.plan.kept))
         lanes = program.lanes
         buckets = len(program.container.buckets)
@@ -239,21 +333,34 @@ class Planned:
         total: Values = sums_by_slot(self.source, frames, lanes, weights, self.threads)[0]
         return total
 
+    @property
+    def device(self) -> Device:
+        """What is fixed on the chip."""
+        return self.program.device(self.device_seed)
+
+    @property
+    def factor(self) -> float:
+        """What becomes of the light of every pixel: the previous frame's is the same."""
+        return 1.0 + (self.program.sensor.lag_fraction if LAG in self.plan.kept else 0.0)
+
+    @property
+    def response(self) -> Values:
+        """The response of each pixel to light."""
+        return self.device.response
+
     @cached_property
     def scale(self) -> Values:
         """What becomes of the light of each pixel before it is counted: a factor."""
-        kept, sensor = self.plan.kept, self.program.sensor
-        scale = np.full(len(self.places), 1.0 + (sensor.lag_fraction if LAG in kept else 0.0))
-        if PRNU in kept:
-            scale *= response(sensor, self.device_seed, self.places)
-        return scale
+        if PRNU in self.plan.kept:
+            return self.factor * self.response
+        return np.full(len(self.places), self.factor)
 
     @cached_property
     def current(self) -> Values:
         """The dark current of each pixel, 0 where there is none."""
         if DARK not in self.plan.kept:
             return np.zeros(len(self.places))
-        return current_e_per_s(self.program.sensor, self.device_seed, self.places)
+        return self.device.current
 
     @cached_property
     def counted(self) -> list[int]:
@@ -285,8 +392,7 @@ class Planned:
         if LEAKAGE not in kept or self.plan.leak_nodes == 1:
             return np.array([program.model(kept).leak_per_s]), np.ones((1, len(self.places)))
         nodes = leak_nodes.rates(program.sensor, self.plan.leak_nodes)
-        leak = leak_per_s(program.sensor, self.device_seed, self.places)
-        return nodes, leak_nodes.between(nodes, leak)
+        return nodes, leak_nodes.between(nodes, self.device.leak)
 
     @cached_property
     def expected(self) -> Values:
@@ -298,10 +404,10 @@ class Planned:
         weights = [program.tables.weights(replace(model, leak_per_s=rate)).slots for rate in nodes]
         stack = [each[:, :, b] for b in range(buckets) for each in weights]
         if CROSSTALK in kept:
-            frames = np.empty_like(self.source.frames)
             scale = self.scale.reshape(self.light.shape)
-            for frame, into in zip(self.source.frames, frames, strict=True):
-                into[...] = smeared(frame * scale, sensor.crosstalk_fraction)
+            frames = smeared_frames(
+                self.source.frames, scale, sensor.crosstalk_fraction, self.threads
+            )
             sums = self._sum(replace(self.source, frames=frames, motion=None), stack)
         else:
             sums = self._sum(self.source, stack) * self.scale
@@ -316,21 +422,15 @@ class Planned:
         return np.asarray(found)
 
     @cached_property
-    def overlap(self) -> Overlap:
-        """How much of the neighbours' groups falls on a pixel's open slots."""
-        return Overlap.of(self.program, self.plan.kept, self.light.shape)
-
-    @cached_property
     def patterns(self) -> Values:
         """The fixed errors (buckets, pixels) of the analog words."""
         program = self.program
-        each = pattern_e(program.sensor, self.device_seed, self.places)
         total = 0.0
         for rate, between in zip(*self.leaks, strict=True):
             # Leakage that is left out is still the better account of where errors go.
             model = replace(self.wanted, leak_per_s=rate) if rate else self.wanted
             total = total + program.tables.pattern(model).T[:, program.lanes] * between
-        return np.asarray(total * each)
+        return np.asarray(total * self.device.pattern)
 
     @cached_property
     def limits(self) -> Values:
@@ -348,18 +448,20 @@ class Planned:
         program, kept, sensor = self.program, self.plan.kept, self.program.sensor
         if FULL_WELL not in kept and REGISTER not in kept:
             return np.empty(0, np.int64)
-        reach = program.reach
         single = np.all(~np.isnan(program.tables.single(program.model(kept))), axis=1)
         limit = np.full(single.shape, np.inf)
         if FULL_WELL in kept:
             limit = np.where(single, np.inf, sensor.full_well_e)
         if REGISTER in kept:
             low, high = abs(sensor.register_min_e), sensor.register_max_e
-            room = sensor.register_knee_fraction * min(low, high) - reach.noise_e
-            limit = np.minimum(limit, room / reach.light)
+            room = sensor.register_knee_fraction * min(low, high) - program.reach.noise_e
+            limit = np.minimum(limit, room / program.reach.light)
+        if not np.isfinite(limit).any():
+            return np.empty(0, np.int64)
         bound = float(np.max(self.total * self.scale, initial=0.0))
         bound *= 1.0 + 4 * sensor.crosstalk_fraction * (CROSSTALK in kept)
-        bound += float(np.max(self.current, initial=0.0)) * float(program.slot_s.sum())
+        if DARK in kept:
+            bound += float(self.device.current.max(initial=0.0)) * float(program.slot_s.sum())
         if bound + SIGMAS * np.sqrt(bound) < limit.min():
             return np.empty(0, np.int64)
         seen = program.tables.seen().astype(np.float64)
@@ -386,5 +488,5 @@ def prepared(
     threads: int | None = None,
 ) -> Planned:
     """A scene made ready; raises Rejected as `nscc_runtime.emulator.expose` does."""
-    check(program.container, light)
+    check_size(program.container, light)
     return Planned(program, light, plan, device_seed, processors() if threads is None else threads)

@@ -14,10 +14,10 @@ from pathlib import Path
 from nscc_runtime import machine_code, noise
 from nscc_runtime.noise.compiled import SOURCES as NOISE_SOURCES
 
-PARAMETERS = {"run_pixels": 28, "weighted_sums": 5}
+PARAMETERS = {"run_pixels": 28, "weighted_sums": 5, "smeared_frames": 5, "fused": 20}
 """The loops, with how many addresses each takes."""
 
-_SOURCES = ("layout.py", "pixel_loop.py", "sum_loop.py")
+_SOURCES = ("layout.py", "pixel_loop.py", "sum_loop.py", "fused_loop.py")
 
 
 @cache
@@ -33,12 +33,14 @@ def is_compiled() -> bool:
 
 
 def _build() -> bytes:
-    from nscc_runtime.plan import pixel_loop, sum_loop
+    from nscc_runtime.plan import fused_loop, pixel_loop, sum_loop
 
     return machine_code.build(
         [
             (pixel_loop.run_pixels, pixel_loop.SIGNATURE),
-            (sum_loop.weighted_sums, sum_loop.SIGNATURE),
+            (sum_loop.weighted_sums, sum_loop.SIGNATURES["weighted_sums"]),
+            (sum_loop.smeared_frames, sum_loop.SIGNATURES["smeared_frames"]),
+            (fused_loop.fused, fused_loop.SIGNATURE),
         ]
     )
 

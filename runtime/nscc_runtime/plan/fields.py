@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.crosstalk import CROSSTALK
-from nscc_runtime.effects.dark import DARK, current_e_per_s
+from nscc_runtime.effects.dark import DARK
 from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
-from nscc_runtime.effects.photons import PRNU, SHOT, response
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER, leak_per_s, pattern_e
+from nscc_runtime.effects.photons import PRNU, SHOT
+from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
 from nscc_runtime.light import Light
 from nscc_runtime.plan.sample import Sample
@@ -73,7 +73,11 @@ class _Fields:
         self.lanes = program.lanes[self.places]
         self.buckets = range(len(program.container.buckets))
         self.lag = 1.0 + self.sensor.lag_fraction
-        self.response = response(self.sensor, device_seed, self.places)
+        device = program.device(device_seed)
+        self.response = device.response[self.places]
+        self.current, self.leak = device.current[self.places], device.leak[self.places]
+        self.error = device.pattern[self.places]
+        self.scale = device.response
         flat = light.frames.reshape(len(light.frames), -1)
         self.frames = np.ascontiguousarray(flat[:, self.places])
 
@@ -102,8 +106,7 @@ class _Fields:
             LAG.name: plain * sensor.lag_fraction * self.response,
             DEAD_TIME.name: base - sums["dead"] * scale,
         }
-        leak = leak_per_s(sensor, self.device_seed, self.places)
-        off = (leak / full.leak_per_s - 1.0) / _LEAK_STEP
+        off = (self.leak / full.leak_per_s - 1.0) / _LEAK_STEP
         fixed[LEAKAGE.name] = base - (sums["leak"] - off * (sums["spread"] - plain)) * scale
         if program.tables.decays:
             fixed[DECAY.name] = base - sums["decay"] * scale
@@ -111,23 +114,21 @@ class _Fields:
         if self.light.motion is not None:
             still = self._sum(self.light, self._each_bucket(program.tables.weights(full).slots))
             fixed[MOTION.name] = shifts[MOTION.name] = base - still * scale
-        error = pattern_e(sensor, self.device_seed, self.places)
         pattern, more = (
-            program.tables.pattern(variants[name]).T[:, self.lanes] * error
+            program.tables.pattern(variants[name]).T[:, self.lanes] * self.error
             for name in ("full", "spread")
         )
         # A plan that leaves leakage out still takes errors as at its mean.
         fixed[LEAKAGE.name] += off * (more - pattern)
         fixed[ANALOG.name] = base - sums["gain"] * scale + pattern
         open_s = np.einsum("n,nlb->bl", program.slot_s, program.tables.weights(full).slots)
-        current = current_e_per_s(sensor, self.device_seed, self.places)
-        fixed[DARK.name] = open_s[:, self.lanes] * current
+        fixed[DARK.name] = open_s[:, self.lanes] * self.current
         squares = program.tables.weights(full).slots ** 2
         open_2 = np.einsum("n,nlb->bl", program.slot_s, squares)
         noise_cut = np.zeros((len(self.buckets), len(self.places)))
         variance = {
             SHOT.name: self._sum(moving, self._each_bucket(squares)) * scale,
-            DARK.name: open_2[:, self.lanes] * current,
+            DARK.name: open_2[:, self.lanes] * self.current,
         }
         for effect, sigma in (
             (READ, sensor.read_noise_e),
@@ -146,7 +147,7 @@ class _Fields:
             noise = variance[SHOT.name] + variance[DARK.name]
             variance[CROSSTALK.name] = 20 * sensor.crosstalk_fraction**2 * noise
         expected = base + fixed[DARK.name] + pattern
-        thinning, neighbours = self._left_out(moving, scale, current)
+        thinning, neighbours = self._left_out(moving, scale, self.current)
         none = np.zeros(expected.shape, np.bool_)
         fields = Fields(
             self.sample, expected, fixed, variance, shifts, thinning, neighbours, noise_cut, none
@@ -172,9 +173,7 @@ class _Fields:
             (col > 0, self.places - 1), (col < cols - 1, self.places + 1),
         ):  # fmt: skip
             place = np.where(there, place, self.places)
-            flow += flat[:, place] * response(self.sensor, self.device_seed, place).astype(
-                np.float32
-            )
+            flow += flat[:, place] * self.scale[place].astype(np.float32)
             flow -= own
         weights = self._each_bucket(self.program.tables.weights(self.program.full).slots)
         return self.sensor.crosstalk_fraction * self.lag * self._sum(light, weights, flow)

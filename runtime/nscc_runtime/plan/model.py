@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
+from functools import cached_property
 from typing import Any, Literal
 
 from nscc_runtime.effects import EFFECTS, Selection
@@ -63,7 +64,7 @@ class Plan:
     leak_nodes: int = 1
     closed: bool = False
 
-    @property
+    @cached_property
     def kept(self) -> Selection:
         """The effects that are simulated."""
         on = {each.name for each in self.decisions if each.decision == "kept"}
@@ -71,14 +72,14 @@ class Plan:
         forced = {each.name for each in self.decisions if each.forced}
         return Selection(frozenset(on | always), frozenset(forced))
 
-    @property
+    @cached_property
     def wanted(self) -> Selection:
         """All effects but those that the user forced off."""
         off = {each.name for each in self.decisions if each.forced and each.decision == "dropped"}
         kept = self.kept
         return Selection(frozenset(e.name for e in EFFECTS) - off, kept.forced)
 
-    @property
+    @cached_property
     def kept_in_words(self) -> Selection:
         """The effects on pixels that run through all their words because they may saturate: there
         the others no longer add up, so only saturation itself and what the user forced is left out.

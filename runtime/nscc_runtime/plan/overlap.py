@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import Selection
+from nscc_runtime.plan.tables import Model
 
 if TYPE_CHECKING:
     from nscc_runtime.plan.capture import Program
@@ -35,9 +35,10 @@ class Overlap:
     neighbours: dict[int, tuple[Values, ...]]
 
     @classmethod
-    def of(cls, program: Program, kept: Selection, shape: tuple[int, int]) -> Overlap:
-        """For the weights of a plan's effects."""
-        model = program.model(kept)
+    def of(cls, program: Program, model: Model) -> Overlap:
+        """For the weights of a model."""
+        shape = program.reference.groups.lane.shape
+        rows, cols = shape
         weights = program.tables.weights(model).slots * program.slot_s[:, None, None]
         lanes = program.lanes.reshape(shape)
         means = program.mean_weights(model)
@@ -48,7 +49,7 @@ class Overlap:
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
             own[group] = means[group].T[:, program.lanes].reshape(-1, *shape)
             neighbours[group] = tuple(_pairs(weights, parts, lanes, shift) for shift in _DIRECTIONS)
-        return cls(program.sensor.crosstalk_fraction, shape, own, neighbours)
+        return cls(program.sensor.crosstalk_fraction, (rows, cols), own, neighbours)
 
     def smeared(self, away: dict[int, Values]) -> Values:
         """What deviations (pixels,) of the groups' counts make of exposures (buckets, pixels)."""

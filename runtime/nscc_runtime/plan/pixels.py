@@ -7,7 +7,6 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,6 +24,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.noise.keys import base
 from nscc_runtime.plan.layout import ENTRY_COLUMNS, MOST_DESTINATIONS, Entry, Key, Number, Size
+from nscc_runtime.plan.pool import in_parts
 from nscc_runtime.reference.capture import DESTINATIONS, START, Reference
 from nscc_runtime.reference.noise import PART, SUM
 from nscc_runtime.reference.trace import AnalogWord
@@ -32,6 +32,8 @@ from nscc_runtime.sensor.model import Sensor
 
 _DRAWN = (READ, RESET, ANALOG)
 _SITES = 5
+_FEWEST = 64
+"""Pixels that are worth a thread."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -138,11 +140,13 @@ class Pixels:
             entry_point()(*(array.ctypes.data for array in arrays))
             return out
 
-        parts = np.array_split(chosen, max(1, min(threads, len(chosen) // 64)))
-        if len(parts) == 1:
-            return run(parts[0])
-        with ThreadPoolExecutor(len(parts)) as pool:
-            return np.concatenate(list(pool.map(run, parts)), axis=1)
+        out = np.empty((len(container.buckets), len(chosen)))
+
+        def fill(begin: int, end: int) -> None:
+            out[:, begin:end] = run(chosen[begin:end])
+
+        in_parts(fill, len(chosen), threads, _FEWEST)
+        return out
 
     def _sizes(
         self, count: int, light: Light, frame: int, switches: Sequence[tuple[Size, int]]

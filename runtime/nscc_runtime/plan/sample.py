@@ -13,9 +13,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-_MOST_PIXELS = 4096
+_MOST_PIXELS = 2048
 _FEWEST_PIXELS = 1024
-_MOST_SAMPLES = 1 << 18
+_MOST_SAMPLES = 1 << 17
 """Frames x pixels, above the fewest pixels."""
 _MOST_NEAR = 256
 _GOLDEN = 0.6180339887498949

@@ -40,8 +40,42 @@ def weighted_sums(sizes: Ints, frames: Frames, lanes: Ints32, table: Floats, out
                     out[j * pixels + p] += table[row + lanes[p]] * frames[k * pixels + p]
 
 
-SIGNATURE = (
-    "void(CPointer(int64), CPointer(float32), CPointer(int32), CPointer(float64), "
-    "CPointer(float64))"
-)
-"""The types of `weighted_sums`'s parameters, for numba."""
+def smeared_frames(
+    sizes: Ints, fraction: Floats, frames: Frames, scale: Floats, out: Frames
+) -> None:
+    """out[k] := q + fraction laplacian(q), q = scale * frames[k] (rows, cols); the border reflects.
+
+    `sizes`: first frame and last + 1, rows, cols.
+    """
+    rows, cols = sizes[2], sizes[3]
+    c = np.float32(fraction[0])
+    for k in range(sizes[0], sizes[1]):
+        at = k * rows * cols
+        for row in range(rows):
+            here = row * cols
+            up = here - cols if row > 0 else here
+            down = here + cols if row + 1 < rows else here
+            for col in range(cols):
+                left = col - 1 if col > 0 else col
+                right = col + 1 if col + 1 < cols else col
+                own = np.float32(scale[here + col]) * frames[at + here + col]
+                four = (
+                    np.float32(scale[up + col]) * frames[at + up + col]
+                    + np.float32(scale[down + col]) * frames[at + down + col]
+                    + np.float32(scale[here + left]) * frames[at + here + left]
+                    + np.float32(scale[here + right]) * frames[at + here + right]
+                )
+                out[at + here + col] = own + c * (four - np.float32(4.0) * own)
+
+
+SIGNATURES = {
+    "weighted_sums": (
+        "void(CPointer(int64), CPointer(float32), CPointer(int32), CPointer(float64), "
+        "CPointer(float64))"
+    ),
+    "smeared_frames": (
+        "void(CPointer(int64), CPointer(float64), CPointer(float32), CPointer(float64), "
+        "CPointer(float32))"
+    ),
+}
+"""The types of the loops' parameters, for numba."""

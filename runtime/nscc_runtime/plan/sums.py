@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.light import Light
+from nscc_runtime.plan.pool import in_parts
 
+_BLOCK = 512
 _MOST_ENTRIES = 1 << 23
 """Of tables in memory at once, unless a single one is larger."""
 
@@ -45,12 +46,30 @@ def weighted_sums(
         sizes = np.array([pixels, begin, end, count, lane_count, sums], np.int64)
         loop(sizes.ctypes.data, *(array.ctypes.data for array in arrays))
 
-    cuts = [pixels * i // threads for i in range(threads + 1)]
-    if threads == 1:
-        run(0, pixels)
-    else:
-        with ThreadPoolExecutor(threads) as pool:
-            list(pool.map(run, cuts[:-1], cuts[1:]))
+    in_parts(run, pixels, threads, _BLOCK)
+    return out
+
+
+def smeared_frames(
+    frames: NDArray[np.float32], scale: NDArray[np.float64], fraction: float, threads: int = 1
+) -> NDArray[np.float32]:
+    """Frames (T, rows, cols) times `scale` (rows, cols), smeared by crosstalk; in float32."""
+    from nscc_runtime.plan.compiled import entry_points
+
+    out = np.empty(frames.shape, np.float32)
+    arrays = (
+        np.array([fraction]),
+        np.require(frames, np.float32, ["C", "A"]),
+        np.require(scale, np.float64, ["C", "A"]),
+        out,
+    )
+    loop = entry_points()["smeared_frames"]
+
+    def run(begin: int, end: int) -> None:
+        sizes = np.array([begin, end, *frames.shape[1:]], np.int64)
+        loop(sizes.ctypes.data, *(array.ctypes.data for array in arrays))
+
+    in_parts(run, len(frames), threads)
     return out
 
 
@@ -76,11 +95,6 @@ def sums_by_slot(
 
 
 def on_frames(light: Light, slots: NDArray[np.float64]) -> NDArray[np.float64]:
-    """NDArray[np.float64] of slots (N, ..) as weights of the light's own frames (T, ..)."""
-    from scipy.sparse import csr_array
-
-    matrix = csr_array(
-        (light.weight, light.frame_index, light.row_start), (light.slots, len(light.frames))
-    )
+    """Weights of slots (N, ..) as weights of the light's own frames (T, ..)."""
     flat = slots.reshape(len(slots), -1)
-    return np.asarray(matrix.T @ flat).reshape(len(light.frames), *slots.shape[1:])
+    return light.on_frames(flat).reshape(len(light.frames), *slots.shape[1:])

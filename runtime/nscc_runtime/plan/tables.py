@@ -7,7 +7,9 @@ gain of the words, on leakage, dead time and decay.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +21,7 @@ from nscc_runtime.reference.weights import Backward, backward
 from nscc_runtime.sensor.model import Sensor
 
 Weights = NDArray[np.float64]
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -44,6 +47,7 @@ class Tables:
     fresh: tuple[AnalogWord, ...]
     decayed: tuple[AnalogWord, ...]
     _found: dict[Model, Backward] = field(default_factory=dict)
+    _derived: dict[tuple[str, Model | None], Any] = field(default_factory=dict)
 
     @classmethod
     def of(cls, program: Reference) -> Tables:
@@ -75,10 +79,20 @@ class Tables:
             self._found[model] = found
         return found
 
+    def _kept(self, name: str, model: Model | None, make: Callable[[], T]) -> T:
+        """What `make` gives, made once."""
+        if (name, model) not in self._derived:
+            self._derived[name, model] = make()
+        found: T = self._derived[name, model]
+        return found
+
     def noise(self, name: str, full: Model) -> tuple[Weights, Weights]:
         """Coefficients L (lanes, buckets, draws) of the keyed draws of `read`, `reset` or `analog`,
         and the variance (lanes, buckets) of what they leave out, for unit errors.
         """
+        return self._kept(f"noise of {name}", full, lambda: self._noise(name, full))
+
+    def _noise(self, name: str, full: Model) -> tuple[Weights, Weights]:
         weights = self.weights(full)
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
         found: dict[int, Weights] = {
@@ -97,6 +111,9 @@ class Tables:
 
     def pattern(self, full: Model) -> Weights:
         """The sum (lanes, buckets) of the signed coefficients of the analog words' errors."""
+        return self._kept("pattern", full, lambda: self._pattern(full))
+
+    def _pattern(self, full: Model) -> Weights:
         shape = len(self.container.encoding), len(self.container.buckets)
         total = np.zeros(shape)
         for weight in self.weights(full).errors.values():
@@ -105,6 +122,9 @@ class Tables:
 
     def seen(self) -> NDArray[np.bool_]:
         """The slots (N, lanes) whose charge is on PIX at some read: no register holds more."""
+        return self._kept("seen", None, self._seen)
+
+    def _seen(self) -> NDArray[np.bool_]:
         container = self.container
         found = np.zeros((container.slots, len(container.encoding)), np.bool_)
         live = np.zeros(len(container.encoding), np.bool_)
@@ -124,6 +144,9 @@ class Tables:
         """The coefficient (lanes, buckets) of the one read through which all charge reaches the
         bucket; NaN where there are several such reads.
         """
+        return self._kept("single", full, lambda: self._single(full))
+
+    def _single(self, full: Model) -> Weights:
         container = self.container
         shape = len(container.encoding), len(container.buckets)
         reset_at = np.zeros(shape[0], np.int64)

@@ -1,0 +1,166 @@
+"""Plans so simple that everything is done in one go over the pixels.
+
+They weigh the slots of a pixel 1 or 0: no effect on weights is kept, no crosstalk, no dark charge,
+and no pixel needs a slot loop. Each open slot lies in one bucket.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects.crosstalk import CROSSTALK
+from nscc_runtime.effects.dark import DARK
+from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
+from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, count_key
+from nscc_runtime.effects.readout import ADC_NOISE
+from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
+from nscc_runtime.effects.timing import DEAD_TIME, DECAY
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.light import Light
+from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.plan.pool import in_parts
+from nscc_runtime.plan.sums import on_frames
+from nscc_runtime.reference.noise import SUM
+
+if TYPE_CHECKING:
+    from nscc_runtime.plan.capture import Planned, Program
+
+_COMPLEX = frozenset(effect.name for effect in (CROSSTALK, DARK, ANALOG, LEAKAGE, DEAD_TIME, DECAY))
+_BLOCK = 1024
+_SKIPPED, _EVEN, _MASKED, _TABLED = 0, 1, 2, 3
+_MOST_MASKS = 1 << 26
+"""Bytes of masks that are kept for a program."""
+_MUCH = 1 << 21
+"""Pixels x frames from which on a second thread is worth waking."""
+_DRAWN_FRAMES = 32
+"""What drawing numbers costs, in frames."""
+
+
+@dataclass(frozen=True, eq=False)
+class Fused:
+    """A scene under a simple plan, laid out for the loop; everything but the keys of a frame."""
+
+    scene: Planned
+    frames: NDArray[np.float32]
+    numbers: NDArray[np.float64]
+    buckets: tuple[tuple[NDArray[np.generic], ...], ...]
+    sources: tuple[tuple[int, int], ...]
+
+    @classmethod
+    def of(cls, scene: Planned) -> Fused | None:
+        """None where the plan is not simple."""
+        program, kept = scene.program, scene.plan.kept
+        if (
+            scene.plan.slot_loop == "all"
+            or kept.on & _COMPLEX
+            or program.tables.decays
+            or program.overlapping
+            or len(scene.saturating)
+        ):
+            return None
+        source = scene.source
+        frames = np.require(source.frames, np.float32, ["C", "A"]).reshape(len(source.frames), -1)
+        sensor, target = program.sensor, program.container.target
+        sigmas, sources = [], []
+        for effect, sigma in ((READ, sensor.read_noise_e), (RESET, sensor.reset_noise_e)):
+            if effect in kept:
+                factor = sigma * program.tables.noise(effect.name, scene.wanted)[0]
+                for draw in range(factor.shape[2]):
+                    if factor[:, :, draw].any():
+                        sigmas.append(factor[:, :, draw])
+                        sources.append((effect.stream, draw))
+        shape = len(sigmas), len(program.container.encoding), len(program.container.buckets)
+        sigma_e = np.array(sigmas).reshape(shape)
+        single = program.tables.single(program.model(kept))
+        limit_e = np.where(np.isnan(single), np.inf, single * sensor.full_well_e)
+        response = scene.response if PRNU in kept else np.ones(1)
+        numbers = [
+            scene.factor, RATE_CAP, sensor.electrons_per_lsb, sensor.adc_offset_lsb,
+            2.0**target.adc_bits - 1, sensor.adc_noise_lsb,
+        ]  # fmt: skip
+        buckets = tuple(
+            (
+                *_layout(program, source, 1 << bucket),
+                program.lanes,
+                response,
+                np.ascontiguousarray(limit_e[:, bucket]),
+                np.ascontiguousarray(sigma_e[:, :, bucket]),
+            )
+            for bucket in range(shape[2])
+        )
+        return cls(scene, frames, np.array(numbers), buckets, tuple(sources))
+
+    def expose(self, seed: int, frame: int, *, read_out: bool) -> Frame:
+        """Frame number `frame`; without `read_out` its codes are left 0."""
+
+        shape = (len(self.buckets), *self.scene.light.shape)
+        exposure = np.empty(shape)
+        codes, valid = np.zeros(shape, np.uint8), np.ones(shape, np.bool_)
+        for bucket in range(len(self.buckets)):
+            self._fill(bucket, seed, frame, read_out, (exposure[bucket], codes[bucket]))
+        return Frame(codes, exposure, valid)
+
+    def _fill(
+        self,
+        bucket: int,
+        seed: int,
+        frame: int,
+        read_out: bool,
+        out: tuple[NDArray[np.float64], NDArray[np.uint8]],
+    ) -> None:
+        """Expose one bucket into `out`: exposures and codes."""
+        from nscc_runtime.plan.compiled import entry_points
+
+        scene, kept, loop = self.scene, self.scene.plan.kept, entry_points()["fused"]
+        keys = [count_key(seed, SHOT, LIGHT, frame, 1 << bucket) if SHOT in kept else np.uint64(0)]
+        keys += [key(seed, stream, SUM, frame, draw) for stream, draw in self.sources]
+        if ADC_NOISE in kept:
+            keys.append(key(seed, ADC_NOISE.stream, frame=frame, group=bucket))
+        pixels, count = out[0].size, len(self.frames)
+        lanes = len(scene.program.container.encoding)
+        switches = (
+            int(PRNU in kept), int(SHOT in kept), int(FULL_WELL in kept and REGISTER not in kept),
+            len(self.sources), int(ADC_NOISE in kept), int(read_out),
+        )  # fmt: skip
+        given = (self.numbers, np.array(keys, np.uint64), self.frames, *self.buckets[bucket])
+
+        def run(begin: int, end: int) -> None:
+            sizes = np.array([pixels, begin, end, count, lanes, *switches], np.int64)
+            scratch = (
+                np.empty(_BLOCK, np.float32), np.empty(_BLOCK), np.empty(4 * _BLOCK),
+                np.empty(_BLOCK), np.empty(_BLOCK, np.int64),
+            )  # fmt: skip
+            arrays: tuple[NDArray[np.generic], ...] = (sizes, *given, *scratch, *out)
+            loop(*(array.ctypes.data for array in arrays))
+
+        drawn = len(keys) > 1 or SHOT in kept
+        work = pixels * (count + _DRAWN_FRAMES * drawn)
+        in_parts(run, pixels, scene.threads if work >= _MUCH else 1, _BLOCK)
+
+
+def _layout(program: Program, light: Light, group: int) -> tuple[NDArray[np.generic], ...]:
+    """What becomes of each frame of a light in a group of slots: kinds, weights, rows of masks,
+    masks, table.
+    """
+    members = program.members(group)
+    count = len(light.frames)
+    kinds, weights = np.zeros(count, np.int64), np.ones(count, np.float32)
+    rows, table = np.zeros(count, np.int64), np.zeros((1, 1), np.float32)
+    slots = np.bincount(light.frame_index, minlength=count)
+    plain = light.slots == len(light.frame_index) == count and bool(np.all(slots == 1))
+    if not plain or light.slots * members.size > _MOST_MASKS:
+        table = np.ascontiguousarray(on_frames(light, members), np.float32)
+        kinds[:] = _TABLED
+        return kinds, weights, rows, np.zeros(1, np.uint8), table
+    masks = program.masks(group)
+    place = np.empty(count, np.int64)
+    place[light.frame_index] = np.arange(count)
+    weights[light.frame_index] = light.weight
+    every, some = members.all(axis=1), members.any(axis=1)
+    kinds[:] = np.where(every, _EVEN, np.where(some, _MASKED, _SKIPPED))[place]
+    rows[:] = masks.row_of_slot[place]
+    return kinds, weights, rows, masks.planes, table

@@ -1,0 +1,34 @@
+"""Threads that are kept: starting one costs as much as a small frame."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache
+from itertools import pairwise
+
+
+@cache
+def _pool(threads: int) -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(threads, thread_name_prefix="nscc")
+
+
+def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple: int = 1) -> None:
+    """Call `run(begin, end)` for parts of 0 .. `count`, `threads` at a time.
+
+    Parts begin at multiples of `multiple`. Called from a thread of this kind itself, it goes
+    through all of them there.
+    """
+    name = threading.current_thread().name
+    blocks = -(-count // multiple)
+    threads = min(threads, blocks)
+    if threads <= 1 or name.startswith("nscc"):
+        run(0, count)
+        return
+    cuts = [min(blocks * i // threads * multiple, count) for i in range(threads + 1)]
+    # One part is done here: a thread less to wake.
+    others = [_pool(threads).submit(run, begin, end) for begin, end in pairwise(cuts[1:])]
+    run(cuts[0], cuts[1])
+    for other in others:
+        other.result()

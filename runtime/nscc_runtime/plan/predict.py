@@ -1,0 +1,244 @@
+"""Forecasts: how wrong a scene's exposures get when effects are left out of it.
+
+Dropped fixed effects are added up as signed fields on a sample of pixels, since they may cancel or
+add; random ones, and the short cuts of running a plan, in quadrature.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import EFFECTS, Effect
+from nscc_runtime.effects.crosstalk import CROSSTALK
+from nscc_runtime.effects.dark import DARK
+from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
+from nscc_runtime.effects.photons import SHOT
+from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
+from nscc_runtime.light import Light
+from nscc_runtime.plan import leak_nodes
+from nscc_runtime.plan.capture import Planned, Program
+from nscc_runtime.plan.fields import BOTH, Fields, fields_of
+from nscc_runtime.plan.model import Decision, Plan
+from nscc_runtime.plan.sample import sample_of
+
+SATURATION = frozenset({FULL_WELL.name, REGISTER.name})
+"""Effects that need single pixels to run through their words."""
+
+_FORMULA_E = 0.015
+"""RMS of counts by formula against exact ones: one electron in some five thousand pixels."""
+_LEAK_PART = 0.05
+_CLOSED_PART = 0.1
+_NOTHING = np.zeros(1)
+
+
+@dataclass(frozen=True, eq=False)
+class Forecast:
+    """What a scene makes of a program's effects; `tolerance_e` decides on short cuts only."""
+
+    program: Program
+    light: Light
+    tolerance_e: float
+    device_seed: int
+
+    @cached_property
+    def fields(self) -> Fields:
+        """What each effect does to a sample of the scene."""
+        total_e = self._everything.total.reshape(self.light.shape)
+        sample = sample_of(total_e, len(self.light.frames), self.near)
+        return fields_of(self.program, self.light, sample, self.device_seed)
+
+    @cached_property
+    def near(self) -> NDArray[np.int64]:
+        """The pixels that may saturate with every effect on."""
+        return self._everything.saturating
+
+    @cached_property
+    def _everything(self) -> Planned:
+        """The scene with every effect kept."""
+        decisions = tuple(
+            Decision(effect.name, effect.kind, "kept", False, "", None, None, None, 0.0)
+            for effect in EFFECTS
+        )
+        plan = Plan(0.0, 0.0, 0.0, "some", (), 0.0, (), decisions)
+        return Planned(self.program, self.light, plan, self.device_seed, threads=1)
+
+    @cached_property
+    def present(self) -> list[Effect]:
+        """The effects that change the exposures of this scene at all."""
+        fields = self.fields
+        return [
+            effect for effect in EFFECTS
+            if (effect.kind != "after"
+            and any(
+                np.any(found.get(effect.name, 0.0)) for found in (fields.fixed, fields.variance)
+            ))
+            or (effect.name in SATURATION and len(self.near))
+        ]  # fmt: skip
+
+    def square(self, dropped: frozenset[str], everywhere: bool) -> float:
+        """The predicted mean square error of the worst bucket, in square electrons.
+
+        `everywhere`: all pixels run through their words.
+        """
+        return float(np.max(self.squares(dropped, everywhere)[0]))
+
+    def squares(
+        self, dropped: frozenset[str], everywhere: bool
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Predicted mean squares (buckets,), and the most that they can be: fixed parts add up."""
+        state = self.state(dropped)
+        names, products = self._products(state)
+        # Saturation is a field of its own: in `BOTH` where neither is simulated.
+        lost = SATURATION & dropped
+        inside = dropped - SATURATION | (lost if lost != SATURATION else {BOTH})
+        at = [i for i, name in enumerate(names) if name in inside]
+        part = products[:, at][:, :, at]
+        random = sum((self._variances(state)[name] for name in self._random & dropped), _NOTHING)
+        random = random + self._rounding(dropped)
+        if not everywhere:
+            random = random + sum((square for _, square in self.short_cuts(dropped)), _NOTHING)
+        sizes = np.sqrt(np.maximum(np.diagonal(part, axis1=1, axis2=2), 0.0)).sum(axis=1)
+        return part.sum(axis=(1, 2)) + random, sizes**2 + random
+
+    def state(self, dropped: frozenset[str]) -> str:
+        """What becomes of pixels that may saturate: they run through their words with all effects,
+        are clipped at the full well, or are taken as any others.
+        """
+        if not len(self.near) or dropped >= SATURATION:
+            return "sums"
+        return "clip" if REGISTER.name in dropped and self._all_single else "words"
+
+    @cached_property
+    def _all_single(self) -> bool:
+        tables = self.program.tables
+        return not np.isnan(tables.single(self.program.full)).any()
+
+    def _where(self, state: str) -> NDArray[np.float64]:
+        """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""
+        fields = self.fields
+        if state == "sums":
+            return np.ones(fields.expected.shape)
+        if state == "clip":
+            return np.where(fields.clipped, 0.0, 1.0)
+        return np.broadcast_to(np.where(fields.sample.near, 0.0, 1.0), fields.expected.shape)
+
+    def _products(self, state: str) -> tuple[list[str], NDArray[np.float64]]:
+        """Names of the fixed fields, and the means (buckets, ., .) of their products."""
+        found = self._kept_products.get(state)
+        if found is None:
+            names, where = list(self.fields.fixed), self._where(state)
+            stack = np.stack(
+                [
+                    self.fields.fixed[name] * (1.0 if name in {*SATURATION, BOTH} else where)
+                    for name in names
+                ],
+                axis=1,
+            )
+            weight = self.fields.sample.weight
+            products = (stack * (weight / weight.sum())) @ stack.transpose(0, 2, 1)
+            found = self._kept_products[state] = names, products
+        return found
+
+    def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
+        found = self._kept_variances.get(state)
+        if found is None:
+            where = self._where(state)
+            found = self._kept_variances[state] = {
+                name: self.fields.sample.mean(v * where) for name, v in self.fields.variance.items()
+            }
+        return found
+
+    @cached_property
+    def _random(self) -> frozenset[str]:
+        return frozenset(self.fields.variance)
+
+    @cached_property
+    def _kept_products(self) -> dict[str, tuple[list[str], NDArray[np.float64]]]:
+        return {}
+
+    @cached_property
+    def _kept_variances(self) -> dict[str, dict[str, NDArray[np.float64]]]:
+        return {}
+
+    def _rounding(self, dropped: frozenset[str]) -> NDArray[np.float64]:
+        """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""
+        shifting = frozenset(dropped & set(self.fields.shifts))
+        if not shifting or SHOT.name in dropped:
+            return _NOTHING
+        kept = self._rounded.get(shifting)
+        if kept is None:
+            shift = sum((self.fields.shifts[name] for name in shifting), _NOTHING)
+            part = np.abs(shift) % 1.0
+            kept = self._rounded[shifting] = self.fields.sample.mean(part * (1.0 - part))
+        return kept
+
+    @cached_property
+    def _rounded(self) -> dict[frozenset[str], NDArray[np.float64]]:
+        return {}
+
+    @cached_property
+    def closed(self) -> bool:
+        """Whether the charge of closed slots is worth counting."""
+        sample, fields = self.fields.sample, self.fields
+        more = sample.mean(fields.thinning[False] - fields.thinning[True])
+        more = more + sample.mean(fields.neighbours[False] - fields.neighbours[True])
+        return bool(np.max(more) > (_CLOSED_PART * self.tolerance_e) ** 2)
+
+    @cached_property
+    def leak_nodes(self) -> int:
+        """At how many rates of leakage sums are made."""
+        age_s = float(self.program.slot_s.sum())
+        size = math.sqrt(float(np.max(self.fields.sample.mean(self.fields.expected**2))))
+        for count in range(1, leak_nodes.MOST):
+            error = leak_nodes.error(self.program.sensor, count, age_s) * size
+            if error <= _LEAK_PART * self.tolerance_e:
+                return count
+        return leak_nodes.MOST
+
+    def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
+        """The short cuts of a plan by sums, with their mean squares (buckets,)."""
+        if not {SHOT.name, DARK.name} <= dropped:
+            yield "counts are not spread over the slots of a group", self._means["thinning"]
+            yield "counts from a rate of 10 on by formula", np.full(1, _FORMULA_E**2)
+            if CROSSTALK.name not in dropped and CROSSTALK in self.present:
+                yield (
+                    "neighbours' counts are taken as even over their slots",
+                    self._means["neighbours"],
+                )
+        if not {READ.name, RESET.name, ANALOG.name} <= dropped:
+            yield "the noise of words as at the mean leakage", self._means["noise"]
+        if LEAKAGE.name not in dropped and LEAKAGE in self.present:
+            many = "s" * (self.leak_nodes > 1)
+            yield f"leakage from sums at {self.leak_nodes} rate{many}", self._means["leakage"]
+
+    @cached_property
+    def _means(self) -> dict[str, NDArray[np.float64]]:
+        """The mean squares of the short cuts."""
+        fields, mean = self.fields, self.fields.sample.mean
+        age_s = float(self.program.slot_s.sum())
+        relative = leak_nodes.error(self.program.sensor, self.leak_nodes, age_s)
+        return {
+            "thinning": mean(fields.thinning[self.closed]),
+            "neighbours": mean(fields.neighbours[self.closed]),
+            "noise": mean(fields.noise_cut),
+            "leakage": relative**2 * mean(fields.expected**2),
+        }
+
+    def contribution(self, effect: Effect) -> tuple[float, float]:
+        """RMS and mean of what an effect does, in the bucket where it does most."""
+        mean = self.fields.sample.mean
+        field, variance = self.fields.fixed.get(effect.name), self.fields.variance.get(effect.name)
+        where = self._where("words" if len(self.near) else "sums")
+        if effect.name in SATURATION:
+            where = np.ones_like(where)
+        square = _NOTHING if field is None else mean(field**2 * where)
+        square = np.atleast_1d(square + (0.0 if variance is None else mean(variance * where)))
+        worst = int(np.argmax(square))
+        bias = 0.0 if field is None else float(mean(field * where)[worst])
+        return math.sqrt(float(square[worst])), bias
