@@ -2,7 +2,9 @@
 
 namespace nscc {
 
+#ifdef __BYTE_ORDER__
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "words are run from where they arrive");
+#endif
 
 namespace {
 

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 PYTHON_NAME = "nscc-loader 1 (Python)"
 SOURCES = Path(__file__).resolve().parents[2] / "firmware"
-WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow")
+WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic")
 CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g")
 
