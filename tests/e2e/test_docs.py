@@ -19,6 +19,7 @@ PAGES = (
     "docs/cpp.md",
     "docs/calibrate.md",
     "docs/tradeoff.md",
+    "docs/device.md",
     "examples/README.md",
 )
 
