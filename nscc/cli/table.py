@@ -27,6 +27,8 @@ COMMANDS = (
     Entry("targets", "nscc.cli.targets", "List the chips that nscc knows, and their limits."),
     Entry("effects", "nscc.cli.effects", "List the sensor's effects and its parameters."),
     Entry("tradeoff", "nscc.cli.tradeoff", "Measure what more time buys."),
+    Entry("train", "nscc.cli.train", "Learn shutters together with a decoder."),
+    Entry("reconstruct", "nscc.cli.reconstruct", "Make a picture or a clip of a frame."),
     Entry("metrics", "nscc.cli.metrics", "Compare a reconstruction with the truth."),
     Entry("evaluate", "nscc.cli.evaluate", "Score reconstructions under a protocol."),
     Entry("doctor", "nscc.cli.doctor", "Report on this installation."),
@@ -36,8 +38,6 @@ COMMANDS = (
 PLANNED = (
     "calibrate",
     "device",
-    "reconstruct",
-    "train",
 )
 """Commands whose names are taken by versions to come."""
 

@@ -7,7 +7,3 @@ N. Both are float32, whatever the network calculates in.
 """
 
 from __future__ import annotations
-
-from nscc_training.decoders.make import DECODERS, SIZES, flops, make_decoder, parameter_count
-
-__all__ = ["DECODERS", "SIZES", "flops", "make_decoder", "parameter_count"]
