@@ -37,13 +37,13 @@ def evaluate_run(
     for something else than the protocol exposes, NS0811 for a folder without data.
     """
     parts = folder.parts
+    _check_kind(folder, protocol)
     if protocol.name == "hdr-v1":
         files = hdr.panoramas(data)
     elif protocol.name == "video-v1":
         files = video.clips_of(data)
     else:
         files = sorted(data.glob("*.mat")) if data.is_dir() else [data]
-    _check_kind(folder, protocol)
     _check_unseen(folder, files)
     left_out: list[dict[str, Any]] = []
     items: list[Item] = []
