@@ -9,7 +9,7 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from nscc_training.curves import log_curve_inverse
-from nscc_training.sensor_model import lifted
+from nscc_training.sensor_model import laid, lifted
 
 LOG_FLOOR = 1e-3
 """Stills are predicted as log(1 + light / LOG_FLOOR)."""
@@ -84,7 +84,7 @@ class StillUNet(nn.Module):
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         x = frame.unsqueeze(1)
         if self.sees_code:
-            share = shutters.mean(dim=0).expand_as(frame)
+            share = laid(shutters.mean(dim=0), *frame.shape[-2:]).expand_as(frame)
             alone = torch.where(share > 0, frame / share.clamp(min=1e-6), torch.zeros_like(frame))
             known = torch.log1p(alone / LOG_FLOOR) if self.slots is None else alone
             x = torch.stack([frame, share, known], dim=1)

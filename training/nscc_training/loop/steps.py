@@ -14,7 +14,7 @@ from nscc_training import metrics
 from nscc_training.data import Batch
 from nscc_training.loop.setup import Parts
 from nscc_training.problems import rejected
-from nscc_training.sensor_model import SensorModel, exposed, laid, read_out
+from nscc_training.sensor_model import SensorModel, exposed, read_out
 
 
 @dataclass(frozen=True)
@@ -35,18 +35,18 @@ def generator_of(*numbers: int) -> torch.Generator:
 def window(shutters: Tensor, rows: int, cols: int, seed: tuple[int, ...]) -> Tensor:
     """The shutters over a patch: a tile from its corner, or some part of an array of free codes."""
     if shutters.shape[1] <= rows and shutters.shape[2] <= cols:
-        return laid(shutters, rows, cols)
+        return shutters
     draw = np.random.default_rng(list(seed))
     row = int(draw.integers(max(shutters.shape[1] - rows, 0) + 1))
     col = int(draw.integers(max(shutters.shape[2] - cols, 0) + 1))
-    return laid(shutters[:, row : row + rows, col : col + cols], rows, cols)
+    return shutters[:, row : row + rows, col : col + cols]
 
 
 def decoded(
     parts: Parts, light: Tensor, shutters: Tensor, model: SensorModel,
     generator: torch.Generator | None,
 ) -> Tensor:  # fmt: skip
-    """What the decoder makes of a capture of `light` with `shutters` (N, rows, cols)."""
+    """What the decoder makes of a capture of `light` with `shutters`, a tile that repeats."""
     with torch.autocast(parts.device.type, enabled=False):
         exposure = exposed(light, shutters)
         frame = read_out(exposure, model, generator)
@@ -72,21 +72,29 @@ def check_finite(loss: Tensor, parts: Parts, batch: Batch, step: int) -> None:
 
     The batch is named, so that its scenes can be looked at.
     """
-    wrong = "the loss" if not math.isfinite(loss.item()) else ""
-    for name, module in (("decoder", parts.decoder), ("codes", parts.encoder)):
-        for key, parameter in module.named_parameters():
-            grad = parameter.grad
-            if not wrong and grad is not None and not bool(torch.isfinite(grad).all()):
-                wrong = f"the gradient of {name}.{key}"
-    if wrong:
-        raise rejected(
-            "NS0817",
-            f"{wrong} is not finite in step {step}",
-            notes=("the batch: " + "; ".join(batch.names),),
-            helps=("look at these scenes, lower [train] rate, or use the dtype f32",),
-            data={"step": step, "batch": list(batch.names)},
-            status=3,
-        )
+    named = {
+        f"{name}.{key}": parameter.grad
+        for name, module in (("decoder", parts.decoder), ("codes", parts.encoder))
+        for key, parameter in module.named_parameters()
+        if parameter.grad is not None
+    }
+    grads = list(named.values())
+    by_kind = ([g for g in grads if g.dtype == kind] for kind in {g.dtype for g in grads})
+    norms = [torch.nn.utils.get_total_norm(part).item() for part in by_kind]
+    if math.isfinite(loss.item()) and all(map(math.isfinite, norms)):
+        return
+    wrong = "the loss"
+    if math.isfinite(loss.item()):
+        bad = (name for name, grad in named.items() if not bool(torch.isfinite(grad).all()))
+        wrong = f"the gradient of {next(bad, 'all parameters together')}"
+    raise rejected(
+        "NS0817",
+        f"{wrong} is not finite in step {step}",
+        notes=("the batch: " + "; ".join(batch.names),),
+        helps=("look at these scenes, lower [train] rate, or use the dtype f32",),
+        data={"step": step, "batch": list(batch.names)},
+        status=3,
+    )
 
 
 @torch.no_grad()

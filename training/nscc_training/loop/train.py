@@ -129,7 +129,7 @@ def _optimiser(parts: Parts) -> torch.optim.Optimizer:
     else:
         parts.encoder.requires_grad_(False)
     groups = [group for group in groups if group["params"]]
-    return torch.optim.Adam([{**group, "lr": group["base"]} for group in groups])
+    return torch.optim.Adam([{**group, "lr": group["base"]} for group in groups], fused=True)
 
 
 def _steps(
