@@ -67,7 +67,8 @@ def _outputs(function: Callable[..., Any]) -> Callable[..., Any]:
     "clips", metavar="CLIP.mat...", nargs=-1, required=True, type=click.Path(path_type=Path)
 )
 @click.option("--method", default="gap-tv", show_default=True, metavar="M",
-              help="gap-tv, admm-tv, adjoint, or the yardsticks bilinear, thin-out.")  # fmt: skip
+              help="gap-tv, admm-tv, dictionary, adjoint; or a yardstick: bilinear, "
+              "thin-out.")  # fmt: skip
 @click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
 @click.option("--weight", type=click.FloatRange(0, 10, min_open=True), default=0.1,
               show_default=True, help="Of total variation, for values on [0, 1].")  # fmt: skip
@@ -108,7 +109,7 @@ def of(
 
     A run that has seen one of the files is refused. Baselines of hdr-v1: ldr (always open),
     best-uniform (the best single stop in hindsight), quad (2 x 2 geometric exposures), random, all
-    decoded by merging neighbours. Of video-v1: gap-tv, admm-tv, adjoint on random bits,
+    decoded by merging neighbours. Of video-v1: gap-tv, admm-tv, dictionary, adjoint on random bits,
     and the yardsticks bilinear and thin-out.
     """
     from nscc_training.evaluation.subjects import evaluate

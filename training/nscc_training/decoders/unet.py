@@ -43,7 +43,7 @@ class UNet(nn.Module):
         self.last = convolution(widths[0], outputs, 1)
         self.multiple = 2 ** (len(widths) - 1)
         for layer in self.modules():
-            if isinstance(layer, convolution):
+            if isinstance(layer, convolution) and layer.bias is not None:
                 # He et al. 2015: without it the signal fades on the way through so many layers.
                 nn.init.kaiming_normal_(layer.weight, nonlinearity="relu")
                 nn.init.zeros_(layer.bias)

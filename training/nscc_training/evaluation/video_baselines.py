@@ -10,14 +10,21 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
-from nscc_training.baselines.sci import adjoint, admm_tv, bilinear, gap_tv, thin_out
+from nscc_training.baselines.sci import (
+    adjoint,
+    admm_tv,
+    bilinear,
+    from_dictionary,
+    gap_tv,
+    thin_out,
+)
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.evaluation.results import Item, Subject, result
 from nscc_training.evaluation.video import Passed, Window, clips_of, scores, windows
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel, capture, laid
 
-BASELINES = ("gap-tv", "admm-tv", "adjoint", "bilinear", "thin-out")
+BASELINES = ("gap-tv", "admm-tv", "dictionary", "adjoint", "bilinear", "thin-out")
 _TRUTH = ("bilinear", "thin-out")
 _TILE = (8, 8)
 
@@ -28,7 +35,8 @@ def evaluate_video_baseline(
     """The result of a baseline on a folder of clips, and its clips: arrays by name.
 
     Captures are coded with random bits (class e) on an 8 x 8 tile, one draw a seed, on the
-    protocol's sensor; the yardsticks bilinear and thin-out see the truth instead.
+    protocol's sensor; the yardsticks bilinear and thin-out see the truth instead. The dictionary is
+    learned first, from made scenes.
     """
     protocol = load_protocol("video-v1")
     files = clips_of(folder)
@@ -71,5 +79,7 @@ def _made(
     frame = capture(light[None], shutters, sensor, generator=generator).frame[0].numpy()
     # In units of the source's white a slot, for which the weight of TV is meant.
     measurement = (frame * sensor.electrons_per_lsb / window.scale_e).astype(np.float32)
-    run = {"gap-tv": gap_tv, "admm-tv": admm_tv, "adjoint": adjoint}[name]
+    run = {
+        "gap-tv": gap_tv, "admm-tv": admm_tv, "dictionary": from_dictionary, "adjoint": adjoint
+    }[name]  # fmt: skip
     return run(measurement, mask).astype(np.float64) * window.scale_e
