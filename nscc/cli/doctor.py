@@ -24,7 +24,8 @@ NEEDED = (
     ("scipy", ".mat"),
 )
 OPTIONAL = (
-    ("torch", "training, which is not in this version"),
+    ("safetensors", "nscc train"),
+    ("torch", "nscc train, reconstruct, evaluate"),
     ("pyserial", "devices at a serial port"),
 )
 
