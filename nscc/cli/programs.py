@@ -12,7 +12,7 @@ import click
 from nscc.diagnostics.model import Diagnostic, Rejected
 
 if TYPE_CHECKING:
-    from nscc.pipeline import Compiled
+    from nscc.pipeline import Compiled, Options
     from nscc.words.container import Container
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -92,9 +92,16 @@ def compile_program(path: Path, choice: BuildChoice, **more: Any) -> Compiled:
 
     `more` are further fields of `nscc.pipeline.Options`, and `see`, an observer of its passes.
     """
-    from nscc.pipeline import Options, compile_file
+    from nscc.pipeline import compile_file
 
     see = more.pop("see", None)
+    return compile_file(path, compile_options(choice, **more), see)
+
+
+def compile_options(choice: BuildChoice, **more: Any) -> Options:
+    """The compiler's options where `choice` gives some, its defaults elsewhere."""
+    from nscc.pipeline import Options
+
     given = {
         "level": choice.level,
         "codes": choice.codes,
@@ -104,7 +111,7 @@ def compile_program(path: Path, choice: BuildChoice, **more: Any) -> Compiled:
     }
     changes: dict[str, Any] = {k: v for k, v in given.items() if v is not None}
     changes["cache"] = choice.cache
-    return compile_file(path, replace(Options(), **changes, **more), see)
+    return replace(Options(), **changes, **more)
 
 
 def load_program(path: Path, choice: BuildChoice) -> tuple[Container, tuple[Diagnostic, ...]]:

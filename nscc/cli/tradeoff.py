@@ -11,6 +11,7 @@ import click
 
 from nscc.cli.support import CommonCommand, Product, done, progress, write_together
 from nscc.cli.table import PLANNED_TRADEOFFS
+from nscc.cli.tradeoff_emulator import command as emulator
 from nscc.diagnostics.model import Diagnostic, Rejected
 from nscc.lower.plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
@@ -70,6 +71,9 @@ def _some(names: Sequence[str]) -> Callable[[click.Context, click.Parameter, str
 )
 def command() -> None:
     """Measure what more time buys: a table, a CSV file, a diagram."""
+
+
+command.add_command(emulator)
 
 
 @command.command("synthesis", cls=CommonCommand)

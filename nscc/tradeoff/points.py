@@ -17,9 +17,9 @@ COLUMNS = (
 class Point:
     """One method at one setting, measured several times on one problem.
 
-    Points compare within their `case`. `error`, in `error_unit`, is the less the better; `bound`
-    is what no setting of the method can get below, None where that is not known. `times_ms` are
-    all measurements.
+    Points compare within their `case` and `error_unit`. `error` is the less the better; `bound` is
+    what no setting of the method can get below, None where that is not known. `times_ms` are all
+    measurements.
     """
 
     case: str
@@ -42,12 +42,12 @@ class Point:
 
 
 def dominated(points: Sequence[Point]) -> list[bool]:
-    """For each point, whether another of its case has neither more error nor more time, and less
-    of one of them."""
+    """For each point, whether another of its case and unit has neither more error nor more time,
+    and less of one of them."""
     flags = []
     for point in points:
-        mine = (point.error, point.time_ms)
-        others = ((p.error, p.time_ms) for p in points if p.case == point.case)
+        mine, kind = (point.error, point.time_ms), (point.case, point.error_unit)
+        others = ((p.error, p.time_ms) for p in points if (p.case, p.error_unit) == kind)
         flags.append(any(e <= mine[0] and t <= mine[1] and (e, t) != mine for e, t in others))
     return flags
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import io
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-_INK, _FAINT, _GRID = "#1d2129", "#6b7280", "#e3e7ee"
-_COLOURS = ("#2563a8", "#d9722b", "#2f9268", "#8a4fb5", "#c2405a", "#8c7a2d")
+INK, FAINT, GRID = "#1d2129", "#6b7280", "#e3e7ee"
+COLOURS = ("#2563a8", "#d9722b", "#2f9268", "#8a4fb5", "#c2405a", "#8c7a2d")
 _DPI = 150
 _NEAR = 12.0
 """Dots of a line closer than this, in the figure's own pixels (100 an inch), share one name."""
@@ -66,13 +66,17 @@ def diagram_png(panels: Sequence[Panel], title: str, subtitle: str, error_label:
     """
     if not any(line.marks for panel in panels for line in panel.lines):
         raise ValueError("no points to draw")
+    return png_of(lambda: _figure(panels, title, subtitle, error_label))
+
+
+def png_of(make: Callable[[], Figure]) -> bytes:
+    """A figure as PNG: the same bytes every time, whatever the user's plotting settings."""
     import matplotlib
 
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
-        figure = _figure(panels, title, subtitle, error_label)
         data = io.BytesIO()
-        figure.savefig(data, format="png", dpi=_DPI, metadata={"Software": None})
+        make().savefig(data, format="png", dpi=_DPI, metadata={"Software": None})
     return data.getvalue()
 
 
@@ -84,10 +88,10 @@ def _figure(panels: Sequence[Panel], title: str, subtitle: str, error_label: str
     width = _LEFT + columns * _PANEL_WIDTH + (columns - 1) * _BETWEEN + _RIGHT
     height = _TOP + rows * _PANEL_HEIGHT + (rows - 1) * _ABOVE + _BOTTOM
     figure = Figure(figsize=(width, height), facecolor="white")
-    figure.text(0.25 / width, 1 - 0.42 / height, title, size=15, weight="bold", color=_INK)
-    figure.text(0.25 / width, 1 - 0.69 / height, subtitle, size=9.5, color=_FAINT)
+    figure.text(0.25 / width, 1 - 0.42 / height, title, size=15, weight="bold", color=INK)
+    figure.text(0.25 / width, 1 - 0.69 / height, subtitle, size=9.5, color=FAINT)
     names = list(dict.fromkeys(line.name for panel in panels for line in panel.lines))
-    colours = {name: _COLOURS[i % len(_COLOURS)] for i, name in enumerate(names)}
+    colours = {name: COLOURS[i % len(COLOURS)] for i, name in enumerate(names)}
     times = _time_range(panels)
     for number, panel in enumerate(panels):
         row, column = divmod(number, columns)
@@ -98,9 +102,9 @@ def _figure(panels: Sequence[Panel], title: str, subtitle: str, error_label: str
         )
         _draw(axes, panel, colours, times)
         if column == 0:
-            axes.set_ylabel(error_label, color=_INK, size=9)
+            axes.set_ylabel(error_label, color=INK, size=9)
         if number + columns >= len(panels):
-            axes.set_xlabel("time, s", color=_INK, size=9)
+            axes.set_xlabel("time, s", color=INK, size=9)
     return figure
 
 
@@ -139,14 +143,14 @@ def _dress(axes: Axes, title: str) -> None:
     """Frame, grid and ticks."""
     from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
 
-    axes.set_title(title, loc="left", size=10.5, weight="bold", color=_INK, pad=7)
+    axes.set_title(title, loc="left", size=10.5, weight="bold", color=INK, pad=7)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
     for side in ("left", "bottom"):
-        axes.spines[side].set_color(_FAINT)
-    axes.grid(True, which="major", color=_GRID, linewidth=0.7)
+        axes.spines[side].set_color(FAINT)
+    axes.grid(True, which="major", color=GRID, linewidth=0.7)
     axes.set_axisbelow(True)
-    axes.tick_params(which="both", colors=_FAINT, labelsize=8.5, length=3)
+    axes.tick_params(which="both", colors=FAINT, labelsize=8.5, length=3)
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axes.yaxis.set_minor_locator(NullLocator())

@@ -99,6 +99,7 @@ def test_repeats_timings_and_a_summary_for_people_only(capsys: pytest.CaptureFix
         (["ok.nsl", "--scene", "builtin:hdr", "--effects", "shots"], "NS0756"),
         (["ok.nsl", "--scene", "builtin:hdr", "--sensor-set", "a=1"], "NS0753"),
         (["ok.nsl", "--scene", "builtin:hdr", "--sensor", "none.toml"], "NS0751"),
+        (["ok.nsl", "--on", "/dev/nowhere", "--effects", "none"], "NS0770"),
         (["ok.nsl", "--scene", "builtin:hdr", "--keep", "ligth"], "NS0739"),
         (["ok.nsl", "--scene", "builtin:hdr", "--exposure", "x"], "NS0738"),
         (["ok.nsl", "--scene", "builtin:hdr", "-o", "x", "--png", "x"], "NS0745"),

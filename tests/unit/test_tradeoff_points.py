@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
+from dataclasses import replace
 from decimal import Decimal
 
 import pytest
@@ -40,6 +41,8 @@ def test_dominated() -> None:
     ]
     assert dominated(points) == [False, False, True, False, True, True, False, False]
     assert dominated([]) == []
+    other = [replace(each, error_unit="lsb", error=each.error / 100) for each in points]
+    assert dominated(points + other) == dominated(points) * 2, "units do not compare"
 
 
 def test_csv_has_the_columns_of_the_contract() -> None:

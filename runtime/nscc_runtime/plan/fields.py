@@ -48,7 +48,7 @@ class Fields:
     `expected`: the exposure with every effect; `thinning[closed]`: the variance that sums leave out
     because counts are not spread over the slots, with closed slots counted or not;
     `neighbours[closed]`: the same of crosstalk; `noise_cut`: that the noise of words is drawn as at
-    the mean leakage. These are 0 where pixels may saturate. All but what
+    the mean leakage. All but what
     saturation loses is as if nothing saturated; `clipped`: where the full well is passed.
     """
 
@@ -76,11 +76,8 @@ class _Fields:
         self.lanes = program.lanes[self.places]
         self.buckets = range(len(program.container.buckets))
         self.lag = 1.0 + self.sensor.lag_fraction
-        device = program.device(device_seed)
-        self.response = device.response[self.places]
-        self.current, self.leak = device.current[self.places], device.leak[self.places]
-        self.error = device.pattern[self.places]
-        self.responses = device.response
+        self.device = program.device(device_seed)
+        self.response = self.device.response[self.places]
         flat = light.frames.reshape(len(light.frames), -1)
         self.frames = np.minimum(flat[:, self.places], _MOST_LIGHT)
         self.beside = self._beside() if self.sensor.crosstalk_fraction > 0 else []
@@ -113,7 +110,7 @@ class _Fields:
             LAG.name: sums["full"] * sensor.lag_fraction,
             DEAD_TIME.name: base - sums["dead"] * self.lag,
         }
-        off = (self.leak / full.leak_per_s - 1.0) / _LEAK_STEP
+        off = (self.device.leak[self.places] / full.leak_per_s - 1.0) / _LEAK_STEP
         step = off * (sums["spread"] - sums["full"])
         fixed[LEAKAGE.name] = base - (sums["leak"] - step) * self.lag
         if program.tables.decays:
@@ -125,22 +122,24 @@ class _Fields:
         if self.light.motion is not None:
             still = self._sum(self.light, slots, seen) * self.lag
             fixed[MOTION.name] = shifts[MOTION.name] = base - still
+        error = self.device.pattern[self.places]
         pattern, more = (
-            program.tables.pattern(variants[name]).T[:, self.lanes] * self.error
+            program.tables.pattern(variants[name]).T[:, self.lanes] * error
             for name in ("full", "spread")
         )
         # A plan that leaves leakage out still takes errors as at its mean.
         fixed[LEAKAGE.name] += off * (more - pattern)
         fixed[ANALOG.name] = base - sums["gain"] * self.lag + pattern
         open_s = np.einsum("n,nlb->bl", program.slot_s, program.tables.weights(full).slots)
-        fixed[DARK.name] = open_s[:, self.lanes] * self.current
+        current = self.device.current[self.places]
+        fixed[DARK.name] = open_s[:, self.lanes] * current
         squares = program.tables.weights(full).slots ** 2
         open_2 = np.einsum("n,nlb->bl", program.slot_s, squares)
         noise_cut = np.zeros((len(self.buckets), len(self.places)))
         squared = self._each_bucket(squares)
         variance = {
             SHOT.name: self._sum(moving, squared, self._counted(smeared=True)) * self.lag,
-            DARK.name: open_2[:, self.lanes] * self.current,
+            DARK.name: open_2[:, self.lanes] * current,
         }
         for effect, sigma in (
             (READ, sensor.read_noise_e),
@@ -152,7 +151,7 @@ class _Fields:
             variance[effect.name] = sigma**2 * total[:, self.lanes]
             other = program.tables.noise(effect.name, variants["spread"])[0] - factor
             cut = rest + (other**2).sum(axis=2) * (sensor.leakage_spread_fraction / _LEAK_STEP) ** 2
-            noise_cut += sigma**2 * cut.T[:, self.lanes] * ~self.sample.near
+            noise_cut += sigma**2 * cut.T[:, self.lanes]
         if sensor.crosstalk_fraction > 0:
             fixed[CROSSTALK.name] = base - alone
             counted = self._sum(moving, squared, self._counted(smeared=False)) * self.lag
@@ -160,7 +159,7 @@ class _Fields:
             dark = 20 * variance[DARK.name]
             variance[CROSSTALK.name] = sensor.crosstalk_fraction**2 * (counted + dark)
         expected = base + fixed[DARK.name] + pattern
-        thinning, neighbours = self._left_out(moving)
+        thinning, neighbours = self._left_out(moving, current)
         none = np.zeros(expected.shape, np.bool_)
         fields = Fields(
             self.sample, expected, fixed, variance, shifts, thinning, neighbours, noise_cut, none
@@ -212,12 +211,14 @@ class _Fields:
             (row > 0, -cols), (row < rows - 1, cols), (col > 0, -1), (col < cols - 1, 1),
         ):  # fmt: skip
             there, place = inside.astype(np.float32), np.where(inside, self.places + step, 0)
-            part = self.responses[place].astype(np.float32)
+            part = self.device.response[place].astype(np.float32)
             frames = there * np.minimum(flat[:, place], _MOST_LIGHT)
             found.append((there, self.program.lanes[place], frames, part))
         return found
 
-    def _left_out(self, light: Light) -> tuple[dict[bool, Values], dict[bool, Values]]:
+    def _left_out(
+        self, light: Light, current: Values
+    ) -> tuple[dict[bool, Values], dict[bool, Values]]:
         """The variances of `Fields.thinning` and `Fields.neighbours`."""
         program, c = self.program, self.sensor.crosstalk_fraction
         full = program.tables.weights(program.full).slots
@@ -225,34 +226,27 @@ class _Fields:
         shape = len(self.buckets), len(self.places)
         thinning = {closed: np.zeros(shape) for closed in (False, True)}
         neighbours = {closed: np.zeros(shape) for closed in (False, True)}
-        near = ~self.sample.near
         scale = self.lag * self.response
         for group in program.group_ids.tolist():
             members = program.members(group)
             time = program.slot_s @ members
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
-            rates = (
-                self._sum(light, [members], self.frames)[0] * scale
-                + time[self.lanes] * self.current
-            )
+            rates = self._sum(light, [members], self.frames)[0] * scale + time[self.lanes] * current
             for bucket in self.buckets:
                 weight = full[:, :, bucket] * members
                 mean = means[group][self.lanes, bucket]
                 one, two = self._sum(light, [weight, weight**2], self.frames) * scale
                 dark = program.slot_s @ weight, program.slot_s @ weight**2
-                one, two = (
-                    one + dark[0][self.lanes] * self.current,
-                    two + dark[1][self.lanes] * self.current,
-                )
+                one, two = one + dark[0][self.lanes] * current, two + dark[1][self.lanes] * current
                 counted = np.maximum(two - 2 * mean * one + mean**2 * rates, 0.0)
-                thinning[True][bucket] += near * counted
-                thinning[False][bucket] += near * (counted if group else two)
+                thinning[True][bucket] += counted
+                thinning[False][bucket] += counted if group else two
             for _, other, frames, part in self.beside:
                 lit = sums_by_slot(light, frames * part, other, [members])[0] * self.lag
                 for bucket in self.buckets:
                     seconds = full[:, :, bucket] * program.slot_s[:, None]
                     inside = np.einsum("np,np->p", seconds[:, self.lanes], parts[:, other])
-                    within = near * np.clip(inside, 0.0, 1.0)
+                    within = np.clip(inside, 0.0, 1.0)
                     counted = c**2 * lit * within * (1.0 - within)
                     neighbours[True][bucket] += counted
                     neighbours[False][bucket] += counted if group else c**2 * lit * within

@@ -7,7 +7,7 @@ and no pixel needs a slot loop. Each open slot lies in one bucket.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -47,7 +47,7 @@ class Fused:
     scene: Planned
     frames: NDArray[np.float32]
     numbers: NDArray[np.float64]
-    buckets: tuple[tuple[NDArray[np.generic], ...], ...]
+    buckets: tuple[tuple[NDArray[Any], ...], ...]
     sources: tuple[tuple[int, int], ...]
 
     @classmethod
@@ -126,7 +126,12 @@ class Fused:
             int(PRNU in kept), int(SHOT in kept), int(FULL_WELL in kept and REGISTER not in kept),
             len(self.sources), int(ADC_NOISE in kept), int(read_out),
         )  # fmt: skip
-        given = (self.numbers, np.array(keys, np.uint64), self.frames, *self.buckets[bucket])
+        given: tuple[NDArray[Any], ...] = (
+            self.numbers,
+            np.array(keys, np.uint64),
+            self.frames,
+            *self.buckets[bucket],
+        )
 
         def run(begin: int, end: int) -> None:
             sizes = np.array([pixels, begin, end, count, lanes, *switches], np.int64)
@@ -134,7 +139,7 @@ class Fused:
                 np.empty(_BLOCK, np.float32), np.empty(_BLOCK), np.empty(4 * _BLOCK),
                 np.empty(_BLOCK), np.empty(_BLOCK, np.int64),
             )  # fmt: skip
-            arrays: tuple[NDArray[np.generic], ...] = (sizes, *given, *scratch, *out)
+            arrays: list[NDArray[Any]] = [sizes, *given, *scratch, *out]
             loop(*(array.ctypes.data for array in arrays))
 
         drawn = len(keys) > 1 or SHOT in kept

@@ -126,8 +126,9 @@ def _exp_minus(x: float) -> float:
     p = p * r + 0.5
     p = p * r + 1.0
     p = p * r + 1.0
-    power: float = np.int64((np.int64(n) + np.int64(1023)) << np.int64(52)).view(np.float64)
-    return p * power
+    power = np.int64((np.int64(n) + np.int64(1023)) << np.int64(52)).view(np.float64)
+    found: float = p * power
+    return found
 
 
 @compiled

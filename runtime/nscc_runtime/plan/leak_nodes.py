@@ -19,9 +19,11 @@ _SIGMAS = 4.0
 
 
 def rates(sensor: Sensor, count: int) -> NDArray[np.float64]:
-    """`count` rates in 1/s: the mean alone, or Chebyshev's nodes over the range of the pixels'."""
+    """`count` rates in 1/s: Chebyshev's nodes over the range of the pixels'; the mean alone where
+    all pixels have the same.
+    """
     mean = 1.0 / sensor.leakage_tau_s
-    if count == 1:
+    if count == 1 or sensor.leakage_spread_fraction == 0.0:
         return np.array([mean])
     low, high = _range(sensor)
     angle = (2 * np.arange(count) + 1) * math.pi / (2 * count)

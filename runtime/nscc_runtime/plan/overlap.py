@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from nscc_runtime.plan.capture import Program
 
 Values = NDArray[np.float64]
+Weights = NDArray[np.float32]
 
 _MOST_PAIRS = 1 << 20
 """Pairs of lanes up to which a table of all pairs is made; else each pixel's pair is computed."""
@@ -31,8 +32,8 @@ class Overlap:
 
     fraction: float
     shape: tuple[int, int]
-    own: dict[int, Values]
-    neighbours: dict[int, tuple[Values, ...]]
+    own: dict[int, Weights]
+    neighbours: dict[int, tuple[Weights, ...]]
 
     @classmethod
     def of(cls, program: Program, model: Model) -> Overlap:
@@ -47,7 +48,7 @@ class Overlap:
             members = program.members(group)
             time = program.slot_s @ members
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
-            own[group] = means[group].T[:, program.lanes].reshape(-1, *shape)
+            own[group] = means[group].T[:, program.lanes].reshape(-1, *shape).astype(np.float32)
             neighbours[group] = tuple(_pairs(weights, parts, lanes, shift) for shift in _DIRECTIONS)
         return cls(program.sensor.crosstalk_fraction, (rows, cols), own, neighbours)
 
@@ -68,16 +69,16 @@ class Overlap:
 
 def _pairs(
     weights: Values, parts: Values, lanes: NDArray[np.int32], shift: tuple[int, int]
-) -> Values:
+) -> Weights:
     """The weight (buckets, rows, cols) of the neighbour at `shift`; 0 where there is none.
 
     `weights` (N, lanes, buckets) times the slots' seconds, `parts` (N, lanes).
     """
     buckets = weights.shape[2]
-    found = np.zeros((buckets, *lanes.shape))
+    found = np.zeros((buckets, *lanes.shape), np.float32)
     to, source = _slices(shift)
     mine, other = lanes[to].reshape(-1), lanes[source].reshape(-1)
-    values = np.empty((buckets, mine.size))
+    values = np.empty((buckets, mine.size), np.float32)
     if weights.shape[1] ** 2 <= _MOST_PAIRS:
         for bucket in range(buckets):
             values[bucket] = (weights[:, :, bucket].T @ parts)[mine, other]

@@ -186,8 +186,9 @@ class Forecast:
     def closed(self) -> bool:
         """Whether the charge of closed slots is worth counting."""
         sample, fields = self.fields.sample, self.fields
-        more = sample.mean(fields.thinning[False] - fields.thinning[True])
-        more = more + sample.mean(fields.neighbours[False] - fields.neighbours[True])
+        more = fields.thinning[False] - fields.thinning[True]
+        more = more + fields.neighbours[False] - fields.neighbours[True]
+        more = sample.mean(more * self._where("words"))
         return bool(np.max(more) > (_CLOSED_PART * self.tolerance_e) ** 2)
 
     @cached_property
@@ -203,32 +204,40 @@ class Forecast:
 
     def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
         """The short cuts of a plan by sums, with their mean squares (buckets,)."""
+        means = self._means(self.state(dropped))
         if not {SHOT.name, DARK.name} <= dropped:
-            yield "counts are not spread over the slots of a group", self._means["thinning"]
+            yield "counts are not spread over the slots of a group", means["thinning"]
             yield "counts from a rate of 10 on by formula", np.full(1, _FORMULA_E**2)
             if CROSSTALK.name not in dropped and CROSSTALK in self.present:
                 yield (
                     "neighbours' counts are taken as even over their slots",
-                    self._means["neighbours"],
+                    means["neighbours"],
                 )
         if not {READ.name, RESET.name, ANALOG.name} <= dropped:
-            yield "the noise of words as at the mean leakage", self._means["noise"]
+            yield "the noise of words as at the mean leakage", means["noise"]
         if LEAKAGE.name not in dropped and LEAKAGE in self.present:
             many = "s" * (self.leak_nodes > 1)
-            yield f"leakage from sums at {self.leak_nodes} rate{many}", self._means["leakage"]
+            yield f"leakage from sums at {self.leak_nodes} rate{many}", means["leakage"]
 
-    @cached_property
-    def _means(self) -> dict[str, NDArray[np.float64]]:
+    def _means(self, state: str) -> dict[str, NDArray[np.float64]]:
         """The mean squares of the short cuts."""
-        fields, mean = self.fields, self.fields.sample.mean
+        found = self._kept_means.get(state)
+        if found is not None:
+            return found
+        fields, mean, where = self.fields, self.fields.sample.mean, self._where(state)
         age_s = float(self.program.slot_s.sum())
         relative = leak_nodes.error(self.program.sensor, self.leak_nodes, age_s)
-        return {
-            "thinning": mean(fields.thinning[self.closed]),
-            "neighbours": mean(fields.neighbours[self.closed]),
-            "noise": mean(fields.noise_cut),
-            "leakage": relative**2 * mean(fields.expected**2),
+        found = self._kept_means[state] = {
+            "thinning": mean(fields.thinning[self.closed] * where),
+            "neighbours": mean(fields.neighbours[self.closed] * where),
+            "noise": mean(fields.noise_cut * where),
+            "leakage": relative**2 * mean(fields.expected**2 * where),
         }
+        return found
+
+    @cached_property
+    def _kept_means(self) -> dict[str, dict[str, NDArray[np.float64]]]:
+        return {}
 
     def contribution(self, effect: Effect) -> tuple[float, float]:
         """RMS and mean of what an effect does, in the bucket where it does most."""

@@ -1,0 +1,1 @@
+"""What the emulator's time buys: errors against the reference beside times of frames."""

@@ -1,0 +1,98 @@
+"""What a plan is measured beside: the two ways people write an exposure in numpy, and memory."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.frame_file import Frame, read_out
+from nscc_runtime.interface import Exposure
+from nscc_runtime.light import Light
+from nscc_runtime.plan.capture import Program
+
+_MOST_BYTES = 1 << 28
+"""Up to here light and shutters of all slots lie ready as arrays, which costs these ways no time;
+beyond it, they are made slot by slot."""
+_COPIED_BYTES = 1 << 26
+_COPIES = 5
+
+
+@dataclass(frozen=True, eq=False)
+class Naive:
+    """A scene and the shutters of a program's pixels. Both ways end in a noiseless ADC."""
+
+    program: Program
+    light: Light
+
+    def summed(self) -> Frame:
+        """Light summed over the open slots in float32; no effects."""
+        total = self._dark(np.float32)
+        with np.errstate(over="ignore"):
+            for light, opened in self._slots():
+                for bucket, here in zip(total, opened, strict=True):
+                    np.add(bucket, light, out=bucket, where=here)
+        return self._read(total)
+
+    def drawn(self, seed: int) -> Frame:
+        """numpy's Poisson of every slot's light, summed over the open slots; no other effects.
+
+        Raises ValueError for light beyond what numpy draws, some 9e18 electrons a slot.
+        """
+        random = np.random.default_rng(seed)
+        total = self._dark(np.float64)
+        for light, opened in self._slots():
+            charge = random.poisson(light)
+            for bucket, here in zip(total, opened, strict=True):
+                np.add(bucket, charge, out=bucket, where=here)
+        return self._read(total)
+
+    def _dark(self, kind: type[np.floating]) -> NDArray[np.floating]:
+        return np.zeros((len(self.program.container.buckets), *self.light.shape), kind)
+
+    def _read(self, total: NDArray[np.floating]) -> Frame:
+        exposure = Exposure(total.astype(np.float64, copy=False), np.ones(total.shape, np.bool_))
+        return read_out(exposure, self.program.container.target, self.program.sensor)
+
+    def _slots(self) -> Iterator[tuple[NDArray[np.float32], NDArray[np.bool_]]]:
+        """Light (rows, cols) and open pixels (buckets, rows, cols) of slot after slot."""
+        if self._ready is not None:
+            yield from zip(*self._ready, strict=True)
+        else:
+            for n in range(self.light.slots):
+                yield self.light.slot(n), self._opened(n)
+
+    @cached_property
+    def _ready(self) -> tuple[NDArray[np.float32], NDArray[np.bool_]] | None:
+        buckets, slots = len(self.program.container.buckets), self.light.slots
+        if slots * (4 + buckets) * self.light.frames[0].size > _MOST_BYTES:
+            return None
+        return self.light.dense(), np.stack([self._opened(n) for n in range(slots)])
+
+    def _opened(self, n: int) -> NDArray[np.bool_]:
+        groups = self.program.reference.groups
+        buckets = np.arange(len(self.program.container.buckets))[:, None]
+        opened = groups.of_slot[:, n] >> buckets & 1
+        return opened.astype(np.bool_)[:, groups.lane]
+
+
+def copy_gb_per_s() -> float:
+    """Memory traffic of a copy beyond the caches, bytes read and written, in GB/s; the best of
+    some."""
+    source = np.ones(_COPIED_BYTES // 8)
+    target = np.zeros_like(source)
+    best_s = np.inf
+    for _ in range(_COPIES):
+        begin = perf_counter()
+        np.copyto(target, source)
+        best_s = min(best_s, perf_counter() - begin)
+    return 2 * source.nbytes / best_s / 1e9
+
+
+def floor_ms(light: Light, gb_per_s: float) -> float:
+    """How long it takes to read a scene once, as it is stored, at that speed."""
+    return light.frames.nbytes / gb_per_s / 1e6

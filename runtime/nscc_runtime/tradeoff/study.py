@@ -1,0 +1,265 @@
+"""What the emulator's time buys: error against the reference, beside the time of one frame."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from time import perf_counter
+
+import numpy as np
+
+from nscc.tradeoff.points import Point
+from nscc_runtime.capture import planned_frames
+from nscc_runtime.effects import selected
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.light import Light
+from nscc_runtime.plan.capture import Program
+from nscc_runtime.plan.choose import plan_for
+from nscc_runtime.plan.model import Plan
+from nscc_runtime.reference import frames as reference_frames
+from nscc_runtime.reference.capture import scene_of
+from nscc_runtime.tradeoff.naive import Naive, floor_ms
+
+REFERENCE, OTHER_DRAWS, SUMMED, DRAWN = "reference", "reference redrawn", "f32", "per-slot"
+PLANNED, WITH_PLANNING = "planned", "planned with planning"
+ELECTRONS, LSB = "e", "lsb"
+
+_POOLED, _MOST_POOLED = 65536, 64
+"""Frames of few pixels are taken together until there are as many samples, or as many frames."""
+
+TOLERANCES_E = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
+
+PROGRAM = """nsl 1
+frame 16 slots of 1ms
+code stop : 1..16
+open when n < stop
+pixels stop = tile [[1, 4], [8, 16]]
+"""
+"""Where no program is given."""
+SCENES = ("builtin:hdr", "builtin:motion", "builtin:flat:300")
+
+
+@dataclass(frozen=True)
+class Scene:
+    """Light under a name."""
+
+    name: str
+    light: Light
+
+
+@dataclass(frozen=True)
+class Settings:
+    """`tolerances_e` to plan for; `budget_e`, the one whose plan is shown effect by effect.
+
+    Errors are of `frames` frames taken together, at least 2 and as many as make 65536 pixels, up to
+    64; times are medians of `repeats`.
+    """
+
+    tolerances_e: tuple[float, ...] = TOLERANCES_E
+    budget_e: float = 5.0
+    frames: int = 2
+    repeats: int = 5
+    seed: int = 0
+    device_seed: int = 0
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A plan, what was asked of it and what came of it: root mean square errors, worst bucket."""
+
+    plan: Plan
+    measured_e: float
+    measured_lsb: float
+
+    @property
+    def tolerance_e(self) -> float:
+        """What was asked."""
+        return self.plan.tolerance_e
+
+
+@dataclass(frozen=True)
+class Study:
+    """One scene: its points in electrons and in LSB, plans by tolerance, and what bounds them.
+
+    `resolution_e`, `resolution_lsb`: RMS between two frames of the reference that differ in their
+    draws alone. `floor_ms`: reading the scene from memory once. `budget`: the plan to look into.
+    `missing`: methods that could not be run, and why.
+    """
+
+    scene: str
+    points: tuple[Point, ...]
+    asked: tuple[Asked, ...]
+    resolution_e: float
+    resolution_lsb: float
+    floor_ms: float
+    budget: Plan
+    missing: tuple[tuple[str, str], ...]
+
+
+Progress = Callable[[Sequence["_Bench"]], Iterable["_Bench"]]
+"""Hands the work on one by one, and may show how far that is."""
+
+
+def measure(
+    program: Program,
+    scenes: Sequence[Scene],
+    settings: Settings,
+    gb_per_s: float,
+    progress: Progress = iter,
+) -> tuple[Study, ...]:
+    """Errors of every method on every scene, then times in turn, so that what else the machine does
+    is spread over all.
+
+    Everything random has the seeds of `settings`: plan and reference draw the same numbers. The
+    program is analysed before and costs no method time. ValueError for less than 2 frames.
+    """
+    if settings.frames < 2 or settings.repeats < 1:
+        raise ValueError(f"{settings.frames} frames, {settings.repeats} repeats")
+    benches = [_Bench(program, scene, settings) for scene in scenes]
+    for bench in benches[:1]:
+        bench.warm()
+    work = [*benches, *[bench for _ in range(settings.repeats) for bench in benches]]
+    for bench in progress(work):
+        if bench.truth:
+            bench.time()
+        else:
+            bench.compare()
+    return tuple(bench.study(gb_per_s) for bench in benches)
+
+
+@dataclass(eq=False)
+class _Bench:
+    """One scene while it is measured; everything by (method, setting)."""
+
+    program: Program
+    scene: Scene
+    settings: Settings
+    truth: list[Frame] = field(default_factory=list)
+    plans: dict[str, Plan] = field(default_factory=dict)
+    errors: dict[tuple[str, str], tuple[float, float]] = field(default_factory=dict)
+    times_ms: dict[tuple[str, str], list[float]] = field(default_factory=dict)
+    missing: list[tuple[str, str]] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        self.naive = Naive(self.program, self.scene.light)
+        rows, cols = self.scene.light.shape
+        pooled = math.ceil(_POOLED / max(1, rows * cols))
+        self.frames = max(self.settings.frames, min(pooled, _MOST_POOLED))
+
+    def warm(self) -> None:
+        """Loads what a process loads once."""
+        scene = scene_of(self.program.container, self.scene.light)
+        self.program.reference.expose_rows(scene, range(1))
+
+    def compare(self) -> None:
+        """The errors of all methods, and the times of the reference's frames."""
+        settings, light, count = self.settings, self.scene.light, self.frames
+        made = iter(
+            reference_frames(
+                self.program.container, light, self.program.sensor, selected("all"),
+                seed=settings.seed, device_seed=settings.device_seed, count=count,
+            )
+        )  # fmt: skip
+        spent = self.times_ms[REFERENCE, "all"] = []
+        for _ in range(count):
+            begin = perf_counter()
+            self.truth.append(next(made))
+            spent.append((perf_counter() - begin) * 1e3)
+        self.times_ms[OTHER_DRAWS, "all"] = spent
+        self.errors[REFERENCE, "all"] = (0.0, 0.0)
+        self.errors[OTHER_DRAWS, "all"] = error(self.truth[1:], self.truth[:-1])
+        self._error(SUMMED, "none", [self.naive.summed()] * count)
+        try:
+            drawn = [self.naive.drawn(settings.seed + i) for i in range(count)]
+            self._error(DRAWN, "shot", drawn)
+        except ValueError as wrong:
+            self.missing.append((DRAWN, f"numpy cannot draw this light: {wrong}"))
+        for tolerance_e in settings.tolerances_e:
+            setting = f"{tolerance_e:g}e"
+            plan = self.plans[setting] = self._plan(tolerance_e)
+            found = list(self._planned(plan, count))
+            self._error(PLANNED, setting, found)
+            self._error(WITH_PLANNING, setting, found)
+
+    def time(self) -> None:
+        """One frame of every method but the reference."""
+        self._timed(SUMMED, "none", self.naive.summed)
+        if (DRAWN, "shot") in self.errors:
+            self._timed(DRAWN, "shot", partial(self.naive.drawn, self.settings.seed))
+        for setting, plan in self.plans.items():
+            begin = perf_counter()
+            self._plan(plan.tolerance_e)
+            planning_ms = (perf_counter() - begin) * 1e3
+            self._timed(PLANNED, setting, partial(self._first, plan))
+            last_ms = self.times_ms[PLANNED, setting][-1]
+            self.times_ms.setdefault((WITH_PLANNING, setting), []).append(planning_ms + last_ms)
+
+    def study(self, gb_per_s: float) -> Study:
+        """What was found."""
+        light, errors = self.scene.light, self.errors
+        points = [
+            Point(self.scene.name, *key, errors[key][i], unit, tuple(self.times_ms[key]))
+            for i, unit in enumerate((ELECTRONS, LSB))
+            for key in errors
+        ]
+        asked = (Asked(plan, *errors[PLANNED, setting]) for setting, plan in self.plans.items())
+        return Study(
+            self.scene.name,
+            tuple(sorted(points, key=lambda p: (p.error_unit != ELECTRONS, _ORDER[p.method]))),
+            tuple(asked),
+            *errors[OTHER_DRAWS, "all"],
+            floor_ms(light, gb_per_s),
+            self._plan(self.settings.budget_e),
+            tuple(self.missing),
+        )
+
+    def _error(self, method: str, setting: str, found: Sequence[Frame]) -> None:
+        self.errors[method, setting] = error(found, self.truth)
+
+    def _timed(self, method: str, setting: str, run: Callable[[], object]) -> None:
+        begin = perf_counter()
+        run()
+        self.times_ms.setdefault((method, setting), []).append((perf_counter() - begin) * 1e3)
+
+    def _plan(self, tolerance_e: float) -> Plan:
+        light, seed = unknown(self.scene.light), self.settings.device_seed
+        return plan_for(self.program, light, tolerance_e, None, seed)
+
+    def _first(self, plan: Plan) -> Frame:
+        return next(iter(self._planned(plan, 1)))
+
+    def _planned(self, plan: Plan, count: int) -> Iterable[Frame]:
+        """Frames of a scene that is made ready anew: sums over the slots are part of the first."""
+        light, settings = unknown(self.scene.light), self.settings
+        return planned_frames(self.program, light, plan, settings.seed, settings.device_seed, count)
+
+
+def unknown(light: Light) -> Light:
+    """The same light, without what has been found out about it."""
+    motion = light.motion
+    return replace(light, motion=None if motion is None else unknown(motion))
+
+
+_ORDER = {
+    name: i
+    for i, name in enumerate((REFERENCE, OTHER_DRAWS, SUMMED, DRAWN, PLANNED, WITH_PLANNING))
+}
+
+
+def error(found: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float]:
+    """Root mean square difference over the pixels valid in both and all frames, of the exposures
+    in electrons and of the ADC's codes; each of the bucket where it is largest."""
+    totals = [np.zeros(len(truth[0].valid)) for _ in range(3)]
+    for mine, theirs in zip(found, truth, strict=True):
+        valid = mine.valid & theirs.valid
+        with np.errstate(invalid="ignore", over="ignore"):
+            away = np.where(valid, mine.exposure_e - theirs.exposure_e, 0.0)
+            codes = np.where(valid, mine.frame.astype(float) - theirs.frame, 0.0)
+            for total, part in zip(totals, (away**2, codes**2, valid), strict=True):
+                total += part.sum(axis=(1, 2))
+    if not totals[2].all():
+        return math.inf, math.inf
+    electrons, lsb = (math.sqrt(float(np.max(total / totals[2]))) for total in totals[:2])
+    return electrons, lsb

@@ -1,0 +1,107 @@
+"""The emulator's studies for a reader: errors beside times, then each scene's error budget."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nscc.tradeoff.points import Point, dominated
+from nscc_runtime.plan.model import Decision, Plan
+from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, REFERENCE, WITH_PLANNING, Asked, Study
+
+SLACK = 1.1
+"""A promise is kept while the measured error is at most this times the tolerance."""
+
+_HEAD = ("method", "setting", "predicted e", "error e", "error LSB", "ms", "spread", "")
+_BUDGET_HEAD = ("effect", "", "RMS e", "bias e", "left out e", "saves ms", "why")
+
+
+def kept(asked: Asked) -> bool:
+    """Whether the plan kept its promise."""
+    return asked.measured_e <= SLACK * asked.tolerance_e
+
+
+def studies_text(studies: Sequence[Study], gb_per_s: float) -> str:
+    """All tables: for each scene the methods, then the plan of its budget."""
+    parts = [f"memory copies at {gb_per_s:.3g} GB/s, read and written"]
+    for study in studies:
+        parts += [_methods_text(study), _budget_text(study.budget)]
+    return "\n\n".join(parts)
+
+
+def _methods_text(study: Study) -> str:
+    asked = {f"{each.tolerance_e:g}e": each for each in study.asked}
+    electrons = [p for p in study.points if p.error_unit == ELECTRONS]
+    lsb = {(p.method, p.setting): p.error for p in study.points if p.error_unit != ELECTRONS}
+    beaten = dict(zip(map(id, study.points), dominated(study.points), strict=True))
+    rows = [_HEAD]
+    before = ""
+    for point in electrons:
+        mine = asked.get(point.setting) if point.method == PLANNED else None
+        rows.append(
+            (
+                point.method if point.method != before else "",
+                point.setting,
+                "" if mine is None else f"{mine.plan.predicted_e:.3g}",
+                f"{point.error:.3g}",
+                f"{lsb[point.method, point.setting]:.3g}",
+                _ms(point.time_ms),
+                _ms(point.spread_ms),
+                _remark(point, mine, beaten[id(point)]),
+            )
+        )
+        before = point.method
+    head = (
+        f"{study.scene}: two frames of the reference with other draws are {study.resolution_e:.3g} "
+        f"e, {study.resolution_lsb:.3g} LSB apart; to read the scene once takes "
+        f"{_ms(study.floor_ms)} ms"
+    )
+    missing = [f"no {method}: {why}" for method, why in study.missing]
+    return "\n".join([head, _columns(rows, left=(0, 1, 7)), *missing])
+
+
+def _remark(point: Point, asked: Asked | None, beaten: bool) -> str:
+    if asked is not None and not kept(asked):
+        return f"PROMISE BROKEN: {SLACK:g} x {asked.tolerance_e:g} e"
+    # That a plan costs time to make is no news.
+    return "dominated" if beaten and point.method not in (REFERENCE, WITH_PLANNING) else ""
+
+
+def _budget_text(plan: Plan) -> str:
+    rows = [_BUDGET_HEAD, *(_decision(each) for each in plan.decisions)]
+    head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
+    cuts = [f"short cut: {each.name}, {each.error_e:.2g} e" for each in plan.approximations]
+    words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
+    return "\n".join([head, _columns(rows, left=(0, 1, 6)), *cuts, *words])
+
+
+def _decision(each: Decision) -> tuple[str, ...]:
+    def number(value: float | None) -> str:
+        return "" if value is None or each.decision == "absent" else f"{value:.3g}"
+
+    saves = "" if each.decision == "absent" else _ms(each.cost_ms_model)
+    return (
+        each.name,
+        each.decision,
+        number(each.predicted_rms_e),
+        number(each.predicted_bias_e),
+        number(each.predicted_if_dropped_e),
+        saves,
+        each.reason,
+    )
+
+
+def _columns(rows: Sequence[Sequence[str]], left: Sequence[int]) -> str:
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    lines = (
+        "  ".join(
+            f"{cell:<{width}}" if i in left else f"{cell:>{width}}"
+            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ).rstrip()
+        for row in rows
+    )
+    return "\n".join("  " + line for line in lines)
+
+
+def _ms(time_ms: float) -> str:
+    """Milliseconds with three digits, more where there are that many before the point."""
+    return f"{time_ms:.0f}" if time_ms >= 100 else f"{time_ms:.3g}"

@@ -1,0 +1,232 @@
+"""The emulator with sensor effects against numpy, side by side in one run: issue 4's times.
+
+    python tests/benchmarks/bench_emulator_effects.py [--rounds 15] [--slots 16]
+
+256 x 256 pixels, float32 light, through `nscc_runtime.capture`. Every line prints its goal beside
+what was measured; times are the best of several rounds, taken in turn, of light that may lie in the
+cache:
+
+* one frame under a plan, against `L.sum(0)`: without noise, and with shot noise, read noise, the
+  full well and the ADC, for a mean charge above and below 20 electrons;
+* the same noisy frame against numpy's Poisson drawn for every slot;
+* planning against a whole run of at least 20 ms (a batch of frames of one scene is one run);
+* peak memory of a capture, its scene included, beyond that of a process that has captured a tiny
+  scene, against the scene as float32.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from math import ceil
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+
+import numpy as np
+
+from nscc.pipeline import Options, compile_file
+from nscc.words.container import Container
+from nscc_runtime.capture import as_light, capture, made_ready
+from nscc_runtime.effects import selected
+from nscc_runtime.light import Light
+from nscc_runtime.plan.choose import plan_for
+from nscc_runtime.plan.model import Plan
+from nscc_runtime.scenes import load_scene
+from nscc_runtime.sensor import default_sensor
+from nscc_runtime.tradeoff.study import unknown
+
+ROOT = Path(__file__).resolve().parents[2]
+SIDE = 256
+QUIET_GOAL, BRIGHT_GOAL, DIM_GOAL = 1.5, 6.0, 15.0
+PER_SLOT_GOAL = 20.0
+PLANNING_GOAL, RUN_MS = 0.15, 20.0
+MEMORY_GOAL = 4.0
+NOISY = "shot,read,full_well"
+PROGRAMS = {
+    "all open": "open when true\n",
+    "4 stops": "code stop : 1..{slots}\nopen when n < stop\n"
+    "pixels stop = tile [[1, {half}], [{slots}, 2]]\n",
+}
+
+
+def container(name: str, slots: int, target: str = "target scamp5\n") -> Container:
+    """One of PROGRAMS, compiled."""
+    text = "nsl 1\n" + target + f"frame {slots} slots of 1ms\n" + PROGRAMS[name]
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "program.nsl"
+        path.write_text(text.format(slots=slots, half=slots // 2))
+        found = compile_file(path, Options()).container
+    assert found is not None
+    if found.pixel_codes is None:
+        found = replace(found, pixel_codes=np.zeros((SIDE, SIDE), np.int32))
+    return found
+
+
+def times_ms(runs: dict[str, Callable[[], object]], rounds: int) -> dict[str, tuple[float, float]]:
+    """The best time of each and the median, taken in turn."""
+    times: dict[str, list[float]] = {name: [] for name in runs}
+    for run in runs.values():
+        run()
+    names = list(runs)
+    for turn in range(rounds):
+        # Each comes first and last now and then: what ran before decides what is in the caches.
+        for name in names[turn % len(names) :] + names[: turn % len(names)]:
+            begin = perf_counter()
+            runs[name]()
+            times[name].append((perf_counter() - begin) * 1e3)
+    return {name: (min(each), median(each)) for name, each in times.items()}
+
+
+def verdict(holds: bool) -> str:
+    """The end of a line."""
+    return "" if holds else "  <-- misses the goal"
+
+
+def plan_of(program: Container, light: Light, effects: str, tolerance_e: float = 5.0) -> Plan:
+    """The plan of these effects."""
+    made = made_ready(program, default_sensor(program.target))
+    return plan_for(made, unknown(light), tolerance_e, selected(effects))
+
+
+def frames(name: str, slots: int, rounds: int) -> None:
+    """One frame against the sum, and against Poisson drawn slot by slot."""
+    program = container(name, slots)
+    unit = np.random.default_rng(1).random((slots, SIDE, SIDE), dtype=np.float32) * 2
+    print(f"one frame, {name}, {slots} slots")
+    cases = (
+        ("no effects", "none", 100.0, QUIET_GOAL),
+        ("noisy, bright", NOISY, 100.0, BRIGHT_GOAL),
+        ("noisy, dim", NOISY, 5.0 / slots, DIM_GOAL),
+    )
+    for what, effects, mean_e, goal in cases:
+        array = unit * np.float32(mean_e)
+        light = as_light(array, program)
+        plan = plan_of(program, light, effects)
+        random = np.random.default_rng(2)
+        runs: dict[str, Callable[[], object]] = {
+            "sum": lambda array=array: array.sum(0),
+            "light": lambda light=light, plan=plan: capture(unknown(light), program, plan=plan),
+            "array": lambda array=array, plan=plan: capture(array, program, plan=plan),
+        }
+        if effects != "none":
+            runs["numpy"] = lambda array=array, random=random: random.poisson(array).sum(0)
+        found = times_ms(runs, rounds)
+        charge_e = float(capture(light, program, effects="none").exposure_e.mean())
+        (total, total_median), (frame, frame_median) = found["sum"], found["light"]
+        ratio, checked = frame / total, found["array"][0]
+        print(
+            f"  {what:<14} mean {charge_e:7.4g} e   sum {total:6.2f} ms   capture {frame:6.2f} ms  "
+            f"x{ratio:5.2f} (goal x{goal:g}; of medians x{frame_median / total_median:.2f})"
+            f"{verdict(ratio <= goal)}\n"
+            f"  {'':<14} of an array, checked first: {checked:6.2f} ms  x{checked / total:5.2f}"
+        )
+        if "numpy" in found:
+            times = found["numpy"][0] / frame
+            print(
+                f"  {'':<14} Poisson slot by slot in numpy: {found['numpy'][0]:6.1f} ms, "
+                f"{times:5.1f} x slower (goal {PER_SLOT_GOAL:g}){verdict(times >= PER_SLOT_GOAL)}"
+            )
+
+
+def planning(slots: int, rounds: int) -> None:
+    """Planning against batches of frames that take at least RUN_MS without it."""
+    program = container("4 stops", slots)
+    print(f"planning, 4 stops, {slots} slots, all effects of which a plan may leave some out")
+    for scene in ("builtin:hdr", "builtin:motion", "builtin:flat:300"):
+        light = load_scene(scene, slot_us=program.slot_us, rows=SIDE, cols=SIDE)
+        for tolerance_e in (1.0, 5.0, 50.0):
+            plan = plan_of(program, light, "auto", tolerance_e)
+
+            def run(count: int, light: Light = light, plan: Plan = plan) -> None:
+                capture(unknown(light), program, plan=plan, repeat=count)
+
+            def make(light: Light = light, tolerance_e: float = tolerance_e) -> Plan:
+                return plan_of(program, light, "auto", tolerance_e)
+
+            count, run_ms = 1, 0.0
+            while run_ms < RUN_MS:
+                count = max(count + 1, ceil(count * RUN_MS / run_ms)) if run_ms else 1
+                found = times_ms({"plan": make, "run": partial(run, count)}, min(3, rounds))
+                plan_ms, run_ms = found["plan"][0], found["run"][0]
+            share = plan_ms / (plan_ms + run_ms)
+            print(
+                f"  {scene:<18} {tolerance_e:4g} e   planning {plan_ms:6.1f} ms   "
+                f"frames: {count:3}, {run_ms:6.1f} ms   {share:4.0%} of the run "
+                f"(goal at most {PLANNING_GOAL:.0%}){verdict(share <= PLANNING_GOAL)}"
+            )
+
+
+_CHILD = """
+import sys
+sys.path[:0] = [{here!r}]
+import bench_emulator_effects as bench
+bench.memory_child({slots}, {effects!r})
+"""
+
+
+def memory_child(slots: int, effects: str) -> None:
+    """Prints by how many bytes a capture's peak is above what the process had before."""
+    program = container("4 stops", slots)
+    small = container("4 stops", 4)
+    capture(np.ones((4, SIDE, SIDE), np.float32), small, effects=effects)
+    before = memory("VmRSS")
+    Path("/proc/self/clear_refs").write_text("5")
+    light = np.random.default_rng(1).random((slots, SIDE, SIDE), dtype=np.float32)
+    light *= np.float32(100)
+    capture(light, program, effects=effects)
+    print(memory("VmHWM") - before)
+
+
+def memory(name: str) -> int:
+    """Bytes of a line of this process's status."""
+    for line in Path("/proc/self/status").read_text().splitlines():
+        if line.startswith(name + ":"):
+            return int(line.split()[1]) * 1024
+    raise OSError(f"no {name}")
+
+
+def memories(slots: int) -> None:
+    """Peak memory of captures in processes of their own; Linux only."""
+    if not Path("/proc/self/clear_refs").exists():
+        print("peak memory: not measured on this system")
+        return
+    print("peak memory of one capture, planning included, from an array")
+    folders = [ROOT, ROOT / "runtime", ROOT / "training"]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, folders))}
+    for count in (slots, 8 * slots):
+        for effects in ("none", NOISY, "auto"):
+            code = _CHILD.format(here=str(Path(__file__).parent), slots=count, effects=effects)
+            done = subprocess.run(
+                [sys.executable, "-c", code], env=environment, capture_output=True, text=True
+            )
+            if done.returncode:
+                raise SystemExit(done.stderr)
+            scene = 4 * count * SIDE * SIDE
+            ratio = int(done.stdout) / scene
+            print(
+                f"  {count:4} slots, {effects:<19} {int(done.stdout) / 1e6:7.1f} MB, x{ratio:5.2f} "
+                f"the scene (goal x{MEMORY_GOAL:g}){verdict(ratio <= MEMORY_GOAL)}"
+            )
+
+
+def main() -> None:
+    """Measure and print."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--rounds", type=int, default=15)
+    parser.add_argument("--slots", type=int, default=16)
+    arguments = parser.parse_args()
+    for name in PROGRAMS:
+        frames(name, arguments.slots, arguments.rounds)
+    planning(arguments.slots, arguments.rounds)
+    memories(arguments.slots)
+
+
+if __name__ == "__main__":
+    main()
