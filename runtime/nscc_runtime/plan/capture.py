@@ -448,30 +448,35 @@ class Planned:
         program, kept, sensor = self.program, self.plan.kept, self.program.sensor
         if FULL_WELL not in kept and REGISTER not in kept:
             return np.empty(0, np.int64)
-        single = np.all(~np.isnan(program.tables.single(program.model(kept))), axis=1)
-        limit = np.full(single.shape, np.inf)
-        if FULL_WELL in kept:
-            limit = np.where(single, np.inf, sensor.full_well_e)
+        single = not np.isnan(program.tables.single(program.model(kept))).any()
+        limit = np.full(len(program.container.encoding), np.inf)
+        if FULL_WELL in kept and not (single and REGISTER not in kept):
+            limit[:] = sensor.full_well_e
         if REGISTER in kept:
             low, high = abs(sensor.register_min_e), sensor.register_max_e
             room = sensor.register_knee_fraction * min(low, high) - program.reach.noise_e
             limit = np.minimum(limit, room / program.reach.light)
         if not np.isfinite(limit).any():
             return np.empty(0, np.int64)
-        bound = float(np.max(self.total * self.scale, initial=0.0))
-        bound *= 1.0 + 4 * sensor.crosstalk_fraction * (CROSSTALK in kept)
-        if DARK in kept:
+        # These pixels run with all effects, so all effects say which they are.
+        wanted = self.plan.wanted
+        scale = self.response if PRNU in wanted else np.ones(1)
+        scale = scale * (1.0 + sensor.lag_fraction * (LAG in wanted))
+        bound = float(np.max(self.total * scale, initial=0.0))
+        bound *= 1.0 + 4 * sensor.crosstalk_fraction * (CROSSTALK in wanted)
+        if DARK in wanted:
             bound += float(self.device.current.max(initial=0.0)) * float(program.slot_s.sum())
         if bound + SIGMAS * np.sqrt(bound) < limit.min():
             return np.empty(0, np.int64)
         seen = program.tables.seen().astype(np.float64)
-        charge = self._sum(self.source, [seen])[0] * self.scale
-        if CROSSTALK in kept:
+        charge = self._sum(self.source, [seen])[0] * scale
+        if CROSSTALK in wanted:
             # Neighbours' light counts in the pixel's own slots, whatever their own codes are.
-            c, lit = sensor.crosstalk_fraction, self.total * self.scale
+            c, lit = sensor.crosstalk_fraction, self.total * scale
             flow = smeared(lit.reshape(self.light.shape), c).reshape(-1) - (1.0 - 4 * c) * lit
             charge = np.maximum(charge, (1.0 - 4 * c) * charge + flow)
-        charge += self.current * (program.slot_s @ seen)[program.lanes]
+        if DARK in wanted:
+            charge += self.device.current * (program.slot_s @ seen)[program.lanes]
         near = charge + SIGMAS * np.sqrt(charge)
         return np.flatnonzero(near >= limit[program.lanes])
 
