@@ -132,7 +132,8 @@ class _Fields:
         fixed[ANALOG.name] = base - sums["gain"] * self.lag + pattern
         open_s = np.einsum("n,nlb->bl", program.slot_s, program.tables.weights(full).slots)
         current = self.device.current[self.places]
-        fixed[DARK.name] = open_s[:, self.lanes] * current
+        spilt = self._spilt(current)
+        fixed[DARK.name] = open_s[:, self.lanes] * (current + spilt)
         squares = program.tables.weights(full).slots ** 2
         open_2 = np.einsum("n,nlb->bl", program.slot_s, squares)
         noise_cut = np.zeros((len(self.buckets), len(self.places)))
@@ -153,7 +154,7 @@ class _Fields:
             cut = rest + (other**2).sum(axis=2) * (sensor.leakage_spread_fraction / _LEAK_STEP) ** 2
             noise_cut += sigma**2 * cut.T[:, self.lanes]
         if sensor.crosstalk_fraction > 0:
-            fixed[CROSSTALK.name] = base - alone
+            fixed[CROSSTALK.name] = base - alone + open_s[:, self.lanes] * spilt
             counted = self._sum(moving, squared, self._counted(smeared=False)) * self.lag
             # Of dark charge four neighbours' counts, and four parts of the pixel's own.
             dark = 20 * variance[DARK.name]
@@ -199,9 +200,16 @@ class _Fields:
             return np.asarray((1 - c * count) ** 2 * own + c**2 * flow)
         return np.asarray(count**2 * own + flow)
 
-    def _beside(self) -> list[tuple[Frames, NDArray[np.int32], Frames, Frames]]:
-        """In each direction: 1 where pixels have a neighbour, else 0; its lane, its frames (0 where
-        there is none), its response.
+    def _spilt(self, current: Values) -> Values:
+        """What crosstalk adds to the pixels' dark current."""
+        found = np.zeros_like(current)
+        for there, place, _, _ in self.beside:
+            found += there * (self.device.current[place] - current)
+        return self.sensor.crosstalk_fraction * found
+
+    def _beside(self) -> list[tuple[Frames, NDArray[np.int64], Frames, Frames]]:
+        """In each direction: 1 where pixels have a neighbour, else 0; its place, its frames (0
+        where there is none), its response.
         """
         rows, cols = self.light.shape
         row, col = self.places // cols, self.places % cols
@@ -213,7 +221,7 @@ class _Fields:
             there, place = inside.astype(np.float32), np.where(inside, self.places + step, 0)
             part = self.device.response[place].astype(np.float32)
             frames = there * np.minimum(flat[:, place], _MOST_LIGHT)
-            found.append((there, self.program.lanes[place], frames, part))
+            found.append((there, place, frames, part))
         return found
 
     def _left_out(
@@ -241,7 +249,8 @@ class _Fields:
                 counted = np.maximum(two - 2 * mean * one + mean**2 * rates, 0.0)
                 thinning[True][bucket] += counted
                 thinning[False][bucket] += counted if group else two
-            for _, other, frames, part in self.beside:
+            for _, place, frames, part in self.beside:
+                other = program.lanes[place]
                 lit = sums_by_slot(light, frames * part, other, [members])[0] * self.lag
                 for bucket in self.buckets:
                     seconds = full[:, :, bucket] * program.slot_s[:, None]
