@@ -19,7 +19,8 @@ SHELL := /bin/bash
 
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
-LOOPS := nscc_runtime.emulator.compiled nscc_runtime.noise.compiled
+LOOPS := nscc_runtime.emulator.compiled nscc_runtime.noise.compiled nscc_runtime.plan.compiled \
+  nscc_training.baselines.compiled
 EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
@@ -50,7 +51,7 @@ $(VENV)/.test-installed: $(VENV)/.installed
 	@touch $@
 
 # Compiled ahead, so that no command has to wait for a compiler, even where Python may not cache.
-$(VENV)/.compiled: $(VENV)/.installed $(wildcard runtime/nscc_runtime/*/*.py)
+$(VENV)/.compiled: $(VENV)/.installed $(wildcard runtime/nscc_runtime/*/*.py training/nscc_training/baselines/*.py)
 	@echo "compiling the emulator's loops"
 	for module in $(LOOPS); do $(BIN)/python -m $$module; done
 	$(BIN)/python -m compileall -q nscc runtime/nscc_runtime training/nscc_training
@@ -93,6 +94,7 @@ test-slow: $(VENV)/.test-installed $(VENV)/.compiled
 	$(BIN)/pytest --numprocesses auto --dist loadgroup -m slow
 
 bench: $(VENV)/.test-installed $(VENV)/.compiled
+	$(PIP) --no-build-isolation --editable '.[bench,device,test,train]'
 	@status=0; for file in tests/benchmarks/bench_*.py; do \
 	  echo "$$file"; $(BIN)/python $$file || status=1; done; exit $$status
 

@@ -85,7 +85,7 @@ def sanitized(folder: Path | None = None) -> firmware.Built:
     """The firmware's core for the small target, with sanitizers; skips where it cannot be built."""
     if firmware.compiler() is None:
         pytest.skip("no C++ compiler: the firmware's core cannot be run")
-    return firmware.built(TARGET, ("-O1", *firmware.SANITIZERS), folder)
+    return firmware.built(TARGET, ("-O1", "-Werror", *firmware.SANITIZERS), folder)
 
 
 def new_host(seed: int, **more: float) -> Host:

@@ -11,12 +11,37 @@ from nscc.cli.link_options import link_options
 from nscc.cli.programs import BuildChoice, build_options, load_program
 from nscc.cli.support import CommonCommand, done, progress, say
 from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.suggest import closest
 
 _LONGEST_S = 1e6
 _MOST_FRAMES = 1_000_000
 
 
-@click.group("device")
+class _Device(CommonCommand, click.Group):
+    """What one can do with a device; anything else is rejected by name (NS0781)."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The command named first in `args`, and what follows it."""
+        name = args[0]
+        if name in self.commands or name.startswith("-"):
+            return super().resolve_command(ctx, args)
+        near = closest(name, self.commands)
+        raise Rejected(
+            Diagnostic(
+                "NS0781",
+                f"nscc has no command 'device {name[:60]}'",
+                helps=(
+                    *((f"did you mean `nscc device {near}`?",) if near else ()),
+                    f"there is: {', '.join(self.commands)}",
+                ),
+            ),
+            status=2,
+        )
+
+
+@click.group("device", cls=_Device)
 def command() -> None:
     """Talk to a chip at a serial port, or stand in for one.
 
@@ -109,7 +134,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
               "frame, until Ctrl-C.")  # fmt: skip
 @click.option("--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: so many frames.")
 @click.option("--every", type=click.FloatRange(0, _LONGEST_S), default=0.0,
-              help="With --to: seconds from frame to frame (default: as fast as it goes).")  # fmt: skip
+              help="With --to: seconds from frame to frame (default: 0).")  # fmt: skip
 @click.option("--target", metavar="NAME|FILE.toml", help="The chip, of a program that is there.")
 @click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
 @click.option("--sensor", type=click.Path(path_type=Path), help="The sensor's numbers.")

@@ -58,6 +58,7 @@ def capture_frames(port: str, program: Path | None, options: dict[str, Any]) -> 
     from nscc.cli.run import with_pixels
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.link import Link
+    from nscc_runtime.frame_file import check_adc
     from nscc_runtime.sensor import load_sensor
 
     container = None
@@ -79,6 +80,7 @@ def capture_frames(port: str, program: Path | None, options: dict[str, Any]) -> 
         chip = Chip(link, progress=progress)
         target = container.target if container else _target(chip, options["target"])
         sensor = load_sensor(target, options["sensor"], options["sensor_set"])
+        check_adc(target)
         chip.sensor = sensor
         if container is not None:
             chip.upload(container)
@@ -143,13 +145,7 @@ def _write(
 
     info = chip.link.host.info
     assert info is not None  # a frame came
-    buckets = container.buckets if container else _numbered(shot)
-    lowering = container.notes.get("lowering") if container else None
-    meta = device_meta(shot.frame, info, sensor, chip.label.hex(), buckets, lowering)
+    meta = device_meta(shot.frame, info, sensor, chip.label.hex(), container)
     meta["time_utc"] = stamp
     meta["device_time_us"] = shot.captured.started_us
     write_whole(path, FrameFile(shot.frame, meta, {}, {}).write)
-
-
-def _numbered(shot: Shot) -> list[str]:
-    return [f"bucket{number}" for number in range(shot.captured.readouts)]

@@ -24,8 +24,9 @@ NEEDED = (
     ("scipy", ".mat"),
 )
 OPTIONAL = (
-    ("torch", "training, which is not in this version"),
-    ("pyserial", "the device link, which is not in this version"),
+    ("safetensors", "nscc train"),
+    ("torch", "nscc train, reconstruct, evaluate"),
+    ("pyserial", "devices at a serial port"),
 )
 
 GOOD, ABSENT, WRONG = "ok", "absent", "WRONG"
@@ -65,6 +66,7 @@ def findings() -> Iterator[Finding]:
     yield _cache()
     yield _loops()
     yield _ports()
+    yield _compiler()
 
 
 def _grammar() -> Finding:
@@ -114,7 +116,21 @@ def _loops() -> Finding:
 def _ports() -> Finding:
     if find_spec("serial") is None:
         return ABSENT, "serial ports: pyserial lists them"
-    from serial.tools.list_ports import comports  # type: ignore[import-untyped,unused-ignore]
+    from nscc_runtime.device.port import list_ports
 
-    names = sorted(port.device for port in comports())
-    return GOOD, f"serial ports: {', '.join(names) or 'none'}"
+    ports = [name + described(text) for name, text in list_ports()]
+    return GOOD, f"serial ports: {', '.join(ports) or 'none'}"
+
+
+def described(text: str) -> str:
+    """A port's description behind its name, where the system has one."""
+    return f" ({text})" if text not in ("", "n/a") else ""
+
+
+def _compiler() -> Finding:
+    from nscc_runtime.device.firmware import compiler
+
+    found = compiler()
+    if found is None:
+        return ABSENT, "C++ compiler: `nscc device serve` stands in with the firmware's twin"
+    return GOOD, f"C++ compiler: {found} (nscc device serve runs the firmware)"

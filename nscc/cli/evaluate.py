@@ -67,7 +67,8 @@ def _outputs(function: Callable[..., Any]) -> Callable[..., Any]:
     "clips", metavar="CLIP.mat...", nargs=-1, required=True, type=click.Path(path_type=Path)
 )
 @click.option("--method", default="gap-tv", show_default=True, metavar="M",
-              help="gap-tv, admm-tv, adjoint, or the yardsticks bilinear, thin-out.")  # fmt: skip
+              help="gap-tv, admm-tv, dictionary, adjoint; or a yardstick: bilinear, "
+              "thin-out.")  # fmt: skip
 @click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
 @click.option("--weight", type=click.FloatRange(0, 10, min_open=True), default=0.1,
               show_default=True, help="Of total variation, for values on [0, 1].")  # fmt: skip
@@ -92,7 +93,7 @@ def sci8(
 
 
 @command.command("of", cls=CommonCommand)
-@click.argument("subject", metavar="BASELINE")
+@click.argument("subject", metavar="RUN|BASELINE")
 @click.option("--data", required=True, type=click.Path(path_type=Path), metavar="DIR",
               help="The folder of scenes.")  # fmt: skip
 @click.option("--protocol", required=True, metavar="P", help="hdr-v1, video-v1 or sci8.")
@@ -104,10 +105,12 @@ def of(
     subject: str, data: Path, protocol: str, seed: int, save: Path | None, as_json: bool,
     out: Path | None,
 ) -> None:  # fmt: skip
-    """Score a baseline on a folder of scenes.
+    """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
-    For hdr-v1: ldr (always open), best-uniform (the best single stop in hindsight), quad (2 x 2
-    geometric exposures), random; coded frames are decoded by merging neighbours.
+    A run that has seen one of the files is refused. Baselines of hdr-v1: ldr (always open),
+    best-uniform (the best single stop in hindsight), quad (2 x 2 geometric exposures), random, all
+    decoded by merging neighbours. Of video-v1: gap-tv, admm-tv, dictionary, adjoint on random bits,
+    and the yardsticks bilinear and thin-out.
     """
     from nscc_training.evaluation.subjects import evaluate
 
@@ -174,7 +177,7 @@ def _lines(found: dict[str, Any]) -> str:
         finite = [item["psnr_db"] for item in items if item["psnr_db"] != "inf"]
         mean = f"{sum(finite) / len(finite):.2f} dB" if finite else "inf"
         ssim = sum(item["ssim"] for item in items) / len(items)
-        lines.append(f"  {file:24}{mean}, SSIM {ssim:.4f}, {len(items)} items")
+        lines.append(f"  {file:32} {mean}, SSIM {ssim:.4f}, {len(items)} items")
     if found["mean"] is not None:
         low, high = found["ci95"]
         lines.append(

@@ -46,10 +46,14 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
 
 
 def _missing_package(error: ModuleNotFoundError) -> Diagnostic:
+    extra = "'nscc[train]'" if error.name in ("safetensors", "torch") else "nscc"
     return Diagnostic(
         "NS0904",
         f"the Python package '{error.name}', which this needs, is not installed",
-        helps=("install nscc with its dependencies: pip install nscc", "`nscc doctor` lists them"),
+        helps=(
+            f"install nscc with its dependencies: pip install {extra}",
+            "`nscc doctor` lists them",
+        ),
     )
 
 

@@ -10,7 +10,7 @@ import click
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 DEFAULT_BAUD = 3_000_000
-_DEFAULT_PATIENCE_S = 10.0
+DEFAULT_PATIENCE_S = 10.0
 
 
 def link_options(function: Command) -> Command:
@@ -19,7 +19,7 @@ def link_options(function: Command) -> Command:
         click.option(
             "--patience",
             type=click.FloatRange(0.1, 3600),
-            default=_DEFAULT_PATIENCE_S,
+            default=DEFAULT_PATIENCE_S,
             show_default=True,
             help="Seconds of silence after which a device is given up.",
         ),

@@ -19,43 +19,51 @@ if TYPE_CHECKING:
     from nscc_runtime.light import Light
     from nscc_runtime.sensor import Sensor
 
-_SIMULATION = (
-    "effects", "seed", "device_seed", "fidelity", "tolerance", "audit", "plan", "timings",
-)  # fmt: skip
+_SIMULATION = ("effects", "seed", "device_seed", "fidelity", "tolerance", "audit", "plan")
 _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
 
 def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
     """Expose on the device at `options["place"]`, as `nscc run` does on the emulator."""
-    from nscc.cli.run import refuse_same, scene_light, summary, with_pixels
+    from nscc.cli.run import Timings, refuse_same, scene_light, summary, with_pixels
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.link import Link
     from nscc_runtime.effects import selected
+    from nscc_runtime.frame_file import check_adc
     from nscc_runtime.sensor import load_sensor
 
-    place, scene = options["place"], options["scene"]
+    place, scene, repeat = options["place"], options["scene"], options["repeat"]
     _refuse_simulation(place, scene, keep)
-    container, messages = load_program(program, BuildChoice.of(options))
-    container = with_pixels(container, program, options["pixels"])
+    timings = Timings()
+    with timings.part("compile_s"):
+        container, messages = load_program(program, BuildChoice.of(options))
+        container = with_pixels(container, program, options["pixels"])
+    check_adc(container.target)
     sensor = load_sensor(container.target, options["sensor"], options["sensor_set"])
     light = None
     if scene:
-        light = scene_light(container, options, (*messages, _scene_note(scene)))
+        with timings.part("scene_s"):
+            light = scene_light(container, options, (*messages, _scene_note(scene)))
     else:
         say(list(messages))
     out = options["out"] or Path(program.stem + ".frame.npz")
-    refuse_same(out, options["png"])
-    repeat = options["repeat"]
-    with Link(place, baud=options["baud"], patience_s=options["patience"]) as link:
+    refuse_same(out, options["png"], options["timings"])
+    with (
+        timings.part("expose_s"),
+        Link(place, baud=options["baud"], patience_s=options["patience"]) as link,
+    ):
         frame, meta = _exposed(Chip(link, sensor, progress), sensor, container, light, repeat)
-    products = _products(container, light, frame, keep, out, meta)
-    if options["png"]:
-        from nscc_runtime.pictures import frame_png, readouts
+    with timings.part("write_s"):
+        products = _products(container, light, frame, keep, out, meta)
+        if options["png"]:
+            from nscc_runtime.pictures import frame_png, readouts
 
-        first = frame.frame[0] if repeat else frame.frame
-        title = f"{program.name}  ·  on the device"
-        products[options["png"]] = frame_png(readouts(container, first), title)
-    write_together(products)
+            first = frame.frame[0] if repeat else frame.frame
+            title = f"{program.name}  ·  on the device"
+            products[options["png"]] = frame_png(readouts(container, first), title)
+        write_together(products)
+    if options["timings"]:
+        write_together({options["timings"]: timings.json()})
     done(summary(container, frame, [*products], selected("all")))
 
 
@@ -109,8 +117,7 @@ def _exposed(
     info = chip.link.host.info
     assert info is not None  # a frame came
     digest = sha256(to_bytes(container)).hexdigest()
-    lowering = container.notes.get("lowering")
-    return frame, device_meta(frame, info, sensor, digest, container.buckets, lowering, light)
+    return frame, device_meta(frame, info, sensor, digest, container, light)
 
 
 def _products(

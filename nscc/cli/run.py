@@ -45,6 +45,10 @@ class Timings:
         finally:
             self.seconds[name] = self.seconds.get(name, 0.0) + perf_counter() - begin
 
+    def json(self) -> bytes:
+        """The file of --timings."""
+        return (json.dumps(self.seconds, indent=2) + "\n").encode()
+
 
 @click.command(name="run", cls=CommonCommand)
 @click.argument("program", metavar="FILE.nsl|FILE.icw", type=click.Path(path_type=Path))
@@ -146,8 +150,7 @@ def command(program: Path, **options: Any) -> None:
             products[options["plan"]] = taken.plan_file.encode()
         write_together(products)
     if options["timings"]:
-        text = json.dumps(timings.seconds, indent=2) + "\n"
-        write_together({options["timings"]: text.encode()})
+        write_together({options["timings"]: timings.json()})
     if taken.table:
         done(taken.table + "\n")
     done(summary(container, taken.frame, [*products], wanted.effects))

@@ -108,8 +108,10 @@ def _moved(port: str) -> None:
 def _loader(choice: str, target: Target, chip: EmulatedChip) -> Iterator[Loaded]:
     """The loader that was chosen: the firmware in a process of its own, or its Python twin."""
     from nscc_runtime.device import firmware
+    from nscc_runtime.device.board import BackgroundChip
     from nscc_runtime.device.loader import Loader
 
+    why = "as asked for"
     if choice != "python":
         try:
             built = firmware.built(target)
@@ -126,10 +128,11 @@ def _loader(choice: str, target: Target, chip: EmulatedChip) -> Iterator[Loaded]
                     ),
                     status=2,
                 ) from None
+            why = str(reason)
         else:
             with firmware.Process(built, chip) as process:
                 done(f"loader: the firmware, compiled by {built.compiler}")
                 yield process
             return
-    done("loader: the Python twin of the firmware")
-    yield Loader(target, chip, firmware.PYTHON_NAME)
+    done(f"loader: the Python twin of the firmware ({why})")
+    yield Loader(target, BackgroundChip(chip), firmware.PYTHON_NAME)

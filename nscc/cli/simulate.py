@@ -44,8 +44,8 @@ class Wanted:
         from nscc_runtime.effects import selected
 
         text, plan = options["effects"], options["plan"]
-        asked = [name for name in ("tolerance", "audit", "plan") if options[name]]
-        effects = selected(text or ("auto" if asked else "none"))
+        asked = [n for n in ("tolerance", "audit", "plan") if options[n] not in (None, False)]
+        effects = selected(text if text is not None else "auto" if asked else "none")
         reference = options["fidelity"] == "reference"
         if reference and (asked or effects.auto):
             named = ", ".join(f"--{name}" for name in asked) or "--effects auto"
@@ -54,8 +54,8 @@ class Wanted:
                 "the reference simulates what it is told to, without a plan",
                 f"leave {named} out, or --fidelity reference",
             )
-        if plan is not None and plan.exists() and (text or options["tolerance"]):
-            named = "--effects" if text else "--tolerance"
+        if plan is not None and plan.exists() and (text is not None or "tolerance" in asked):
+            named = "--effects" if text is not None else "--tolerance"
             raise _contradiction(
                 f"{named} with the plan '{plan}'",
                 "a plan that is used has decided on effects and tolerance",
@@ -64,7 +64,7 @@ class Wanted:
         return cls(
             effects,
             not reference and (bool(asked) or not effects.noiseless),
-            options["tolerance"] or "5e",
+            "5e" if options["tolerance"] is None else options["tolerance"],
             bool(options["audit"]),
             plan,
             options["seed"],

@@ -29,6 +29,8 @@ COMMANDS = (
     Entry("calibrate", "nscc.cli.calibrate", "Measure a sensor from flat and dark frames."),
     Entry("device", "nscc.cli.device", "Talk to a chip at a serial port, or stand in for one."),
     Entry("tradeoff", "nscc.cli.tradeoff", "Measure what more time buys."),
+    Entry("train", "nscc.cli.train", "Learn shutters together with a decoder."),
+    Entry("reconstruct", "nscc.cli.reconstruct", "Make a picture or a clip of a frame."),
     Entry("metrics", "nscc.cli.metrics", "Compare a reconstruction with the truth."),
     Entry("evaluate", "nscc.cli.evaluate", "Score reconstructions under a protocol."),
     Entry("doctor", "nscc.cli.doctor", "Report on this installation."),
@@ -36,8 +38,6 @@ COMMANDS = (
 """The commands of this version, in the order in which `nscc --help` lists them."""
 
 PLANNED = (
-    "reconstruct",
-    "train",
 )
 """Commands whose names are taken by versions to come."""
 

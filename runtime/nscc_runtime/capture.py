@@ -78,7 +78,8 @@ def capture(
     if plan is None:
         wanted = selected(effects) if isinstance(effects, str) else effects
         plan = plan_for(made, scene, tolerance_e(tolerance, sensor), wanted, device_seed)
-    frames = [*planned_frames(made, scene, plan, seed, device_seed, repeat or 1, threads)]
+    count = 1 if repeat is None else repeat
+    frames = [*planned_frames(made, scene, plan, seed, device_seed, count, threads)]
     found = frames[0] if repeat is None else stacked(frames)
     return Capture(found.frame, found.exposure_e, found.valid, plan)
 

@@ -179,7 +179,7 @@ def meta(container: Container, light: Light, frame: Frame, origin: Provenance) -
         "electrons_per_lsb": sensor.electrons_per_lsb,
         "adc_offset": sensor.adc_offset_lsb,
         "exposure_scale_e": light.exposure_scale_e,
-        "open_us": _open_us(container),
+        "open_us": open_us(container),
         "invalid_pixels": int(np.count_nonzero(~frame.valid)),
         "plan": dict(origin.plan)
         if origin.plan is not None
@@ -197,7 +197,7 @@ def meta(container: Container, light: Light, frame: Frame, origin: Provenance) -
     }
 
 
-def _open_us(container: Container) -> list[float] | None:
+def open_us(container: Container) -> list[float] | None:
     """For each bucket how long its pixels are open; None where pixels differ."""
     if container.pixel_codes is None:
         return None

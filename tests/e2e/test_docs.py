@@ -19,6 +19,8 @@ PAGES = (
     "docs/cpp.md",
     "docs/calibrate.md",
     "docs/tradeoff.md",
+    "docs/device.md",
+    "docs/training.md",
     "examples/README.md",
 )
 
@@ -87,3 +89,12 @@ def test_every_command_is_in_the_readme() -> None:
 
     text = (ROOT / "README.md").read_text()
     assert [entry.name for entry in COMMANDS if f"`nscc {entry.name}" not in text] == []
+
+
+def test_the_python_of_training_works() -> None:
+    pytest.importorskip("torch")
+    [text] = blocks("docs/training.md", "python")
+    printed: list[object] = []
+    exec(text, {"print": printed.append})
+    assert len(printed) == 2
+    assert str(printed[1]).startswith("nsl 1")

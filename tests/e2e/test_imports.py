@@ -15,7 +15,6 @@ HEAVY = ("cv2", "matplotlib", "numba", "PIL", "scipy", "serial", "torch")
 
 # (a package, what nothing in it may import)
 ORDER = (
-    ("nscc", ("nscc_training",)),
     (
         "runtime/nscc_runtime",
         (
@@ -56,11 +55,12 @@ def test_order_of_packages(package: str, forbidden: tuple[str, ...], root: Path)
     assert not wrong
 
 
-def test_only_the_command_line_knows_the_runtime(root: Path) -> None:
+@pytest.mark.parametrize("package", ["nscc_runtime", "nscc_training"])
+def test_only_the_command_line_knows_the_others(package: str, root: Path) -> None:
     knowing = {
         path.relative_to(root).parts[1]
         for path in (root / "nscc").rglob("*.py")
-        if any(name.split(".")[0] == "nscc_runtime" for name in imported(path))
+        if any(name.split(".")[0] == package for name in imported(path))
     }
     assert knowing == {"cli"}
 

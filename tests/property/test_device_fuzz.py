@@ -144,9 +144,7 @@ def test_noise_gets_no_answer_from_either_twin(core: Lockstep, pieces: list[byte
     st.integers(0, len(WHOLE_UPLOAD)),
     st.lists(st.one_of(packets, packets, st.binary(max_size=60)), max_size=12),
 )
-def test_the_twins_answer_packets_alike(
-    core: Lockstep, begun: int, more: list[bytes]
-) -> None:
+def test_the_twins_answer_packets_alike(core: Lockstep, begun: int, more: list[bytes]) -> None:
     pieces = [*WHOLE_UPLOAD[:begun], *more]
     assert said(core, pieces) == said(twin(), pieces)
 

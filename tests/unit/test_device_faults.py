@@ -45,7 +45,9 @@ def test_bytes_are_hit_at_the_rates_given() -> None:
     # 5120 are expected, with a standard deviation of 71.
     assert abs(wrong - 5120) < 5 * 71
     spoiler = Spoiler(Faults(drop=1e-2, seed=1), 1)
-    lost = len(data) - len(b"".join(spoiler.spoiled(data[i : i + 77]) for i in range(0, len(data), 77)))
+    lost = len(data) - len(
+        b"".join(spoiler.spoiled(data[i : i + 77]) for i in range(0, len(data), 77))
+    )
     assert abs(lost - 5120) < 5 * 71
 
 

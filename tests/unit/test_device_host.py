@@ -86,9 +86,7 @@ def test_a_program_that_is_there_is_not_sent_again(large: Upload) -> None:
 
 @pytest.mark.parametrize("after", [5_000, 60_000, 125_000])
 @pytest.mark.parametrize("outage_s", [0.05, 2.0])
-def test_a_lost_link_is_taken_up_where_it_broke(
-    large: Upload, after: int, outage_s: float
-) -> None:
+def test_a_lost_link_is_taken_up_where_it_broke(large: Upload, after: int, outage_s: float) -> None:
     line = line_of(Faults(disconnect_after=after, outage_s=outage_s))
     upload(line, large)
     [(broke, _)] = line.events
@@ -96,7 +94,9 @@ def test_a_lost_link_is_taken_up_where_it_broke(
     unsent_s = (len(large.stream) - after) * BITS_A_BYTE / BAUD
     assert again_s <= 2.0 + 1.1 * unsent_s
     window = 16384
-    assert line.up.bytes <= 1.05 * len(large.stream) + window + 4000, "only what was lost comes twice"
+    assert line.up.bytes <= 1.05 * len(large.stream) + window + 4000, (
+        "only what was lost comes twice"
+    )
 
 
 def test_a_dead_line_is_taken_up_without_being_told() -> None:
@@ -278,3 +278,16 @@ def test_packets_grow_small_on_a_bad_line_and_large_on_a_good_one(large: Upload)
     spoiled = sizes(Faults(corrupt=2e-3, seed=5))
     assert np.median(spoiled) <= 256
     assert REPLY == 0x80
+
+
+@pytest.mark.parametrize("delay_s", [0.3, 0.7, 1.5])
+def test_a_slow_line_only_takes_longer(delay_s: float) -> None:
+    """A reply takes longer than the host waits at first: it has to learn that."""
+    example = examples()[1]
+    host = new_host(1)
+    line = Simulation(host, python_loader(example), Faults(delay_s=delay_s))
+    taken = line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)), limit_s=100)
+    assert isinstance(taken, tasks.Taken)
+    assert taken.data == example.frame
+    # Hello, begin, declare, data, finish, capture (some), read; and what learning took.
+    assert line.now <= 12 * 2 * delay_s + 2.0

@@ -314,9 +314,7 @@ def test_small_programs_by_hand_are_taken(talk: Talk) -> None:
     ids=["zeros", "ones", "a bit too many", "parts swapped", "another chip's register",
          "WHERE of FLAG", "a first half alone", "a second half alone"],
 )  # fmt: skip
-def test_words_that_the_target_does_not_take_are_refused(
-    talk: Talk, word: tuple[int, ...]
-) -> None:
+def test_words_that_the_target_does_not_take_are_refused(talk: Talk, word: tuple[int, ...]) -> None:
     objects = [GOOD_READOUT, kernels([op("nop")], [encode(op("nop")), word]), GOOD_SCHEDULE]
     fault, detail = talk.refused(objects)
     assert fault == Fault.WORD
@@ -337,6 +335,7 @@ def test_halves_of_different_pairs_are_refused(talk: Talk) -> None:
         ([GOOD_READOUT, GOOD_KERNELS], Fault.NO_PROGRAM),
         ([GOOD_KERNELS, GOOD_SCHEDULE], Fault.NO_PROGRAM),
         ([GOOD_READOUT, GOOD_SCHEDULE, GOOD_KERNELS], Fault.SCHEDULE),
+        ([GOOD_READOUT, GOOD_KERNELS, GOOD_SCHEDULE, kernels([])], Fault.NO_PROGRAM),
         ([GOOD_READOUT, kernels([op("nop")] * 1025)], Fault.TOO_LARGE),
         ([GOOD_READOUT, kernels(*[[]] * 1025)], Fault.TOO_LARGE),
         ([readouts()], Fault.READOUT),
@@ -441,7 +440,9 @@ def test_no_more_reads_wait_than_there_is_room_for(talk: Talk) -> None:
     replies = talk.raw(asked)
     failures = [Failure.unpack(p.body) for p in replies if p.kind == Kind.ERROR]
     assert failures == [Failure(Kind.READ, Fault.BUSY, 0)]
-    assert [p.sequence for p in replies if p.kind != Kind.ERROR] == [n for n in range(8) for _ in "12"]
+    assert [p.sequence for p in replies if p.kind != Kind.ERROR] == [
+        n for n in range(8) for _ in "12"
+    ]
 
 
 def test_a_chip_that_fails_is_said_to_have_failed(talk: Talk) -> None:

@@ -9,9 +9,13 @@ import pytest
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.model import Rejected  # noqa: E402
-from nscc_training.decoders import flops, make_decoder, parameter_count  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
-from nscc_training.decoders.make import Task  # noqa: E402
+from nscc_training.decoders.make import (  # noqa: E402
+    Task,
+    flops,
+    make_decoder,
+    parameter_count,
+)
 from nscc_training.decoders.unet import UNet  # noqa: E402
 
 STILL = Task("still", 256, (8, 8))

@@ -73,11 +73,20 @@ def test_a_program_opens_the_same_shutters(spec: ShutterSpec, tmp_path: Path) ->
     assert program_of(encoder, Chip()) == files
 
 
+def test_a_tile_of_odd_size_is_listed() -> None:
+    encoder = make_encoder(ShutterSpec("b", 32, (40, 50)), "random", seed=1)
+    found = compiled(program_of(encoder, Chip()), Chip())
+    assert found.program.pixel_codes is not None
+    stops = found.program.table.codes[found.program.pixel_codes, 0]
+    wanted = np.tile(encoder.codes()["stop"], (7, 6))[:256, :256]
+    assert (stops == wanted).all()
+
+
 def test_a_large_tile_goes_into_a_file_with_its_digest(tmp_path: Path) -> None:
     chip = Chip(target=str(tmp_path / "small.toml"))
     text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
-    Path(chip.target).write_text(small_target(text, 20, 24))
-    encoder = make_encoder(ShutterSpec("b", 8, (20, 24)), "random", seed=1)
+    Path(chip.target).write_text(small_target(text, 64, 72))
+    encoder = make_encoder(ShutterSpec("b", 8, (64, 72)), "random", seed=1)
     files = program_of(encoder, chip)
     assert len(files.text) < 400
     found = compiled(files, chip)

@@ -1,12 +1,59 @@
 """Learned shutters and decoders: encoders, decoders, baselines, losses, metrics, protocols.
 
-This version holds the package's name and version only; `nscc train`, `nscc reconstruct` and
-`nscc evaluate` say that they are not in it. The package will need torch (`pip install
-nscc[train]`) and import nscc and nscc_runtime, never the other way round.
+Everything that touches tensors needs torch (`pip install nscc[train]`), which is imported when it
+is first used. This package imports nscc and nscc_runtime, never the other way round.
+
+    from nscc_training import SensorModel, ShutterSpec, capture, make_encoder
+
+    encoder = make_encoder(ShutterSpec("b", 64, (4, 4)), "quad")
+    frame = capture(light, encoder, SensorModel(30000.0, 30000.0 / 255)).frame
+    frame.sum().backward()
 """
 
 from __future__ import annotations
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from nscc import __version__
 
-__all__ = ["__version__"]
+if TYPE_CHECKING:
+    from nscc_training.codes_files import load_codes, save_codes
+    from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
+    from nscc_training.programs import Chip, program_of
+    from nscc_training.sensor_model import SensorModel, capture, lifted
+
+_PLACES = {
+    "Chip": "programs",
+    "Encoder": "encoders",
+    "SensorModel": "sensor_model",
+    "ShutterSpec": "encoders",
+    "capture": "sensor_model",
+    "lifted": "sensor_model",
+    "load_codes": "codes_files",
+    "make_encoder": "encoders",
+    "program_of": "programs",
+    "save_codes": "codes_files",
+}
+
+__all__ = [
+    "Chip",
+    "Encoder",
+    "SensorModel",
+    "ShutterSpec",
+    "__version__",
+    "capture",
+    "lifted",
+    "load_codes",
+    "make_encoder",
+    "program_of",
+    "save_codes",
+]
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name's module when it is first asked for."""
+    place = _PLACES.get(name)
+    if place is None:
+        raise AttributeError(f"module 'nscc_training' has no attribute '{name}'")
+    return getattr(import_module(f"nscc_training.{place}"), name)

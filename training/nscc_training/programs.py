@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from nscc_training.encoders import Encoder, ShutterSpec
 
 CODES_FILE = "codes.npz"
-_MOST_LISTED = 256
-"""A tile of more places than this goes into a file."""
+_MOST_LISTED = 4096
+"""A tile of more places than this goes into a file, which must hold the whole array."""
 _MOST_DIGITS = 1 << 15
 """A codebook of more digits than this goes into a file."""
 
@@ -59,7 +59,11 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
 
 
 def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> ProgramFiles:
-    """The program of given codes; `remark` stands at its head."""
+    """The program of given codes; `remark` stands at its head.
+
+    Codes for every pixel go into the file, and so must those of a tile of more than 4096 places:
+    the compiler refuses one that is not the array.
+    """
     packed = codes_bytes(codes) if codes else b""
     lines = [f"# {line}" for line in remark.splitlines()]
     lines += ["nsl 1", ""]

@@ -7,10 +7,11 @@ around has.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import torch
 from torch import Tensor
+from torch.autograd import Function
 
 from nscc.target.model import Target
 from nscc_runtime.sensor import Sensor
@@ -59,6 +60,28 @@ class SensorModel:
         return (1 << self.adc_bits) - 1
 
 
+class _Masked(Function):
+    """The sum over slots of light times shutters: float64, gradients in the light's precision."""
+
+    @staticmethod
+    def forward(ctx: Any, light: Tensor, shutters: Tensor) -> Tensor:
+        ctx.save_for_backward(light, shutters)
+        total = torch.zeros_like(light[:, 0], dtype=torch.float64)
+        for first in range(0, light.shape[1], _BLOCK):
+            part = light[:, first : first + _BLOCK] * shutters[first : first + _BLOCK]
+            total += part.sum(dim=1, dtype=torch.float64)
+        return total
+
+    @staticmethod
+    def backward(ctx: Any, grad: Tensor) -> tuple[Tensor | None, Tensor | None]:
+        light, shutters = ctx.saved_tensors
+        grad = grad.to(light.dtype)
+        to_light = grad.unsqueeze(1) * shutters if ctx.needs_input_grad[0] else None
+        if not ctx.needs_input_grad[1]:
+            return to_light, None
+        return to_light, torch.einsum("brc,bnrc->nrc", grad, light).to(shutters.dtype)
+
+
 class Captured(NamedTuple):
     """What a capture gives: electrons before saturation and noise, and the frame's codes.
 
@@ -86,33 +109,33 @@ def capture(
     """
     with torch.autocast(light.device.type, enabled=False):
         shutters = codes(generator) if isinstance(codes, Encoder) else codes
-        shutters = laid(shutters.to(light.device), light.shape[-2], light.shape[-1])
-        exposure = exposed(light.float(), shutters, slot_share)
+        exposure = exposed(light.float(), shutters.to(light.device), slot_share)
         return Captured(exposure, read_out(exposure, sensor, generator))
 
 
 def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
-    """A tile (N, r, c) repeated to (N, rows, cols)."""
-    if tile.shape[1:] == (rows, cols):
+    """A tile (.., r, c) repeated from the top left corner to (.., rows, cols)."""
+    if tile.shape[-2:] == (rows, cols):
         return tile
-    down, across = -(-rows // tile.shape[1]), -(-cols // tile.shape[2])
-    return tile.repeat(1, down, across)[:, :rows, :cols]
+    down, across = -(-rows // tile.shape[-2]), -(-cols // tile.shape[-1])
+    return tile.repeat(*[1] * (tile.ndim - 2), down, across)[..., :rows, :cols]
 
 
 def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -> Tensor:
-    """Electrons (batch, rows, cols), float64: the light of the slots that each pixel is open in."""
+    """Electrons (batch, rows, cols), float64: the light of the slots that each pixel is open in.
+
+    `shutters` (N, r, c) is a tile that repeats over the array.
+    """
     slots = shutters.shape[0]
+    rows, cols = light.shape[-2:]
     if light.ndim == 3:
         share = torch.full((slots,), 1.0 / slots) if slot_share is None else slot_share
         weights = share.to(shutters.device, torch.float64).reshape(-1, 1, 1)
-        return light.double() * (shutters.double() * weights).sum(dim=0)
+        return light.double() * laid((shutters.double() * weights).sum(dim=0), rows, cols)
     if light.shape[1] != slots:
         raise ValueError(f"light of {light.shape[1]} slots, shutters of {slots}")
-    total = torch.zeros_like(light[:, 0], dtype=torch.float64)
-    for first in range(0, slots, _BLOCK):
-        part = light[:, first : first + _BLOCK] * shutters[first : first + _BLOCK]
-        total = total + part.sum(dim=1, dtype=torch.float64)
-    return total
+    found: Tensor = _Masked.apply(light, laid(shutters, rows, cols))  # type: ignore[no-untyped-call]
+    return found
 
 
 def read_out(
@@ -138,9 +161,11 @@ def read_out(
 def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:
     """S^T E: the frame copied to the slots in which each pixel was open, in light a slot.
 
-    `exposure` (batch, rows, cols), `shutters` (N, rows, cols); returns (batch, N, rows, cols) and
-    `valid` (rows, cols), False for pixels that never open: they are 0 and have no gradient.
+    `exposure` (batch, rows, cols), `shutters` (N, r, c) a tile that repeats; returns (batch, N,
+    rows, cols) and `valid` (rows, cols), False for pixels that never open: they are 0 and have no
+    gradient.
     """
+    shutters = laid(shutters, *exposure.shape[-2:])
     count = shutters.sum(dim=0)
     valid = count > 0
     mean = torch.where(valid, exposure, torch.zeros_like(exposure))

@@ -1,12 +1,14 @@
 #include "bytes.hpp"
 
+#include <cstring>
+
 namespace nscc {
 
 double get_double(const uint8_t *at) {
     static_assert(sizeof(double) == 8, "doubles are IEEE 754 binary64");
     double value;
     uint64_t bits = get64(at);
-    __builtin_memcpy(&value, &bits, sizeof value);
+    std::memcpy(&value, &bits, sizeof value);
     return value;
 }
 

@@ -23,6 +23,9 @@ public:
 
 private:
     static constexpr size_t entry_size = 38, most_reads = 8, most_objects = 64;
+    // Where the body of BEGIN has what.
+    static constexpr size_t begin_size = 104, begin_program = 32, begin_label = 64;
+    static constexpr size_t begin_length = 96, begin_objects = 100;
 
     struct Frame {
         bool there, ready, broken;
@@ -73,7 +76,7 @@ private:
     Verdict refusal_;
     uint32_t session_, boot_, packets_;
     uint64_t now_us_, started_us_, refreshed_us_;
-    uint8_t begin_[104];
+    uint8_t begin_[begin_size];
     uint8_t entries_[entry_size * most_objects];
     size_t declared_, object_;
     uint32_t position_, part_, failures_;

@@ -2,15 +2,14 @@
 
 namespace nscc {
 
+#ifdef __BYTE_ORDER__
 static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "words are run from where they arrive");
+#endif
 
 namespace {
 
 constexpr uint32_t most_slots = 1u << 20, most_launches = 1u << 20;
 constexpr double longest_slot_us = 1e15;
-
-Verdict refused(Fault fault, uint32_t detail = 0) { return {fault, detail}; }
-constexpr Verdict fine = {NO_FAULT, 0};
 
 bool finite(double value) { return value - value == 0; }
 

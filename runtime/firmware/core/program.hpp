@@ -19,6 +19,8 @@ struct Verdict {
     uint32_t detail;
     bool good() const { return fault == NO_FAULT; }
 };
+constexpr Verdict fine = {NO_FAULT, 0};
+inline Verdict refused(Fault fault, uint32_t detail = 0) { return {fault, detail}; }
 
 enum ObjectKind : uint8_t { READOUTS = 1, KERNELS, SCHEDULE_ROWS, CODE_PLANE };
 

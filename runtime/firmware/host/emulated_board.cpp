@@ -1,5 +1,7 @@
 #include "emulated_board.hpp"
 
+#include <cstring>
+
 #include "channel.hpp"
 
 namespace nscc {
@@ -16,7 +18,7 @@ void append32(std::vector<uint8_t> &to, uint32_t value) {
 
 void append_double(std::vector<uint8_t> &to, double value) {
     uint8_t bytes[8];
-    __builtin_memcpy(bytes, &value, sizeof bytes);
+    std::memcpy(bytes, &value, sizeof bytes);
     to.insert(to.end(), bytes, bytes + 8);
 }
 

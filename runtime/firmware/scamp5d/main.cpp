@@ -87,6 +87,8 @@ private:
     bool done_ = false;
 };
 
+static_assert(sizeof(Loader) <= 120 * 1024, "it has to leave room in the memory");
+
 Chip chip;
 Loader loader(chip);
 

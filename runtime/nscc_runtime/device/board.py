@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from threading import Thread
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -75,3 +76,52 @@ class EmulatedChip:
             self._light = (container.slot_us, self.scene(container.slot_us))
         exact = expose(container, self._light[1], device_seed=self.device_seed)
         return channel_bytes(read_out(exact, self.target, self.sensor), channels)
+
+
+class Background:
+    """Work in a thread of its own, so that a line is served meanwhile."""
+
+    def __init__(self, work: Callable[[], bytes]) -> None:
+        self._work = work
+        self._result: bytes | None = None
+        self._error: Exception | None = None
+        self._thread = Thread(target=self._run, daemon=True)
+        self._thread.start()
+
+    def _run(self) -> None:
+        try:
+            self._result = self._work()
+        except Exception as error:
+            self._error = error
+
+    def result(self) -> bytes | None:
+        """What came of it, None before; raises what the work raised."""
+        if self._thread.is_alive():
+            return None
+        if self._error is not None:
+            raise self._error
+        return self._result
+
+
+class BackgroundChip:
+    """An emulated chip that takes its time without keeping anybody waiting: a loader's board."""
+
+    def __init__(self, chip: EmulatedChip) -> None:
+        self._chip = chip
+        self._exposing: Background | None = None
+
+    def expose(self, held: Held, channels: int) -> None:
+        """Begin to expose a program that a loader has checked."""
+        chip = self._chip
+        self._exposing = Background(lambda: chip.exposure(held.container(chip.target), channels))
+
+    def exposed(self) -> bytes | None:
+        """The frame, None before it is there; RuntimeError where there is none."""
+        if self._exposing is None:
+            raise RuntimeError("nothing is exposed")
+        try:
+            return self._exposing.result()
+        except Exception as error:
+            self._exposing = None
+            self._chip.report(error)
+            raise RuntimeError("no frame") from error

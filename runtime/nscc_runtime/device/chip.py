@@ -17,7 +17,7 @@ from nscc_runtime.device.host import Task
 from nscc_runtime.device.link import Link
 from nscc_runtime.device.messages import Capability, Captured, Channel, Info, State
 from nscc_runtime.device.objects import Upload, upload_of
-from nscc_runtime.device.trouble import check_fits, rejected
+from nscc_runtime.device.trouble import check_fits, no_program, rejected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.interface import Exposure
 from nscc_runtime.progress import Progress, unseen
@@ -72,9 +72,9 @@ class Chip:
         host.info = None
 
         def said() -> Task[Info]:
+            yield from ()  # hello came before it, and that is all
             assert host.info is not None
             return host.info
-            yield  # a task without a wait of its own: hello came before it
 
         return self.link.run(said)
 
@@ -114,12 +114,7 @@ class Chip:
         info = self.info()
         self._label = info.label
         if info.state not in (State.READY, State.EXPOSING):
-            raise rejected(
-                "NS0771",
-                f"the device at '{self.link.path[:200]}' holds no program",
-                "bring it one: `nscc device upload PORT FILE`, or name it: "
-                "`nscc device capture PORT FILE`",
-            )
+            raise no_program(self.link.path)
         return self._shot(target, None, None)
 
     def _shot(self, target: Target, readouts: int | None, program: Upload | None) -> Shot:

@@ -11,8 +11,9 @@ import shutil
 import subprocess
 import tempfile
 from atexit import register
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from select import select
@@ -21,6 +22,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, NamedTuple, Self
 
 from nscc.cache.store import cache_folder
+from nscc_runtime.device.board import Background
 from nscc_runtime.device.objects import RUN, WORD
 from nscc_runtime.device.parsing import container_of
 from nscc_runtime.device.target_header import target_header
@@ -32,7 +34,7 @@ if TYPE_CHECKING:
 
 PYTHON_NAME = "nscc-loader 1 (Python)"
 SOURCES = Path(__file__).resolve().parents[2] / "firmware"
-WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror")
+WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic")
 CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
 SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g")
 
@@ -197,16 +199,22 @@ class _Firmware:
         """Start the loader anew."""
         self.channel.put(b"B")
 
-    def do(self, job: bytes) -> None:
-        """Expose what the loader's board was told to."""
+    def exposure(self, job: bytes) -> bytes:
+        """The frame of what the loader's board was told to do."""
+        return self.chip.exposure(*container_of_job(job, self.target))
+
+    def answer(self, exposed: Callable[[], bytes | None]) -> bool:
+        """Tell the loader of its frame, if it is there; whether there was anything to tell."""
         try:
-            container, channels = container_of_job(job, self.target)
-            answer = b"\1" + self.chip.exposure(container, channels)
+            frame = exposed()
         except Exception as error:
             # The loader has to learn that there is no frame, whatever the reason.
             self.chip.report(error)
-            answer = b"\0"
-        self.channel.put(b"R", answer)
+            self.channel.put(b"R", b"\0")
+            return True
+        if frame is not None:
+            self.channel.put(b"R", b"\1" + frame)
+        return frame is not None
 
 
 class Process(_Firmware):
@@ -219,11 +227,12 @@ class Process(_Firmware):
         self.port = found[1].decode()
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         self._unsent = b""
+        self._exposing: Background | None = None
 
     @property
     def busy(self) -> bool:
-        """Whether bytes wait for the loader to take them."""
-        return bool(self._unsent)
+        """Whether bytes wait for the loader to take them, or a frame is being exposed."""
+        return bool(self._unsent) or self._exposing is not None
 
     def watched(self) -> list[int]:
         """The line, and the channel on which jobs come."""
@@ -242,7 +251,9 @@ class Process(_Firmware):
             self.channel.fill()
         while (found := self.channel.next()) is not None:
             if found[0] == b"J":
-                self.do(found[1])
+                self._exposing = Background(partial(self.exposure, found[1]))
+        if self._exposing is not None and self.answer(self._exposing.result):
+            self._exposing = None
         try:
             return os.read(self._line, room)
         except BlockingIOError:
@@ -286,8 +297,7 @@ class Lockstep(_Firmware):
             while (found := self.channel.next()) is None:
                 self.channel.fill()
             if found[0] == b"J":
-                self.do(found[1])
-                exposing = True
+                exposing = self.answer(partial(self.exposure, found[1]))
             else:
                 self.busy = exposing or bool(found[1][0])
                 return found[1][1:]

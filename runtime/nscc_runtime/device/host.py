@@ -197,8 +197,7 @@ class Host:
                 if packet.kind == Kind.ERROR:
                     raise_failure(packet)
                 if packet.kind == kind | REPLY:
-                    if len(sent) == 1:
-                        self.timed(self.now - sent[sequence])
+                    self.timed(self.now - sent[packet.sequence])
                     return packet
             self.check_patience(extra_s)
             wait = min(2 * wait, max(LONGEST_WAIT_S, self.wait_s))

@@ -7,13 +7,13 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from hashlib import sha256
 from typing import Protocol
 
 from nscc.target.model import Target
+from nscc_runtime.device.intake import Intake
 from nscc_runtime.device.messages import (
-    DATA,
     FRAME,
     Begin,
     Capability,
@@ -21,7 +21,6 @@ from nscc_runtime.device.messages import (
     Captured,
     Channel,
     Declare,
-    Entry,
     Failure,
     Fault,
     Hello,
@@ -31,7 +30,6 @@ from nscc_runtime.device.messages import (
     State,
     Status,
 )
-from nscc_runtime.device.objects import program_digest, target_digest
 from nscc_runtime.device.packets import (
     LONGEST_WIRE,
     MOST_DATA,
@@ -46,7 +44,6 @@ from nscc_runtime.device.parsing import Held, Limits, Refusal
 MOST_OUT = 8192
 """Bytes that may wait to be sent; a reply that finds no room is not sent: the host asks again."""
 MOST_READS = 8
-MOST_OBJECTS = 64
 _SMALLEST_CHUNK = 16
 _ZEROS = bytes(32)
 
@@ -78,19 +75,6 @@ class Frame:
     failed: bool = False
 
 
-@dataclass
-class Program:
-    """The program that was announced, and how much of it is here."""
-
-    begin: Begin
-    entries: list[Entry] = field(default_factory=list)
-    held: Held = field(default_factory=Held)
-    position: int = 0
-    object: int = 0
-    part: bytearray = field(default_factory=bytearray)
-    failures: int = 0
-
-
 class Loader:
     """A loader for one target. `receive` and `poll` are all there is to it."""
 
@@ -100,14 +84,12 @@ class Loader:
         self.firmware = firmware
         self.window = window
         self.limits = Limits(words=target.store_words)
-        self.digest = target_digest(target)
+        self.intake = Intake(target, self.limits)
         self.announce()
 
     def announce(self) -> None:
         """Start, or start again: everything is forgotten, and the host is told so."""
-        self.state = State.EMPTY
-        self.program: Program | None = None
-        self.refusal: Failure | None = None
+        self.intake.forget()
         self.frame: Frame | None = None
         self.exposing = False
         self.session = self.boot = 0
@@ -190,7 +172,8 @@ class Loader:
         self.session = packet.session
         self.boot = self.boot or packet.session
         self._reads.clear()
-        begin = self.program.begin if self.program and self.state != State.REFUSED else None
+        program = None if self.intake.refusal else self.intake.program
+        begin = program.begin if program else None
         return Info(
             version=VERSION,
             state=self._shown_state,
@@ -205,7 +188,7 @@ class Loader:
             most_frame=self.limits.frame_bytes,
             rows=self.target.rows,
             cols=self.target.cols,
-            target=self.digest,
+            target=self.intake.digest,
             program=begin.program if begin else _ZEROS,
             label=begin.label if begin else _ZEROS,
             target_name=self.target.name,
@@ -214,7 +197,7 @@ class Loader:
 
     @property
     def _shown_state(self) -> State:
-        return State.EXPOSING if self.exposing else self.state
+        return State.EXPOSING if self.exposing else self.intake.state
 
     def _status(self, packet: Packet) -> bytes:
         _need_length(packet.body, 0)
@@ -222,142 +205,41 @@ class Loader:
             self._shown_state,
             self.boot,
             (self._now_us - self._started_us) // 1000 & 0xFFFFFFFF,
-            self.program.position if self.program else 0,
+            self.intake.program.position if self.intake.program else 0,
             self.packets & 0xFFFFFFFF,
             self._unpacker.damaged & 0xFFFFFFFF,
         ).pack()
 
     def _progress(self) -> bytes:
-        program = self.program
+        program = self.intake.program
         if program is None:
             return Progress(self._shown_state, 0, 0, 0).pack()
         failures = min(program.failures, 255)
         return Progress(self._shown_state, failures, len(program.entries), program.position).pack()
 
-    def _refused(self) -> None:
-        if self.refusal is not None:
-            raise Refusal(Fault(self.refusal.fault), self.refusal.detail)
-
     def _begin(self, packet: Packet) -> bytes:
-        begin = Begin.unpack(packet.body)
-        if self.program is not None and self.program.begin == begin:
-            self._refused()
-            return self._progress()
-        if self.exposing:
-            raise Refusal(Fault.BUSY)
-        if begin.target != self.digest:
-            raise Refusal(Fault.TARGET)
-        if begin.objects > MOST_OBJECTS:
-            raise Refusal(Fault.TOO_LARGE, begin.objects)
-        self.state, self.refusal, self.frame = State.RECEIVING, None, None
-        self._reads.clear()
-        self.program = Program(begin)
+        if self.intake.begin(Begin.unpack(packet.body), self.exposing):
+            self.frame = None
+            self._reads.clear()
         return self._progress()
-
-    def _announced(self) -> Program:
-        if self.program is None:
-            raise Refusal(Fault.NO_PROGRAM)
-        return self.program
 
     def _declare(self, packet: Packet) -> bytes:
-        declare = Declare.unpack(packet.body)
-        program = self._announced()
-        self._refused()
-        known = len(program.entries)
-        repeated = program.entries[declare.first : declare.first + len(declare.entries)]
-        if declare.first > known or repeated != list(declare.entries[: len(repeated)]):
-            raise Refusal(Fault.WRONG_STATE, known)
-        fresh = declare.entries[len(repeated) :]
-        if known + len(fresh) > program.begin.objects:
-            raise Refusal(Fault.WRONG_STATE, known)
-        for entry in fresh:
-            Held.check_room(entry.kind, entry.length, self.target, self.limits)
-        program.entries += fresh
-        if fresh and len(program.entries) == program.begin.objects:
-            begin = program.begin
-            packed = b"".join(entry.pack() for entry in program.entries)
-            whole = program_digest(begin.target, begin.label, packed)
-            total = sum(entry.length for entry in program.entries)
-            if whole != begin.program or total != begin.length:
-                self._reject(Refusal(Fault.DIGEST))
-            self._commit_empty(program)
+        self.intake.declare(Declare.unpack(packet.body))
         return self._progress()
-
-    def _reject(self, refusal: Refusal) -> None:
-        """Refuse the program, now and until another is announced."""
-        self.state = State.REFUSED
-        self.refusal = Failure(0, refusal.fault, refusal.detail & 0xFFFFFFFF)
-        raise refusal
 
     def _data(self, packet: Packet) -> bytes:
-        program = self._announced()
-        self._refused()
-        if len(packet.body) < DATA.size:
-            raise Refusal(Fault.MALFORMED)
-        (position,) = DATA.unpack_from(packet.body)
-        data = packet.body[DATA.size :]
-        if len(data) > MOST_DATA:
-            raise Refusal(Fault.MALFORMED)
-        if len(program.entries) < program.begin.objects:
-            raise Refusal(Fault.WRONG_STATE, len(program.entries))
-        if self.state == State.RECEIVING and position == program.position:
-            self._take(program, data)
+        self.intake.data(packet.body)
         return self._progress()
-
-    def _take(self, program: Program, data: bytes) -> None:
-        while data and program.object < len(program.entries):
-            entry = program.entries[program.object]
-            some = data[: entry.length - len(program.part)]
-            program.part += some
-            program.position += len(some)
-            data = data[len(some) :]
-            if len(program.part) == entry.length and not self._commit(program):
-                return
-
-    def _commit_empty(self, program: Program) -> None:
-        """Objects without bytes are whole as soon as they are declared."""
-        while program.object < len(program.entries) and not program.entries[program.object].length:
-            if not self._commit(program):
-                self._reject(Refusal(Fault.DIGEST))
-
-    def _commit(self, program: Program) -> bool:
-        """Accept the object that is whole now; False where its bytes must come again."""
-        entry = program.entries[program.object]
-        data = bytes(program.part)
-        program.part.clear()
-        if sha256(data).digest() != entry.sha256:
-            program.position -= len(data)
-            program.failures += 1
-            return False
-        try:
-            program.held.accept(entry.kind, entry.register, data, self.target, self.limits)
-        except Refusal as refusal:
-            self._reject(refusal)
-        program.object += 1
-        if program.object == len(program.entries):
-            if not program.held.whole:
-                self._reject(Refusal(Fault.NO_PROGRAM))
-            self.state = State.COMPLETE
-        else:
-            self._commit_empty(program)
-        return True
 
     def _finish(self, packet: Packet) -> bytes:
         _need_length(packet.body, 32)
-        program = self._announced()
-        self._refused()
-        if packet.body != program.begin.program:
-            raise Refusal(Fault.DIGEST)
-        if self.state == State.RECEIVING:
-            raise Refusal(Fault.WRONG_STATE, program.position)
-        self.state = State.READY
+        self.intake.finish(packet.body)
         return self._progress()
 
     def _capture(self, packet: Packet) -> bytes:
         capture = Capture.unpack(packet.body)
-        program = self._announced()
-        self._refused()
-        if self.state != State.READY:
+        program = self.intake.announced()
+        if self.intake.state != State.READY:
             raise Refusal(Fault.NO_PROGRAM)
         frame = self.frame
         if frame is None or frame.number != capture.number:
@@ -444,8 +326,8 @@ class Loader:
         _need_length(packet.body, 0)
         self._reads.clear()
         self.frame = None
-        if self.state == State.REFUSED:
-            self.state, self.program, self.refusal = State.EMPTY, None, None
+        if self.intake.state == State.REFUSED:
+            self.intake.forget()
         return self._progress()
 
 

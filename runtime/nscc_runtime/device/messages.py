@@ -67,7 +67,7 @@ class _Body:
 
     def pack(self) -> bytes:
         """The body's bytes."""
-        return self.layout.pack(*astuple(self))  # type: ignore[call-overload, no-any-return]
+        return self.layout.pack(*astuple(self))  # type: ignore[call-overload]
 
     @classmethod
     def unpack(cls, body: bytes) -> Self:

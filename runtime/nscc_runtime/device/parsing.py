@@ -1,6 +1,6 @@
 """What a loader makes of an object: checked before it is believed, sizes before anything else.
 
-This is the Python twin of the firmware's `objects.cpp`: same checks, in the same order, with the
+This is the Python twin of the firmware's `program.cpp`: same checks, in the same order, with the
 same faults. What a word may be comes from `nscc.words`.
 """
 
@@ -63,6 +63,8 @@ class Held:
                 self.readouts = _readouts(data, target)
             case ObjectKind.KERNELS:
                 self.kernels = _kernels(data, target, most)
+                # A schedule is one of certain kernels: it has to come again.
+                self.runs, self.rows = None, ()
             case ObjectKind.SCHEDULE:
                 self._schedule(data, most)
             case ObjectKind.PLANE:

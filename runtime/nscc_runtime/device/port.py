@@ -37,7 +37,10 @@ class Port:
         return int(self.serial.fileno())
 
     def read(self) -> bytes:
-        """What has arrived; raises PortGone."""
+        """What has arrived, where select says that something has; raises PortGone.
+
+        A port that is readable and has nothing to read is one that went away.
+        """
         try:
             data = os.read(self.fileno(), _MOST_READ)
         except BlockingIOError:

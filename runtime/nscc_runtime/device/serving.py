@@ -21,6 +21,8 @@ _BUSY_S = 0.002
 _PAUSE_S = 0.0002
 _IDLE_S = 0.25
 _BOOT_S = 0.1
+_LET_GO_S = 2.0
+"""How long a host may take to let go of a port that vanished."""
 _MOST_TRIES = 64
 
 
@@ -101,6 +103,7 @@ class Server:
         self._leaving: deque[tuple[float, bytes]] = deque()
         self._boots_until = 0.0
         self._connected = False
+        self._until: float | None = None
 
     @property
     def port(self) -> str:
@@ -109,7 +112,8 @@ class Server:
 
     def serve(self, *, once: bool = False, until: float | None = None) -> None:
         """Serve until `until` (of `monotonic`), or with `once` until the first host has left."""
-        while until is None or monotonic() < until:
+        self._until = until
+        while not self._over():
             if self.terminal.hung_up():
                 # What is said while nobody listens is lost, as on any line.
                 self._leaving.clear()
@@ -122,6 +126,9 @@ class Server:
             data = self.terminal.read()
             self._turn(data)
             self._wait()
+
+    def _over(self) -> bool:
+        return self._until is not None and monotonic() >= self._until
 
     def _now_us(self) -> int:
         return int(monotonic() * 1e6)
@@ -162,11 +169,18 @@ class Server:
     def _disconnect(self) -> None:
         """The port vanishes, and is there again after the outage, under its old name if it can."""
         name = self.terminal.name
+        # As long as somebody has its other side open, nobody else gets its number.
+        reserved = os.open(name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         self.terminal.close()
         back = monotonic() + self.faults.outage_s
-        while monotonic() < back or (os.path.exists(name) and monotonic() < back + _IDLE_S):
+        while monotonic() < back and not self._over():
             sleep(_BUSY_S)
+        os.close(reserved)
         self.terminal = Terminal(name)
+        while self.terminal.name != name and monotonic() < back + _LET_GO_S:
+            self.terminal.close()
+            sleep(_BUSY_S)
+            self.terminal = Terminal(name)
         self._connected = False
         if self.terminal.name != name:
             self.moved(self.terminal.name)

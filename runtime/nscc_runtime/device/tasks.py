@@ -117,6 +117,7 @@ class _Sender:
         self.acknowledged = self.next = progress.position
         self.failures = progress.failures
         self.sent: deque[tuple[int, int, int, float]] = deque()
+        self.given_up: dict[int, float] = {}
         self.flying = 0
         self.wait = host.wait_s
 
@@ -154,13 +155,15 @@ class _Sender:
         self.host.check_patience()
         self.host.resent += len(self.sent)
         self.chunk.lost()
+        self.given_up = {number: since for number, _, _, since in self.sent}
         self.sent.clear()
         self.flying = 0
         self.acknowledged = self.next = position
 
     def _acknowledge(self, sequence: int, progress: Progress) -> None:
-        """Take note of an acknowledgement; one from before the last step back is of no use."""
+        """Take note of an acknowledgement."""
         if not self._ours(sequence):
+            self._acknowledge_late(sequence, progress)
             return
         while True:
             number, position, cost, since = self.sent.popleft()
@@ -178,12 +181,24 @@ class _Sender:
             self.host.timed(self.host.now - since)
             self.wait = self.host.wait_s
             self.chunk.arrived()
-            self.acknowledged = max(self.acknowledged, progress.position)
-            # The loader may be ahead of what was sent again, but never behind what it said.
-            behind = self.next < self.acknowledged or not self.sent
-            self.next = self.acknowledged if behind else self.next
-            self.host.moved()
-            self.watch(self.acknowledged, len(self.stream))
+            self._advance(progress.position)
+
+    def _acknowledge_late(self, sequence: int, progress: Progress) -> None:
+        """What was given up too soon has arrived after all: the line is slower than was thought."""
+        since = self.given_up.pop(sequence, None)
+        if since is not None:
+            self.host.timed(self.host.now - since)
+            self.wait = max(self.wait, self.host.wait_s)
+            if progress.failures == self.failures and progress.position > self.acknowledged:
+                self._advance(progress.position)
+
+    def _advance(self, position: int) -> None:
+        self.acknowledged = max(self.acknowledged, position)
+        # The loader may be ahead of what was sent again, but never behind what it said.
+        behind = self.next < self.acknowledged or not self.sent
+        self.next = self.acknowledged if behind else self.next
+        self.host.moved()
+        self.watch(self.acknowledged, len(self.stream))
 
 
 def capture(host: Host, number: int, channels: int, watch: Watch = _unwatched) -> Task[Taken]:
@@ -243,6 +258,7 @@ class _Fetcher:
         self.left = units
         self.chunk = _Chunk(host.info.most_data)
         self.asked: dict[int, _Range] = {}
+        self.given_up: dict[int, _Range] = {}
         self.heard = host.now
         self.wait = host.wait_s
 
@@ -255,6 +271,7 @@ class _Fetcher:
             if packet is None:
                 if host.now >= until:
                     host.check_patience()
+                    self.given_up.clear()
                     self._lose(list(self.asked))
                     self.wait = min(2 * self.wait, max(LONGEST_WAIT_S, host.wait_s))
                 continue
@@ -291,7 +308,7 @@ class _Fetcher:
 
     def _lose(self, sequences: list[int]) -> None:
         for sequence in sequences:
-            del self.asked[sequence]
+            self.given_up[sequence] = self.asked.pop(sequence)
             self.host.resent += 1
         if sequences:
             self.chunk.lost()
@@ -310,13 +327,15 @@ class _Fetcher:
             self.chunk.arrived()
             self.host.moved()
             self.watch(len(self.data) - self.left * _SMALLEST_CHUNK, len(self.data))
-        request = self.asked.get(sequence)
+        request = self.asked.get(sequence) or self.given_up.get(sequence)
         if request is None:
             return
         self.heard = self.host.now
         if request.alone and offset == request.start:
             self.host.timed(self.host.now - request.since)
         self.wait = self.host.wait_s
+        if sequence not in self.asked:
+            return
         self._lose([number for number in self.asked if _before(number, sequence)])
         if end >= request.stop:
             del self.asked[sequence]

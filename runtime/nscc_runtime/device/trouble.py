@@ -105,6 +105,8 @@ def _refused(port: str, refused: Refused) -> Rejected:
             )
         case Fault.TARGET:
             return wrong_target(port, None, None)
+        case Fault.NO_PROGRAM:
+            return no_program(port)
     name = {fault.value: fault.name for fault in Fault}.get(failure.fault, str(failure.fault))
     asked = {kind.value: kind.name for kind in Kind}.get(failure.request, str(failure.request))
     return rejected(
@@ -116,11 +118,24 @@ def _refused(port: str, refused: Refused) -> Rejected:
     )
 
 
+def no_program(port: str) -> Rejected:
+    """NS0771: there is nothing to expose with."""
+    return rejected(
+        "NS0771",
+        f"the device at '{port[:200]}' holds no program",
+        "bring it one: `nscc device upload PORT FILE`, or name it: `nscc device capture PORT FILE`",
+    )
+
+
 def wrong_target(port: str, target: Target | None, info: Info | None) -> Rejected:
     """NS0764: the program is for another chip than the loader's."""
     at = f"the device at '{port[:200]}'"
     if target is None or info is None:
-        return rejected("NS0764", f"{at} is another chip than the program is for")
+        return rejected(
+            "NS0764",
+            f"{at} is another chip than the program is for",
+            "build it for the device's: `nscc device info PORT` names it",
+        )
     theirs, ours = info.target_name, target.name
     if theirs != ours:
         message = f"the program is for {ours}, and {at} is {theirs}"

@@ -26,6 +26,8 @@ _MOST_CELLS = 1 << 23
 _FEWEST_FRAMES, _MOST_FRAMES = 2, 8
 _POOLED = 65536
 """Frames smaller than this are pooled until there are as many samples."""
+_NO_NOISE_E2 = 1e-12
+"""Variance that rounding alone may leave of frames that are alike."""
 
 
 @dataclass(frozen=True)
@@ -131,7 +133,7 @@ def _std_ratio(
 ) -> tuple[float | None, float | None]:
     """Ratio of the root mean square standard deviations over the frames (axis 0), its error."""
     mine, theirs = (np.nanvar(values, axis=0, ddof=1).reshape(-1) for values in (plan, full))
-    if not theirs.mean() > 0:
+    if not theirs.mean() > _NO_NOISE_E2:
         return None, None
     ratio = math.sqrt(float(mine.mean() / theirs.mean()))
     # Path-wise coupling makes the pixels' differences much smaller than their spread.

@@ -29,12 +29,15 @@ if TYPE_CHECKING:
     from nscc_runtime.plan.capture import Program
 
 Values = NDArray[np.float64]
+Frames = NDArray[np.float32]
 
 BOTH = "full_well and register"
 """What saturation of PIX and of registers do together."""
 _LEAK_STEP = 0.1
 _CLIPPED_E = 1.0
 _SIGMAS = 8
+_MOST_LIGHT = np.float32(1e30)
+"""Beyond it float32 has no room for what neighbours add."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,13 +76,11 @@ class _Fields:
         self.lanes = program.lanes[self.places]
         self.buckets = range(len(program.container.buckets))
         self.lag = 1.0 + self.sensor.lag_fraction
-        device = program.device(device_seed)
-        self.response = device.response[self.places]
-        self.current, self.leak = device.current[self.places], device.leak[self.places]
-        self.error = device.pattern[self.places]
-        self.scale = device.response
+        self.device = program.device(device_seed)
+        self.response = self.device.response[self.places]
         flat = light.frames.reshape(len(light.frames), -1)
-        self.frames = np.ascontiguousarray(flat[:, self.places])
+        self.frames = np.minimum(flat[:, self.places], _MOST_LIGHT)
+        self.beside = self._beside() if self.sensor.crosstalk_fraction > 0 else []
 
     def found(self) -> Fields:
         """All fields, each effect against all others."""
@@ -94,41 +95,51 @@ class _Fields:
             "dead": replace(full, dead_time=False),
             "decay": replace(full, decay=False),
         }
+        own, seen, even = self._seen()
         sums = {
-            name: self._sum(moving, self._each_bucket(program.tables.weights(model).slots))
+            name: self._sum(moving, self._each_bucket(program.tables.weights(model).slots), seen)
             for name, model in variants.items()
             if name != "decay" or program.tables.decays
         }
-        scale = self.lag * self.response
-        plain, base = sums["full"], sums["full"] * scale
+        slots = self._each_bucket(program.tables.weights(full).slots)
+        base = sums["full"] * self.lag
+        alone = self._sum(moving, slots, own) * self.lag
+        alike = self._sum(moving, slots, even) * self.lag
         fixed = {
-            PRNU.name: plain * self.lag * (self.response - 1.0),
-            LAG.name: plain * sensor.lag_fraction * self.response,
-            DEAD_TIME.name: base - sums["dead"] * scale,
+            PRNU.name: base - alike,
+            LAG.name: sums["full"] * sensor.lag_fraction,
+            DEAD_TIME.name: base - sums["dead"] * self.lag,
         }
-        off = (self.leak / full.leak_per_s - 1.0) / _LEAK_STEP
-        fixed[LEAKAGE.name] = base - (sums["leak"] - off * (sums["spread"] - plain)) * scale
+        off = (self.device.leak[self.places] / full.leak_per_s - 1.0) / _LEAK_STEP
+        step = off * (sums["spread"] - sums["full"])
+        fixed[LEAKAGE.name] = base - (sums["leak"] - step) * self.lag
         if program.tables.decays:
-            fixed[DECAY.name] = base - sums["decay"] * scale
-        shifts = {name: fixed[name] for name in (PRNU.name, LAG.name)}
+            fixed[DECAY.name] = base - sums["decay"] * self.lag
+        shifts = {
+            PRNU.name: alone * (1.0 - 1.0 / np.maximum(self.response, 1e-3)),
+            LAG.name: alone * (sensor.lag_fraction / self.lag),
+        }
         if self.light.motion is not None:
-            still = self._sum(self.light, self._each_bucket(program.tables.weights(full).slots))
-            fixed[MOTION.name] = shifts[MOTION.name] = base - still * scale
+            still = self._sum(self.light, slots, seen) * self.lag
+            fixed[MOTION.name] = shifts[MOTION.name] = base - still
+        error = self.device.pattern[self.places]
         pattern, more = (
-            program.tables.pattern(variants[name]).T[:, self.lanes] * self.error
+            program.tables.pattern(variants[name]).T[:, self.lanes] * error
             for name in ("full", "spread")
         )
         # A plan that leaves leakage out still takes errors as at its mean.
         fixed[LEAKAGE.name] += off * (more - pattern)
-        fixed[ANALOG.name] = base - sums["gain"] * scale + pattern
+        fixed[ANALOG.name] = base - sums["gain"] * self.lag + pattern
         open_s = np.einsum("n,nlb->bl", program.slot_s, program.tables.weights(full).slots)
-        fixed[DARK.name] = open_s[:, self.lanes] * self.current
+        current = self.device.current[self.places]
+        fixed[DARK.name] = open_s[:, self.lanes] * current
         squares = program.tables.weights(full).slots ** 2
         open_2 = np.einsum("n,nlb->bl", program.slot_s, squares)
         noise_cut = np.zeros((len(self.buckets), len(self.places)))
+        squared = self._each_bucket(squares)
         variance = {
-            SHOT.name: self._sum(moving, self._each_bucket(squares)) * scale,
-            DARK.name: open_2[:, self.lanes] * self.current,
+            SHOT.name: self._sum(moving, squared, self._counted(smeared=True)) * self.lag,
+            DARK.name: open_2[:, self.lanes] * current,
         }
         for effect, sigma in (
             (READ, sensor.read_noise_e),
@@ -142,12 +153,13 @@ class _Fields:
             cut = rest + (other**2).sum(axis=2) * (sensor.leakage_spread_fraction / _LEAK_STEP) ** 2
             noise_cut += sigma**2 * cut.T[:, self.lanes] * ~self.sample.near
         if sensor.crosstalk_fraction > 0:
-            fixed[CROSSTALK.name] = self._smeared(moving)
-            # Four neighbours' counts, and four parts of the pixel's own.
-            noise = variance[SHOT.name] + variance[DARK.name]
-            variance[CROSSTALK.name] = 20 * sensor.crosstalk_fraction**2 * noise
+            fixed[CROSSTALK.name] = base - alone
+            counted = self._sum(moving, squared, self._counted(smeared=False)) * self.lag
+            # Of dark charge four neighbours' counts, and four parts of the pixel's own.
+            dark = 20 * variance[DARK.name]
+            variance[CROSSTALK.name] = sensor.crosstalk_fraction**2 * (counted + dark)
         expected = base + fixed[DARK.name] + pattern
-        thinning, neighbours = self._left_out(moving, scale, self.current)
+        thinning, neighbours = self._left_out(moving, current)
         none = np.zeros(expected.shape, np.bool_)
         fields = Fields(
             self.sample, expected, fixed, variance, shifts, thinning, neighbours, noise_cut, none
@@ -157,29 +169,55 @@ class _Fields:
     def _each_bucket(self, slots: Values) -> list[Values]:
         return [slots[:, :, bucket] for bucket in self.buckets]
 
-    def _sum(self, light: Light, weights: list[Values], frames: object = None) -> Values:
-        chosen = self.frames if frames is None else np.asarray(frames)
-        return sums_by_slot(light, chosen, self.lanes, weights)
+    def _sum(self, light: Light, weights: list[Values], frames: Frames) -> Values:
+        return sums_by_slot(light, frames, self.lanes, weights)
 
-    def _smeared(self, light: Light) -> Values:
-        """What crosstalk moves into the pixels' exposures in the mean."""
-        rows, cols = light.shape
-        row, col = self.places // cols, self.places % cols
-        flat = light.frames.reshape(len(light.frames), -1)
-        flow = np.zeros_like(self.frames)
+    def _seen(self) -> tuple[Frames, Frames, Frames]:
+        """Frames of the pixels' own light; of what falls on them with their neighbours' light; the
+        same as if all pixels responded alike.
+        """
         own = self.frames * self.response.astype(np.float32)
-        for there, place in (
-            (row > 0, self.places - cols), (row < rows - 1, self.places + cols),
-            (col > 0, self.places - 1), (col < cols - 1, self.places + 1),
+        c = np.float32(self.sensor.crosstalk_fraction)
+        seen, even = own.copy(), self.frames.copy()
+        for there, _, frames, part in self.beside:
+            seen += c * (frames * part - there * own)
+            even += c * (frames - there * self.frames)
+        return own, seen, even
+
+    def _counted(self, smeared: bool) -> Frames:
+        """Frames whose sums have the variance of counts: with crosstalk, or of what it moves, that
+        by the square of the fraction.
+        """
+        c = np.float32(self.sensor.crosstalk_fraction)
+        own = self.frames * self.response.astype(np.float32)
+        flow = np.zeros_like(self.frames)
+        count = np.zeros(len(self.places), np.float32)
+        for there, _, frames, part in self.beside:
+            flow += frames * part
+            count += there
+        if smeared:
+            return np.asarray((1 - c * count) ** 2 * own + c**2 * flow)
+        return np.asarray(count**2 * own + flow)
+
+    def _beside(self) -> list[tuple[Frames, NDArray[np.int32], Frames, Frames]]:
+        """In each direction: 1 where pixels have a neighbour, else 0; its lane, its frames (0 where
+        there is none), its response.
+        """
+        rows, cols = self.light.shape
+        row, col = self.places // cols, self.places % cols
+        flat = self.light.frames.reshape(len(self.light.frames), -1)
+        found = []
+        for inside, step in (
+            (row > 0, -cols), (row < rows - 1, cols), (col > 0, -1), (col < cols - 1, 1),
         ):  # fmt: skip
-            place = np.where(there, place, self.places)
-            flow += flat[:, place] * self.scale[place].astype(np.float32)
-            flow -= own
-        weights = self._each_bucket(self.program.tables.weights(self.program.full).slots)
-        return self.sensor.crosstalk_fraction * self.lag * self._sum(light, weights, flow)
+            there, place = inside.astype(np.float32), np.where(inside, self.places + step, 0)
+            part = self.device.response[place].astype(np.float32)
+            frames = there * np.minimum(flat[:, place], _MOST_LIGHT)
+            found.append((there, self.program.lanes[place], frames, part))
+        return found
 
     def _left_out(
-        self, light: Light, scale: Values, current: Values
+        self, light: Light, current: Values
     ) -> tuple[dict[bool, Values], dict[bool, Values]]:
         """The variances of `Fields.thinning` and `Fields.neighbours`."""
         program, c = self.program, self.sensor.crosstalk_fraction
@@ -189,43 +227,31 @@ class _Fields:
         thinning = {closed: np.zeros(shape) for closed in (False, True)}
         neighbours = {closed: np.zeros(shape) for closed in (False, True)}
         near = ~self.sample.near
+        scale = self.lag * self.response
         for group in program.group_ids.tolist():
             members = program.members(group)
             time = program.slot_s @ members
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
-            rates = self._sum(light, [members])[0] * scale + time[self.lanes] * current
+            rates = self._sum(light, [members], self.frames)[0] * scale + time[self.lanes] * current
             for bucket in self.buckets:
                 weight = full[:, :, bucket] * members
                 mean = means[group][self.lanes, bucket]
-                one, two = self._sum(light, [weight, weight**2]) * scale
+                one, two = self._sum(light, [weight, weight**2], self.frames) * scale
                 dark = program.slot_s @ weight, program.slot_s @ weight**2
                 one, two = one + dark[0][self.lanes] * current, two + dark[1][self.lanes] * current
                 counted = np.maximum(two - 2 * mean * one + mean**2 * rates, 0.0)
                 thinning[True][bucket] += near * counted
                 thinning[False][bucket] += near * (counted if group else two)
-            if c > 0:
-                for other in self._neighbouring_lanes():
-                    # The neighbour's light is taken as the pixel's own.
-                    lit = sums_by_slot(light, self.frames, other, [members])[0] * scale
-                    for bucket in self.buckets:
-                        seconds = full[:, :, bucket] * program.slot_s[:, None]
-                        part = np.einsum("np,np->p", seconds[:, self.lanes], parts[:, other])
-                        within = near * np.clip(part, 0.0, 1.0)
-                        counted = c**2 * lit * within * (1.0 - within)
-                        neighbours[True][bucket] += counted
-                        neighbours[False][bucket] += counted if group else c**2 * lit * within
+            for _, other, frames, part in self.beside:
+                lit = sums_by_slot(light, frames * part, other, [members])[0] * self.lag
+                for bucket in self.buckets:
+                    seconds = full[:, :, bucket] * program.slot_s[:, None]
+                    inside = np.einsum("np,np->p", seconds[:, self.lanes], parts[:, other])
+                    within = near * np.clip(inside, 0.0, 1.0)
+                    counted = c**2 * lit * within * (1.0 - within)
+                    neighbours[True][bucket] += counted
+                    neighbours[False][bucket] += counted if group else c**2 * lit * within
         return thinning, neighbours
-
-    def _neighbouring_lanes(self) -> list[NDArray[np.int32]]:
-        """The lanes of the neighbours, the pixel's own where there is none."""
-        rows, cols = self.light.shape
-        row, col = self.places // cols, self.places % cols
-        return [
-            self.program.lanes[np.where(there, self.places + step, self.places)]
-            for there, step in (
-                (row > 0, -cols), (row < rows - 1, cols), (col > 0, -1), (col < cols - 1, 1),
-            )
-        ]  # fmt: skip
 
     def _saturated(self, fields: Fields) -> Fields:
         """The same with what the words make of the pixels that may saturate."""

@@ -10,6 +10,7 @@ from typing import Any, Literal
 from nscc_runtime.effects import EFFECTS, Selection
 from nscc_runtime.effects.photodiode import FULL_WELL
 from nscc_runtime.effects.registers import REGISTER
+from nscc_runtime.plan import leak_nodes
 
 Choice = Literal["kept", "dropped", "absent"]
 
@@ -108,22 +109,69 @@ class Plan:
         """The plan that `as_json` wrote; KeyError, TypeError or ValueError for anything else."""
         loop = values["slot_loop_pixels"]
         if loop not in ("none", "some", "all"):
-            raise ValueError(f"slot_loop_pixels is {loop!r}")
-        decisions = tuple(Decision(**each) for each in values["effects"])
-        names = [effect.name for effect in EFFECTS]
-        if [each.name for each in decisions] != names:
+            raise ValueError(f"slot_loop_pixels is {loop!r:.40}")
+        decisions = tuple(map(_decision, _list(values["effects"])))
+        if [(each.name, each.kind) for each in decisions] != [(e.name, e.kind) for e in EFFECTS]:
             raise ValueError("its effects are not those of this version")
-        if any(each.decision not in ("kept", "dropped", "absent") for each in decisions):
-            raise ValueError("a decision is neither kept nor dropped nor absent")
+        tolerance, nodes = _number(values["tolerance_e"]), values["leak_nodes"]
+        if not tolerance > 0:
+            raise ValueError(f"tolerance_e is {tolerance}")
+        if type(nodes) is not int or not 1 <= nodes <= leak_nodes.MOST:
+            raise ValueError(f"leak_nodes is {nodes!r:.40}")
         return cls(
-            float(values["tolerance_e"]),
-            float(values["predicted_e"]),
-            float(values["bound_e"]),
+            tolerance,
+            _number(values["predicted_e"]),
+            _number(values["bound_e"]),
             loop,
-            tuple(map(str, values["slot_loop_reasons"])),
-            float(values["sampled_fraction"]),
-            tuple(Approximation(**each) for each in values["approximations"]),
+            tuple(map(_text, _list(values["slot_loop_reasons"]))),
+            _number(values["sampled_fraction"]),
+            tuple(
+                Approximation(_text(each["name"]), _number(each["error_e"]))
+                for each in _list(values["approximations"])
+            ),
             decisions,
-            int(values["leak_nodes"]),
-            bool(values["closed_slots_counted"]),
+            nodes,
+            _flag(values["closed_slots_counted"]),
         )
+
+
+def _decision(values: Mapping[str, Any]) -> Decision:
+    """One of `effects` as a plan's JSON has it."""
+    choice = values["decision"]
+    if choice not in ("kept", "dropped", "absent"):
+        raise ValueError(f"a decision is {choice!r:.40}")
+    rms, bias, then = (
+        None if values[name] is None else _number(values[name])
+        for name in ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e")
+    )
+    return Decision(
+        values["name"], values["kind"], choice, _flag(values["forced"]), _text(values["reason"]),
+        rms, bias, then, _number(values["cost_ms_model"]),
+    )  # fmt: skip
+
+
+def _number(value: object) -> float:
+    """A finite number; JSON's whole numbers have no end."""
+    if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) < 1e300:
+        # A whole number may have too many digits to be written out.
+        shown = type(value).__name__ if isinstance(value, int) else f"{value!r:.40}"
+        raise ValueError(f"no number: {shown}")
+    return float(value)
+
+
+def _text(value: object) -> str:
+    if not isinstance(value, str):
+        raise TypeError(f"no text: {value!r:.40}")
+    return value
+
+
+def _flag(value: object) -> bool:
+    if not isinstance(value, bool):
+        raise TypeError(f"neither true nor false: {value!r:.40}")
+    return value
+
+
+def _list(value: object) -> list[Any]:
+    if not isinstance(value, list):
+        raise TypeError(f"no list: {value!r:.40}")
+    return value

@@ -13,6 +13,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_training.baselines.dictionary import dictionary_clip, made_dictionary
 from nscc_training.baselines.tv import Clip, tv_denoise
 
 WEIGHT = 0.1
@@ -55,6 +56,11 @@ def admm_tv(
     return clip
 
 
+def from_dictionary(measurement: NDArray[np.float32], mask: Clip) -> Clip:
+    """Sparse coding with a dictionary of made scenes; see `nscc_training.baselines.dictionary`."""
+    return dictionary_clip(measurement, mask, made_dictionary(len(mask)))
+
+
 def adjoint(measurement: NDArray[np.float32], mask: Clip) -> Clip:
     """S^T E over the number of frames seen: what decoders start from."""
     return np.asarray(mask * (measurement / _energy(mask)), np.float32)
@@ -91,6 +97,7 @@ METHODS: Mapping[str, Method] = {
     for method in (
         Method("gap-tv", "capture", lambda y, s, _truth, n, w: gap_tv(y, s, n, w)),
         Method("admm-tv", "capture", lambda y, s, _truth, n, w: admm_tv(y, s, n, w)),
+        Method("dictionary", "capture", lambda y, s, _truth, _n, _w: from_dictionary(y, s)),
         Method("adjoint", "capture", lambda y, s, _truth, _n, _w: adjoint(y, s)),
         Method("bilinear", "truth", lambda _y, s, truth, _n, _w: bilinear(truth, s)),
         Method("thin-out", "truth", lambda _y, _s, truth, _n, _w: thin_out(truth)),

@@ -1,13 +1,10 @@
 """Networks from a coded frame to what was in front of the sensor.
 
 A decoder is a module called with `frame` (batch, rows, cols), codes over the top code, and
-`shutters` (N, rows, cols). It returns light over the whole frame, (batch, rows, cols), for stills,
-or light slot by slot, (batch, N, rows, cols), for clips; 1 is a full well, for a slot a full well /
-N. Both are float32, whatever the network calculates in.
+`shutters` (N, r, c), a tile that repeats over the frame from its top left corner
+(`nscc_training.sensor_model.laid`). It returns light over the whole frame, (batch, rows, cols), for
+stills, or light slot by slot, (batch, N, rows, cols), for clips; 1 is a full well, for a slot a
+full well / N. Both are float32, whatever the network calculates in.
 """
 
 from __future__ import annotations
-
-from nscc_training.decoders.make import DECODERS, SIZES, flops, make_decoder, parameter_count
-
-__all__ = ["DECODERS", "SIZES", "flops", "make_decoder", "parameter_count"]

@@ -8,11 +8,9 @@ import torch
 from torch import nn
 
 from nscc_training.decoders.blocks import BlockNet
+from nscc_training.decoders.names import DECODERS, SIZES
 from nscc_training.decoders.unet import ClipUNet, StillUNet
 from nscc_training.import_paths import imported, is_import_path
-
-DECODERS = ("unet2d", "unet3d", "fcnet")
-SIZES = ("paper", "small")
 
 _WIDTHS = {
     ("unet2d", "paper"): (32, 64, 128, 256, 512, 1024),

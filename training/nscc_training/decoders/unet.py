@@ -9,7 +9,7 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from nscc_training.curves import log_curve_inverse
-from nscc_training.sensor_model import lifted
+from nscc_training.sensor_model import laid, lifted
 
 LOG_FLOOR = 1e-3
 """Stills are predicted as log(1 + light / LOG_FLOOR)."""
@@ -42,6 +42,11 @@ class UNet(nn.Module):
         )
         self.last = convolution(widths[0], outputs, 1)
         self.multiple = 2 ** (len(widths) - 1)
+        for layer in self.modules():
+            if isinstance(layer, convolution) and layer.bias is not None:
+                # He et al. 2015: without it the signal fades on the way through so many layers.
+                nn.init.kaiming_normal_(layer.weight, nonlinearity="relu")
+                nn.init.zeros_(layer.bias)
 
     def forward(self, x: Tensor) -> Tensor:
         """(batch, inputs, [N,] rows, cols) to (batch, outputs, [N,] rows, cols)."""
@@ -69,25 +74,27 @@ class UNet(nn.Module):
 
 
 class StillUNet(nn.Module):
-    """2D U-Net. Sees the frame; with `sees_code` also the part of the frame that each pixel was
-    open for, and its light by itself.
+    """2D U-Net. Sees the frame; with `sees_code`, for stills also the part of the frame that each
+    pixel was open for and its light by itself, for clips S^T E, a channel a slot.
 
-    For stills the result is positive by construction of its logarithm; for clips (`slots`) it has a
-    channel a slot.
+    The result of stills is the logarithm of light, that of clips (`slots`) has a channel a slot.
     """
 
     def __init__(self, widths: Sequence[int], slots: int | None, sees_code: bool) -> None:
         super().__init__()
         self.slots, self.sees_code = slots, sees_code
-        self.network = UNet(3 if sees_code else 1, slots or 1, widths, 2)
+        known = 2 if slots is None else slots
+        self.network = UNet(1 + known if sees_code else 1, slots or 1, widths, 2)
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         x = frame.unsqueeze(1)
-        if self.sees_code:
-            share = shutters.mean(dim=0).expand_as(frame)
+        if self.sees_code and self.slots is not None:
+            volume, _valid = lifted(frame * self.slots, shutters.to(frame.dtype))
+            x = torch.cat([x, volume], dim=1)
+        elif self.sees_code:
+            share = laid(shutters.mean(dim=0), *frame.shape[-2:]).expand_as(frame)
             alone = torch.where(share > 0, frame / share.clamp(min=1e-6), torch.zeros_like(frame))
-            known = torch.log1p(alone / LOG_FLOOR) if self.slots is None else alone
-            x = torch.stack([frame, share, known], dim=1)
+            x = torch.stack([frame, share, torch.log1p(alone / LOG_FLOOR)], dim=1)
         found: Tensor = self.network(x).float()
         return found if self.slots is not None else log_curve_inverse(found[:, 0], LOG_FLOOR)
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_training import metrics
+from nscc_training.baselines.dictionary import made_dictionary
 from nscc_training.baselines.sci import METHODS
 from nscc_training.baselines.tv import Clip
 from nscc_training.evaluation.results import Item, Subject, result
@@ -84,6 +85,8 @@ def evaluate_sci8(
         from nscc_training.baselines.compiled import entry_point
 
         entry_point()  # compiled or loaded now: it is no part of a clip's time
+    if chosen.name == "dictionary":
+        made_dictionary(int(protocol["frames"]))  # learned now, for the same reason
     items: list[Item] = []
     arrays: dict[str, NDArray[Any]] = {}
     spent = 0.0

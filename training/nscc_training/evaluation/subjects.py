@@ -7,30 +7,37 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from nscc_training.evaluation.hdr_baselines import BASELINES, evaluate_hdr_baseline
+from nscc_training.evaluation import hdr_baselines, video_baselines
+from nscc_training.evaluation.runs import evaluate_run
 from nscc_training.problems import rejected
 from nscc_training.protocols import load_protocol
+from nscc_training.run_folder import load_run
 
-_OF_PROTOCOL = {"hdr-v1": BASELINES}
+_OF_PROTOCOL = {"hdr-v1": hdr_baselines.BASELINES, "video-v1": video_baselines.BASELINES}
 
 
 def evaluate(
     subject: str, data: Path, protocol: str, seed: int
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """The result of a baseline and the arrays it made, by name.
+    """The result of a baseline or of a run folder, and the arrays it made, by name.
 
     Raises Rejected: NS0806 for the protocol, NS0810 for a subject that it does not know, NS0811
-    for a folder without its data.
+    for a folder without its data, and what `load_run` and `evaluate_run` raise.
     """
     chosen = load_protocol(protocol)
     known = _OF_PROTOCOL.get(chosen.name, ())
     if subject in known:
-        return evaluate_hdr_baseline(subject, data, seed)
+        if chosen.name == "hdr-v1":
+            return hdr_baselines.evaluate_hdr_baseline(subject, data, seed)
+        sensor = hdr_baselines.sensor_of(chosen)
+        return video_baselines.evaluate_video_baseline(subject, data, sensor, seed)
+    if Path(subject).is_dir():
+        return evaluate_run(load_run(Path(subject)), data, chosen, seed)
     raise rejected(
         "NS0810",
         f"there is no '{subject[:60]}' to evaluate under protocol {chosen.name}",
-        notes=(f"its baselines are {', '.join(known) or 'none yet'}",),
-        helps=("`nscc evaluate sci8 CLIP.mat` evaluates clips of the benchmark",)
-        if chosen.name == "sci8"
-        else ("name one of them",),
+        notes=(f"its baselines are {', '.join(known)}",) if known else (),
+        helps=("name one of them, or a run folder of nscc train",)
+        if known
+        else ("name a run folder; `nscc evaluate sci8 CLIP.mat` evaluates the baselines",),
     )

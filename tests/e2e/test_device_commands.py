@@ -1,0 +1,340 @@
+"""`nscc run --on PORT` and `nscc device`, over real pseudo-terminals and real processes."""
+
+from __future__ import annotations
+
+import ast
+import json
+import os
+import re
+import shutil
+import signal
+import time
+from datetime import datetime
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from device_server import LIMIT_S, SIZE, serving, start, write_files
+from nscc_command import Outcome, invoke
+
+from nscc_runtime.device.firmware import compiler
+
+pytestmark = pytest.mark.xdist_group("firmware")
+ARRAYS = ("frame", "exposure_e", "valid")
+LOADERS = [
+    "python",
+    pytest.param(
+        "firmware",
+        marks=pytest.mark.skipif(compiler() is None, reason="no C++ compiler for the firmware"),
+    ),
+]
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder with a small chip, a program for it, and the frame that the emulator makes."""
+    write_files(tmp_path)
+    for line in (
+        ["build", "small.nsl", "-o", "small.icw"],
+        ["run", "small.icw", "--scene", "builtin:hdr", "-o", "emulated.npz"],
+    ):
+        outcome = invoke(line, tmp_path)
+        assert outcome.status == 0, outcome.err
+    return tmp_path
+
+
+def same_frame(folder: Path, name: str) -> dict[str, Any]:
+    """Check that a frame file is the emulator's, bit for bit; its meta."""
+    with np.load(folder / "emulated.npz") as expected, np.load(folder / name) as found:
+        assert sorted(found.files) == sorted(expected.files)
+        for key in ARRAYS:
+            assert found[key].dtype == expected[key].dtype
+            np.testing.assert_array_equal(found[key], expected[key])
+        meta: dict[str, Any] = json.loads(str(found["meta"]))
+        assert meta.keys() >= json.loads(str(expected["meta"])).keys()
+    return meta
+
+
+def failed(outcome: Outcome, code: str, status: int = 3) -> str:
+    """Check that a command failed with this code and says what to do; what it said."""
+    assert (outcome.status, outcome.codes) == (status, [code]), outcome.err
+    assert "help: " in outcome.err
+    return outcome.err
+
+
+@pytest.mark.parametrize("loader", LOADERS)
+def test_the_frame_is_the_emulators(folder: Path, loader: str) -> None:
+    with serving(folder, "--loader", loader) as device:
+        for name in ("small.icw", "small.nsl"):
+            outcome = invoke(["run", name, "--on", device.port, "-o", "d.npz"], folder)
+            assert outcome.status == 0, outcome.err
+            meta = same_frame(folder, "d.npz")
+        assert (meta["fidelity"], meta["scene_sha256"]) == ("device", None)
+        digest = sha256((folder / "small.icw").read_bytes()).hexdigest()
+        assert meta["program_sha256"] == digest
+        line = ["run", "small.icw", "--on", device.port, "--repeat", "2", "--png", "p.png"]
+        line += ["--timings", "t.json"]
+        assert invoke([*line, "-o", "two.npz", "--keep", "shutter,codes"], folder).status == 0
+        with np.load(folder / "two.npz") as two, np.load(folder / "d.npz") as one:
+            assert two["frame"].shape == (2, 1, SIZE, SIZE)
+            np.testing.assert_array_equal(two["exposure_e"][1], one["exposure_e"])
+            assert two["shutter_shape"].tolist() == [1, SIZE, SIZE, 8]
+        assert (folder / "p.png").read_bytes().startswith(b"\x89PNG")
+        assert json.loads((folder / "t.json").read_text())["expose_s"] > 0
+
+
+@pytest.mark.parametrize("loader", LOADERS)
+def test_a_bad_cable_changes_nothing(folder: Path, loader: str) -> None:
+    fault = "corrupt=3e-4,drop=1e-4,delay=2ms,disconnect=after:1500,reboot=after:3000,outage=100ms"
+    with serving(folder, "--loader", loader, "--fault", fault) as device:
+        outcome = invoke(["run", "small.icw", "--on", device.port, "-o", "d.npz"], folder)
+        assert outcome.status == 0, outcome.err
+        same_frame(folder, "d.npz")
+
+
+@pytest.mark.parametrize("loader", LOADERS)
+def test_info_upload_capture(folder: Path, loader: str) -> None:
+    digest = sha256((folder / "small.icw").read_bytes()).hexdigest()
+    with serving(folder, "--loader", loader) as device:
+        outcome = invoke(["device", "info", device.port], folder)
+        assert "no program (empty)" in outcome.out
+        assert f"{SIZE} x {SIZE} pixels" in outcome.out
+        held = invoke(["device", "capture", device.port, "-o", "c.npz"], folder)
+        # The chip is no built-in one, so nscc has to be told what it is.
+        failed(held, "NS0764")
+        line = ["device", "capture", device.port, "--target", "chip.toml"]
+        failed(invoke([*line, "-o", "c.npz"], folder), "NS0771")
+        assert not (folder / "c.npz").exists()
+
+        assert invoke(["device", "upload", device.port, "small.icw"], folder).status == 0
+        found = json.loads(invoke(["device", "info", device.port, "--json"], folder).out)
+        assert (found["label"], found["rows"], found["status"]["state"]) == (digest, SIZE, 3)
+        outcome = invoke([*line, "-o", "c.npz"], folder)
+        assert outcome.status == 0, outcome.err
+        meta = same_frame(folder, "c.npz")
+        assert meta["program_sha256"] == digest
+
+        line = ["device", "capture", device.port, "small.icw", "--to", "many", "--count", "3"]
+        for _ in range(2):
+            assert invoke(line, folder).status == 0
+        names = sorted(path.name for path in (folder / "many").iterdir())
+        assert names == [f"frame-{number:06d}.npz" for number in range(1, 7)]
+        stamps = []
+        for name in names:
+            meta = same_frame(folder, f"many/{name}")
+            assert (meta["program_sha256"], meta["buckets"]) == (digest, ["frame"])
+            stamps.append((datetime.fromisoformat(meta["time_utc"]), meta["device_time_us"]))
+        assert stamps == sorted(stamps)
+        assert len(set(stamps)) == len(stamps)
+
+
+def test_the_scene_may_be_named(folder: Path) -> None:
+    with serving(folder, "--loader", "python") as device:
+        line = ["run", "small.icw", "--on", device.port, "-o", "d.npz"]
+        outcome = invoke([*line, "--scene", "builtin:hdr", "--keep", "truth"], folder)
+        assert (outcome.status, outcome.codes) == (0, ["NS0770"])
+        emulated = ["run", "small.icw", "--scene", "builtin:hdr", "--keep", "truth"]
+        assert invoke([*emulated, "-o", "emulated.npz"], folder).status == 0
+        same_frame(folder, "d.npz")
+        with np.load(folder / "d.npz") as one, np.load(folder / "emulated.npz") as other:
+            np.testing.assert_array_equal(one["truth_e"], other["truth_e"])
+
+
+def test_options_of_the_emulator_are_refused(folder: Path) -> None:
+    for more in (
+        ["--effects", "none"],
+        ["--seed", "0"],
+        ["--fidelity", "reference"],
+        ["--audit"],
+        ["--exposure", "1000"],
+        ["--keep", "light"],
+    ):
+        outcome = invoke(["run", "small.icw", "--on", "/dev/nowhere", *more], folder)
+        assert " ".join(more[:1]) in failed(outcome, "NS0770", 2)
+
+
+def test_a_port_that_cannot_be_opened(folder: Path) -> None:
+    (folder / "file").write_text("no port")
+    for port in ("/dev/nowhere", "file", ".", "/dev/null", "file/x", "a\nb"):
+        said = failed(invoke(["run", "small.icw", "--on", port], folder), "NS0760")
+        assert "Traceback" not in said
+    assert not list(folder.glob("*.frame.npz"))
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="the superuser may use every port")
+def test_a_port_without_permission(folder: Path) -> None:
+    (folder / "locked").write_text("")
+    (folder / "locked").chmod(0)
+    said = failed(invoke(["device", "info", "locked"], folder), "NS0760")
+    assert "you may not use it" in said
+
+
+def test_a_busy_port(folder: Path) -> None:
+    import fcntl
+
+    master, slave = os.openpty()
+    fcntl.flock(slave, fcntl.LOCK_EX)
+    try:
+        failed(invoke(["device", "info", os.ttyname(slave)], folder), "NS0761")
+    finally:
+        os.close(slave)
+        os.close(master)
+
+
+def test_a_port_where_nobody_answers(folder: Path) -> None:
+    master, slave = os.openpty()
+    line = ["device", "info", os.ttyname(slave), "--patience", "0.5"]
+    try:
+        assert "says nothing" in failed(invoke(line, folder), "NS0762")
+    finally:
+        os.close(slave)
+        os.close(master)
+
+
+def test_another_chip(folder: Path) -> None:
+    with serving(folder, "--loader", "python") as device:
+        line = ["run", "small.nsl", "--target", "scamp7", "--on", device.port]
+        failed(invoke(line, folder), "NS0764")
+        # A small chip of the same name, with another clock.
+        text = (folder / "chip.toml").read_text()
+        (folder / "chip.toml").write_text(
+            text.replace("digital_word_us = 0.1", "digital_word_us = 0.2")
+        )
+        said = failed(invoke(["run", "small.nsl", "--on", device.port], folder), "NS0764")
+        assert "target table is another" in said
+        assert invoke(["run", "small.icw", "--on", device.port], folder).status == 0
+
+
+def test_a_device_that_does_not_come_back(folder: Path) -> None:
+    fault = "disconnect=after:1000,outage=60s"
+    with serving(folder, "--loader", "python", "--fault", fault) as device:
+        line = ["run", "small.icw", "--on", device.port, "--patience", "0.5", "-o", "d.npz"]
+        assert "did not come back" in failed(invoke(line, folder), "NS0766")
+    assert not (folder / "d.npz").exists()
+
+
+def test_capture_wants_one_place(folder: Path) -> None:
+    line = ["device", "capture", "/dev/nowhere"]
+    for more in ([], ["-o", "f.npz", "--to", "many"], ["-o", "f.npz", "--count", "2"]):
+        failed(invoke([*line, *more], folder), "NS0780", 2)
+    failed(invoke([*line, "-o", "f.npz", "--pixels", "codes.npz"], folder), "NS0770", 2)
+    failed(invoke([*line, "small.icw", "-o", "f", "--target", "scamp5"], folder), "NS0743", 2)
+    (folder / "taken").write_text("")
+    with serving(folder, "--loader", "python") as device:
+        line = ["device", "capture", device.port, "small.icw", "--to", "taken/many"]
+        failed(invoke(line, folder), "NS0784", 2)
+
+
+def test_there_is_no_other_command(folder: Path) -> None:
+    assert "`nscc device serve`" in failed(invoke(["device", "sreve"], folder), "NS0781", 2)
+    assert invoke(["device", "--help"], folder).status == 0
+
+
+def test_a_scene_that_does_not_suit_the_program(folder: Path) -> None:
+    np.savez(folder / "short.npz", light=np.ones((3, SIZE, SIZE), np.float32))
+    with serving(folder, "--loader", "python", scene="short.npz") as device:
+        failed(invoke(["run", "small.icw", "--on", device.port], folder), "NS0768")
+        assert re.search(r"error\[NS073\d\]", device.stop())
+
+
+@pytest.mark.parametrize("loader", LOADERS)
+def test_ctrl_c_leaves_the_device_usable(folder: Path, loader: str) -> None:
+    with serving(folder, "--loader", loader, "--fault", "delay=200ms") as device:
+        running = start(["run", "small.icw", "--on", device.port, "-o", "d.npz"], folder)
+        time.sleep(1.5)
+        running.send_signal(signal.SIGINT)
+        _, said = running.communicate(timeout=LIMIT_S)
+        assert (running.returncode, "interrupted" in said) == (130, True), said
+        assert [path.name for path in folder.glob("*.npz*")] == ["emulated.npz"]
+        outcome = invoke(["run", "small.icw", "--on", device.port, "-o", "d.npz"], folder)
+        assert outcome.status == 0, outcome.err
+        same_frame(folder, "d.npz")
+
+
+def test_ctrl_c_ends_continuous_capture_with_whole_files(folder: Path) -> None:
+    with serving(folder, "--loader", "python") as device:
+        line = ["device", "capture", device.port, "small.icw", "--to", "many", "--every", "0.02"]
+        running = start(line, folder)
+        until = time.monotonic() + LIMIT_S
+        while len(list(folder.glob("many/*.npz"))) < 4 and time.monotonic() < until:
+            time.sleep(0.02)
+        running.send_signal(signal.SIGINT)
+        running.communicate(timeout=LIMIT_S)
+        assert running.returncode == 130
+        names = sorted(path.name for path in (folder / "many").iterdir())
+        assert len(names) >= 4
+        for name in names:
+            same_frame(folder, f"many/{name}")
+
+
+def test_serving_ends_when_told(folder: Path) -> None:
+    with serving(folder, "--loader", "python", "--once") as device:
+        assert invoke(["device", "info", device.port], folder).status == 0
+        assert device.process.wait(LIMIT_S) == 0
+    with serving(folder, "--loader", "python", "--for", "0.1") as device:
+        assert device.process.wait(LIMIT_S) == 0
+
+
+def test_what_serve_does_not_take(folder: Path) -> None:
+    line = ["device", "serve", "--target", "chip.toml"]
+    failed(invoke(line, folder), "NS0744", 2)
+    failed(invoke([*line, "--scene", "builtin:nothing"], folder), "NS0731", 2)
+    failed(invoke([*line, "--scene", "absent.npz"], folder), "NS0730", 2)
+    outcome = invoke([*line, "--scene", "builtin:hdr", "--fault", "drop=2"], folder)
+    failed(outcome, "NS0769", 2)
+
+
+def test_serving_without_a_compiler(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "/nowhere")
+    line = ["device", "serve", "--target", "chip.toml", "--scene", "builtin:hdr"]
+    failed(invoke([*line, "--loader", "firmware"], folder), "NS0772", 2)
+    outcome = invoke([*line, "--for", "0.05"], folder)
+    assert outcome.status == 0
+    assert re.fullmatch(r"/dev/pts/\d+\n", outcome.out)
+    assert "Python twin" in outcome.err
+
+
+def test_examples_on_a_whole_chip(tmp_path: Path, root: Path) -> None:
+    """Two buckets, a codebook, 4096 slots: the same frames as on the emulator."""
+    with serving(tmp_path, line=["device", "serve", "--scene", "builtin:motion"]) as device:
+        for name in ("two_buckets", "codebook", "class_b_4096"):
+            program = str(root / f"examples/{name}.nsl")
+            common = ["run", program, "-O", "1", "-o"]
+            emulated = invoke([*common, "emulated.npz", "--scene", "builtin:motion"], tmp_path)
+            exposed = invoke([*common, "d.npz", "--on", device.port], tmp_path)
+            assert (emulated.status, exposed.status) == (0, 0), exposed.err
+            same_frame(tmp_path, "d.npz")
+
+
+def test_the_page_keeps_its_word(tmp_path: Path, root: Path) -> None:
+    text = (root / "docs/device.md").read_text()
+    lines = "".join(re.findall(r"^```sh\n(.*?)^```$", text, re.M | re.S)).splitlines()
+    serve = [line.split()[1:] for line in lines if " serve " in line]
+    assert len(serve) == 2
+    shutil.copytree(root / "examples", tmp_path / "examples")
+    (tmp_path / "build").mkdir()
+    for arguments in serve:
+        with serving(tmp_path, line=arguments) as device:
+            for line in lines:
+                if " serve " not in line and (" run " in line or arguments is serve[0]):
+                    said = line.replace("/dev/pts/4", device.port).split()[1:]
+                    outcome = invoke(said, tmp_path)
+                    assert outcome.status == 0, outcome.err
+    assert len(list((tmp_path / "build/many").iterdir())) == 3
+
+
+def test_doctor_lists_ports(folder: Path) -> None:
+    assert "serial ports: " in invoke(["doctor"], folder).out
+
+
+def test_only_the_port_imports_serial(root: Path) -> None:
+    importing = set()
+    for path in [*root.glob("nscc/**/*.py"), *root.glob("runtime/**/*.py")]:
+        for node in ast.walk(ast.parse(path.read_text())):
+            names = [alias.name for alias in node.names] if isinstance(node, ast.Import) else []
+            names += [node.module or ""] if isinstance(node, ast.ImportFrom) else []
+            if any(name.split(".")[0] == "serial" for name in names):
+                importing.add(path.relative_to(root).as_posix())
+    assert importing == {"runtime/nscc_runtime/device/port.py"}

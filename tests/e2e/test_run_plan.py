@@ -1,0 +1,270 @@
+"""`nscc run` by plan: files, audits, plans kept and used again, what is said and how it ends."""
+
+from __future__ import annotations
+
+import json
+from io import BytesIO
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from nscc_command import Outcome, invoke
+
+from nscc_runtime.effects import EFFECTS
+
+PROGRAM = """nsl 1
+target "small.toml"
+frame 4 slots of 1ms
+code stop : 0..4
+open when n < stop
+pixels stop = x % 5
+"""
+META = {"tolerance_e", "predicted_e", "bound_e", "slot_loop", "slot_loop_reasons",
+        "sampled_fraction", "approximations", "effects"}  # fmt: skip
+EFFECT = {"name", "kind", "decision", "forced", "reason", "predicted_rms_e", "predicted_bias_e",
+          "predicted_if_dropped_e", "cost_ms_model"}  # fmt: skip
+AUDIT = {"measured_rms_e", "bias_e", "std_ratio", "samples", "mc_error_e", "holds"}
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
+    small = text.replace("rows = 256", "rows = 24").replace("cols = 256", "cols = 30")
+    (tmp_path / "small.toml").write_text(small)
+    (tmp_path / "p.nsl").write_text(PROGRAM)
+    return tmp_path
+
+
+def run(folder: Path, *arguments: str, scene: str = "builtin:flat:2000") -> Outcome:
+    return invoke(["run", "p.nsl", "--scene", scene, "-o", "f.npz", *arguments], folder)
+
+
+def loaded(folder: Path, name: str = "f.npz") -> tuple[dict[str, np.ndarray], dict[str, Any]]:
+    with np.load(folder / name) as file:
+        arrays = {name: file[name] for name in file.files}
+    return arrays, json.loads(str(arrays.pop("meta")))
+
+
+def test_auto_makes_a_plan_and_says_it_all(folder: Path) -> None:
+    outcome = run(folder, "--effects", "auto", "--tolerance", "2e", "--seed", "4")
+    assert outcome.status == 0, outcome.err
+    arrays, meta = loaded(folder)
+    assert arrays["exposure_e"].shape == (1, 24, 30)
+    assert meta["fidelity"] == "planned"
+    assert meta["audit"] is None
+    plan = meta["plan"]
+    assert set(plan) >= META
+    assert plan["tolerance_e"] == 2.0
+    assert 0 < plan["predicted_e"] <= 1.8
+    assert [each["name"] for each in plan["effects"]] == [effect.name for effect in EFFECTS]
+    assert all(set(each) >= EFFECT for each in plan["effects"])
+    for each in plan["effects"]:
+        assert f"\n{each['name']} " in outcome.err
+    assert "predicted error" in outcome.err
+    assert "words one by one" in outcome.err
+    assert "wrote f.npz" in outcome.err
+
+
+@pytest.mark.parametrize("option", [["--tolerance", "5e"], ["--audit"], ["--plan", "plan.json"]])
+def test_options_of_plans_mean_a_plan(option: list[str], folder: Path) -> None:
+    assert run(folder, "--effects", "auto", "--tolerance", "5e").status == 0
+    expected = (folder / "f.npz").read_bytes()
+    assert run(folder, *option).status == 0
+    arrays, meta = loaded(folder)
+    before = np.load(BytesIO(expected))
+    assert arrays["exposure_e"].tobytes() == before["exposure_e"].tobytes()
+    assert meta["plan"]["tolerance_e"] == 5.0
+    if option[0] != "--audit":
+        assert (folder / "f.npz").read_bytes() == expected
+
+
+def test_the_default_is_no_effects_and_predicts_nothing(folder: Path) -> None:
+    assert run(folder).status == 0
+    _, meta = loaded(folder)
+    plan = meta["plan"]
+    assert plan["tolerance_e"] is plan["predicted_e"] is plan["bound_e"] is None
+    assert {each["decision"] for each in plan["effects"] if each["name"] != "adc"} == {"dropped"}
+
+
+def test_tolerances_in_codes(folder: Path) -> None:
+    changes = ("--sensor-set", "electrons_per_lsb=40")
+    assert run(folder, "--tolerance", "0.25lsb", *changes).status == 0
+    assert loaded(folder)[1]["plan"]["tolerance_e"] == 10.0
+
+
+@pytest.mark.parametrize("scene", ["builtin:flat:2000", "builtin:hdr", "builtin:dark"])
+def test_an_audit_is_in_the_file_and_holds(scene: str, folder: Path) -> None:
+    outcome = run(folder, "--audit", "--tolerance", "3e", scene=scene)
+    assert outcome.status == 0, outcome.err
+    _, meta = loaded(folder)
+    report = meta["audit"]
+    assert set(report) >= AUDIT
+    assert report["holds"] is True
+    assert report["measured_rms_e"] <= 3.3
+    assert report["samples"] >= 2 * 24 * 30
+    assert "the promise holds" in outcome.err
+
+
+def test_a_broken_promise_exits_1_and_leaves_the_files(folder: Path) -> None:
+    outcome = run(folder, "--effects", "auto,-shot", "--audit", "--tolerance", "1e",
+                  "--plan", "plan.json", "--png", "f.png", "--repeat", "2")  # fmt: skip
+    assert outcome.status == 1
+    assert outcome.codes == ["NS0749", "NS0749"]
+    assert "forced off: shot" in outcome.err
+    assert "BROKEN" in outcome.err
+    arrays, meta = loaded(folder)
+    assert meta["audit"]["holds"] is False
+    # Shot noise of the mean charge: (0 + 500 + .. + 2000) / 5 electrons.
+    assert meta["audit"]["measured_rms_e"] == pytest.approx(1000**0.5, rel=0.05)
+    assert meta["plan"]["predicted_e"] == pytest.approx(1000**0.5, rel=0.05)
+    assert arrays["frame"].shape == (2, 1, 24, 30)
+    assert (folder / "plan.json").exists()
+    assert (folder / "f.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_what_is_forced_off_is_warned_of(folder: Path) -> None:
+    outcome = run(folder, "--effects", "auto,-shot")
+    assert (outcome.status, outcome.codes) == (0, ["NS0749"])
+    assert run(folder, "--effects", "auto,-shot", "--deny-warnings").status == 1
+    # Who names all effects one by one has made up their mind.
+    assert run(folder, "--effects", "shot,read").codes == []
+    assert run(folder, "--effects", "auto,-lag", "--tolerance", "50e").codes == []
+
+
+def test_all_effects_by_plan_are_near_the_reference(folder: Path) -> None:
+    assert run(folder, "--effects", "all").status == 0
+    planned, meta = loaded(folder)
+    kept = {each["name"] for each in meta["plan"]["effects"] if each["decision"] == "kept"}
+    assert kept >= {"shot", "prnu", "dark", "lag", "crosstalk", "read", "dead_time", "analog"}
+    assert run(folder, "--effects", "all", "--fidelity", "reference").status == 0
+    full, _ = loaded(folder)
+    err = np.sqrt(((planned["exposure_e"] - full["exposure_e"]) ** 2).mean())
+    assert err < 1.0
+    assert (planned["frame"] != full["frame"]).mean() < 0.01
+
+
+def test_a_plan_is_written_once_and_used_again(folder: Path) -> None:
+    first = run(folder, "--plan", "plan.json", "--tolerance", "7e")
+    assert first.status == 0
+    assert "wrote plan.json" in first.err
+    kept = (folder / "plan.json").read_bytes()
+    frame = (folder / "f.npz").read_bytes()
+    again = run(folder, "--plan", "plan.json")
+    assert again.status == 0, again.err
+    assert (folder / "plan.json").read_bytes() == kept
+    assert "wrote plan.json" not in again.err
+    arrays, meta = loaded(folder)
+    (folder / "g.npz").write_bytes(frame)
+    before, plan = loaded(folder, "g.npz")
+    assert arrays["exposure_e"].tobytes() == before["exposure_e"].tobytes()
+    assert arrays["frame"].tobytes() == before["frame"].tobytes()
+    assert meta["plan"]["tolerance_e"] == 7.0
+    assert meta["plan"]["predicted_e"] == pytest.approx(plan["plan"]["predicted_e"], rel=1e-6)
+    decided = [[(e["name"], e["decision"]) for e in m["plan"]["effects"]] for m in (meta, plan)]
+    assert decided[0] == decided[1]
+
+
+def test_a_plan_on_another_scene_is_predicted_there(folder: Path) -> None:
+    assert (
+        run(folder, "--plan", "plan.json", "--tolerance", "20e", scene="builtin:dark").status == 0
+    )
+    outcome = run(folder, "--plan", "plan.json", "--audit", scene="builtin:flat:20000")
+    assert outcome.status == 1
+    assert "made for another scene" in outcome.err
+    _, meta = loaded(folder)
+    assert meta["plan"]["predicted_e"] > 20
+    assert meta["plan"]["predicted_e"] == pytest.approx(meta["audit"]["measured_rms_e"], rel=0.15)
+
+
+def test_plans_of_other_programs_and_sensors_are_refused(folder: Path) -> None:
+    assert run(folder, "--plan", "plan.json").status == 0
+    (folder / "f.npz").unlink()
+    outcome = run(folder, "--plan", "plan.json", "--sensor-set", "read_noise_e=3")
+    assert (outcome.status, outcome.codes) == (2, ["NS0748"])
+    assert "sensor" in outcome.err
+    (folder / "p.nsl").write_text(PROGRAM.replace("x % 5", "y % 5"))
+    outcome = run(folder, "--plan", "plan.json")
+    assert (outcome.status, outcome.codes) == (2, ["NS0748"])
+    assert "program" in outcome.err
+    assert not (folder / "f.npz").exists()
+
+
+@pytest.mark.parametrize("option", [["--effects", "auto"], ["--tolerance", "5e"]])
+def test_a_plan_has_decided_already(option: list[str], folder: Path) -> None:
+    assert run(folder, "--plan", "plan.json").status == 0
+    outcome = run(folder, "--plan", "plan.json", *option)
+    assert (outcome.status, outcome.codes) == (2, ["NS0739"])
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"", b"{}", b"[]", b"null", b"\xff\xfe", b"[" * 100000, b"NaN", b'{"schema": "nscc-plan-1"}',
+        b'{"schema": "nscc-plan-9", "plan": {}}', b'{"schema": ["nscc-plan-1"]}', b"7" * 5000,
+    ],
+)  # fmt: skip
+def test_files_that_are_no_plans(content: bytes, folder: Path) -> None:
+    (folder / "plan.json").write_bytes(content)
+    outcome = run(folder, "--plan", "plan.json")
+    assert (outcome.status, outcome.codes) == (2, ["NS0747"])
+    assert (folder / "plan.json").read_bytes() == content
+    assert not (folder / "f.npz").exists()
+
+
+def test_damaged_plans_are_refused_or_are_plans(folder: Path) -> None:
+    """Every value of a plan's file replaced by another kind of value."""
+    assert run(folder, "--plan", "plan.json").status == 0
+    values = json.loads((folder / "plan.json").read_text())
+    for name in values["plan"]:
+        for junk in (None, "x", [], -1, float("nan"), float("inf"), {"a": 1}, 10**400):
+            changed = {**values, "plan": {**values["plan"], name: junk}}
+            (folder / "plan.json").write_text(json.dumps(changed))
+            outcome = run(folder, "--plan", "plan.json")
+            assert outcome.status in (0, 2), (name, junk, outcome.err)
+            if outcome.status == 2:
+                assert outcome.codes == ["NS0747"]
+
+
+def test_a_folder_is_no_plan(folder: Path) -> None:
+    (folder / "plans").mkdir()
+    outcome = run(folder, "--plan", "plans")
+    assert (outcome.status, outcome.codes) == (2, ["NS0747"])
+
+
+def test_the_same_input_gives_the_same_bytes(folder: Path, tmp_path: Path) -> None:
+    arguments = ("--audit", "--repeat", "3", "--tolerance", "2e", "--device-seed", "9")
+    assert run(folder, *arguments, "--plan", "a.json").status == 0
+    first = (folder / "f.npz").read_bytes()
+    assert run(folder, *arguments, "--plan", "b.json").status == 0
+    assert (folder / "f.npz").read_bytes() == first
+    assert (folder / "a.json").read_bytes() == (folder / "b.json").read_bytes()
+    arrays, _ = loaded(folder)
+    assert not np.array_equal(arrays["exposure_e"][0], arrays["exposure_e"][1])
+
+
+def test_timings_tell_planning_from_exposing(folder: Path) -> None:
+    assert run(folder, "--tolerance", "5e", "--audit", "--timings", "t.json").status == 0
+    found = json.loads((folder / "t.json").read_text())
+    assert set(found) >= {"compile_s", "analyse_s", "plan_s", "expose_s", "audit_s", "write_s"}
+    assert all(value >= 0 for value in found.values())
+
+
+def test_clips_that_are_samples(folder: Path) -> None:
+    light = np.random.default_rng(1).exponential(400.0, (4, 24, 30)).astype(np.float32)
+    np.savez(folder / "light.npz", light=light)
+    outcome = run(folder, "--tolerance", "2e", "--audit", "--frames-are", "samples",
+                  scene="light.npz")  # fmt: skip
+    assert outcome.status == 0, outcome.err
+    found = {each["name"]: each for each in loaded(folder)[1]["plan"]["effects"]}
+    assert found["motion"]["decision"] == "kept"
+
+
+def test_words_that_compare_light_have_no_plan(folder: Path) -> None:
+    (folder / "w.asm").write_text(
+        ".target scamp5\n.wait 1000us\n.kernel k\n    all\n    where A\n    bus NEWS, PIX\n"
+        "    bus A, NEWS\n    all\n.slot 1 k\n.bucket frame\n.readout A frame 1\n"
+    )
+    assert invoke(["asm", "w.asm", "-o", "w.icw"], folder).status == 0
+    outcome = invoke(["run", "w.icw", "--scene", "builtin:dark", "--effects", "auto"], folder)
+    assert (outcome.status, outcome.codes) == (1, ["NS0442"])

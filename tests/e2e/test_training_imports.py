@@ -1,0 +1,81 @@
+"""What of training works without torch, and what is said where it does not."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+CODE = (
+    "import sys; sys.modules['torch'] = None; "
+    "from nscc.cli.main import main; sys.exit(main(sys.argv[1:]))"
+)
+
+
+def without_torch(arguments: list[str], folder: Path) -> subprocess.CompletedProcess[str]:
+    paths = [str(Path(path).resolve()) for path in sys.path if path]
+    return subprocess.run(
+        [sys.executable, "-c", CODE, *arguments],
+        cwd=folder, env={**os.environ, "PYTHONPATH": os.pathsep.join(paths)},
+        capture_output=True, text=True, timeout=100,
+    )  # fmt: skip
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    import numpy as np
+    from scipy.io import savemat
+
+    orig, mask = np.full((16, 16, 8), 99.0), np.ones((16, 16, 8))
+    savemat(tmp_path / "c.mat", {"orig": orig, "mask": mask, "meas": (orig * mask).sum(2)})
+    np.save(tmp_path / "a.npy", orig[..., 0])
+    return tmp_path
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["metrics", "a.npy", "a.npy", "--data-range", "255"],
+        ["evaluate", "sci8", "c.mat"],
+        ["train", "--schema"],
+        ["train", "--help"],
+        ["evaluate", "--help"],
+    ],
+    ids=" ".join,
+)
+def test_needs_no_torch(arguments: list[str], folder: Path) -> None:
+    done = without_torch(arguments, folder)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["train", "c.toml", "--out", "r"],
+        ["evaluate", "ldr", "--data", ".", "--protocol", "hdr-v1"],
+        ["reconstruct", ".", "a.npy", "-o", "o.npz"],
+    ],
+    ids=" ".join,
+)
+def test_says_that_torch_is_missing(arguments: list[str], folder: Path) -> None:
+    (folder / "c.toml").write_text("[train]\nsteps = 1\n")
+    done = without_torch(arguments, folder)
+    assert done.returncode == 2
+    assert "NS0904" in done.stderr
+    assert "nscc[train]" in done.stderr
+
+
+def test_the_package_itself_imports_nothing_heavy() -> None:
+    code = (
+        "import sys, nscc_training, nscc_training.metrics, nscc_training.measures; "
+        "print([m for m in ('torch', 'scipy', 'cv2', 'numba', 'matplotlib') if m in sys.modules])"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert done.stdout.strip() == "[]", done.stderr

@@ -1,0 +1,229 @@
+"""The firmware: its tables are nscc's, it has no heap, and it does to a chip what it was told."""
+
+from __future__ import annotations
+
+import os
+import re
+import select
+import subprocess
+import time
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from device_sessions import new_host, uploaded_and_captured
+from emulator_programs import bumps, target_of
+
+from nscc.target.load import builtin_names, builtin_target, load_target, target_toml
+from nscc.words.encoding import decode
+from nscc_runtime.device import firmware
+from nscc_runtime.device.board import EmulatedChip
+from nscc_runtime.device.messages import Channel
+from nscc_runtime.device.objects import upload_of
+from nscc_runtime.device.packets import MOST_DATA, VERSION, Kind
+from nscc_runtime.device.simulation import Simulation
+from nscc_runtime.device.target_header import refresh_words, target_header
+from nscc_runtime.device.tasks import Taken
+from nscc_runtime.light import Light
+
+pytestmark = pytest.mark.xdist_group("firmware")
+SCAMP5 = builtin_target("scamp5")
+needs_compiler = pytest.mark.skipif(
+    firmware.compiler() is None, reason="no C++ compiler: the firmware cannot be built"
+)
+
+
+def test_the_committed_table_is_in_step() -> None:
+    committed = firmware.SOURCES / "targets/scamp5/target.hpp"
+    assert committed.read_text() == target_header(SCAMP5), (
+        "run `python -m nscc_runtime.device.target_header scamp5 > " + str(committed) + "`"
+    )
+
+
+def test_the_protocols_numbers_are_the_same_at_both_ends() -> None:
+    text = (firmware.SOURCES / "core/packets.hpp").read_text()
+    assert f"protocol_version = {VERSION};" in text
+    assert f"most_data = {MOST_DATA};" in text
+    listed = re.search(r"enum Kind : uint8_t \{(.*?)BOOTED", text, re.S)
+    assert listed is not None
+    names = re.findall(r"[A-Z]+", listed[1])
+    assert names == [kind.name for kind in sorted(Kind) if kind < 0x80]
+
+
+def test_a_refresh_changes_nothing() -> None:
+    """Executed by hand, as the facts say words work: R12 takes a write only where R0 is 1."""
+    for code in range(4):
+        held = {"R0": code & 1, "R12": code >> 1, "FLAG": 1, "bus": 0}
+        before = dict(held)
+        for word in refresh_words(SCAMP5, "R12"):
+            some = max([held[name] for name in word.sources], default=0)
+            kind = word.name
+            if kind == "WHERE":
+                held["FLAG"] = some
+            elif kind == "SET":
+                held["R0"] = 1
+            elif kind == "REFRESH.read":
+                held["bus"] = some
+            elif kind == "REFRESH.write":
+                held["R12"] = held["bus"] if held["R0"] else held["R12"]
+            elif kind == "MOV":
+                held["R0"] = some
+            else:
+                raise AssertionError(kind)
+        assert (held["R0"], held["R12"]) == (before["R0"], before["R12"])
+    assert [str(word) for word in refresh_words(SCAMP5, "R3")] == [
+        "REFRESH.read R3",
+        "REFRESH.write R3",
+    ]
+
+
+@needs_compiler
+@pytest.mark.parametrize("name", builtin_names())
+def test_it_is_built_without_a_warning_for_every_chip(name: str, tmp_path: Path) -> None:
+    loader = firmware.built(builtin_target(name), ("-O0", "-Werror"), tmp_path)
+    assert loader.path.exists()
+    again = firmware.built(builtin_target(name), ("-O0", "-Werror"), tmp_path)
+    assert again == loader
+    assert len(list(tmp_path.iterdir())) == 1
+
+
+@needs_compiler
+def test_the_core_has_no_heap_and_no_exceptions(tmp_path: Path) -> None:
+    """What its object files want from outside is at most what compilers call by themselves."""
+    found = firmware.compiler()
+    assert found is not None
+    wanted: set[str] = set()
+    defined: set[str] = set()
+    for source in sorted((firmware.SOURCES / "core").glob("*.cpp")):
+        out = tmp_path / f"{source.stem}.o"
+        includes = [f"-I{firmware.SOURCES / part}" for part in ("core", "host", "targets/scamp5")]
+        flags = [*firmware.CORE_FLAGS, "-O2", "-ffreestanding", "-fno-pie"]
+        subprocess.run([found, *flags, *includes, "-c", str(source), "-o", str(out)], check=True)
+        listed = subprocess.run(["nm", "-P", str(out)], capture_output=True, text=True, check=True)
+        for line in listed.stdout.splitlines():
+            symbol, kind = line.split()[:2]
+            (wanted if kind in "Uw" else defined).add(symbol)
+    outside = {name for name in wanted - defined if not name.startswith("_GLOBAL_OFFSET")}
+    assert outside <= {"memcpy", "memset", "memmove", "__stack_chk_fail"}
+
+
+@needs_compiler
+def test_every_chip_runs_a_program(tmp_path: Path) -> None:
+    """A chip with other registers and another size than SCAMP-5's, from a table of the user's."""
+    (tmp_path / "chip.toml").write_text(
+        target_toml(replace(builtin_target("scamp7"), name="mine", rows=5, cols=7))
+    )
+    target = load_target("chip.toml", tmp_path)
+    stop = np.random.default_rng(2).integers(1, 7, (5, 7))
+    container = bumps(target, None, stop, 6, "latch")
+    light = Light.of_clip(np.random.default_rng(4).random((6, 5, 7), np.float32) * 900)
+    chip = EmulatedChip(lambda _: light, target)
+    with firmware.Lockstep(firmware.built(target, ("-O1",), tmp_path), chip) as loader:
+        host = new_host(1)
+        upload = upload_of(container, bytes(32))
+        taken = Simulation(host, loader).run(host.lasting(uploaded_and_captured(host, upload, 1)))
+    assert isinstance(taken, Taken)
+    assert taken.data == EmulatedChip(lambda _: light, target).exposure(container, 3)
+
+
+@needs_compiler
+@pytest.mark.parametrize("form", [[], ["-DDEVKIT_STUB_TABLE_FUNCTION"]], ids=["object", "function"])
+def test_the_scamp5d_layer_does_what_it_is_told(
+    form: list[str], tmp_path: Path, root: Path
+) -> None:
+    """The loader for the devkit, against a stand-in for its library: what it draws, launches and
+    waits, and what it sends back."""
+    program = tmp_path / "loader"
+    sources = [*sorted((firmware.SOURCES / "core").glob("*.cpp"))]
+    sources += [firmware.SOURCES / "scamp5d/main.cpp", root / "tests/firmware_port/port.cpp"]
+    includes = [f"-I{firmware.SOURCES / part}" for part in ("core", "scamp5d", "targets/scamp5")]
+    found = firmware.compiler()
+    assert found is not None
+    command = [
+        found,
+        *form,
+        "-std=c++17",
+        "-O1",
+        *firmware.WARNINGS,
+        "-Werror",
+        *firmware.SANITIZERS,
+    ]
+    command += [*includes, "-isystem", str(root / "tests/devkit_stub"), *map(str, sources)]
+    subprocess.run([*command, "-o", str(program)], check=True)
+
+    target = target_of((256, 256))
+    numbers = np.random.default_rng(6)
+    stop = numbers.integers(1, 5, (256, 256))
+    container = replace(bumps(target, None, stop, 4, "edges"), slot_us=(100.0, 50.5, 50.5, 200.0))
+    events, data = run_devkit(program, container, tmp_path)
+
+    rows, cols = np.mgrid[:256, :256]
+    assert data == ((3 * rows + 5 * cols + ord("A")) % 256).astype(np.uint8).tobytes()
+    planes = container.planes()
+    for register, plane in planes.items():
+        drawn = np.zeros((256, 256), bool)
+        for line in events:
+            if line.startswith(f"draw {register} "):
+                pairs = np.array(line.split()[2:], int).reshape(-1, 2)
+                drawn[pairs[:, 0], 255 - pairs[:, 1]] = True
+        np.testing.assert_array_equal(drawn, plane)
+
+    kernels = {
+        line.split()[1]: [int(word, 16) for word in line.split()[2:]]
+        for line in events
+        if line.startswith("kernel ")
+    }
+    expected = [
+        [part for word in container.kernels[launch.kernel].words for part in word]
+        for launch in container.launches
+    ]
+    end = max(i for i, line in enumerate(events) if line.startswith("scan "))
+    launched = [i for i, line in enumerate(events[:end]) if line.startswith("launch ")]
+    # The last launch before readout sets FLAG everywhere; the frame's are those before it.
+    frame = launched[-1 - len(expected) : -1]
+    assert [kernels[events[i].split()[1]] for i in frame] == expected
+    [(flag_all,)] = [[decode(tuple(kernels[events[launched[-1]].split()[1]]))]]  # type: ignore[arg-type]
+    assert str(flag_all) == "all"
+
+    waits = [int(line.split()[1]) for line in events[frame[0] : end] if line.startswith("wait ")]
+    assert len(waits) == 4
+    busy = sum(
+        target.launch_us
+        + sum(target.analog_word_us if decode(word).analog else target.digital_word_us
+              for word in container.kernels[launch.kernel].words)
+        for launch in container.launches[1:-1]
+    )  # fmt: skip
+    assert abs(sum(waits) - (sum(container.slot_us) - busy)) <= 4 + 5
+
+
+def run_devkit(program: Path, container: object, folder: Path) -> tuple[list[str], bytes]:
+    """A session with the devkit's loader over pipes: what it printed, and the frame."""
+    to_device, from_device = os.pipe(), os.pipe()
+    log = folder / "log"
+
+    ends = (to_device[0], from_device[1])
+    names = {"PORT_IN": str(ends[0]), "PORT_OUT": str(ends[1])}
+    with open(log, "wb") as out:
+        process = subprocess.Popen(
+            [str(program)], stdout=out, pass_fds=ends, env={**os.environ, **names}
+        )
+    for fd in ends:
+        os.close(fd)
+    host = new_host(1, patience_s=60.0)
+    upload = upload_of(container, bytes(32))  # type: ignore[arg-type]
+    work = uploaded_and_captured(host, upload, 1, Channel.CODES)
+    host.start(host.lasting(work), time.monotonic())
+    while host.running:
+        data = host.poll(time.monotonic())
+        while data:
+            data = data[os.write(to_device[1], data) :]
+        left = min(max(host.deadline - time.monotonic(), 0.0), 0.2)
+        if host.running and select.select([from_device[0]], [], [], left)[0]:
+            host.receive(os.read(from_device[0], 65536), time.monotonic())
+    os.close(to_device[1])
+    assert process.wait(60) == 0
+    os.close(from_device[0])
+    taken = host.result
+    assert isinstance(taken, Taken)
+    return log.read_text().splitlines(), taken.data

@@ -1,0 +1,233 @@
+"""Messages about devices: every way to fail has one, with a way out and exit status 3."""
+
+from __future__ import annotations
+
+import errno
+import os
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+import serial
+from device_sessions import TARGET, examples, new_host, python_loader
+
+from nscc.diagnostics.model import Rejected
+from nscc_runtime.device import tasks
+from nscc_runtime.device.chip import Chip, channels_of, frame_of
+from nscc_runtime.device.host import Refused, Silent, Stalled
+from nscc_runtime.device.link import Link
+from nscc_runtime.device.messages import Capability, Failure, Fault, Info
+from nscc_runtime.device.packets import Kind
+from nscc_runtime.device.port import Port, PortGone, PortTrouble, list_ports, open_port
+from nscc_runtime.device.simulation import Simulation
+from nscc_runtime.device.trouble import check_fits, explained, port_trouble
+from nscc_runtime.interface import Exposer
+from nscc_runtime.sensor import default_sensor
+
+EXAMPLE = examples()[0]
+
+
+@pytest.fixture
+def info() -> Info:
+    """What a loader for the small target says."""
+    host = new_host(1)
+    Simulation(host, python_loader(EXAMPLE)).run(host.lasting(host.status))
+    assert host.info is not None
+    return host.info
+
+
+def code_of(raised: BaseException) -> str:
+    """The code of a message, which has to end in exit status 3 and to say what to do."""
+    assert isinstance(raised, Rejected)
+    assert raised.status == 3
+    [diagnostic] = raised.diagnostics
+    assert diagnostic.helps
+    return diagnostic.code
+
+
+@pytest.mark.parametrize(
+    ("number", "kind"),
+    [
+        (errno.ENOENT, "missing"),
+        (errno.ENXIO, "missing"),
+        (errno.EACCES, "forbidden"),
+        (errno.EPERM, "forbidden"),
+        (errno.EBUSY, "busy"),
+        (errno.EAGAIN, "busy"),
+        (errno.ENOTTY, "unsuited"),
+        (errno.EIO, "other"),
+    ],
+)
+def test_ports_that_do_not_open(number: int, kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: Any, **__: Any) -> None:
+        raise serial.SerialException(number, os.strerror(number))
+
+    monkeypatch.setattr(serial, "Serial", refuse)
+    with pytest.raises(PortTrouble) as caught:
+        open_port("/dev/ttyACM0")
+    assert caught.value.kind == kind
+    code = code_of(port_trouble("/dev/ttyACM0", caught.value))
+    assert code == ("NS0761" if kind == "busy" else "NS0760")
+
+
+def test_a_speed_that_the_port_does_not_have(monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: Any, **__: Any) -> None:
+        raise ValueError("Failed to set custom baud rate (12345)")
+
+    monkeypatch.setattr(serial, "Serial", refuse)
+    with pytest.raises(Rejected) as caught:
+        Link("/dev/ttyACM0", baud=12345)
+    assert code_of(caught.value) == "NS0760"
+    assert "--baud" in caught.value.diagnostics[0].helps[0]
+
+
+def test_a_port_that_goes_away_says_so() -> None:
+    master, slave = os.openpty()
+    port = open_port(os.ttyname(slave))
+    os.write(master, b"there")
+    assert port.read() == b"there"
+    assert port.write(b"back") == 4
+    assert os.read(master, 10) == b"back"
+    os.close(slave)
+    os.close(master)
+    with pytest.raises(PortGone):
+        port.read()
+    with pytest.raises(PortGone):
+        port.write(b"x")
+    port.close()
+    closed = Port(SimpleNamespace(fileno=lambda: -1, close=lambda: None))
+    with pytest.raises(PortGone):
+        closed.read()
+
+
+def test_the_options_have_the_links_defaults() -> None:
+    from nscc.cli import link_options
+    from nscc_runtime.device import link, port
+
+    assert link_options.DEFAULT_BAUD == port.DEFAULT_BAUD
+    assert link_options.DEFAULT_PATIENCE_S == link.PATIENCE_S
+
+
+def test_the_list_of_ports_is_sorted() -> None:
+    found = [SimpleNamespace(device=name, description=None) for name in ("/dev/b", "/dev/a")]
+    assert list_ports(lambda: found) == [("/dev/a", ""), ("/dev/b", "")]
+
+
+@pytest.mark.parametrize(
+    ("error", "code"),
+    [
+        (Silent(False, 0), "NS0762"),
+        (Silent(False, 9), "NS0762"),
+        (Silent(True, 0), "NS0766"),
+        (Stalled(), "NS0766"),
+        (Refused(Failure(Kind.HELLO, Fault.VERSION, 7)), "NS0762"),
+        (Refused(Failure(Kind.BEGIN, Fault.TARGET, 0)), "NS0764"),
+        (Refused(Failure(Kind.CAPTURE, Fault.HARDWARE, 0)), "NS0768"),
+        (Refused(Failure(Kind.CAPTURE, Fault.NO_PROGRAM, 0)), "NS0771"),
+        (Refused(Failure(Kind.DATA, Fault.WORD, 12)), "NS0767"),
+        (Refused(Failure(200, 99, 12)), "NS0767"),
+    ],
+)
+def test_what_a_host_raises(error: Exception, code: str) -> None:
+    with pytest.raises(Rejected) as caught, explained("/dev/ttyACM0", 10.0):
+        raise error
+    assert code_of(caught.value) == code
+
+
+@pytest.mark.parametrize(
+    ("change", "code"),
+    [
+        ({"most_words": 1}, "NS0765"),
+        ({"most_kernels": 1}, "NS0765"),
+        ({"most_rows": 0}, "NS0765"),
+        ({"most_runs": 1}, "NS0765"),
+        ({"most_frame": 60 * 9 - 1}, "NS0765"),
+        ({"target": bytes(32)}, "NS0764"),
+        ({"target": bytes(32), "target_name": "other"}, "NS0764"),
+    ],
+)
+def test_what_does_not_fit_is_refused_before_it_is_sent(
+    change: dict[str, Any], code: str, info: Info
+) -> None:
+    check_fits("port", EXAMPLE.upload, TARGET, info, 3)
+    with pytest.raises(Rejected) as caught:
+        check_fits("port", EXAMPLE.upload, TARGET, replace(info, **change), 3)
+    assert code_of(caught.value) == code
+    if code == "NS0765":
+        data = caught.value.diagnostics[0].data
+        assert data["required"] > data["available"]
+
+
+def test_gains_need_a_loader_that_has_them(info: Info) -> None:
+    scaled = examples()[3].upload
+    check_fits("port", scaled, TARGET, info, 3)
+    without = replace(info, capabilities=Capability.EXACT)
+    check_fits("port", EXAMPLE.upload, TARGET, without, 3)
+    with pytest.raises(Rejected) as caught:
+        check_fits("port", scaled, TARGET, without, 3)
+    assert code_of(caught.value) == "NS0765"
+
+
+def test_codes_alone_stand_for_electrons(info: Info) -> None:
+    """A chip gives no exposures: they are what its codes mean."""
+    assert channels_of(info) == 3
+    channels = channels_of(replace(info, capabilities=0))
+    assert channels == 1
+    frame = frame_of(bytes([0, 1, 255]), channels, (1, 1, 3), default_sensor(TARGET))
+    assert frame.frame.tolist() == [[[0, 1, 255]]]
+    assert frame.exposure_e.tolist() == [[[0.0, 30000 / 255, 30000.0]]]
+    assert frame.valid.all()
+
+
+class Wire:
+    """A link on a virtual clock, for `Chip`."""
+
+    path = "/dev/virtual"
+
+    def __init__(self) -> None:
+        self.host = new_host(1)
+        self.line = Simulation(self.host, python_loader(EXAMPLE))
+
+    def run(self, work: Callable[[], Any]) -> Any:
+        return self.line.run(self.host.lasting(work))
+
+    def steps(self, work: Callable[[], Any], reached: Callable[[], int]) -> Iterator[int]:
+        self.run(work)
+        yield from range(reached())
+
+
+def test_a_chip_is_an_exposer_and_shows_its_upload() -> None:
+    seen: list[tuple[str, int | None, int]] = []
+
+    def progress(items: Any, label: str, total: int | None) -> Iterator[Any]:
+        found = list(items)
+        seen.append((label, total, len(found)))
+        yield from found
+
+    wire: Any = Wire()
+    chip: Exposer = Chip(wire, progress=progress)
+    exposure = chip.expose(EXAMPLE.container, None)
+    codes = TARGET.rows * TARGET.cols
+    assert exposure.exposure_e.tobytes() == EXAMPLE.frame[codes:]
+    assert exposure.valid.all()
+    steps = len(EXAMPLE.upload.stream) // 1024
+    assert seen == [("uploading", steps, steps)]
+
+
+def test_a_frame_of_another_program_is_refused() -> None:
+    wire: Any = Wire()
+    chip = Chip(wire)
+    chip.upload(EXAMPLE.container)
+    taken = tasks.capture
+
+    def other(*arguments: Any) -> Any:
+        found = yield from taken(*arguments)
+        return replace(found, captured=replace(found.captured, readouts=2))
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(tasks, "capture", other)
+        with pytest.raises(Rejected) as caught:
+            chip.capture(EXAMPLE.container)
+    assert code_of(caught.value) == "NS0767"

@@ -1,0 +1,198 @@
+"""What a plan makes of a scene, beside the reference with the same effects."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from plan_cases import CASES, case, moving_light, plan_of
+from reference_programs import exposures, sensor_of
+
+from nscc.diagnostics.model import Rejected
+from nscc.words.container import Container
+from nscc_runtime.effects import OPTIONAL
+from nscc_runtime.light import Light
+from nscc_runtime.plan.capture import Planned, Program, prepared
+from nscc_runtime.plan.model import Plan
+from nscc_runtime.sensor import Sensor
+
+ROWS, COLS = 12, 16
+SEED, DEVICE = 3, 5
+CLOSED = {"closed": True, "leak_nodes": 6}
+
+
+def planned(container: Container, light: Light, sensor: Sensor, plan: Plan) -> Planned:
+    return prepared(Program.of(container, sensor), light, plan, device_seed=DEVICE, threads=1)
+
+
+def both(
+    name: str, effects: str, light: Light, **values: float
+) -> tuple[np.ndarray, np.ndarray, Planned]:
+    """Frame 1 by sums and by the reference (buckets, rows, cols)."""
+    container = case(name, rows=ROWS, cols=COLS)
+    sensor = sensor_of(container, **values)
+    scene = planned(container, light, sensor, plan_of(effects, **CLOSED))
+    full = exposures(container, light, sensor, effects, 2, SEED, DEVICE)[1]
+    return scene.expose(SEED, 1).exposure_e, full, scene
+
+
+LINEAR = ("none", "prnu", "lag", "prnu,lag", "crosstalk", "crosstalk,prnu", "dead_time",
+          "dead_time,crosstalk,lag")  # fmt: skip
+
+
+@pytest.mark.parametrize("effects", LINEAR)
+@pytest.mark.parametrize("name", CASES)
+def test_fixed_effects_are_exact_sums(name: str, effects: str) -> None:
+    found, full, scene = both(name, effects, moving_light((8, ROWS, COLS), 300.0))
+    assert not len(scene.saturating)
+    np.testing.assert_allclose(found, full, rtol=2e-6, atol=1e-3)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_leakage_between_rates_is_near(name: str) -> None:
+    light = moving_light((8, ROWS, COLS), 300.0)
+    found, full, _ = both(name, "leakage", light, leakage_tau_s=0.02)
+    np.testing.assert_allclose(found, full, rtol=1e-4, atol=1e-3)
+    plain, _, _ = both(name, "none", light)
+    # The only write of class a is the last word of all.
+    assert (np.abs(plain - full).max() > 10) == (name != "a")
+
+
+@pytest.mark.parametrize("effects", ["shot", "shot,prnu,lag", "shot,crosstalk"])
+@pytest.mark.parametrize("name", CASES)
+def test_counts_are_the_references_but_for_rare_ones(name: str, effects: str) -> None:
+    """One draw a group, by formula from a rate of 10 on: another count in few pixels."""
+    found, full, _ = both(name, effects, moving_light((8, ROWS, COLS), 300.0))
+    plain, _, _ = both(name, "none", moving_light((8, ROWS, COLS), 300.0))
+    away = np.abs(found - full)
+    limit = 1e-3 if "crosstalk" not in effects else 4.0
+    assert (away > limit).mean() < 0.01
+    assert away.max() <= 1.0 + limit
+    assert np.std(plain - full) > 10
+
+
+def test_dark_counts_of_open_and_closed_slots() -> None:
+    light = moving_light((8, ROWS, COLS), 0.0)
+    for name in ("b edges", "d accumulate", "two buckets"):
+        found, full, _ = both(name, "dark", light, dark_current_e_per_s=50000.0)
+        assert full.max() > 50
+        assert (np.abs(found - full) > 1e-6).mean() < 0.01
+
+
+@pytest.mark.parametrize("effects", ["read", "reset", "analog", "read,reset,analog"])
+@pytest.mark.parametrize("name", CASES)
+def test_the_noise_of_words_is_one_draw_a_bucket(name: str, effects: str) -> None:
+    """With the other effects of the sensor as they were when the draws were laid out."""
+    container = case(name, rows=ROWS, cols=COLS)
+    sensor = sensor_of(container, leakage_spread_fraction=0.0, analog_gain=1.0,
+                       leakage_tau_s=1e6)  # fmt: skip
+    light = moving_light((8, ROWS, COLS), 300.0)
+    scene = planned(container, light, sensor, plan_of(effects))
+    full = exposures(container, light, sensor, effects, 1, SEED, DEVICE)[0]
+    np.testing.assert_allclose(scene.expose(SEED, 0).exposure_e, full, rtol=1e-5, atol=0.01)
+    plain = exposures(container, light, sensor, "none", 1, SEED, DEVICE)[0]
+    # A bump read at both of its edges has the level of one reset twice, and loses it.
+    assert np.std(full - plain) > 5 or effects == "reset"
+
+
+def test_motion_is_the_moving_light() -> None:
+    from nscc_runtime.scenes.motion import with_motion
+
+    light = with_motion(moving_light((8, ROWS, COLS), 300.0))
+    for effects in ("motion", "none", "motion,prnu"):
+        found, full, _ = both("c edges", effects, light)
+        np.testing.assert_allclose(found, full, rtol=1e-5, atol=1e-3)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_saturating_pixels_run_through_their_words(name: str) -> None:
+    """All other effects on, some pixels at their limits: equal to the reference there."""
+    container = case(name, rows=ROWS, cols=COLS)
+    sensor = sensor_of(container, register_max_e=9000.0, register_min_e=-9000.0)
+    light = moving_light((8, ROWS, COLS), 300.0)
+    light.frames[:, 4, 5] = 20000.0
+    scene = planned(container, light, sensor, plan_of("all", **CLOSED))
+    assert 4 * COLS + 5 in scene.saturating
+    assert len(scene.saturating) < ROWS * COLS / 2
+    full = exposures(container, light, sensor, "all", 2, SEED, DEVICE)[1]
+    found = scene.expose(SEED, 1).exposure_e
+    rows, cols = np.divmod(scene.saturating, COLS)
+    np.testing.assert_allclose(found[:, rows, cols], full[:, rows, cols], rtol=1e-9, atol=1e-6)
+
+
+@pytest.mark.parametrize("effects", ["all", "all,-shot", "full_well", "register,prnu"])
+@pytest.mark.parametrize("name", CASES)
+def test_no_pixel_that_saturates_is_missed(name: str, effects: str) -> None:
+    """Light around the limits: what the bound lets through loses nothing worth mentioning."""
+    container = case(name, rows=ROWS, cols=COLS)
+    sensor = sensor_of(container)
+    light = moving_light((8, ROWS, COLS), 7000.0)
+    scene = planned(container, light, sensor, plan_of(effects, **CLOSED))
+    lossless = ",".join(n for n in (*effects.split(","), "-full_well", "-register"))
+    full, free = (
+        exposures(container, light, sensor, names, 1, SEED, DEVICE)[0]
+        for names in (effects, lossless)
+    )
+    lost = np.abs(full - free).max(axis=0).reshape(-1)
+    assert lost.max() > 1000
+    lost[scene.saturating] = 0.0
+    if effects == "full_well":  # sums are clipped where one read brings all the charge
+        lost[np.isfinite(scene.limits).all(axis=0)] = 0.0
+    assert lost.max() < 1.0
+
+
+def test_the_full_well_alone_clips_sums_with_a_single_read() -> None:
+    container = case("b latch", rows=ROWS, cols=COLS)
+    sensor = sensor_of(container, full_well_e=5000.0)
+    light = moving_light((8, ROWS, COLS), 900.0)
+    scene = planned(container, light, sensor, plan_of("full_well"))
+    assert not len(scene.saturating)
+    full = exposures(container, light, sensor, "full_well", 1, SEED, DEVICE)[0]
+    assert (full == 5000.0).any()
+    np.testing.assert_allclose(scene.expose(SEED, 0).exposure_e, full, rtol=1e-6)
+
+
+@pytest.mark.parametrize("effects", ["all", "none", "shot,crosstalk,read", *OPTIONAL])
+def test_all_pixels_through_their_words_are_the_reference(effects: str) -> None:
+    container = case("d edges", rows=ROWS, cols=COLS)
+    light, sensor = moving_light((8, ROWS, COLS), 3000.0), sensor_of(container)
+    scene = planned(container, light, sensor, plan_of(effects, loop="all"))
+    full = exposures(container, light, sensor, effects, 1, SEED, DEVICE)[0]
+    np.testing.assert_allclose(scene.expose(SEED, 0).exposure_e, full, rtol=1e-9, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["b edges", "d accumulate", "two buckets"])
+def test_threads_change_no_bit(name: str) -> None:
+    container = case(name, rows=40, cols=50)
+    light = moving_light((8, 40, 50), 5000.0)
+    program = Program.of(container, sensor_of(container))
+    plan = plan_of("all", **CLOSED)
+    found = {
+        threads: prepared(program, light, plan, threads=threads).expose(SEED, 0).exposure_e
+        for threads in (1, 2, 5)
+    }
+    assert found[1].tobytes() == found[2].tobytes() == found[5].tobytes()
+
+
+def test_frames_and_seeds_differ_and_come_again() -> None:
+    container = case("b edges", rows=ROWS, cols=COLS)
+    light, sensor = moving_light((8, ROWS, COLS), 300.0), sensor_of(container)
+    scene = planned(container, light, sensor, plan_of("all"))
+    one, other, seeded, again = (
+        scene.expose(seed, frame).exposure_e for seed, frame in ((1, 0), (1, 1), (2, 0), (1, 0))
+    )
+    assert one.tobytes() == again.tobytes()
+    assert not np.array_equal(one, other)
+    assert not np.array_equal(one, seeded)
+
+
+def test_light_that_does_not_fit_is_refused_and_no_number_is_marked() -> None:
+    container = case("b edges", rows=ROWS, cols=COLS)
+    sensor = sensor_of(container)
+    with pytest.raises(Rejected) as caught:
+        planned(container, moving_light((8, ROWS, 5), 1.0), sensor, plan_of("all"))
+    assert caught.value.diagnostics[0].code == "NS0734"
+    light = moving_light((8, ROWS, COLS), 300.0)
+    light.frames[0, 3, 4] = np.nan
+    found = planned(container, light, sensor, plan_of("shot,dark,read")).expose(0, 0)
+    assert not found.valid[0, 3, 4]
+    assert found.valid.sum() == found.valid.size - 1

@@ -1,0 +1,253 @@
+"""What a plan decides, what it says about it, and whether it comes true."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from plan_cases import case, moving_light
+from promise import full_frames, outcome, pool, scene
+from reference_programs import exposures, sensor_of
+
+from nscc.words.container import Container
+from nscc_runtime.effects import EFFECTS, OPTIONAL, selected
+from nscc_runtime.light import Light
+from nscc_runtime.plan.capture import Program
+from nscc_runtime.plan.choose import plan_for, predicted_for
+from nscc_runtime.plan.model import Decision, Plan
+from nscc_runtime.sensor import Sensor
+
+ROWS, COLS = 32, 48
+
+
+def made(
+    container: Container, light: Light, sensor: Sensor, tolerance: float, effects: str = "auto"
+) -> Plan:
+    return plan_for(Program.of(container, sensor), light, tolerance, selected(effects), 5)
+
+
+def row(plan: Plan, name: str) -> Decision:
+    [found] = (each for each in plan.decisions if each.name == name)
+    return found
+
+
+@pytest.fixture(scope="module")
+def mid() -> tuple[Container, Light, Sensor]:
+    container = case("b edges", 8, rows=ROWS, cols=COLS)
+    return container, moving_light((8, ROWS, COLS), 400.0), sensor_of(container)
+
+
+def test_a_plan_has_every_effect_once_and_says_why(mid: tuple[Container, Light, Sensor]) -> None:
+    plan = made(*mid, 5.0)
+    assert [each.name for each in plan.decisions] == [effect.name for effect in EFFECTS]
+    assert all(each.reason for each in plan.decisions)
+    assert not any(each.forced for each in plan.decisions)
+    assert row(plan, "adc").decision == row(plan, "adc_noise").decision == "kept"
+    assert row(plan, "motion").decision == row(plan, "decay").decision == "absent"
+    assert 0 < plan.predicted_e <= plan.bound_e
+    assert plan.predicted_e <= 0.9 * plan.tolerance_e
+    assert 0 < plan.sampled_fraction <= 1
+
+
+def test_larger_tolerances_keep_less_and_huge_ones_nothing(
+    mid: tuple[Container, Light, Sensor],
+) -> None:
+    costs = []
+    for tolerance in (2.0, 10.0, 100.0, 1e6):
+        plan = made(*mid, tolerance)
+        kept = [each for each in plan.decisions if each.decision == "kept"]
+        costs.append(sum(each.cost_ms_model for each in kept))
+        assert plan.predicted_e <= 0.9 * tolerance
+    assert costs == sorted(costs, reverse=True)
+    assert costs[-1] == 0 < costs[0]
+
+
+@pytest.mark.parametrize("name", OPTIONAL)
+@pytest.mark.parametrize("sign", "+-")
+def test_forced_effects_are_as_told(
+    sign: str, name: str, mid: tuple[Container, Light, Sensor]
+) -> None:
+    plan = made(*mid, 1e4 if sign == "+" else 1.0, f"auto,{sign}{name}")
+    found = row(plan, name)
+    absent = name in ("motion", "decay", "full_well", "register")
+    if not absent:
+        assert found.decision == ("kept" if sign == "+" else "dropped")
+        assert found.reason == "named in --effects"
+    assert found.forced
+    assert not any(each.forced for each in plan.decisions if each.name != name)
+
+
+def test_lists_of_effects_decide_on_everything(mid: tuple[Container, Light, Sensor]) -> None:
+    plan = made(*mid, 5.0, "shot,read")
+    assert {each.name for each in plan.decisions if each.decision == "kept"} >= {"shot", "read"}
+    assert row(plan, "prnu").decision == "dropped"
+    assert row(plan, "prnu").forced
+    assert plan.predicted_e > 5.0
+
+
+def test_what_is_forced_off_counts_as_an_error() -> None:
+    """Predicted as measured: the reference has what the user left out."""
+    container = case("b edges", 8, rows=64, cols=64)
+    light, sensor = scene("mid", 8, 64, 64), sensor_of(container)
+    full = full_frames(container, light, sensor, 4, 3, 5)
+    for effects in ("auto,-shot", "auto,-prnu,-dark", "auto,-analog", "none,+shot", "none"):
+        found = outcome(container, light, sensor, 5.0, full, effects=effects)
+        assert not found.kept
+        assert found.foreseen, (effects, found.err, found.plan.predicted_e)
+
+
+@pytest.mark.parametrize("name", ["a", "b edges", "d accumulate", "codebook", "two buckets"])
+def test_contributions_are_those_of_the_reference(name: str) -> None:
+    """Each effect's RMS and bias against the reference with and without it."""
+    container = case(name, 8, rows=ROWS, cols=COLS)
+    light = moving_light((8, ROWS, COLS), 400.0, zeros=False)
+    sensor = sensor_of(container, leakage_tau_s=0.5, analog_gain=1.0)
+    plan = made(container, light, sensor, 5.0)
+    fixed = ("prnu", "lag", "crosstalk", "dead_time", "leakage", "dark", "shot")
+    for effect in (*fixed, "read", "reset"):
+        # The levels of resets leak as well; plans know that even where they leave leakage out.
+        every = fixed if effect in fixed else (*fixed, "read", "reset")
+        left = ",".join(other for other in every if other != effect)
+        full, without = (
+            exposures(container, light, sensor, names, 4) for names in (",".join(every), left)
+        )
+        change = full - without
+        rms = np.sqrt((change**2).mean(axis=(0, 2, 3))).max()
+        found = row(plan, effect)
+        if rms < 0.05:
+            continue
+        assert found.predicted_rms_e == pytest.approx(rms, rel=0.12, abs=0.05), effect
+        means = change.mean(axis=(0, 2, 3))
+        nearest = means[np.abs(means - found.predicted_bias_e).argmin()]
+        assert found.predicted_bias_e == pytest.approx(nearest, rel=0.1, abs=0.1 * rms), effect
+
+
+def test_dropping_one_more_is_predicted(mid: tuple[Container, Light, Sensor]) -> None:
+    """`predicted_if_dropped_e` is the prediction of the plan that does leave it out."""
+    container, light, sensor = mid
+    plan = made(container, light, sensor, 5.0)
+    off = {each.name for each in plan.decisions if each.decision == "dropped"}
+    for name in ("shot", "prnu", "read", "analog", "crosstalk"):
+        if name in off:
+            continue
+        rest = [n for n in OPTIONAL if n not in {*off, name}]
+        other = made(container, light, sensor, 5.0, ",".join(rest))
+        found = row(plan, name).predicted_if_dropped_e
+        assert other.predicted_e == pytest.approx(found, rel=0.02, abs=0.05)
+
+
+def test_absent_effects_cost_nothing_and_change_nothing() -> None:
+    container = case("b edges", 8, rows=ROWS, cols=COLS)
+    none = {
+        "prnu_fraction": 0.0, "dark_current_e_per_s": 0.0, "lag_fraction": 0.0,
+        "crosstalk_fraction": 0.0, "read_noise_e": 0.0, "reset_noise_e": 0.0, "analog_gain": 1.0,
+        "analog_noise_lsb": 0.0, "analog_pattern_lsb": 0.0, "analog_bias_lsb": 0.0,
+    }  # fmt: skip
+    plan = made(container, moving_light((8, ROWS, COLS), 400.0), sensor_of(container, **none), 0.5)
+    gone = ("prnu", "dark", "lag", "crosstalk", "read", "reset", "analog", "motion", "decay",
+            "register")  # fmt: skip
+    for name in gone:
+        assert row(plan, name).decision == "absent", name
+        assert row(plan, name).cost_ms_model == 0
+    dark = made(container, moving_light((8, ROWS, COLS), 0.0), sensor_of(container, **none), 0.5)
+    assert {each.name for each in dark.decisions if each.decision == "kept"} == {"adc", "adc_noise"}
+    assert dark.predicted_e < 0.02
+
+
+def test_the_same_plan_every_time(mid: tuple[Container, Light, Sensor]) -> None:
+    """Nothing in a plan is drawn or measured anew: no times, no order of threads."""
+    container, light, sensor = mid
+    first = plan_for(Program.of(container, sensor), light, 2.0, device_seed=5)
+    assert plan_for(Program.of(container, sensor), light, 2.0, device_seed=5) == first
+    assert plan_for(Program.of(container, sensor), light, 2.0, device_seed=6) != first
+
+
+def test_a_plan_for_another_scene_says_what_it_is_worth_there() -> None:
+    container = case("b edges", 8, rows=64, cols=64)
+    sensor = sensor_of(container)
+    program = Program.of(container, sensor)
+    dim = plan_for(program, scene("dim", 8, 64, 64), 5.0, device_seed=5)
+    light = scene("mid", 8, 64, 64)
+    again = predicted_for(program, light, dim, 5)
+    assert [each.decision for each in again.decisions if each.name in ("prnu", "dark", "lag")] == [
+        each.decision for each in dim.decisions if each.name in ("prnu", "dark", "lag")
+    ]
+    assert not any(each.forced for each in again.decisions)
+    from nscc_runtime.capture import capture
+
+    full = full_frames(container, light, sensor, pool(light), 3, 5)
+    taken = capture(light, container, sensor, again, seed=3, device_seed=5, repeat=len(full))
+    err = math.sqrt(float(((taken.exposure_e - full) ** 2).mean()))
+    assert again.predicted_e == pytest.approx(err, rel=0.15)
+
+
+def test_frames_that_are_samples_have_motion() -> None:
+    from nscc_runtime.scenes.motion import with_motion
+
+    container = case("c edges", 8, rows=ROWS, cols=COLS)
+    light = with_motion(moving_light((8, ROWS, COLS), 400.0))
+    sensor = sensor_of(container)
+    plan = made(container, light, sensor, 1.0)
+    full, left = (
+        exposures(container, light, sensor, names, 1) for names in ("motion,prnu", "prnu")
+    )
+    found = row(plan, "motion")
+    assert found.decision == "kept"
+    assert found.predicted_rms_e == pytest.approx(((full - left) ** 2).mean() ** 0.5, rel=0.05)
+
+
+def test_decay_is_found_where_registers_are_kept_too_long() -> None:
+    container = case("d edges", 8, rows=ROWS, cols=COLS)
+    light = moving_light((8, ROWS, COLS), 400.0)
+    plan = made(container, light, sensor_of(container, digital_retention_us=1600.0), 1.0)
+    found = row(plan, "decay")
+    assert found.decision == "kept"
+    names = "decay,lag,prnu"
+    sensor = sensor_of(container, digital_retention_us=1600.0)
+    full, left = (exposures(container, light, sensor, n, 1) for n in (names, "lag,prnu"))
+    assert found.predicted_rms_e == pytest.approx(((full - left) ** 2).mean() ** 0.5, rel=0.1)
+    assert row(made(container, light, sensor_of(container), 1.0), "decay").decision == "absent"
+
+
+def test_small_tolerances_run_all_words_where_weights_of_slots_differ() -> None:
+    """Strong leakage weighs slots differently: one count for all of them cannot be exact."""
+    container = case("b accumulate", 8, rows=ROWS, cols=COLS)
+    light = moving_light((8, ROWS, COLS), 400.0)
+    sensor = sensor_of(container, leakage_tau_s=0.002)
+    tight, loose = (made(container, light, sensor, tolerance) for tolerance in (0.5, 500.0))
+    assert tight.slot_loop == "all"
+    assert tight.slot_loop_reasons
+    assert not tight.approximations
+    assert loose.slot_loop == "none"
+    assert loose.approximations
+
+
+def test_huge_light_is_planned_without_a_warning() -> None:
+    container = case("b edges", 8, rows=12, cols=16)
+    sensor = sensor_of(container)
+    for electrons in (1e15, 3.4e38):
+        light = moving_light((8, 12, 16), 300.0)
+        light.frames[:, 4, 5] = electrons
+        full = full_frames(container, light, sensor, 2, 3, 5)
+        found = outcome(container, light, sensor, 5.0, full)
+        assert found.kept
+
+
+def test_one_pixel_one_row_one_slot() -> None:
+    from reference_programs import program
+
+    for rows, cols in ((1, 1), (1, 7), (7, 1)):
+        container = program("nsl 1\nframe 1 slots of 1ms\nopen when true\n", "auto", rows, cols)
+        light = moving_light((1, rows, cols), 3000.0, zeros=False)
+        sensor = sensor_of(container)
+        full = full_frames(container, light, sensor, 3, 3, 5)
+        assert outcome(container, light, sensor, 0.5, full).kept
+
+
+def test_forced_plans_are_plans_too(mid: tuple[Container, Light, Sensor]) -> None:
+    plan = made(*mid, 5.0, "all")
+    assert all(each.forced == (each.kind != "after") or each.forced for each in plan.decisions[:-2])
+    again = replace(plan, decisions=plan.decisions)
+    assert again.wanted == plan.wanted

@@ -1,0 +1,178 @@
+"""Tolerances in words, plans as JSON: what is written comes back, and nothing else is taken."""
+
+from __future__ import annotations
+
+import copy
+import json
+import math
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from plan_cases import plan_of
+
+from nscc.diagnostics.model import Rejected
+from nscc.target.load import builtin_target
+from nscc_runtime.effects import EFFECTS, OPTIONAL
+from nscc_runtime.plan.model import Approximation, Plan
+from nscc_runtime.plan.tolerance import tolerance_e
+from nscc_runtime.sensor import default_sensor
+
+SENSOR = replace(default_sensor(builtin_target("scamp5")), electrons_per_lsb=100.0)
+
+
+@given(st.floats(1e-300, 1e300, allow_subnormal=False))
+def test_electrons_are_electrons(value: float) -> None:
+    assert tolerance_e(f"{value!r}e", SENSOR) == tolerance_e(value, SENSOR) == value
+    assert tolerance_e(f" {value!r} e ", SENSOR) == value
+
+
+@given(st.floats(1e-300, 1e300, allow_subnormal=False))
+def test_codes_are_so_many_electrons(value: float) -> None:
+    assert tolerance_e(f"{value!r}lsb", SENSOR) == value * 100.0
+
+
+@pytest.mark.parametrize("text", ["5e", "5.e", ".5e1e", "5e0e", "05e", "1e2lsb", "5E0e"])
+def test_ways_to_write_it(text: str) -> None:
+    unit = "lsb" if text.endswith("lsb") else "e"
+    number = float(text.removesuffix(unit))
+    assert tolerance_e(text, SENSOR) == number * (100.0 if unit == "lsb" else 1.0)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "", "e", "lsb", "5", "5 electrons", "-5e", "+5e", "0e", "0.0lsb", "nan e", "inf e", "infe",
+        "1e999e", "5e5e5e", "1..2e", ".e", "5,5e", "0x5e", "5LSB", "5e\x00", "\u0665e", "5e lsb",
+        "1e-400e", 0, -1, math.nan, math.inf, "9" * 5000 + "e",
+    ],
+)  # fmt: skip
+def test_what_is_no_tolerance(text: str | float) -> None:
+    with pytest.raises(Rejected) as caught:
+        tolerance_e(text, SENSOR)
+    [said] = caught.value.diagnostics
+    assert (said.code, caught.value.status) == ("NS0746", 2)
+    assert len(said.message) < 120
+
+
+@given(st.text())
+def test_any_text_is_a_tolerance_or_is_refused(text: str) -> None:
+    try:
+        found = tolerance_e(text, SENSOR)
+    except Rejected as rejected:
+        assert [said.code for said in rejected.diagnostics] == ["NS0746"]  # noqa: PT017
+    else:
+        assert 0 < found < math.inf
+
+
+numbers = st.floats(0, 1e9)
+
+
+@st.composite
+def plans(draw: st.DrawFn) -> Plan:
+    base = plan_of("all")
+    decisions = tuple(
+        replace(
+            each,
+            decision=draw(st.sampled_from(["kept", "dropped", "absent"])),
+            forced=draw(st.booleans()),
+            reason=draw(st.text(max_size=20)),
+            predicted_rms_e=draw(st.none() | numbers),
+            predicted_bias_e=draw(st.none() | st.floats(-1e9, 1e9)),
+            predicted_if_dropped_e=draw(st.none() | numbers),
+            cost_ms_model=draw(numbers),
+        )
+        for each in base.decisions
+    )
+    return Plan(
+        draw(st.floats(0.01, 1e6)), draw(numbers), draw(numbers),
+        draw(st.sampled_from(["none", "some", "all"])), tuple(draw(st.lists(st.text(max_size=9)))),
+        draw(st.floats(0, 1)),
+        tuple(draw(st.lists(st.builds(Approximation, st.text(max_size=9), numbers), max_size=3))),
+        decisions, draw(st.integers(1, 8)), draw(st.booleans()),
+    )  # fmt: skip
+
+
+@given(plans())
+def test_json_comes_back_as_it_went(plan: Plan) -> None:
+    text = json.dumps(plan.as_json(), allow_nan=False)
+    assert Plan.from_json(json.loads(text)) == plan
+
+
+def places(value: Any, at: tuple[Any, ...] = ()) -> list[tuple[Any, ...]]:
+    """Where something may be damaged: every key and index of a JSON value."""
+    found = [at] if at else []
+    if isinstance(value, dict):
+        for name in value:
+            found += places(value[name], (*at, name))
+    elif isinstance(value, list):
+        for index in range(min(len(value), 2)):
+            found += places(value[index], (*at, index))
+    return found
+
+
+WHOLE = plan_of("shot,prnu").as_json() | {
+    "approximations": [{"name": "a", "error_e": 0.5}], "slot_loop_reasons": ["why"],
+}  # fmt: skip
+
+
+def _damaged(at: tuple[Any, ...], change: Any) -> dict[str, Any]:
+    """`WHOLE` with the value at a place changed; deleted where `change` is None."""
+    values = copy.deepcopy(WHOLE)
+    holder: Any = values
+    for step in at[:-1]:
+        holder = holder[step]
+    if change is None:
+        del holder[at[-1]]
+    else:
+        holder[at[-1]] = change
+    return values
+
+
+TAKEN = (KeyError, TypeError, ValueError)
+
+
+SHORTER = {("slot_loop",), ("approximations", 0), ("slot_loop_reasons", 0)}
+"""Places that follow from others, and lists that may well be shorter."""
+
+
+@pytest.mark.parametrize("at", [at for at in places(WHOLE) if at not in SHORTER], ids=str)
+def test_a_part_that_is_missing_is_noticed(at: tuple[Any, ...]) -> None:
+    with pytest.raises(TAKEN):
+        Plan.from_json(_damaged(at, None))
+
+
+@pytest.mark.parametrize(
+    "junk", [{}, [], "x", "\x00", [[1]], True, -1, math.nan, math.inf, 10**400]
+)
+@pytest.mark.parametrize("at", places(WHOLE), ids=str)
+def test_a_value_of_another_kind_is_noticed(at: tuple[Any, ...], junk: Any) -> None:
+    """Nothing but a plan comes out: either it is refused or the same JSON follows from it."""
+    values = _damaged(at, junk)
+    try:
+        found = Plan.from_json(values)
+    except TAKEN:
+        return
+    text = json.dumps(found.as_json(), allow_nan=False)
+    again = json.loads(text)
+    for plan in (found, Plan.from_json(again)):
+        assert {each.name for each in plan.decisions} == {effect.name for effect in EFFECTS}
+        assert 0 < plan.tolerance_e < math.inf
+        assert plan.leak_nodes >= 1
+    if isinstance(junk, (list, dict)) or (isinstance(junk, float) and not math.isfinite(junk)):
+        assert at[-1] == "slot_loop" or (at[0], junk) in (
+            ("approximations", []), ("slot_loop_reasons", []),
+        ), f"{at} was taken as {junk!r}"  # fmt: skip
+
+
+def test_what_a_plan_simulates() -> None:
+    plan = plan_of("shot,full_well")
+    assert plan.kept.on == {"shot", "full_well", "adc"}
+    assert plan.wanted.on == {"shot", "full_well", "adc"}
+    assert plan.kept_in_words.on == {"shot", "full_well", "adc"}
+    free = replace(plan, decisions=tuple(replace(each, forced=False) for each in plan.decisions))
+    assert free.kept.on == {"shot", "full_well", "adc"}
+    assert free.wanted.on == {*OPTIONAL, "adc"}
+    assert free.kept_in_words.on == {*OPTIONAL, "adc"} - {"register"}

@@ -1,0 +1,142 @@
+"""Sums of light by lane, and leakage between a few rates, against exact arithmetic."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from nscc.target.load import builtin_target
+from nscc_runtime.effects.registers import leak_per_s
+from nscc_runtime.light import Light
+from nscc_runtime.plan import leak_nodes, sums
+from nscc_runtime.sensor import default_sensor
+
+SENSOR = default_sensor(builtin_target("scamp5"))
+
+
+def exact(frames: np.ndarray, lanes: np.ndarray, tables: np.ndarray) -> np.ndarray:
+    """The weighted sums (J, pixels), by fsum over float64 products."""
+    return np.array(
+        [
+            [
+                math.fsum(
+                    float(table[k, lanes[p]]) * float(frames[k, p]) for k in range(len(frames))
+                )
+                for p in range(frames.shape[1])
+            ]
+            for table in tables
+        ]
+    )
+
+
+@pytest.mark.parametrize("shape", [(1, 1, 1, 1), (7, 5, 3, 2), (40, 600, 4, 3), (3, 1025, 1, 1)])
+def test_sums_are_exact_sums(shape: tuple[int, int, int, int]) -> None:
+    count, pixels, lanes_count, number = shape
+    rng = np.random.default_rng(count)
+    frames = np.exp(rng.uniform(-20, 20, (count, pixels))).astype(np.float32)
+    lanes = rng.integers(0, lanes_count, pixels)
+    tables = rng.uniform(-1, 1, (number, count, lanes_count))
+    found = sums.weighted_sums(frames, lanes, tables)
+    size = exact(frames, lanes, np.abs(tables))
+    assert np.all(np.abs(found - exact(frames, lanes, tables)) <= 1e-13 * size)
+
+
+def test_threads_change_no_bit_and_views_are_read_as_they_are() -> None:
+    rng = np.random.default_rng(1)
+    frames = rng.random((9, 2000)).astype(np.float32)
+    lanes, tables = rng.integers(0, 3, 1000), rng.random((2, 9, 3))
+    once = sums.weighted_sums(frames[:, ::2], lanes, tables)
+    np.testing.assert_allclose(once[:, :20], exact(frames[:, ::2][:, :20], lanes, tables))
+    for threads in (2, 3, 16):
+        again = sums.weighted_sums(frames[:, ::2], lanes, tables, threads)
+        assert again.tobytes() == once.tobytes()
+
+
+def test_nothing_to_add_up() -> None:
+    none = np.empty((4, 0), np.float32), np.empty(0, np.int32), np.ones((2, 4, 1))
+    assert sums.weighted_sums(*none).shape == (2, 0)
+    light = Light.of_clip(np.ones((4, 1, 3), np.float32))
+    empty = sums.sums_by_slot(light, light.frames.reshape(4, 3), np.zeros(3, np.int32), [])
+    assert empty.shape == (0, 3)
+
+
+@pytest.mark.parametrize(
+    ("lanes", "tables"),
+    [
+        (np.zeros(5, np.int32), (1, 3, 2)),
+        (np.zeros(4, np.int32), (1, 4, 2)),
+        (np.full(5, 2, np.int32), (1, 4, 2)),
+        (np.full(5, -1, np.int32), (1, 4, 2)),
+    ],
+)
+def test_arrays_that_do_not_fit_are_refused(lanes: np.ndarray, tables: tuple[int, ...]) -> None:
+    """The loop itself would read beyond their ends."""
+    with pytest.raises(ValueError, match="lane"):
+        sums.weighted_sums(np.ones((4, 5), np.float32), lanes, np.ones(tables))
+
+
+def test_slots_that_share_frames(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Weights of slots, through the light's own matrix; table by table where memory is short."""
+    rng = np.random.default_rng(3)
+    light = Light(
+        rng.random((3, 2, 5)).astype(np.float32),
+        np.array([0, 2, 2, 3, 5]),
+        np.array([0, 1, 2, 1, 2], np.int32),
+        rng.random(5),
+        "clip",
+    )
+    lanes = rng.integers(0, 2, 10)
+    weights = [rng.random((4, 2)) for _ in range(3)]
+    slots = np.zeros((4, 10))
+    for n in range(4):
+        for k in range(light.row_start[n], light.row_start[n + 1]):
+            slots[n] += light.weight[k] * light.frames[light.frame_index[k]].reshape(-1)
+    expected = [(weight[:, lanes] * slots).sum(axis=0) for weight in weights]
+    flat = light.frames.reshape(3, 10)
+    found = sums.sums_by_slot(light, flat, lanes, weights)
+    np.testing.assert_allclose(found, expected, rtol=1e-12)
+    monkeypatch.setattr(sums, "_MOST_ENTRIES", 1)
+    assert sums.sums_by_slot(light, flat, lanes, weights).tobytes() == found.tobytes()
+
+
+@given(st.integers(2, leak_nodes.MOST), st.floats(0.01, 0.6), st.integers(0, 5))
+def test_between_rates_polynomials_are_exact(count: int, spread: float, power: int) -> None:
+    """With K rates, powers of the rate below K come out as they are."""
+    sensor = replace(SENSOR, leakage_spread_fraction=spread)
+    nodes = leak_nodes.rates(sensor, count)
+    assert len(nodes) == len(set(nodes.tolist())) == count
+    mean = 1.0 / sensor.leakage_tau_s
+    leak = np.linspace(nodes.min(), nodes.max(), 11)
+    weights = leak_nodes.between(nodes, leak)
+    power = min(power, count - 1)
+    np.testing.assert_allclose(
+        ((nodes / mean) ** power) @ weights, (leak / mean) ** power, rtol=1e-6
+    )
+
+
+@pytest.mark.parametrize("spread", [0.0, 0.1, 0.5])
+@pytest.mark.parametrize("age_s", [0.01, 1.0, 10.0])
+def test_the_error_between_rates_is_that_of_real_pixels(spread: float, age_s: float) -> None:
+    sensor = replace(SENSOR, leakage_tau_s=5.0, leakage_spread_fraction=spread)
+    leak = leak_per_s(sensor, 3, np.arange(60_000))
+    for count in range(1, leak_nodes.MOST + 1):
+        if spread == 0.0 and count > 1:
+            break  # one rate is all there is
+        nodes = leak_nodes.rates(sensor, count)
+        near = np.exp(-nodes * age_s) @ leak_nodes.between(nodes, leak)
+        measured = float(np.sqrt(((near - np.exp(-leak * age_s)) ** 2).mean()))
+        predicted = leak_nodes.error(sensor, count, age_s)
+        # A spread is all in the tails: beyond four sigmas there are few pixels with large errors.
+        assert measured == pytest.approx(predicted, rel=0.25, abs=1e-12)
+
+
+def test_more_rates_are_better() -> None:
+    sensor = replace(SENSOR, leakage_spread_fraction=0.3)
+    errors = [leak_nodes.error(sensor, count, 5.0) for count in range(1, leak_nodes.MOST + 1)]
+    assert errors == sorted(errors, reverse=True)
+    assert errors[-1] < 1e-4 * errors[0]

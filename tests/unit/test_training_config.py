@@ -1,0 +1,116 @@
+"""Configurations: defaults, round trips, and every mistake with its place."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import pytest
+from nscc_command import invoke
+
+pytest.importorskip("torch")
+
+from nscc.diagnostics.model import Rejected
+from nscc_training.config import config_toml, load_config, settings_of
+from nscc_training.settings import Settings
+
+
+def test_what_is_printed_is_read_back() -> None:
+    for remarks in (False, True):
+        text = config_toml(Settings(), remarks=remarks)
+        assert settings_of(tomllib.loads(text)) == Settings()
+        assert max(len(line) for line in text.splitlines()) <= 100
+    changed = settings_of({"shutter": {"class": "d", "tile": [2, 3]}, "train": {"rate": 1}})
+    assert (changed.shutter.kind, changed.shutter.tile, changed.train.rate) == ("d", (2, 3), 1.0)
+    assert settings_of(tomllib.loads(config_toml(changed))) == changed
+
+
+def test_changes_come_on_top(tmp_path: Path) -> None:
+    path = tmp_path / "c.toml"
+    path.write_text("[train]\nsteps = 7\nbatch = 3\n")
+    found = load_config(path, ["train.steps=9", "loss.name=l1", 'data.val=""', "shutter.free=true"])
+    assert (found.train.steps, found.train.batch) == (9, 3)
+    assert (found.loss.name, found.data.val, found.shutter.free) == ("l1", "", True)
+
+
+def test_every_mistake_is_told_at_once_with_its_place(tmp_path: Path) -> None:
+    path = tmp_path / "c.toml"
+    path.write_text("[trian]\nx = 1\n[train]\nstep = 3\nbatch = 0\n[data]\nsaturated = [0.3]\n")
+    with pytest.raises(Rejected) as caught:
+        load_config(path, ["train.dtype=f16", "nothing"])
+    found = caught.value.diagnostics
+    assert [d.code for d in found] == ["NS0814", "NS0814", "NS0815", "NS0815", "NS0815", "NS0815"]
+    assert "did you mean `train`?" in found[0].helps
+    assert "did you mean `steps`?" in found[1].helps
+    lines = [d.source.row_column(d.label.span.start)[0] for d in found if d.source and d.label]
+    assert lines == [1, 4, 5, 7]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "[train]\nsteps = true\n", "[train]\nsteps = 1.5\n", "[train]\nrate = nan\n",
+        "[train]\nrate = inf\n", "[train]\nseed = -1\n", "[train]\nseed = 99999999999\n",
+        "[shutter]\nclass = 3\n", "[shutter]\nclass = 'f'\n", "[shutter]\ntile = 8\n",
+        "[shutter]\ntile = [8, true]\n", "[shutter]\nfree = 1\n", "train = 3\n",
+        "[data]\npatch = 1e400\n",
+    ],
+)  # fmt: skip
+def test_wrong_values(text: str, tmp_path: Path) -> None:
+    (tmp_path / "c.toml").write_text(text)
+    with pytest.raises(Rejected, match="NS0815"):
+        load_config(tmp_path / "c.toml")
+
+
+def test_files_that_are_none(tmp_path: Path) -> None:
+    (tmp_path / "bytes.toml").write_bytes(b"\xff\xfe\x00")
+    (tmp_path / "broken.toml").write_text("[train\nsteps = 1")
+    for name in ("none.toml", "bytes.toml", "broken.toml", "."):
+        outcome = invoke(["train", name, "--out", "r"], tmp_path)
+        assert (outcome.status, outcome.codes) == (2, ["NS0813"])
+    assert not (tmp_path / "r").exists()
+
+
+def test_the_schema_is_a_configuration(tmp_path: Path) -> None:
+    outcome = invoke(["train", "--schema"], tmp_path)
+    assert outcome.status == 0
+    assert settings_of(tomllib.loads(outcome.out)) == Settings()
+
+
+@pytest.mark.parametrize(
+    ("changes", "status", "code"),
+    [
+        (["shutter.class=e", "shutter.slots=16", "shutter.codes=open"], 1, "NS0412"),
+        (["shutter.class=e", "shutter.slots=70"], 1, "NS0307"),
+        (["shutter.slot_us=0.3"], 1, "NS0601"),
+        (["shutter.require=stop < 0"], 1, "NS0317"),
+        (["shutter.require=stop <"], 1, "NS0107"),
+        (["shutter.target=scamp6"], 1, "NS0230"),
+        (["shutter.class=e", "shutter.slots=8", "shutter.require=true"], 2, "NS0815"),
+        (["shutter.class=c", "shutter.slots=4", "shutter.length=5"], 2, "NS0815"),
+        (["shutter.init=none.npz"], 2, "NS0805"),
+        (["loss.name=l3"], 2, "NS0815"),
+        (["loss.name=no_such:loss"], 2, "NS0812"),
+        (["decoder.name=unet3d"], 2, "NS0815"),
+        (["decoder.name=no_such:net"], 2, "NS0812"),
+        (["data.train=none"], 2, "NS0811"),
+        (["data.train=."], 2, "NS0811"),
+        (["data.protocol=hdr-v2"], 2, "NS0815"),
+        (["train.device=cuda"], 2, "NS0815"),
+        (["sensor.file=none.toml"], 2, "NS0751"),
+    ],
+)
+def test_nothing_is_learned_before_everything_fits(
+    changes: list[str], status: int, code: str, tmp_path: Path
+) -> None:
+    """Infeasible shutters stop with the compiler's own error, the rest with ours."""
+    import torch
+
+    if code == "NS0815" and "cuda" in changes[0] and torch.cuda.is_available():
+        pytest.skip("there is a CUDA device")
+    (tmp_path / "c.toml").write_text("[shutter]\nslots = 16\n[data]\npatch = 32\nscenes = 4\n")
+    sets = [part for change in changes for part in ("--set", change)]
+    outcome = invoke(["train", "c.toml", "--out", "r", *sets], tmp_path)
+    assert code in outcome.codes, outcome.err
+    assert outcome.status == status
+    assert not (tmp_path / "r" / "metrics.csv").exists()

@@ -1,0 +1,251 @@
+"""The training loop in miniature: what it writes, how it goes on, when it stops."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+
+torch = pytest.importorskip("torch")
+
+from safetensors.torch import load_file  # noqa: E402
+
+from nscc.cli.support import write_together  # noqa: E402
+from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc_training.config import config_toml, settings_of  # noqa: E402
+from nscc_training.loop.train import train  # noqa: E402
+
+STILL: dict[str, dict[str, Any]] = {
+    "shutter": {"class": "b", "slots": 16, "tile": [4, 4], "init": "random", "noise": 0.5},
+    "data": {"patch": 16, "scenes": 3, "val_items": 2},
+    "train": {"steps": 6, "batch": 2, "validate_every": 2, "code_rate": 0.05},
+}
+CLIP: dict[str, dict[str, Any]] = {
+    "shutter": {
+        "class": "codebook", "slots": 8, "tile": [4, 4], "rows": 16, "init": "random",
+        "relaxation": "gumbel", "words_weight": 0.01,
+    },
+    "decoder": {"name": "unet3d"},
+    "loss": {"name": "l1"},
+    "data": {"protocol": "video-v1", "patch": 16, "scenes": 3, "val_items": 2},
+    "train": {"steps": 4, "batch": 2, "validate_every": 2, "code_rate": 0.05},
+}  # fmt: skip
+FILES = {
+    "checkpoint.safetensors", "config.resolved.toml", "environment.json", "metrics.csv",
+    "shutter.nsl", "codes.npz", "capture.toml", "decoder.safetensors", "split.json",
+    "result.json", "model_card.md",
+}  # fmt: skip
+
+
+def run(values: dict[str, dict[str, Any]], out: Path, **more: Any) -> None:
+    train(settings_of(values), out, write=write_together, **more)
+
+
+def changed(values: dict[str, dict[str, Any]], section: str, **keys: Any) -> dict[str, Any]:
+    return {**values, section: {**values.get(section, {}), **keys}}
+
+
+@pytest.mark.parametrize("values", [STILL, CLIP], ids=["still", "clip"])
+def test_a_run_leaves_what_was_promised(values: dict[str, Any], tmp_path: Path) -> None:
+    run(values, tmp_path / "r")
+    assert {path.name for path in (tmp_path / "r").iterdir()} == FILES
+    head, *rows = (tmp_path / "r" / "metrics.csv").read_text().splitlines()
+    assert head.split(",")[:6] == ["step", "split", "loss", "psnr_db", "ssim", "words_per_slot"]
+    steps = values["train"]["steps"]
+    assert [row.split(",")[:2] for row in rows] == [
+        [str(k), part] for k in range(2, steps + 1, 2) for part in ("train", "val")
+    ]
+    found = json.loads((tmp_path / "r" / "result.json").read_text())
+    assert found["stages"]["compiled_equals_hard"] is True
+    assert found["stages"]["hard"] == found["stages"]["compiled"]
+    assert found["stages"]["emulated"] == pytest.approx(found["stages"]["hard"], abs=0.01)
+    assert len(found["robustness"]) == 8
+    built = invoke(["build", "shutter.nsl", "-O", "1", "-o", str(tmp_path / "s.icw")],
+                   tmp_path / "r")  # fmt: skip
+    assert built.status == 0, built.err
+    for name, digest in found["files"].items():
+        from hashlib import sha256
+
+        assert sha256((tmp_path / "r" / name).read_bytes()).hexdigest() == digest
+
+
+@pytest.mark.parametrize("values", [STILL, CLIP], ids=["still", "clip"])
+def test_resuming_changes_no_bit(values: dict[str, Any], tmp_path: Path) -> None:
+    """Stopped after any step and gone on with, a run is the run that was never stopped."""
+    run(values, tmp_path / "whole")
+    for stop in (2, 3):
+        out = tmp_path / f"stopped{stop}"
+        # a checkpoint lies at every second step: what came after one is done again
+        run(changed(values, "train", validate_every=2), out, stop_after=stop)
+        assert not (out / "result.json").exists()
+        if stop == 3:
+            # as a run that was killed there: its last checkpoint is of step 2
+            put_back_checkpoint(values, out)
+        run(values, out)
+        for name in FILES - {"checkpoint.safetensors"}:
+            whole, again = ((folder / name).read_bytes() for folder in (tmp_path / "whole", out))
+            assert whole == again, name
+        first, second = (
+            load_file(folder / "checkpoint.safetensors") for folder in (tmp_path / "whole", out)
+        )
+        assert first.keys() == second.keys()
+        assert all(torch.equal(first[key], second[key]) for key in first)
+
+
+def put_back_checkpoint(values: dict[str, Any], out: Path) -> None:
+    """Put back the checkpoint of step 2, but leave the metrics of step 3."""
+    other = out.with_name("other")
+    run(values, other, stop_after=2)
+    (out / "checkpoint.safetensors").write_bytes((other / "checkpoint.safetensors").read_bytes())
+
+
+def test_the_same_seed_gives_the_same_bytes(tmp_path: Path) -> None:
+    for name in ("a", "b"):
+        run(STILL, tmp_path / name)
+    run(changed(STILL, "train", seed=1), tmp_path / "c")
+    for name in FILES:
+        one, two = ((tmp_path / k / name).read_bytes() for k in ("a", "b"))
+        assert one == two, name
+    codes = [np.load(tmp_path / k / "codes.npz")["stop"] for k in ("a", "c")]
+    assert not np.array_equal(*codes)
+
+
+def test_never_begins_anew_and_another_configuration_is_refused(tmp_path: Path) -> None:
+    run(STILL, tmp_path / "r", stop_after=2)
+    with pytest.raises(Rejected, match="NS0816"):
+        run(changed(STILL, "train", rate=0.002), tmp_path / "r")
+    run(changed(STILL, "train", rate=0.002), tmp_path / "r", resume="never", stop_after=2)
+    with pytest.raises(Rejected, match="NS0816"):
+        run(STILL, tmp_path / "r", resume=str(tmp_path / "nowhere"))
+    (tmp_path / "r" / "checkpoint.safetensors").write_bytes(b"\x00" * 40)
+    with pytest.raises(Rejected, match="NS0816"):
+        run(STILL, tmp_path / "r")
+
+
+def test_codes_that_are_not_learned_stay(tmp_path: Path) -> None:
+    run(changed(STILL, "shutter", learn=False, init="quad"), tmp_path / "r")
+    stop = np.load(tmp_path / "r" / "codes.npz")["stop"]
+    assert stop.tolist() == [[16, 4, 16, 4], [1, 1, 1, 1]] * 2
+    run(changed(STILL, "shutter", init=str(tmp_path / "r" / "codes.npz"), learn=False),
+        tmp_path / "again")  # fmt: skip
+    assert np.array_equal(np.load(tmp_path / "again" / "codes.npz")["stop"], stop)
+
+
+def test_codes_do_learn(tmp_path: Path) -> None:
+    run(STILL, tmp_path / "r")
+    run(changed(STILL, "shutter", learn=False), tmp_path / "frozen")
+    learned, frozen = (np.load(tmp_path / k / "codes.npz")["stop"] for k in ("r", "frozen"))
+    assert not np.array_equal(learned, frozen)
+
+
+@pytest.mark.parametrize("name", ["bad_loss", "steep_loss"])
+def test_what_is_not_finite_stops_before_the_step(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "losses_of_tests.py").write_text(
+        "import torch\n"
+        "def bad_loss(p, t):\n    return (p - t).sum() * float('nan')\n"
+        "def steep_loss(p, t):\n    return torch.sqrt((p - p.detach()).abs().sum())\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    values = changed(STILL, "loss", name=f"losses_of_tests:{name}")
+    (tmp_path / "c.toml").write_text(config_toml(settings_of(values)))
+    outcome = invoke(["train", "c.toml", "--out", "r"], tmp_path)
+    assert (outcome.status, outcome.codes) == (3, ["NS0817"])
+    assert "procedural-train-" in outcome.err
+    assert "step 0" in outcome.err
+    assert not (tmp_path / "r" / "checkpoint.safetensors").exists()
+
+
+def test_own_data_by_import_path(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "data_of_tests.py").write_text(
+        "import numpy as np\n"
+        "def scenes(kind, part, slots, seed):\n"
+        "    rng = np.random.default_rng([seed, part == 'val'])\n"
+        "    return [(f'{part}{k}', rng.random((20, 24))) for k in range(2)]\n"
+        "def dark(kind, part, slots, seed):\n"
+        "    return [('one', -np.ones((20, 20)))]\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    run(changed(STILL, "data", train="data_of_tests:scenes", val="data_of_tests:scenes"),
+        tmp_path / "r")  # fmt: skip
+    split = json.loads((tmp_path / "r" / "split.json").read_text())
+    assert [s["file"] for s in split["train"]] == ["train0", "train1"]
+    with pytest.raises(Rejected, match="NS0811"):
+        run(changed(STILL, "data", train="data_of_tests:dark"), tmp_path / "no")
+    same = changed(STILL, "data", train="data_of_tests:dark", val="data_of_tests:dark")
+    with pytest.raises(Rejected, match="NS0811"):
+        run(same, tmp_path / "no")
+
+
+def test_bf16_leaves_the_sensor_alone(tmp_path: Path) -> None:
+    run(changed(STILL, "train", dtype="bf16"), tmp_path / "r")
+    weights = load_file(tmp_path / "r" / "decoder.safetensors")
+    assert {w.dtype for w in weights.values()} == {torch.float32}
+
+
+def test_two_processes_learn_together(tmp_path: Path) -> None:
+    """Both hold the same parameters after every step, and only one writes."""
+    (tmp_path / "c.toml").write_text(config_toml(settings_of(STILL)))
+    root = Path(__file__).resolve().parents[2]
+    paths = os.pathsep.join(str(root / part) for part in (".", "runtime", "training"))
+    code = (
+        "import sys; from nscc.cli.main import main; "
+        "status = main(['train', 'c.toml', '--out', 'r']); sys.exit(status)"
+    )
+    (tmp_path / "go.py").write_text(code)
+    done = subprocess.run(
+        [sys.executable, "-m", "torch.distributed.run", "--standalone", "--nproc-per-node", "2",
+         "go.py"],
+        cwd=tmp_path, env={**os.environ, "PYTHONPATH": paths, "OMP_NUM_THREADS": "1"},
+        capture_output=True, text=True, timeout=110,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr[-3000:]
+    assert {path.name for path in (tmp_path / "r").iterdir()} == FILES
+    run(STILL, tmp_path / "alone")
+    both, alone = (load_file(tmp_path / k / "decoder.safetensors") for k in ("r", "alone"))
+    # the patches are the same; the noise of the second half of a batch is another
+    for key in both:
+        assert torch.allclose(both[key], alone[key], atol=0.02)
+
+
+def test_reconstruct_and_what_it_refuses(tmp_path: Path) -> None:
+    run(changed(STILL, "train", steps=2), tmp_path / "r")
+    exposed = invoke(["run", "r/shutter.nsl", "-O", "1", "--scene", "builtin:hdr", "-o", "f.npz"],
+                     tmp_path)  # fmt: skip
+    assert exposed.status == 0, exposed.err
+    made = invoke(["reconstruct", "r", "f.npz", "-o", "o.npz"], tmp_path)
+    assert made.status == 0, made.err
+    image = np.load(tmp_path / "o.npz")["image"]
+    assert (image.shape, image.dtype) == ((256, 256), np.float32)
+    assert np.isfinite(image).all()
+    (tmp_path / "other.nsl").write_text(
+        "nsl 1\nframe 16 slots of 125us\ncode stop : 1..16\nopen when n < stop\npixels stop = 5\n"
+    )
+    for more in ([], ["--keep", "shutter"]):
+        invoke(["run", "other.nsl", "--scene", "builtin:hdr", "-o", "x.npz", *more], tmp_path)
+        refused = invoke(["reconstruct", "r", "x.npz", "-o", "p.npz"], tmp_path)
+        assert (refused.status, refused.codes) == (2, ["NS0819"])
+        assert not (tmp_path / "p.npz").exists()
+    forced = invoke(["reconstruct", "r", "x.npz", "-o", "p.npz", "--force"], tmp_path)
+    assert (forced.status, forced.codes) == (0, ["NS0819"])
+    kept = ["run", "r/shutter.nsl", "--scene", "builtin:hdr", "--keep", "shutter", "-O", "0"]
+    invoke([*kept, "-o", "k.npz"], tmp_path)
+    assert invoke(["reconstruct", "r", "k.npz", "-o", "k2.npz"], tmp_path).status == 0
+    invoke([*kept, "-o", "g.npz", "--sensor-set", "electrons_per_lsb=50"], tmp_path)
+    other = invoke(["reconstruct", "r", "g.npz", "-o", "p2.npz"], tmp_path)
+    assert other.codes == ["NS0819"]
+    assert "electrons_per_lsb" in other.err
+    (tmp_path / "broken.npz").write_bytes(b"PK")
+    for name in ("broken.npz", "o.npz", "none.npz"):
+        assert "NS0819" in invoke(["reconstruct", "r", name, "-o", "q.npz"], tmp_path).codes
+    assert "NS0818" in invoke(["reconstruct", ".", "f.npz", "-o", "q.npz"], tmp_path).codes
+    (tmp_path / "r" / "decoder.safetensors").write_bytes(b"\x00" * 9)
+    assert "NS0818" in invoke(["reconstruct", "r", "f.npz", "-o", "q.npz"], tmp_path).codes

@@ -1,0 +1,75 @@
+"""A network that cannot learn one batch by heart learns nothing: 40 dB within 500 steps."""
+
+from __future__ import annotations
+
+import pytest
+
+torch = pytest.importorskip("torch")
+
+from nscc_training.curves import mu_law  # noqa: E402
+from nscc_training.data import Batch, Batches, load_scenes  # noqa: E402
+from nscc_training.decoders.make import Task, make_decoder  # noqa: E402
+from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
+from nscc_training.sensor_model import SensorModel, capture  # noqa: E402
+from nscc_training.settings import DataSettings  # noqa: E402
+
+SENSOR = SensorModel(30000.0, 30000.0 / 255)
+
+
+def one_batch(still: bool, spec: ShutterSpec) -> Batch:
+    """A made still; for clips a smooth thing that moves, which a convolution can know by heart."""
+    if still:
+        data = DataSettings(patch=16, scenes=2, augment=False)
+        scenes = load_scenes(data, True, spec.slots, seed=1)
+        batches = Batches(scenes, data, slots=spec.slots, full_well_e=30000.0, batch=1, seed=1)
+        return batches.train(0)
+    t, y, x = torch.meshgrid(torch.arange(8.0), *[torch.arange(16.0)] * 2, indexing="ij")
+    truth = 0.2 + torch.exp(-((x - 3 - t) ** 2 + (y - 10 + t / 2) ** 2) / 18)
+    light = truth[None] * (30000.0 / spec.slots)
+    return Batch(light, truth[None], torch.tensor([1.2]), ("a thing that moves",))
+
+
+def decibels(kind: str, name: str, steps: int, rate: float) -> float:
+    """The best PSNR of one noiseless batch, on 0..1 of each patch's peak, within so many steps.
+
+    Stills are learned and scored on the mu-law of light, clips on light.
+    """
+    still = kind == "still"
+    spec = ShutterSpec("b", 64, (2, 2)) if still else ShutterSpec("e", 8, (8, 8))
+    encoder = make_encoder(spec, "quad" if still else "random", seed=1)
+    batch = one_batch(still, spec)
+    torch.manual_seed(0)
+    decoder = make_decoder(name, "small", Task(kind, spec.slots, spec.tile))
+    optimiser = torch.optim.Adam(decoder.parameters(), lr=rate)
+    shutters = encoder.hard()
+    frame = capture(batch.light, shutters, SENSOR).frame / SENSOR.top_code
+    peak = batch.peak.reshape(-1, *([1] * (batch.truth.ndim - 1)))
+    curve = mu_law if still else (lambda x: x)
+    truth = curve((batch.truth / peak).clamp(0, 1))
+    best = 0.0
+    for step in range(steps):
+        for group in optimiser.param_groups:
+            group["lr"] = rate * (1 - step / steps)
+        optimiser.zero_grad()
+        made = decoder(frame, shutters) / peak
+        loss = (curve(made) - curve(batch.truth / peak)).abs().mean()
+        loss.backward()
+        optimiser.step()
+        error = (curve(made.detach().clamp(0, 1)) - truth).square().mean().item()
+        best = max(best, -10 * torch.log10(torch.tensor(error)).item())
+        if best > 40:
+            break
+    return best
+
+
+@pytest.mark.parametrize(
+    ("kind", "name", "rate"),
+    [
+        ("still", "unet2d", 2e-3),
+        ("clip", "fcnet", 3e-3),
+        ("clip", "unet2d", 3e-3),
+        pytest.param("clip", "unet3d", 2e-3, marks=pytest.mark.slow),
+    ],
+)
+def test_one_batch_by_heart(kind: str, name: str, rate: float) -> None:
+    assert decibels(kind, name, 500, rate) > 40

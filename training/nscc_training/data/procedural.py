@@ -1,0 +1,101 @@
+"""Scenes that need no download: made of a seed, the same on every machine of one numpy."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Picture = NDArray[np.float32]
+Generator = np.random.Generator
+
+
+def still(generator: Generator, size: int) -> Picture:
+    """A picture (size, size) of light over four to six decades: surfaces, edges, lamps."""
+    surface = _fractal(generator, size, 4.0)
+    for _ in range(int(generator.integers(6, 14))):
+        where = _shape(generator, size)
+        surface = np.where(where, surface * 0.3 + generator.normal(0, 1.2), surface)
+    for _ in range(int(generator.integers(1, 5))):
+        y, x = generator.random(2) * size
+        rows, cols = np.mgrid[:size, :size]
+        distance = ((rows - y) ** 2 + (cols - x) ** 2) / (size * generator.uniform(0.01, 0.06)) ** 2
+        surface += generator.uniform(2, 6) / (1 + distance**2)
+    return np.exp(surface).astype(np.float32)
+
+
+def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
+    """A clip (frames, size, size) on 0..1: textured things crossing a panning background."""
+    margin = 3 * frames
+    ground = _unit(_fractal(generator, size + 2 * margin, 1.0))
+    pan = generator.uniform(-1.5, 1.5, 2)
+    sprites = [_sprite(generator, size) for _ in range(int(generator.integers(2, 6)))]
+    found = np.empty((frames, size, size), np.float32)
+    for k in range(frames):
+        found[k] = _moved(ground, margin + pan * k, size)
+        for texture, mask, place, speed in sprites:
+            _paste(found[k], texture, mask, place + speed * k)
+    return found
+
+
+def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float64]:
+    """Noise with a spectrum as natural scenes have it, of that standard deviation."""
+    frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size)[None, :])
+    frequency[0, 0] = 1.0
+    white = np.fft.rfft2(generator.standard_normal((size, size)))
+    made = np.fft.irfft2(white / frequency**1.4, s=(size, size))
+    return np.asarray((made - made.mean()) / made.std() * spread * 0.5)
+
+
+def _unit(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    low, high = np.percentile(values, (1, 99))
+    return np.asarray(np.clip((values - low) / (high - low), 0, 1) * 0.8 + 0.1)
+
+
+def _shape(generator: Generator, size: int) -> NDArray[np.bool_]:
+    """A turned rectangle or an ellipse, anywhere."""
+    y, x = generator.random(2) * size
+    height, width = generator.uniform(0.05, 0.3, 2) * size
+    angle = generator.uniform(0, np.pi)
+    rows, cols = np.mgrid[:size, :size]
+    u = (rows - y) * np.cos(angle) + (cols - x) * np.sin(angle)
+    v = (cols - x) * np.cos(angle) - (rows - y) * np.sin(angle)
+    if generator.random() < 0.5:
+        return np.asarray((np.abs(u) < height) & (np.abs(v) < width))
+    return np.asarray((u / height) ** 2 + (v / width) ** 2 < 1)
+
+
+def _sprite(
+    generator: Generator, size: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Texture, mask, place and speed (pixels a frame) of a thing."""
+    side = int(size * generator.uniform(0.2, 0.5))
+    texture = _unit(_fractal(generator, side, 1.0))
+    mask = _shape(generator, side) | _shape(generator, side)
+    place = generator.uniform(-0.2, 0.9, 2) * size
+    return texture, mask.astype(np.float64), place, generator.uniform(-3, 3, 2)
+
+
+def _moved(ground: NDArray[np.float64], corner: NDArray[np.float64], size: int) -> Picture:
+    """The window of that size whose corner lies between pixels."""
+    base = np.floor(corner).astype(int)
+    part = corner - base
+    y, x = base
+    block = ground[y : y + size + 1, x : x + size + 1]
+    down = block[:-1] * (1 - part[0]) + block[1:] * part[0]
+    return np.asarray(down[:, :-1] * (1 - part[1]) + down[:, 1:] * part[1], np.float32)
+
+
+def _paste(
+    picture: Picture, texture: NDArray[np.float64], mask: NDArray[np.float64],
+    place: NDArray[np.float64],
+) -> None:  # fmt: skip
+    """Lay a thing over the picture at whole pixels; what lies outside is cut."""
+    side = len(texture)
+    y, x = np.rint(place).astype(int)
+    top, left = max(y, 0), max(x, 0)
+    bottom, right = min(y + side, picture.shape[0]), min(x + side, picture.shape[1])
+    if top >= bottom or left >= right:
+        return
+    inner = (slice(top - y, bottom - y), slice(left - x, right - x))
+    part = picture[top:bottom, left:right]
+    part += ((texture[inner] - part) * mask[inner]).astype(np.float32)

@@ -1,0 +1,198 @@
+"""Where scenes come from, and which of them are for validation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from hashlib import sha256
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training.data import procedural
+from nscc_training.data.camera import turned
+from nscc_training.import_paths import imported, is_import_path
+from nscc_training.problems import rejected
+from nscc_training.settings import DataSettings
+
+_MOST_SIDE = 1024
+"""Clips are cut to this from their centre: training takes patches."""
+_VALIDATION = 5
+"""Every so many scenes one is for validation, where no folder is named for it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """One scene: linear light (rows, cols) or (T, rows, cols), in no particular unit.
+
+    For clips of display files 1 is white. `sha256` is the file's digest, or the array's where there
+    is no file.
+    """
+
+    name: str
+    sha256: str
+    light: NDArray[np.float32]
+
+
+@dataclass(frozen=True, eq=False)
+class Scenes:
+    """The scenes of a run; `train` and `val` share none."""
+
+    train: tuple[Scene, ...]
+    val: tuple[Scene, ...]
+
+    def split(self) -> dict[str, list[dict[str, str]]]:
+        """What `split.json` holds: names and digests."""
+        return {
+            part: [{"file": s.name, "sha256": s.sha256} for s in scenes]
+            for part, scenes in (("train", self.train), ("val", self.val))
+        }
+
+
+def load_scenes(settings: DataSettings, still: bool, slots: int, seed: int) -> Scenes:
+    """The scenes that a configuration names.
+
+    Raises Rejected: NS0811 for a folder without scenes of the kind, or where training and
+    validation would share one, NS0812 for an import path.
+    """
+    kind = _Kind(settings, still, slots, seed)
+    train = _load(settings.train, kind, "train")
+    if settings.val:
+        val = _load(settings.val, kind, "val")
+    else:
+        val = train[::_VALIDATION]
+        train = [scene for k, scene in enumerate(train) if k % _VALIDATION]
+    shared = {s.sha256 for s in train} & {s.sha256 for s in val}
+    if shared or not train or not val:
+        names = sorted(s.name for s in val if s.sha256 in shared)
+        raise rejected(
+            "NS0811",
+            "training and validation share scenes" if shared else "there are too few scenes",
+            notes=(f"shared: {', '.join(names[:5])}",) if shared else (),
+            helps=("name different folders in [data] train and val, or leave val empty: every "
+                   "fifth scene of train is kept back then, which takes two at least",),
+        )  # fmt: skip
+    return Scenes(tuple(train), tuple(val))
+
+
+@dataclass(frozen=True)
+class _Kind:
+    """What is loaded: stills or clips of at least `slots` frames."""
+
+    settings: DataSettings
+    still: bool
+    slots: int
+    seed: int
+
+
+def _load(where: str, kind: _Kind, part: str) -> list[Scene]:
+    if where == "procedural":
+        return _made(kind, part)
+    if is_import_path(where):
+        name = "still" if kind.still else "clip"
+        found = imported(where, "data")(kind=name, part=part, slots=kind.slots, seed=kind.seed)
+        return [_scene(str(name), np.asarray(light), kind) for name, light in found]
+    return _folder(Path(where), kind, part)
+
+
+def _made(kind: _Kind, part: str) -> list[Scene]:
+    count = kind.settings.scenes if part == "train" else -(-kind.settings.scenes // 4)
+    size = max(kind.settings.patch + kind.settings.patch // 2, 32)
+    scenes = []
+    for index in range(count):
+        generator = np.random.default_rng([kind.seed, 1 if part == "train" else 2, index])
+        if kind.still:
+            light = procedural.still(generator, size)
+        else:
+            light = procedural.clip(generator, kind.slots, size)
+        scenes.append(_scene(f"procedural-{part}-{index}", light, kind))
+    return scenes
+
+
+def _folder(folder: Path, kind: _Kind, part: str) -> list[Scene]:
+    from nscc_runtime.scenes.clips import CLIPS
+    from nscc_runtime.scenes.pictures import LINEAR
+
+    endings = LINEAR if kind.still else (*CLIPS, ".mat", *LINEAR)
+    files = []
+    if folder.is_dir():
+        files = sorted(p for p in folder.iterdir() if p.suffix.lower() in endings)
+    if not files:
+        what = "stills" if kind.still else "clips"
+        raise rejected(
+            "NS0811",
+            f"'{folder}' holds no {what} to learn from",
+            notes=(f"{what} end in {', '.join(endings)}",),
+            helps=("name a folder of such files, `procedural`, or a function as module:name",),
+        )
+    return [_read(path, kind, part) for path in files]
+
+
+def _read(path: Path, kind: _Kind, part: str) -> Scene:
+    from nscc_runtime.scenes.colour import linear, luminance
+    from nscc_runtime.scenes.pictures import LINEAR, read_picture
+
+    digest = sha256(path.read_bytes()).hexdigest()
+    if path.suffix.lower() in LINEAR:
+        picture = linear(read_picture(path), "linear")
+        light = np.maximum(luminance(picture) if picture.ndim == 3 else picture, 0.0)
+        if not kind.still:
+            # One path of the camera a panorama, fixed by the file and the seed.
+            generator = np.random.default_rng([kind.seed, 3, int(digest[:8], 16)])
+            size = min(kind.settings.patch * 2, _MOST_SIDE)
+            light = turned(light.astype(np.float32), generator, kind.slots, size)
+            light /= np.float32(max(float(np.percentile(light, 99)), 1e-30))
+        return _scene(path.name, light.astype(np.float32), kind, digest)
+    return _scene(path.name, _read_clip(path, kind), kind, digest)
+
+
+def _read_clip(path: Path, kind: _Kind) -> NDArray[np.float32]:
+    """The first frames of a clip as light."""
+    from nscc_runtime.scenes.arrays import read_mat
+    from nscc_runtime.scenes.clips import read_clip
+    from nscc_runtime.scenes.colour import Transfer, linear, luminance
+
+    chosen: Transfer = "linear" if path.suffix.lower() == ".mat" else "srgb"
+    if kind.settings.transfer:
+        chosen = "linear" if kind.settings.transfer == "linear" else "srgb"
+    if path.suffix.lower() == ".mat":
+        key, found = read_mat(path, lambda _shape: None)
+        stored: Any = np.moveaxis(found, 2, 0) if key == "orig" else found
+    else:
+        stored = read_clip(path)
+    frames = []
+    for frame in islice(stored, kind.settings.frames):
+        cut = _centre(np.asarray(frame))
+        light = linear(cut, chosen)
+        frames.append((luminance(light) if light.ndim == 3 else light).astype(np.float32))
+    return np.stack(frames)
+
+
+def _centre(frame: NDArray[Any]) -> NDArray[Any]:
+    rows, cols = frame.shape[:2]
+    top, left = max(0, rows - _MOST_SIDE) // 2, max(0, cols - _MOST_SIDE) // 2
+    return frame[top : top + _MOST_SIDE, left : left + _MOST_SIDE]
+
+
+def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> Scene:
+    """The scene, if training can use it; else Rejected (NS0811)."""
+    patch, reason = kind.settings.patch, ""
+    if light.ndim != (2 if kind.still else 3):
+        reason = f"its light is {light.shape}"
+    elif min(light.shape[-2:]) < patch:
+        reason = f"it is {light.shape[-2]} x {light.shape[-1]}, a patch {patch} x {patch}"
+    elif not kind.still and len(light) < kind.slots:
+        reason = f"it has {len(light)} frames, a window {kind.slots}"
+    elif not np.isfinite(light).all() or float(light.min()) < 0:
+        reason = "its light is negative or not finite somewhere"
+    if reason:
+        raise rejected(
+            "NS0811",
+            f"'{name}' is no scene for this configuration",
+            notes=(reason,),
+            helps=("take it out of the folder, or change [data] patch or [shutter] slots",),
+        )
+    values = np.ascontiguousarray(light, np.float32)
+    return Scene(name, digest or sha256(values.tobytes()).hexdigest(), values)

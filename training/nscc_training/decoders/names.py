@@ -1,0 +1,6 @@
+"""The decoders' names, without the networks."""
+
+from __future__ import annotations
+
+DECODERS = ("unet2d", "unet3d", "fcnet")
+SIZES = ("paper", "small")

@@ -1,0 +1,132 @@
+"""Protocol video-v1: windows of sixteen frames, at the source's own rate, cut from the centre."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training import metrics
+from nscc_training.measures import decibels
+from nscc_training.metrics.psnr import mean_square_error
+from nscc_training.problems import rejected
+from nscc_training.protocols import Protocol
+
+Clip = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Window:
+    """A scene of the protocol: `light_e` (16, rows, cols), electrons a slot.
+
+    `scale_e` electrons a slot are 1 in the source's light; `srgb` says how it is encoded.
+    """
+
+    file: Path
+    first: int
+    light_e: Clip
+    scale_e: float
+    srgb: bool
+
+
+@dataclass(frozen=True)
+class Passed:
+    """A source or window that cannot be used, and why."""
+
+    file: str
+    first: int
+    reason: str
+
+
+def clips_of(folder: Path) -> list[Path]:
+    """The clips of a folder by name; Rejected (NS0811) where there are none."""
+    from nscc_runtime.scenes.clips import CLIPS
+
+    endings = (*CLIPS, ".mat")
+    found = (
+        sorted(p for p in folder.iterdir() if p.suffix.lower() in endings)
+        if folder.is_dir()
+        else []
+    )
+    if not found:
+        raise rejected(
+            "NS0811",
+            f"'{folder}' holds no data for protocol video-v1",
+            notes=(f"clips end in {', '.join(endings)}",),
+            helps=("name a folder of clips of at least 256 x 256",),
+        )
+    return found
+
+
+def windows(
+    files: list[Path], protocol: Protocol, transfer: str | None = None
+) -> Iterator[Window | Passed]:
+    """The windows of clips, in order; what cannot be used as `Passed`."""
+    from nscc_runtime.scenes.colour import linear, luminance
+
+    size, count = int(protocol["size"]), int(protocol["frames"])
+    for path in files:
+        known = protocol["transfer"]
+        chosen = transfer or known.get(path.suffix.lower().lstrip("."), known["other"])
+        srgb = chosen == "srgb"
+        held: list[Clip] = []
+        for number, frame in enumerate(_stored(path)):
+            rows, cols = frame.shape[:2]
+            if min(rows, cols) < size:
+                yield Passed(path.name, 0, f"{rows} x {cols} is smaller than {size} x {size}")
+                break
+            top, left = (rows - size) // 2, (cols - size) // 2
+            part = linear(frame[top : top + size, left : left + size], "srgb" if srgb else "linear")
+            held.append(luminance(part) if part.ndim == 3 else part)
+            if len(held) == count:
+                yield exposed_window(path, number + 1 - count, np.stack(held), srgb, protocol)
+                held = []
+
+
+def exposed_window(
+    path: Path, first: int, light: Clip, srgb: bool, protocol: Protocol
+) -> Window | Passed:
+    """The window scaled so that the percentile of its all-open sum is a full well."""
+    level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
+    if level <= 0:
+        return Passed(path.name, first, "it is dark where it should fill a well")
+    scale = float(protocol["full_well_e"]) / level
+    return Window(path, first, light * scale, scale, srgb)
+
+
+def scores(window: Window, result_e: Clip) -> dict[str, Any]:
+    """The protocol's metrics of one window, as JSON values."""
+    truth, result = (encoded(x / window.scale_e, window.srgb) for x in (window.light_e, result_e))
+    errors = [mean_square_error(a, b) for a, b in zip(truth, result, strict=True)]
+    found = metrics.frame_scores(errors, 1.0)
+    return {
+        "psnr_db": decibels(found.mean),
+        "psnr_of_mean_mse_db": decibels(found.of_mean_mse),
+        "infinite_frames": found.infinite,
+        "ssim": metrics.ssim(truth, result, 1.0),
+        "temporal_error": metrics.temporal_error(truth, result, 1.0),
+    }
+
+
+def encoded(light: Clip, srgb: bool) -> Clip:
+    """Light in the source's encoding, clipped to 0..1."""
+    clipped = np.clip(light, 0.0, 1.0)
+    if not srgb:
+        return clipped
+    curve = 1.055 * np.maximum(clipped, 0.0031308) ** (1 / 2.4) - 0.055
+    return np.asarray(np.where(clipped <= 0.0031308, 12.92 * clipped, curve))
+
+
+def _stored(path: Path) -> Iterator[NDArray[Any]]:
+    from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, read_mat
+    from nscc_runtime.scenes.clips import read_clip
+
+    if path.suffix.lower() != ".mat":
+        yield from read_clip(path)
+        return
+    key, found = read_mat(path, lambda _shape: None)
+    yield from np.moveaxis(found, 2, 0) if key == MAT_CLIP_KEY else found

@@ -1,0 +1,254 @@
+"""What a finished run leaves: the program, its codes, the decoder, and what they are worth."""
+
+from __future__ import annotations
+
+import json
+import platform
+from dataclasses import replace
+from hashlib import sha256
+from typing import Any
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from nscc import __version__
+from nscc.prove.replay import shutters as replayed
+from nscc.words.container import Container
+from nscc.words.legality import decoded as decoded_words
+from nscc_runtime.emulator import expose
+from nscc_runtime.light import Light
+from nscc_runtime.sensor import sensor_sha256
+from nscc_training.config import config_toml
+from nscc_training.data import Batches, Scenes
+from nscc_training.decoders.make import flops, parameter_count
+from nscc_training.least_squares import solve
+from nscc_training.loop.setup import Parts
+from nscc_training.loop.steps import Scores, scored
+from nscc_training.measures import decibels
+from nscc_training.metrics import psnr
+from nscc_training.programs import CODES_FILE, compiled, program_of, words_per_slot
+from nscc_training.sensor_model import laid, read_out
+
+_CHANGES: tuple[tuple[str, dict[str, float]], ...] = (
+    ("as trained", {}),
+    ("full well -20 %", {"full_well_e": 0.8}),
+    ("full well +20 %", {"full_well_e": 1.2}),
+    ("electrons a code -20 %", {"electrons_per_lsb": 0.8}),
+    ("electrons a code +20 %", {"electrons_per_lsb": 1.2}),
+    ("readout noise x 2", {"adc_noise_lsb": 2.0}),
+)
+
+
+def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict[str, bytes]:
+    """The files of a run by name; the parts are in their best state, reached at `step`."""
+    from safetensors.torch import save
+
+    container_of = compiled(program_of(parts.encoder, parts.chip), parts.chip)
+    assert container_of.container is not None
+    remark = (
+        f"Shutters of class {parts.encoder.spec.kind}, learned by nscc train with the decoder "
+        f"beside them\n(step {step}, seed {parts.settings.train.seed}, "
+        f"protocol {parts.protocol.name})."
+    )
+    if not parts.settings.shutter.learn:
+        remark = remark.replace("learned by nscc train with", "kept by nscc train, which learned")
+    program = program_of(parts.encoder, parts.chip, remark)
+    weights = save({k: v.contiguous() for k, v in parts.decoder.state_dict().items()})
+    files = {"shutter.nsl": program.text.encode(), "decoder.safetensors": weights}
+    if program.codes:
+        files[CODES_FILE] = program.codes
+    files["capture.toml"] = capture_toml(parts).encode()
+    val = batches.val()
+    stages = _stages(parts, batches, container_of.container)
+    side = parts.settings.data.patch
+    result = {
+        "schema": "nscc-run-1",
+        "protocol": parts.protocol.name,
+        "protocol_sha256": parts.protocol.sha256,
+        "config_sha256": sha256(config_toml(parts.settings).encode()).hexdigest(),
+        "step": step,
+        "stages": stages,
+        "stages_note": f"mean PSNR in dB of {len(val)} validation patches of {side} x {side}, "
+        "data range the patch's peak, without noise",
+        "robustness": _robustness(parts, batches),
+        "words_per_slot": words_per_slot(container_of),
+        "codes": _codes_report(parts),
+        "parameters": parameter_count(parts.decoder),
+        "flops": flops(parts.decoder, parts.slots, side, side),
+        "flops_size": [side, side],
+        "files": {name: sha256(data).hexdigest() for name, data in sorted(files.items())},
+    }
+    files["result.json"] = lines_of(result)
+    files["model_card.md"] = _card(parts, scenes, result).encode()
+    return files
+
+
+def environment(parts: Parts) -> dict[str, Any]:
+    """Versions that the numbers depend on; no host, no time, no path."""
+    return {
+        "nscc": __version__,
+        "python": platform.python_version(),
+        "torch": torch.__version__,
+        "numpy": np.__version__,
+        "machine": platform.machine(),
+        "device": parts.device.type,
+    }
+
+
+def lines_of(values: Any) -> bytes:
+    """JSON as a file."""
+    return (json.dumps(values, indent=2, allow_nan=False) + "\n").encode()
+
+
+def capture_toml(parts: Parts) -> str:
+    """What a frame must have been made with for the decoder to understand it."""
+    model = parts.model
+    lines = [
+        "# What the decoder was trained on; `nscc reconstruct` refuses frames of something else.",
+        f"sensor_sha256 = {json.dumps(sensor_sha256(parts.sensor))}",
+        f"full_well_e = {model.full_well_e!r}",
+        f"electrons_per_lsb = {model.electrons_per_lsb!r}",
+        f"adc_offset_lsb = {model.adc_offset_lsb!r}",
+        f"adc_bits = {model.adc_bits}",
+        f"slots = {parts.slots}",
+        f"slot_us = {parts.chip.slot_us!r}",
+        f"scenes = {json.dumps('stills' if parts.still else 'clips')}",
+        f"transfer = {json.dumps(parts.settings.data.transfer)}",
+        'exposure = "'
+        + ("30 % of the pixels saturate when always open" if parts.still
+           else "percentile 99 of the all-open sum is a full well")
+        + '"',
+        'normalisation = "1 is a full well'
+        + (" over the frame" if parts.still else " / slots in a slot") + '"',
+    ]  # fmt: skip
+    return "\n".join(lines) + "\n"
+
+
+def _stages(parts: Parts, batches: Batches, container: Container) -> dict[str, Any]:
+    """PSNR with soft, hard, compiled and emulated shutters on the same patches."""
+    ideal, seed = parts.model.noiseless(), parts.settings.train.seed
+    val = batches.val()
+    with torch.no_grad():
+        soft = parts.encoder.shutters(None, soft=True)
+    found: dict[str, Any] = {}
+    table = replayed(container, decoded_words(container))
+    assert table is not None
+    pixels = container.pixel_codes
+    lanes = container.table.shutter_of_code[pixels] if pixels is not None else np.zeros(
+        (container.target.rows, container.target.cols), np.int64
+    )  # fmt: skip
+    rows, cols = parts.encoder.spec.tile
+    words = torch.from_numpy(
+        table[:, 0][lanes[:rows, :cols]].astype(np.float32).transpose(2, 0, 1).copy()
+    )
+    for name, shutters in (("soft", soft), ("hard", parts.encoder.hard()), ("compiled", words)):
+        found[name] = decibels(scored(parts, val, shutters, ideal, seed).psnr_db)
+    found["emulated"] = decibels(_emulated(parts, batches, container))
+    found["compiled_equals_hard"] = bool(torch.equal(words, parts.encoder.hard().cpu()))
+    return found
+
+
+@torch.no_grad()
+def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
+    """PSNR from frames that the emulator exposed: the words, on the whole array."""
+    rows, cols = container.target.rows, container.target.cols
+    values = []
+    tile = parts.encoder.hard()
+    for batch in batches.val():
+        patch = batch.light[0].numpy()
+        side = patch.shape[-1]
+        if side > min(rows, cols):
+            continue
+        whole = np.zeros((*patch.shape[:-2], rows, cols), np.float32)
+        whole[..., :side, :side] = patch
+        if parts.still:
+            light = Light.of_still(whole, np.full(parts.slots, 1.0 / parts.slots))
+        else:
+            light = Light.of_clip(whole)
+        exposure = torch.from_numpy(expose(container, light).exposure_e[:, :side, :side].copy())
+        prediction = _from_exposure(parts, exposure, tile[:, :side, :side])
+        peak = batch.peak.item()
+        pair = [np.clip(x.cpu().numpy() / peak, 0, 1) for x in (batch.truth[0], prediction[0])]
+        values.append(psnr(pair[0], pair[1], 1.0))
+    finite = [v for v in values if np.isfinite(v)]
+    return float(np.mean(finite)) if finite else float("inf")
+
+
+def _from_exposure(parts: Parts, exposure: Tensor, tile: Tensor) -> Tensor:
+    ideal = parts.model.noiseless()
+    frame = (read_out(exposure, ideal) - ideal.adc_offset_lsb) / ideal.top_code
+    shutters = laid(tile, *exposure.shape[-2:]).to(parts.device)
+    found: Tensor = parts.decoder(frame.to(parts.device), shutters).float()
+    return found
+
+
+def _robustness(parts: Parts, batches: Batches) -> list[dict[str, Any]]:
+    """PSNR under a sensor and an exposure that are not those of training."""
+    val, hard, seed = batches.val(), parts.encoder.hard(), parts.settings.train.seed
+    rows: list[dict[str, Any]] = []
+
+    def add(name: str, scores: Scores) -> None:
+        rows.append({"change": name, "psnr_db": decibels(scores.psnr_db), "ssim": scores.ssim})
+
+    for name, factors in _CHANGES:
+        values = {key: getattr(parts.model, key) * factor for key, factor in factors.items()}
+        add(name, scored(parts, val, hard, replace(parts.model, **values), seed))
+    for exposure in (0.5, 2.0):
+        scores = scored(parts, val, hard, parts.model, seed, exposure)
+        add(f"exposure x {exposure:g}", scores)
+    return rows
+
+
+def _codes_report(parts: Parts) -> dict[str, Any]:
+    """How many shutters there are, and how far from dependent they are."""
+    shutters = parts.encoder.hard().reshape(parts.slots, -1).T.double().cpu().numpy()
+    distinct = np.unique(shutters, axis=0)
+    system = solve(distinct, np.zeros(len(distinct)))
+    unused = getattr(parts.encoder, "unused_share", None)
+    return {
+        "places": len(shutters),
+        "shutters": len(distinct),
+        "rank": system.rank,
+        "condition": None if np.isinf(system.condition) else system.condition,
+        "unused_share": None if unused is None else float(unused()),
+    }
+
+
+def _card(parts: Parts, scenes: Scenes, result: dict[str, Any]) -> str:
+    """The model card."""
+    settings = parts.settings
+
+    def db(value: float | str) -> str:
+        return value if isinstance(value, str) else f"{value:.2f}"
+
+    stages = " | ".join(db(result["stages"][k]) for k in ("soft", "hard", "compiled", "emulated"))
+    rows = "\n".join(f"| {r['change']} | {db(r['psnr_db'])} |" for r in result["robustness"])
+    return f"""# Model card
+
+A decoder `{settings.decoder.name}` ({settings.decoder.size}, {result["parameters"]} parameters)
+and shutters of class {settings.shutter.kind} for `{settings.shutter.target}`: \
+{settings.shutter.slots} slots of {settings.shutter.slot_us:g} us, \
+{result["codes"]["shutters"]} shutters.
+
+* **For** {"stills of high dynamic range" if parts.still else "clips from one exposure"} as the
+  protocol {parts.protocol.name} exposes them; `capture.toml` says how. Frames of another program
+  or sensor mean nothing to it.
+* **Trained** for {settings.train.steps} steps of {settings.train.batch} patches of \
+{settings.data.patch} x {settings.data.patch}, loss {settings.loss.name}, seed \
+{settings.train.seed}, on {len(scenes.train)} scenes; validated on {len(scenes.val)} others \
+(`split.json`).
+* **Not** measured here: other scenes than those of validation. `nscc evaluate` does that.
+
+PSNR in dB of the validation patches without noise, with the shutters of four stages:
+
+| soft | hard | compiled | emulated |
+|---|---|---|---|
+| {stages} |
+
+With noise, and with a sensor or exposure that it was not trained for:
+
+| change | PSNR in dB |
+|---|---|
+{rows}
+"""

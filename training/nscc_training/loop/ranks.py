@@ -1,0 +1,42 @@
+"""Data-parallel training under `torchrun`: every process takes its part of each batch."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+
+import torch
+from torch import Tensor, distributed
+
+
+class Ranks:
+    """The processes of a run: `rank` of `count`; alone outside of `torchrun`."""
+
+    def __init__(self) -> None:
+        self.count = int(os.environ.get("WORLD_SIZE", "1"))
+        self.rank = int(os.environ.get("RANK", "0"))
+        self._ours = self.count > 1 and not distributed.is_initialized()
+        if self._ours:
+            distributed.init_process_group("nccl" if torch.cuda.is_available() else "gloo")
+
+    @property
+    def first(self) -> bool:
+        """Whether this process is the one that writes."""
+        return self.rank == 0
+
+    def part(self, size: int) -> tuple[int, int]:
+        """Which patches of a batch are this process's: from, to."""
+        return self.rank * size // self.count, (self.rank + 1) * size // self.count
+
+    def average(self, gradients: Iterable[Tensor], share: float) -> None:
+        """Replace gradients by their mean over processes, each weighted with its share."""
+        if self.count == 1:
+            return
+        for gradient in gradients:
+            gradient.mul_(share)
+            distributed.all_reduce(gradient)
+
+    def close(self) -> None:
+        """Leave the group, if it was entered here."""
+        if self._ours:
+            distributed.destroy_process_group()

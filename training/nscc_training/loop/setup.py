@@ -1,0 +1,163 @@
+"""A configuration as the things it names, checked by the compiler before anything is learned."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import torch
+from torch import nn
+
+from nscc.target.load import load_target
+from nscc.target.model import Target
+from nscc_runtime.sensor import Sensor, default_sensor, load_sensor
+from nscc_training.codes_files import load_codes
+from nscc_training.decoders.make import Task, make_decoder
+from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
+from nscc_training.encoders.bumps import Bump
+from nscc_training.encoders.patterns import MOST_BITS
+from nscc_training.import_paths import imported, is_import_path
+from nscc_training.losses import LOSSES, Loss
+from nscc_training.problems import rejected
+from nscc_training.programs import Chip, compiled, legal_codes, program, program_of
+from nscc_training.protocols import Protocol, load_protocol
+from nscc_training.sensor_model import SensorModel
+from nscc_training.settings import SensorSettings, Settings, ShutterSettings
+
+_STARTS = ("random", "uniform", "quad", "learned")
+
+
+@dataclass(frozen=True, eq=False)
+class Parts:
+    """Everything that a run is made of. `still` says whether scenes are stills or clips."""
+
+    settings: Settings
+    protocol: Protocol
+    still: bool
+    chip: Chip
+    target: Target
+    sensor: Sensor
+    model: SensorModel
+    encoder: Encoder
+    decoder: nn.Module
+    loss: Loss
+    device: torch.device
+
+    @property
+    def slots(self) -> int:
+        """N."""
+        return self.encoder.spec.slots
+
+
+def make_parts(settings: Settings, seed: int | None = None) -> Parts:
+    """The parts of a configuration, at their start.
+
+    Raises Rejected: NS0815 for settings that do not go together, NS0812 for import paths, and the
+    compiler's own errors where the shutters cannot be compiled for the chip.
+    """
+    seed = settings.train.seed if seed is None else seed
+    chosen = settings.shutter
+    chip = Chip(chosen.target, chosen.slot_us, chosen.require or None)
+    target = load_target(chip.target, Path())
+    protocol = load_protocol(settings.data.protocol)
+    still = protocol.name == "hdr-v1"
+    encoder = _encoder(chosen, chip, target, seed)
+    check_shutters(encoder, chip, every_code=chosen.codes == "open")
+    sensor = _sensor(settings.sensor, target)
+    task = Task(
+        "still" if still else "clip", chosen.slots, encoder.spec.tile, settings.decoder.sees_code
+    )
+    # Parameters of a decoder are drawn from torch's own generator: its state is nobody else's.
+    with torch.random.fork_rng(devices=[]):
+        torch.manual_seed(seed)
+        try:
+            decoder = make_decoder(settings.decoder.name, settings.decoder.size, task)
+        except ValueError as error:
+            raise _wrong("decoder.name", error) from error
+    device = _device(settings.train.device)
+    return Parts(
+        settings, protocol, still, chip, target, sensor,
+        _model(settings.sensor, sensor, target, protocol), encoder.to(device),
+        decoder.to(device), _loss(settings.loss.name), device,
+    )  # fmt: skip
+
+
+def check_shutters(encoder: Encoder, chip: Chip, *, every_code: bool) -> None:
+    """Rejected with the compiler's own errors where the encoder's shutters do not compile."""
+    if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
+        one = np.zeros(encoder.spec.tile, np.int64)
+        compiled(program(encoder.spec, {"bits": one}, chip), chip)
+    compiled(program_of(encoder, chip), chip, every_code=every_code)
+
+
+def _encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
+    tile = (target.rows, target.cols) if chosen.free else (chosen.tile[0], chosen.tile[1])
+    spec = ShutterSpec(
+        chosen.kind, chosen.slots, (1, 1) if chosen.kind == "a" else tile,
+        length=chosen.length if chosen.kind == "c" else None,
+        rows=chosen.rows if chosen.kind == "codebook" else None,
+    )  # fmt: skip
+    named = chosen.init in _STARTS
+    start = {"learned": "quad"}.get(chosen.init, chosen.init) if named else "quad"
+    try:
+        encoder = make_encoder(spec, start, seed, chosen.relaxation)
+    except ValueError as error:
+        raise _wrong("shutter", error) from error
+    if chip.require is not None:
+        if not isinstance(encoder, Bump):
+            raise _wrong("shutter.require", "it is for the classes b, c and d")
+        encoder.legal = torch.as_tensor(legal_codes(spec, chip), dtype=torch.float64)
+    if not named:
+        try:
+            encoder.load_codes(load_codes(Path(chosen.init)))
+        except ValueError as error:
+            raise _wrong("shutter.init", f"the codes of '{chosen.init}' do not fit: {error}") from (
+                error
+            )
+    return encoder
+
+
+def _sensor(chosen: SensorSettings, target: Target) -> Sensor:
+    return load_sensor(target, Path(chosen.file)) if chosen.file else default_sensor(target)
+
+
+def _model(
+    chosen: SensorSettings, sensor: Sensor, target: Target, protocol: Protocol
+) -> SensorModel:
+    """The sensor's own numbers where a file is named, else the protocol's where it has some."""
+    noise = chosen.noise
+    model = SensorModel.of(sensor, target, noise=noise)
+    if not chosen.file and "full_well_e" in protocol.values:
+        well, bits = float(protocol["full_well_e"]), int(protocol["adc_bits"])
+        model = SensorModel(
+            full_well_e=well,
+            electrons_per_lsb=well / ((1 << bits) - 1),
+            adc_bits=bits,
+            adc_noise_lsb=float(protocol["read_noise_lsb"]) if noise else 0.0,
+            shot_noise=noise,
+        )
+    return SensorModel(**{**vars(model), "slope": chosen.slope})
+
+
+def _loss(name: str) -> Loss:
+    if is_import_path(name):
+        found: Loss = imported(name, "loss")
+        return found
+    if name not in LOSSES:
+        raise _wrong("loss.name", f"'{name[:60]}' is none of {', '.join(LOSSES)}")
+    return LOSSES[name]
+
+
+def _device(name: str) -> torch.device:
+    if name == "cuda" and not torch.cuda.is_available():
+        raise _wrong("train.device", "there is no CUDA device here")
+    return torch.device("cuda" if name != "cpu" and torch.cuda.is_available() else "cpu")
+
+
+def _wrong(where: str, reason: object) -> Exception:
+    return rejected(
+        "NS0815",
+        f"{where} cannot be: {' '.join(str(reason).split())}",
+        helps=("`nscc train --schema` prints every key with what it allows",),
+    )

@@ -1,0 +1,124 @@
+"""One step of training, and a validation: capture, decode, score."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from torch import Tensor
+
+from nscc_training import metrics
+from nscc_training.data import Batch
+from nscc_training.loop.setup import Parts
+from nscc_training.problems import rejected
+from nscc_training.sensor_model import SensorModel, exposed, read_out
+
+
+@dataclass(frozen=True)
+class Scores:
+    """Means over patches: the loss, PSNR in dB on 0..1 of the peak, SSIM."""
+
+    loss: float
+    psnr_db: float
+    ssim: float
+
+
+def generator_of(*numbers: int) -> torch.Generator:
+    """A generator whose stream depends on all the numbers."""
+    state = np.random.SeedSequence(list(numbers)).generate_state(1, np.uint64)[0]
+    return torch.Generator().manual_seed(int(state) >> 1)
+
+
+def window(shutters: Tensor, rows: int, cols: int, seed: tuple[int, ...]) -> Tensor:
+    """The shutters over a patch: a tile from its corner, or some part of an array of free codes."""
+    if shutters.shape[1] <= rows and shutters.shape[2] <= cols:
+        return shutters
+    draw = np.random.default_rng(list(seed))
+    row = int(draw.integers(max(shutters.shape[1] - rows, 0) + 1))
+    col = int(draw.integers(max(shutters.shape[2] - cols, 0) + 1))
+    return shutters[:, row : row + rows, col : col + cols]
+
+
+def decoded(
+    parts: Parts, light: Tensor, shutters: Tensor, model: SensorModel,
+    generator: torch.Generator | None,
+) -> Tensor:  # fmt: skip
+    """What the decoder makes of a capture of `light` with `shutters`, a tile that repeats."""
+    with torch.autocast(parts.device.type, enabled=False):
+        exposure = exposed(light, shutters)
+        frame = read_out(exposure, model, generator)
+        frame = (frame - model.adc_offset_lsb) / model.top_code
+    mixed = parts.settings.train.dtype == "bf16"
+    with torch.autocast(parts.device.type, torch.bfloat16, enabled=mixed):
+        found: Tensor = parts.decoder(frame, shutters)
+    return found.float()
+
+
+def loss_of(parts: Parts, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:
+    """The loss, and the stand-in for words a slot: how many places change between slots."""
+    peak = batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
+    found = parts.loss(prediction / peak, batch.truth / peak)
+    weight = parts.settings.shutter.words_weight
+    if weight and len(shutters) > 1:
+        found = found + weight * (shutters[1:] - shutters[:-1]).abs().mean()
+    return found
+
+
+def check_finite(loss: Tensor, parts: Parts, batch: Batch, step: int) -> None:
+    """Rejected (NS0817, status 3) where the loss or a gradient is not finite; nothing was learned.
+
+    The batch is named, so that its scenes can be looked at.
+    """
+    named = {
+        f"{name}.{key}": parameter.grad
+        for name, module in (("decoder", parts.decoder), ("codes", parts.encoder))
+        for key, parameter in module.named_parameters()
+        if parameter.grad is not None
+    }
+    grads = list(named.values())
+    by_kind = ([g for g in grads if g.dtype == kind] for kind in {g.dtype for g in grads})
+    norms = [torch.nn.utils.get_total_norm(part).item() for part in by_kind]
+    if math.isfinite(loss.item()) and all(map(math.isfinite, norms)):
+        return
+    wrong = "the loss"
+    if math.isfinite(loss.item()):
+        bad = (name for name, grad in named.items() if not bool(torch.isfinite(grad).all()))
+        wrong = f"the gradient of {next(bad, 'all parameters together')}"
+    raise rejected(
+        "NS0817",
+        f"{wrong} is not finite in step {step}",
+        notes=("the batch: " + "; ".join(batch.names),),
+        helps=("look at these scenes, lower [train] rate, or use the dtype f32",),
+        data={"step": step, "batch": list(batch.names)},
+        status=3,
+    )
+
+
+@torch.no_grad()
+def scored(
+    parts: Parts, batches: Iterable[Batch], shutters: Tensor, model: SensorModel, seed: int,
+    exposure: float = 1.0,
+) -> Scores:  # fmt: skip
+    """Scores of the decoder on batches, with shutters of the tile or the array.
+
+    `exposure` makes all light so many times brighter than the decoder expects; the truth with it.
+    """
+    losses, values, similar = [], [], []
+    for index, given in enumerate(batches):
+        batch = given.to(parts.device)
+        rows, cols = batch.light.shape[-2:]
+        laid_out = window(shutters, rows, cols, (seed, 8, index)).to(parts.device)
+        generator = generator_of(seed, 9, index)
+        light = batch.light * exposure
+        prediction = decoded(parts, light, laid_out, model, generator) / exposure
+        losses.append(loss_of(parts, prediction, batch, laid_out).item())
+        for made, truth, peak in zip(prediction, batch.truth, batch.peak, strict=True):
+            pair = [np.clip((x / peak).cpu().numpy(), 0, 1) for x in (truth, made)]
+            values.append(metrics.psnr(pair[0], pair[1], 1.0))
+            similar.append(metrics.ssim(pair[0], pair[1], 1.0))
+    finite = [v for v in values if math.isfinite(v)]
+    mean = float(np.mean(finite)) if finite else math.inf
+    return Scores(float(np.mean(losses)), mean, float(np.mean(similar)))

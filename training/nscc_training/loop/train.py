@@ -1,0 +1,260 @@
+"""The loop itself: batches in, a run folder out, and at any time the way back into it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import torch
+
+from nscc.diagnostics.model import Rejected
+from nscc_training.config import config_toml
+from nscc_training.data import Batch, Batches, Scenes, load_scenes
+from nscc_training.loop.artifacts import artifacts, environment, lines_of
+from nscc_training.loop.ranks import Ranks
+from nscc_training.loop.setup import Parts, make_parts
+from nscc_training.loop.state import CHECKPOINT, Progress, packed, set_tensors, tensors_of, unpack
+from nscc_training.loop.steps import (
+    check_finite,
+    decoded,
+    generator_of,
+    loss_of,
+    scored,
+    window,
+)
+from nscc_training.problems import rejected
+from nscc_training.programs import compiled, program_of, words_per_slot
+from nscc_training.settings import Settings
+
+COLUMNS = ("step", "split", "loss", "psnr_db", "ssim", "words_per_slot", "dead_share")
+METRICS = "metrics.csv"
+
+Write = Callable[[Mapping[Path, bytes]], None]
+"""Writes several files, each whole or not at all."""
+
+
+@dataclass
+class Run:
+    """A run while it goes on. `rows` are the lines of metrics.csv, without their ends."""
+
+    parts: Parts
+    batches: Batches
+    scenes: Scenes
+    optimiser: torch.optim.Optimizer
+    ranks: Ranks
+    progress: Progress
+    rows: list[str] = field(default_factory=lambda: [",".join(COLUMNS)])
+
+
+def train(
+    settings: Settings,
+    out: Path,
+    *,
+    write: Write,
+    resume: str = "auto",
+    track: Callable[[Iterable[int], str, int], Iterable[int]] = lambda steps, _label, _total: steps,
+    report: Callable[[str], None] = lambda _text: None,
+    stop_after: int | None = None,
+) -> None:
+    """Train, and write the run folder `out`.
+
+    `resume` is auto (go on from a checkpoint in `out` if there is one), never, or a run folder or
+    checkpoint to go on from. `track` draws a bar; `report` is told each validation. With
+    `stop_after` the run ends after that step, as if interrupted, but with a checkpoint.
+    """
+    ranks = Ranks()
+    try:
+        run = _start(settings, out, resume, ranks)
+        if ranks.first:
+            _write_heads(run, out, write)
+        _steps(run, out, write, track, report, stop_after)
+        if ranks.first and run.progress.step >= settings.train.steps:
+            _finish(run, out, write)
+    finally:
+        ranks.close()
+
+
+def _start(settings: Settings, out: Path, resume: str, ranks: Ranks) -> Run:
+    """Everything at the first step, or at a checkpoint's."""
+    parts = make_parts(settings)
+    scenes = load_scenes(settings.data, parts.still, parts.slots, settings.train.seed)
+    batches = Batches(
+        scenes, settings.data, slots=parts.slots, full_well_e=parts.model.full_well_e,
+        batch=settings.train.batch, seed=settings.train.seed,
+    )  # fmt: skip
+    run = Run(parts, batches, scenes, _optimiser(parts), ranks, Progress())
+    checkpoint = _checkpoint(out, resume)
+    if checkpoint is not None:
+        run.progress = unpack(checkpoint, parts, run.optimiser)
+        rows = _rows(checkpoint.parent / METRICS, run.progress.step)
+        run.rows = rows or run.rows
+    return run
+
+
+def _checkpoint(out: Path, resume: str) -> Path | None:
+    if resume == "never":
+        return None
+    if resume == "auto":
+        return out / CHECKPOINT if (out / CHECKPOINT).is_file() else None
+    path = Path(resume)
+    found = path / CHECKPOINT if path.is_dir() else path
+    if not found.is_file():
+        raise rejected(
+            "NS0816",
+            f"there is no checkpoint to go on from: '{resume[:200]}'",
+            notes=("--resume takes auto, never, a run folder or a checkpoint",),
+            helps=("leave --resume out to begin, or to go on in --out",),
+        )
+    return found
+
+
+def _rows(path: Path, step: int) -> list[str]:
+    """The lines of metrics.csv up to a step: what came after the checkpoint is done again."""
+    if not path.is_file():
+        return []
+    head, *rest = path.read_text().splitlines()
+    return [head, *(row for row in rest if int(row.partition(",")[0]) <= step)]
+
+
+def _optimiser(parts: Parts) -> torch.optim.Optimizer:
+    settings = parts.settings
+    groups = [{"params": list(parts.decoder.parameters()), "base": settings.train.rate}]
+    if settings.shutter.learn:
+        spans = {id(p): high - low for p, (low, high) in parts.encoder.ranges()}
+        for parameter in parts.encoder.parameters():
+            span = spans.get(id(parameter), 1.0)
+            groups.append({"params": [parameter], "base": settings.train.code_rate * span})
+    else:
+        parts.encoder.requires_grad_(False)
+    groups = [group for group in groups if group["params"]]
+    return torch.optim.Adam([{**group, "lr": group["base"]} for group in groups], fused=True)
+
+
+def _steps(
+    run: Run, out: Path, write: Write, track: Callable[[Iterable[int], str, int], Iterable[int]],
+    report: Callable[[str], None], stop_after: int | None,
+) -> None:  # fmt: skip
+    total, every = run.parts.settings.train.steps, run.parts.settings.train.validate_every
+    losses: list[float] = []
+    for step in track(range(run.progress.step, total), "training", total - run.progress.step):
+        losses.append(_update(run, step))
+        run.progress.step = step + 1
+        due = (step + 1) % every == 0 or step + 1 == total or step + 1 == stop_after
+        if due and run.ranks.first:
+            _validate(run, losses, report)
+            write({
+                out / METRICS: ("\n".join(run.rows) + "\n").encode(),
+                out / CHECKPOINT: packed(run.parts, run.optimiser, run.progress),
+            })  # fmt: skip
+        if due:
+            losses.clear()
+        if step + 1 == stop_after:
+            return
+
+
+def _update(run: Run, step: int) -> float:
+    """One step; returns its loss on this process's part of the batch."""
+    parts, settings = run.parts, run.parts.settings
+    anneal(parts, step)
+    set_rates(run, step)
+    seed, size = settings.train.seed, settings.train.batch
+    first, last = run.ranks.part(size)
+    batch: Batch = run.batches.train(step).part(first, last).to(parts.device)
+    parts.decoder.train()
+    run.optimiser.zero_grad(set_to_none=True)
+    # The codes' noise is the same in every process, the sensor's is not.
+    shutters = parts.encoder(generator_of(seed, 6, step)) if settings.shutter.learn else (
+        parts.encoder.hard()
+    )  # fmt: skip
+    rows, cols = batch.light.shape[-2:]
+    shutters = window(shutters.to(parts.device), rows, cols, (seed, 7, step))
+    noise = generator_of(seed, 10, step, run.ranks.rank)
+    prediction = decoded(parts, batch.light, shutters, parts.model, noise)
+    loss = loss_of(parts, prediction, batch, shutters)
+    loss.backward()  # type: ignore[no-untyped-call]
+    learned = [p for group in run.optimiser.param_groups for p in group["params"]]
+    run.ranks.average((p.grad for p in learned if p.grad is not None), (last - first) / size)
+    check_finite(loss, parts, batch, step)
+    if settings.train.clip:
+        torch.nn.utils.clip_grad_norm_(parts.decoder.parameters(), settings.train.clip)
+    run.optimiser.step()
+    parts.encoder.project()
+    return loss.item()
+
+
+def anneal(parts: Parts, step: int) -> None:
+    """Temperature and noise of the codes at a step; both rates follow in the optimiser."""
+    settings = parts.settings
+    done = step / max(1, settings.train.steps - 1)
+    warm, cold = settings.shutter.temperature
+    parts.encoder.temperature = warm * (cold / warm) ** done
+    parts.encoder.noise = settings.shutter.noise * (1 - done)
+
+
+def set_rates(run: Run, step: int) -> None:
+    """The learning rates of a step."""
+    settings = run.parts.settings.train
+    factor = 1.0
+    if settings.schedule == "cosine":
+        factor = 0.5 * (1 + math.cos(math.pi * step / settings.steps))
+    for group in run.optimiser.param_groups:
+        group["lr"] = group["base"] * factor
+
+
+def _validate(run: Run, losses: list[float], report: Callable[[str], None]) -> None:
+    """Score the hard shutters, log, and remember the best state whose shutters compile."""
+    parts, step = run.parts, run.progress.step
+    parts.decoder.eval()
+    settings = parts.settings
+    dead = parts.encoder.dead_share() if settings.shutter.learn else None
+    run.rows.append(row(step, "train", sum(losses) / len(losses), None, None, None, dead))
+    words = true_words(parts)
+    found = scored(parts, run.batches.val(), parts.encoder.hard(), parts.model,
+                   settings.train.seed)  # fmt: skip
+    run.rows.append(row(step, "val", found.loss, found.psnr_db, found.ssim, words, dead))
+    report(f"step {step}: loss {found.loss:.5f}, {found.psnr_db:.2f} dB, SSIM {found.ssim:.4f}"
+           + (f", {words:.1f} words a slot" if words is not None else ""))  # fmt: skip
+    if words is not None and found.psnr_db > run.progress.best_db:
+        run.progress.best_db, run.progress.best_step = found.psnr_db, step
+        run.progress.best = tensors_of(parts)
+
+
+def true_words(parts: Parts) -> float | None:
+    """Words a slot of the shutters as they are now, compiled; None where they do not compile."""
+    try:
+        return words_per_slot(compiled(
+            program_of(parts.encoder, parts.chip), parts.chip,
+            every_code=parts.settings.shutter.codes == "open",
+        ))  # fmt: skip
+    except Rejected:
+        return None
+
+
+def row(step: int, split: str, *values: float | None) -> str:
+    """A line of metrics.csv; what is not known stays empty."""
+    return ",".join([str(step), split, *("" if v is None else repr(float(v)) for v in values)])
+
+
+def _write_heads(run: Run, out: Path, write: Write) -> None:
+    """What is known before the first step."""
+    out.mkdir(parents=True, exist_ok=True)
+    write({
+        out / "config.resolved.toml": config_toml(run.parts.settings).encode(),
+        out / "split.json": lines_of(run.scenes.split()),
+        out / "environment.json": lines_of(environment(run.parts)),
+    })  # fmt: skip
+
+
+def _finish(run: Run, out: Path, write: Write) -> None:
+    """Take the best state and write what it is worth."""
+    progress = run.progress
+    if progress.best is None:
+        # Says why: the compiler's own error.
+        compiled(program_of(run.parts.encoder, run.parts.chip), run.parts.chip)
+    else:
+        set_tensors(run.parts, progress.best)
+    run.parts.decoder.eval()
+    made = artifacts(run.parts, run.batches, run.scenes, progress.best_step)
+    write({out / name: data for name, data in made.items()})

@@ -1,0 +1,149 @@
+"""From a frame file to a picture or a clip, by a run's decoder."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+
+from nscc.diagnostics.model import Diagnostic, Rejected, Severity
+from nscc.pipeline import LEVELS, Options, compile_source
+from nscc.source import Source
+from nscc.words.file import to_bytes
+from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.sensor import sensor_sha256
+from nscc_training.problems import rejected
+from nscc_training.run_folder import RunFolder, load_run
+from nscc_training.sensor_model import laid
+
+
+@dataclass(frozen=True, eq=False)
+class FrameRead:
+    """What reconstruction needs of a frame file: codes (rows, cols), meta, shutters if kept."""
+
+    frame: NDArray[np.uint8]
+    meta: dict[str, Any]
+    shutter: NDArray[np.bool_] | None
+
+
+def reconstruct(run: Path, frame: Path, *, force: bool) -> tuple[bytes, tuple[Diagnostic, ...]]:
+    """The .npz file of the reconstruction, and warnings.
+
+    Raises Rejected: NS0818 for the run, NS0819 for a file that is no frame, or one of another
+    program or sensor (with `force` that is a warning, unless its size or slots differ).
+    """
+    folder = load_run(run)
+    read = read_frame(frame)
+    doubts = [*_program_doubts(folder, read), *_sensor_doubts(folder, read)]
+    messages = tuple(_doubt(frame, text, warning=force) for text in doubts)
+    if messages and not force:
+        raise Rejected(messages, status=2)
+    made = decoded_frame(folder, read.frame)
+    stream = io.BytesIO()
+    key = "image" if folder.parts.still else "video"
+    # Savez stamps no times: its entries all have the same date.
+    np.savez(stream, **{key: made})  # type: ignore[arg-type]  # numpy types keywords as one kind
+    return stream.getvalue(), messages
+
+
+@torch.no_grad()
+def decoded_frame(folder: RunFolder, frame: NDArray[np.uint8]) -> NDArray[np.float32]:
+    """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes."""
+    parts = folder.parts
+    shutters = laid(parts.encoder.hard(), *frame.shape).to(parts.device)
+    codes = torch.from_numpy(frame.astype(np.float32)).to(parts.device)
+    codes = (codes - parts.model.adc_offset_lsb) / parts.model.top_code
+    found = parts.decoder(codes[None], shutters)[0].float().cpu().numpy()
+    slots = 1 if parts.still else parts.slots
+    return np.asarray(found * (parts.model.full_well_e / slots), np.float32)
+
+
+def read_frame(path: Path) -> FrameRead:
+    """A frame file of one bucket and one exposure; Rejected (NS0819) for anything else."""
+    try:
+        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
+            found, meta = file["frame"], json.loads(str(file["meta"]))
+            kept = None
+            if "shutter" in file.files:
+                count = int(file["shutter_shape"][3])
+                kept = np.unpackbits(file["shutter"], axis=-1, count=count, bitorder="little")
+    except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
+        reason = f"{type(error).__name__}: {' '.join(str(error).split())[:150]}"
+        raise _no_frame(path, reason) from error
+    if not isinstance(meta, dict) or meta.get("schema") != SCHEMA or found.dtype != np.uint8:
+        raise _no_frame(path, f"its schema is not {SCHEMA}")
+    if found.ndim != 3 or found.shape[0] != 1:
+        raise _no_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
+    shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
+    return FrameRead(found[0], meta, shutter)
+
+
+def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
+    """Reasons to think that the frame was exposed with other shutters."""
+    hard = laid(folder.parts.encoder.hard(), *read.frame.shape).numpy().astype(bool)
+    if read.shutter is not None:
+        if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
+            yield "it was exposed with other shutters than the run's"
+    elif read.meta.get("program_sha256") not in _programs(folder):
+        yield "its program is not the run's shutter.nsl, compiled at any level"
+
+
+class _Programs:
+    """The digests of the run's program at each level, compiled only as far as needed."""
+
+    def __init__(self, folder: RunFolder) -> None:
+        self.folder = folder
+
+    def __contains__(self, digest: object) -> bool:
+        source = Source("shutter.nsl", self.folder.program)
+        for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
+            found = compile_source(source, self.folder.path, Options(level=level))
+            if found.container and sha256(to_bytes(found.container)).hexdigest() == digest:
+                return True
+        return False
+
+
+def _programs(folder: RunFolder) -> _Programs:
+    return _Programs(folder)
+
+
+def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
+    """Reasons to think that the frame came from another sensor."""
+    model = folder.parts.model
+    if read.meta.get("sensor_sha256") == sensor_sha256(folder.parts.sensor):
+        return
+    figures = (("electrons_per_lsb", model.electrons_per_lsb), ("adc_offset", model.adc_offset_lsb))
+    for name, wanted in figures:
+        have = read.meta.get(name)
+        if not isinstance(have, int | float) or abs(have - wanted) > 1e-6 * max(1, abs(wanted)):
+            yield f"its sensor has {name} = {have}, the run's {wanted:g}"
+            return
+    yield "its sensor has other values than the run's"
+
+
+def _doubt(path: Path, reason: str, *, warning: bool) -> Diagnostic:
+    return Diagnostic(
+        "NS0819",
+        f"'{path}' is no frame for this run: {reason}",
+        severity=Severity.WARNING if warning else Severity.ERROR,
+        notes=("a decoder knows the shutters and the sensor that it was trained with",),
+        helps=("expose the scene with the run's program: `nscc run RUN/shutter.nsl --scene ..`",)
+        + (() if warning else ("--force reconstructs it all the same",)),
+    )
+
+
+def _no_frame(path: Path, reason: str) -> Exception:
+    return rejected(
+        "NS0819",
+        f"'{path}' is no frame that can be reconstructed",
+        notes=(reason,),
+        helps=("`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",),
+    )

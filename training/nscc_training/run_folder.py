@@ -1,0 +1,68 @@
+"""A finished run folder, loaded: its decoder and its shutters."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+from nscc_training.codes_files import load_codes
+from nscc_training.config import load_config
+from nscc_training.loop.setup import Parts, make_parts
+from nscc_training.problems import rejected
+from nscc_training.programs import CODES_FILE
+
+
+@dataclass(frozen=True, eq=False)
+class RunFolder:
+    """A run: `parts` with its learned codes and weights, `program` the text of `shutter.nsl`,
+    `seen` the digests of the files that it learned from or was chosen by, `result` its own."""
+
+    path: Path
+    parts: Parts
+    program: str
+    seen: frozenset[str]
+    result: dict[str, Any]
+
+
+def load_run(path: Path) -> RunFolder:
+    """The run in a folder. Rejected (NS0818) where there is none, or it did not finish."""
+    from safetensors.torch import load_file
+
+    needed = ("config.resolved.toml", "decoder.safetensors", "shutter.nsl", "split.json",
+              "result.json")  # fmt: skip
+    missing = [name for name in needed if not (path / name).is_file()]
+    if missing:
+        raise _no_run(path, f"it has no {', '.join(missing)}")
+    settings = load_config(path / "config.resolved.toml")
+    # The codes are the run's own, wherever they once started from.
+    start = replace(settings.shutter, init="uniform")
+    parts = make_parts(replace(settings, shutter=start))
+    try:
+        if (path / CODES_FILE).is_file():
+            parts.encoder.load_codes(load_codes(path / CODES_FILE))
+        parts.decoder.load_state_dict(load_file(str(path / "decoder.safetensors")))
+        split = json.loads((path / "split.json").read_text(encoding="utf-8"))
+        seen = frozenset(str(s["sha256"]) for part in split.values() for s in part)
+        result = dict(json.loads((path / "result.json").read_text(encoding="utf-8")))
+        program = (path / "shutter.nsl").read_text(encoding="utf-8")
+    except (ValueError, KeyError, TypeError, AttributeError, RuntimeError, OSError) as error:
+        raise _no_run(path, f"{type(error).__name__}: {' '.join(str(error).split())[:150]}") from (
+            error
+        )
+    except Exception as error:
+        if type(error).__name__ != "SafetensorError":
+            raise
+        raise _no_run(path, f"decoder.safetensors: {error}") from error
+    parts.decoder.eval()
+    return RunFolder(path, parts, program, seen, result)
+
+
+def _no_run(path: Path, reason: str) -> Exception:
+    return rejected(
+        "NS0818",
+        f"'{path}' is no finished run of nscc train",
+        notes=(reason,),
+        helps=("`nscc train CONFIG.toml --out RUN` makes one, and finishes one that stopped",),
+    )
