@@ -34,7 +34,7 @@ from nscc_runtime.plan.model import Plan
 from nscc_runtime.plan.overlap import Overlap
 from nscc_runtime.plan.pixels import Pixels
 from nscc_runtime.plan.reach import Reach, reach_of
-from nscc_runtime.plan.sums import smeared_frames, sums_by_slot
+from nscc_runtime.plan.sums import smeared_frames, sums_by_slot, weighted_sums
 from nscc_runtime.plan.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
 from nscc_runtime.reference.noise import SUM
@@ -326,12 +326,15 @@ class Planned:
 
     @cached_property
     def total(self) -> Values:
-        """All the light of each pixel."""
-        weights = [np.ones((self.light.slots, 1))]
+        """All the light of each pixel, to float32."""
+        weight = self.source.on_frames(np.ones((self.light.slots, 1)))
         frames = self.source.frames.reshape(len(self.source.frames), -1)
+        if np.all(weight == weight[0]):
+            with np.errstate(over="ignore"):
+                return np.asarray(frames.sum(axis=0) * weight[0], np.float64)
         lanes = np.zeros(len(self.places), np.int32)
-        total: Values = sums_by_slot(self.source, frames, lanes, weights, self.threads)[0]
-        return total
+        found: Values = weighted_sums(frames, lanes, weight.T[:, :, None], self.threads)[0]
+        return found
 
     @property
     def device(self) -> Device:
