@@ -7,14 +7,14 @@ from importlib import import_module
 import click
 
 from nscc import __version__
-from nscc.cli.table import COMMANDS, PLANNED
+from nscc.cli.table import COMMANDS
 from nscc.diagnostics.model import Diagnostic, Rejected
 
 _MODULES = {entry.name: entry.module for entry in COMMANDS}
 
 
 class LazyGroup(click.Group):
-    """Finds commands in the table; an unknown one is rejected (NS0781, NS0786)."""
+    """Finds commands in the table; an unknown one is rejected (NS0781)."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """The names of this version's commands, as `--help` and completion show them."""
@@ -46,18 +46,10 @@ class LazyGroup(click.Group):
         """List the commands from the table, importing none."""
         with formatter.section("Commands"):
             formatter.write_dl([(entry.name, entry.help) for entry in COMMANDS])
-        with formatter.section("Not in this version"):
-            formatter.write_text(", ".join(PLANNED))
 
 
 def _unknown(name: str) -> Diagnostic:
     known = [entry.name for entry in COMMANDS]
-    if name in PLANNED:
-        return Diagnostic(
-            "NS0786",
-            f"`nscc {name}` is not in this version of nscc ({__version__})",
-            notes=("this version has: " + ", ".join(known),),
-        )
     from difflib import get_close_matches
 
     close = get_close_matches(name, known, n=1)

@@ -37,9 +37,5 @@ COMMANDS = (
 )
 """The commands of this version, in the order in which `nscc --help` lists them."""
 
-PLANNED = (
-)
-"""Commands whose names are taken by versions to come."""
-
 PLANNED_TRADEOFFS = ("decoder", "sensor")
-"""The same of `nscc tradeoff`."""
+"""Tradeoffs whose names are taken by versions to come."""

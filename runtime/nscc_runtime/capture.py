@@ -133,12 +133,12 @@ def planned_frames(
     scene = prepared(program, light, plan, device_seed=device_seed, threads=threads)
     sensor, target = program.sensor, program.container.target
     noisy = ADC_NOISE in plan.kept
-    places = np.arange(light.shape[0] * light.shape[1], dtype=np.int64)
     check_adc(target)
     if scene.fused is not None:
         for number in range(count):
             yield scene.fused.expose(seed, number, read_out=True)
         return
+    places = np.arange(light.shape[0] * light.shape[1], dtype=np.int64)
     for number in range(count):
         exposure = scene.expose(seed, number)
         noise: NDArray[np.float64] | float = 0.0

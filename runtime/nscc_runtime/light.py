@@ -139,14 +139,20 @@ class Light:
         """Weights (N, J) of the slots as weights (T, J) of the frames."""
         if len(self.frames) == 1 and len(self.weight) == self.slots:
             return (self.weight @ slots)[None]
-        if len(self.weight) == self.slots == len(self.frames) and self._in_order:
+        if self.in_order:
             return self.weight[:, None] * slots
         return np.asarray(self._transposed @ slots)
 
     @cached_property
-    def _in_order(self) -> bool:
-        """Whether slot n is a multiple of frame n."""
-        return bool(np.array_equal(self.frame_index, np.arange(len(self.frames))))
+    def in_order(self) -> bool:
+        """Whether each slot n is a multiple of frame n."""
+        count = len(self.frames)
+        if not len(self.weight) == self.slots == count:
+            return False
+        each = np.arange(count + 1)
+        return bool(
+            np.array_equal(self.frame_index, each[:-1]) and np.array_equal(self.row_start, each)
+        )
 
     @cached_property
     def _transposed(self) -> Any:

@@ -6,7 +6,9 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from reference_programs import BUMPS, program
 
+from nscc_runtime.capture import capture
 from nscc_runtime.noise import key, normals, poisson, thin
 
 ROWS, COLS = 96, 130
@@ -40,3 +42,17 @@ def test_case_03_tiles_and_threads_change_no_bit(tile, threads):
         for part, values in zip(reversed(parts), pool.map(drawn, reversed(parts)), strict=True):
             tiled[part] = values
     assert np.array_equal(tiled.view(np.int64), whole.view(np.int64))
+
+
+@pytest.mark.parametrize("effects", ["shot,read,full_well,adc_noise", "auto", "all"])
+def test_case_03_threads_change_no_bit_of_a_capture(effects):
+    container = program(BUMPS, "edges", 96, 130)
+    light = np.random.default_rng(7).exponential(4000, (4, 96, 130)).astype(np.float32)
+    first, *others = (
+        capture(light, container, effects=effects, tolerance="0.5e", seed=3, threads=threads)
+        for threads in (1, 2, 3, 8)
+    )
+    assert len(np.unique(first.exposure_e)) > 5000
+    for other in others:
+        assert np.array_equal(first.exposure_e, other.exposure_e)
+        assert np.array_equal(first.frame, other.frame)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from reference_programs import program, sensor_of
 
+from nscc_runtime.capture import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose
@@ -40,3 +41,18 @@ def test_case_05_value_and_loss(a_slot: float) -> None:
 
 def test_case_05_the_trap_is_there() -> None:
     assert np.float32(1) - np.float32(1e-8) == 1
+
+
+@pytest.mark.parametrize("a_slot", [1e-8, 1e-4, 0.1])
+def test_case_05_a_plan(a_slot: float) -> None:
+    container = program(
+        f"nsl 1\nframe {SLOTS} slots of 100us\nopen when n < 1\n", "accumulate", 1, 2
+    )
+    light = np.zeros((SLOTS, 1, 2), np.float32)
+    light[0] = ELECTRONS
+    sensor = sensor_of(
+        container, leakage_tau_s=SLOT_US * 1e-6 / a_slot, leakage_spread_fraction=0.0
+    )
+    found = capture(light, container, sensor, effects="leakage").exposure_e[0, 0, 0]
+    wanted = Decimal(ELECTRONS) * (-Decimal(a_slot) * (SLOTS - 1)).exp()
+    assert found == pytest.approx(float(wanted), rel=1e-6, abs=1e-9)

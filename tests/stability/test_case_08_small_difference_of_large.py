@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from reference_programs import program, sensor_of
 
+from nscc_runtime.capture import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
@@ -54,3 +55,11 @@ def test_case_08_above_a_noisy_reset_level(lowering: str) -> None:
 
 def test_case_08_the_trap_is_there() -> None:
     assert abs((LARGE + SMALL - LARGE) / SMALL - 1) > 0.02
+
+
+@pytest.mark.parametrize("rule", LIGHT)
+@pytest.mark.parametrize("lowering", ["accumulate", "edges"])
+def test_case_08_a_plan(rule: str, lowering: str) -> None:
+    container = program(TEXT.format(rule), lowering, 2, 3)
+    found = capture(light(LIGHT[rule][1]), container, effects="none").exposure_e[0]
+    np.testing.assert_allclose(found, SMALL, rtol=1e-6)

@@ -13,7 +13,7 @@ import pytest
 from nscc_command import invoke
 
 from nscc import __version__
-from nscc.cli.table import COMMANDS, PLANNED
+from nscc.cli.table import COMMANDS
 
 GOOD = (
     "nsl 1\nframe 4 slots of 1ms\ncode stop : 1..4\nopen when n < stop\npixels stop = 1 + x % 4\n"
@@ -34,7 +34,6 @@ def test_version_and_help(folder: Path) -> None:
     listed = invoke(["--help"], folder)
     assert listed.status == 0
     assert [e.name for e in COMMANDS if e.help not in listed.out] == []
-    assert [name for name in PLANNED if name not in listed.out] == []
 
 
 @pytest.mark.parametrize("entry", COMMANDS, ids=lambda entry: entry.name)
@@ -43,12 +42,6 @@ def test_every_command_has_help_and_common_options(folder: Path, entry: object) 
     assert outcome.status == 0
     assert "--message-format" in outcome.out
     assert "--deny-warnings" in outcome.out
-
-
-@pytest.mark.parametrize("name", PLANNED)
-def test_commands_to_come_say_so(folder: Path, name: str) -> None:
-    outcome = invoke([name, "x", "--json"], folder)
-    assert (outcome.status, outcome.codes) == (2, ["NS0786"])
 
 
 @pytest.mark.parametrize(

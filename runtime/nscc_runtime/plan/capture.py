@@ -30,11 +30,12 @@ from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, poisson
 from nscc_runtime.plan import leak_nodes
 from nscc_runtime.plan.fused import Fused
+from nscc_runtime.plan.masks import Masks
 from nscc_runtime.plan.model import Plan
 from nscc_runtime.plan.overlap import Overlap
 from nscc_runtime.plan.pixels import Pixels
 from nscc_runtime.plan.reach import Reach, reach_of
-from nscc_runtime.plan.sums import smeared_frames, sums_by_slot
+from nscc_runtime.plan.sums import smeared_frames, sums_by_slot, weighted_sums
 from nscc_runtime.plan.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
 from nscc_runtime.reference.noise import SUM
@@ -78,14 +79,6 @@ class Device:
     def leak(self) -> Values:
         """The rate of leakage, 1/s."""
         return leak_per_s(self.sensor, self.seed, self.places)
-
-
-@dataclass(frozen=True, eq=False)
-class Masks:
-    """`planes` uint8 (rows, pixels), each the mask of some slots; `row_of_slot` (N,) says which."""
-
-    row_of_slot: NDArray[np.intp]
-    planes: NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,18 +166,15 @@ class Program:
     def _overlaps(self) -> dict[Model, Overlap]:
         return {}
 
-    def masks(self, group: int) -> Masks:
-        """Where each slot belongs to a group, pixel by pixel; kept."""
-        found = self._masks.get(group)
-        if found is None:
-            members = self.reference.groups.of_slot == group
-            kinds, row_of_slot = np.unique(members.T, axis=0, return_inverse=True)
-            planes = np.ascontiguousarray(kinds[:, self.lanes], np.uint8)
-            found = self._masks[group] = Masks(row_of_slot.reshape(-1), planes)
-        return found
+    def masks(self, group: int) -> Masks | None:
+        """Where each slot belongs to a group, pixel by pixel; kept. None: too large."""
+        if group not in self._masks:
+            members = np.ascontiguousarray((self.reference.groups.of_slot == group).T)
+            self._masks[group] = Masks.of(members, self.lanes)
+        return self._masks[group]
 
     @cached_property
-    def _masks(self) -> dict[int, Masks]:
+    def _masks(self) -> dict[int, Masks | None]:
         return {}
 
     def members(self, group: int) -> Values:
@@ -326,12 +316,15 @@ class Planned:
 
     @cached_property
     def total(self) -> Values:
-        """All the light of each pixel."""
-        weights = [np.ones((self.light.slots, 1))]
+        """All the light of each pixel, to float32."""
+        weight = self.source.on_frames(np.ones((self.light.slots, 1)))
         frames = self.source.frames.reshape(len(self.source.frames), -1)
+        if np.all(weight == weight[0]):
+            with np.errstate(over="ignore"):
+                return np.asarray(frames.sum(axis=0) * weight[0], np.float64)
         lanes = np.zeros(len(self.places), np.int32)
-        total: Values = sums_by_slot(self.source, frames, lanes, weights, self.threads)[0]
-        return total
+        found: Values = weighted_sums(frames, lanes, weight.T[:, :, None], self.threads)[0]
+        return found
 
     @property
     def device(self) -> Device:

@@ -96,11 +96,15 @@ class _Fields:
             "decay": replace(full, decay=False),
         }
         own, seen, even = self._seen()
-        sums = {
-            name: self._sum(moving, self._each_bucket(program.tables.weights(model).slots), seen)
-            for name, model in variants.items()
-            if name != "decay" or program.tables.decays
-        }
+        if not program.tables.decays:
+            del variants["decay"]
+        weights = [
+            each
+            for model in variants.values()
+            for each in self._each_bucket(program.tables.weights(model).slots)
+        ]
+        summed = self._sum(moving, weights, seen).reshape(len(variants), len(self.buckets), -1)
+        sums = dict(zip(variants, summed, strict=True))
         slots = self._each_bucket(program.tables.weights(full).slots)
         base = sums["full"] * self.lag
         alone = self._sum(moving, slots, own) * self.lag
@@ -239,11 +243,11 @@ class _Fields:
             members = program.members(group)
             time = program.slot_s @ members
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
-            rates = self._sum(light, [members], self.frames)[0] * scale + time[self.lanes] * current
             for bucket in self.buckets:
                 weight = full[:, :, bucket] * members
                 mean = means[group][self.lanes, bucket]
-                one, two = self._sum(light, [weight, weight**2], self.frames) * scale
+                summed = self._sum(light, [members, weight, weight**2], self.frames) * scale
+                rates, one, two = summed[0] + time[self.lanes] * current, summed[1], summed[2]
                 dark = program.slot_s @ weight, program.slot_s @ weight**2
                 one, two = one + dark[0][self.lanes] * current, two + dark[1][self.lanes] * current
                 counted = np.maximum(two - 2 * mean * one + mean**2 * rates, 0.0)

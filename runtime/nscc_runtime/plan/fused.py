@@ -7,6 +7,7 @@ and no pixel needs a slot loop. Each open slot lies in one bucket.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,6 +23,7 @@ from nscc_runtime.effects.timing import DEAD_TIME, DECAY
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.plan.masks import Masks
 from nscc_runtime.plan.pool import in_parts
 from nscc_runtime.plan.sums import on_frames
 from nscc_runtime.reference.noise import SUM
@@ -31,9 +33,10 @@ if TYPE_CHECKING:
 
 _COMPLEX = frozenset(effect.name for effect in (CROSSTALK, DARK, ANALOG, LEAKAGE, DEAD_TIME, DECAY))
 _BLOCK = 1024
-_SKIPPED, _EVEN, _MASKED, _TABLED = 0, 1, 2, 3
-_MOST_MASKS = 1 << 26
-"""Bytes of masks that are kept for a program."""
+_NO_TABLE, _NO_MASKS = np.zeros((1, 1), np.float32), np.zeros(1, np.uint8)
+_SCRATCH = tuple(8 * _BLOCK * start for start in (0, 1, 2, 6, 7))
+_SCRATCH_BYTES = 8 * _BLOCK * 8
+"""Rows of the loop's scratch, in the order of its parameters; one has four of them."""
 _MUCH = 1 << 21
 """Pixels x frames from which on a second thread is worth waking."""
 _DRAWN_FRAMES = 32
@@ -94,6 +97,13 @@ class Fused:
         )
         return cls(scene, frames, np.array(numbers), buckets, tuple(sources))
 
+    @cached_property
+    def addresses(self) -> tuple[tuple[int, ...], ...]:
+        """The addresses of the arrays that the loop reads, in each bucket."""
+        return tuple(
+            tuple(_address(array) for array in (self.frames, *arrays)) for arrays in self.buckets
+        )
+
     def expose(self, seed: int, frame: int, *, read_out: bool) -> Frame:
         """Frame number `frame`; without `read_out` its codes are left 0."""
 
@@ -126,46 +136,34 @@ class Fused:
             int(PRNU in kept), int(SHOT in kept), int(FULL_WELL in kept and REGISTER not in kept),
             len(self.sources), int(ADC_NOISE in kept), int(read_out),
         )  # fmt: skip
-        given: tuple[NDArray[Any], ...] = (
-            self.numbers,
-            np.array(keys, np.uint64),
-            self.frames,
-            *self.buckets[bucket],
-        )
+        words = np.array(keys, np.uint64)
+        given = (_address(self.numbers), _address(words), *self.addresses[bucket])
+        filled = _address(out[0]), _address(out[1])
 
         def run(begin: int, end: int) -> None:
             sizes = np.array([pixels, begin, end, count, lanes, *switches], np.int64)
-            scratch = (
-                np.empty(_BLOCK, np.float32), np.empty(_BLOCK), np.empty(4 * _BLOCK),
-                np.empty(_BLOCK), np.empty(_BLOCK, np.int64),
-            )  # fmt: skip
-            arrays: list[NDArray[Any]] = [sizes, *given, *scratch, *out]
-            loop(*(array.ctypes.data for array in arrays))
+            scratch = np.empty(_SCRATCH_BYTES, np.uint8)
+            at = _address(scratch)
+            loop(_address(sizes), *given, *(at + start for start in _SCRATCH), *filled)
 
         drawn = len(keys) > 1 or SHOT in kept
         work = pixels * (count + _DRAWN_FRAMES * drawn)
         in_parts(run, pixels, scene.threads if work >= _MUCH else 1, _BLOCK)
 
 
-def _layout(program: Program, light: Light, group: int) -> tuple[NDArray[np.generic], ...]:
+def _address(array: NDArray[Any]) -> int:
+    """Where an array begins."""
+    return int(array.__array_interface__["data"][0])
+
+
+def _layout(program: Program, light: Light, group: int) -> tuple[NDArray[Any], ...]:
     """What becomes of each frame of a light in a group of slots: kinds, weights, rows of masks,
     masks, table.
     """
-    members = program.members(group)
-    count = len(light.frames)
-    kinds, weights = np.zeros(count, np.int64), np.ones(count, np.float32)
-    rows, table = np.zeros(count, np.int64), np.zeros((1, 1), np.float32)
-    slots = np.bincount(light.frame_index, minlength=count)
-    plain = light.slots == len(light.frame_index) == count and bool(np.all(slots == 1))
-    if not plain or light.slots * members.size > _MOST_MASKS:
-        table = np.ascontiguousarray(on_frames(light, members), np.float32)
-        kinds[:] = _TABLED
-        return kinds, weights, rows, np.zeros(1, np.uint8), table
     masks = program.masks(group)
-    place = np.empty(count, np.int64)
-    place[light.frame_index] = np.arange(count)
-    weights[light.frame_index] = light.weight
-    every, some = members.all(axis=1), members.any(axis=1)
-    kinds[:] = np.where(every, _EVEN, np.where(some, _MASKED, _SKIPPED))[place]
-    rows[:] = masks.row_of_slot[place]
-    return kinds, weights, rows, masks.planes, table
+    if light.in_order and masks is not None:
+        return masks.kinds, light.weight.astype(np.float32), masks.rows, masks.planes, _NO_TABLE
+    table = np.ascontiguousarray(on_frames(light, program.members(group)), np.float32)
+    count = len(light.frames)
+    kinds = np.full(count, Masks.TABLED, np.int64)
+    return kinds, np.ones(count, np.float32), np.zeros(count, np.int64), _NO_MASKS, table

@@ -31,6 +31,8 @@ class Size(IntEnum):
     LEAKAGE = 17
     CROSSTALK = 18
     PRNU = 19
+    KEPT_COLS = 20
+    """Columns of the three rows of sites whose charge is kept; no switch."""
 
 
 class Number(IntEnum):

@@ -42,6 +42,7 @@ _BUCKETS, _GROUPS, _REGISTERS, _WHOLE = _S["BUCKETS"], _S["GROUPS"], _S["REGISTE
 _FRAME, _SHOT, _DARK, _FULL_WELL = _S["FRAME"], _S["SHOT"], _S["DARK"], _S["FULL_WELL"]
 _READS, _RESETS, _DEAD, _WORDS = _S["READ"], _S["RESET"], _S["DEAD_TIME"], _S["ANALOG"]
 _SOFT, _LEAKS, _SMEARS, _UNEVEN = _S["REGISTER"], _S["LEAKAGE"], _S["CROSSTALK"], _S["PRNU"]
+_KEPT_COLS = _S["KEPT_COLS"]
 _N = {member.name: int(member) for member in Number}
 _N_WELL, _N_MIN, _N_MAX, _N_KNEE = (
     _N["FULL_WELL"], _N["REGISTER_MIN"], _N["REGISTER_MAX"], _N["KNEE"],
@@ -204,8 +205,18 @@ def _between(
 
 
 @compiled
+def _kept_at(sizes: Ints, place: int) -> int:
+    """Where the charge of a site is kept: next to those of its neighbours, never in their place."""
+    if not sizes[_SMEARS]:
+        return 0
+    row, col = place // sizes[_COLS], place % sizes[_COLS]
+    found: int = (row % 3) * sizes[_KEPT_COLS] + col % sizes[_KEPT_COLS]
+    return found
+
+
+@compiled
 def _charge(
-    sizes: Ints, numbers: Floats, keys: Keys, places: Ints, stamp: int, begin: int, stop: int,
+    sizes: Ints, numbers: Floats, keys: Keys, places: Ints, begin: int, stop: int,
     rates: Floats, groups: Ints32, present: Flags, lanes: Ints32, group_ids: Keys,
     heap: Floats, stamps: Ints,
 ) -> float:  # fmt: skip
@@ -218,15 +229,16 @@ def _charge(
         place = places[site]
         if place < 0:
             continue
+        kept = 2 * _kept_at(sizes, place)
         total = _between(
-            sizes, keys, 0, sizes[_SHOT] == 1, place, stamp, begin, stop, rates, 2 * site * slots,
-            groups, present, lanes[place], group_ids, heap, stamps, 2 * site * room,
+            sizes, keys, 0, sizes[_SHOT] == 1, place, place, begin, stop, rates, kept * slots,
+            groups, present, lanes[place], group_ids, heap, stamps, kept * room,
         )  # fmt: skip
         if sizes[_DARK]:
             total += _between(
-                sizes, keys, 1, sizes[_DARK] == 1, place, stamp, begin, stop, rates,
-                (2 * site + 1) * slots, groups, present, lanes[place], group_ids, heap, stamps,
-                (2 * site + 1) * room,
+                sizes, keys, 1, sizes[_DARK] == 1, place, place, begin, stop, rates,
+                (kept + 1) * slots, groups, present, lanes[place], group_ids, heap, stamps,
+                (kept + 1) * room,
             )  # fmt: skip
         if site == 0:
             own = total
@@ -237,19 +249,20 @@ def _charge(
 
 @compiled
 def _lit(
-    sizes: Ints, numbers: Floats, keys: Keys, place: int, stamp: int, site: int,
+    sizes: Ints, numbers: Floats, keys: Keys, place: int,
     frames: Frames, row_start: Ints, frame_index: Ints32, weight: Floats, slot_s: Floats,
     groups: Ints32, present: Flags, lanes: Ints32, group_ids: Keys,
     rates: Floats, heap: Floats, stamps: Ints,
 ) -> None:  # fmt: skip
-    """The rates of a site, slot by slot, and the counts of its groups."""
+    """The rates of a site, slot by slot, and the counts of its groups, where they are kept."""
     slots, pixels = sizes[_SLOTS], sizes[_ROWS] * sizes[_COLS]
     room = 2 * sizes[_WHOLE] * sizes[_GROUPS]
     response = 1.0
     if sizes[_UNEVEN]:
         response += numbers[_N_PRNU] * normal(uniform(keys[_K_PRNU], place))
         response = response if response > 0.0 else 0.0
-    at = 2 * site * slots
+    kept = 2 * _kept_at(sizes, place)
+    at = kept * slots
     for n in range(slots):
         total = 0.0
         for k in range(row_start[n], row_start[n + 1]):
@@ -260,8 +273,8 @@ def _lit(
         rates[at + n] = rate if rate < numbers[_N_CAP] else numbers[_N_CAP]
     if sizes[_SHOT]:
         _prepared(
-            sizes, numbers, keys, 0, place, stamp, rates, at, groups, present, lanes[place],
-            group_ids, heap, stamps, 2 * site * room,
+            sizes, numbers, keys, 0, place, place, rates, at, groups, present, lanes[place],
+            group_ids, heap, stamps, kept * room,
         )  # fmt: skip
     if sizes[_DARK]:
         at += slots
@@ -271,8 +284,8 @@ def _lit(
             rates[at + n] = slot_s[n] * current
         if sizes[_DARK] == 1:
             _prepared(
-                sizes, numbers, keys, 1, place, stamp, rates, at, groups, present, lanes[place],
-                group_ids, heap, stamps, (2 * site + 1) * room,
+                sizes, numbers, keys, 1, place, place, rates, at, groups, present, lanes[place],
+                group_ids, heap, stamps, (kept + 1) * room,
             )  # fmt: skip
 
 
@@ -375,8 +388,8 @@ def run_pixels(
     slot_s: Floats, start_s: Floats, groups: Ints32, present: Flags, group_ids: Keys,
     entry_start: Ints, entries: Ints, times: Floats, weights: Floats, signs: Floats,
     readout_register: Ints, readout: Floats,
-    rates: Floats, heap: Floats, stamps: Ints, missing: Floats, registers: Floats, places: Ints,
-    out: Floats,
+    rates: Floats, heap: Floats, stamps: Ints, tags: Ints, missing: Floats, registers: Floats,
+    places: Ints, out: Floats,
 ) -> None:  # fmt: skip
     """out[b * PIXELS + i] := the exposure of pixel chosen[i] in bucket b, in electrons.
 
@@ -384,7 +397,8 @@ def run_pixels(
     `present` (lanes, GROUPS); `group_ids`: what keys call them. `entries`: the words of lane l are
     rows entry_start[l] .. entry_start[l + 1]; `times` (entries, 2): end in parts of the slot, and
     divisor; `weights` (entries, draws, buckets): of the draws in the buckets. `readout` (buckets,
-    2): gain, and seconds waited. From `rates` to `places`: scratch, `stamps` once filled with -1.
+    2): gain, and seconds waited. From `rates` to `places`: scratch, `stamps` and `tags` once filled
+    with -1. Places in rising order find most of their neighbours' charge already there.
     """
     slots, rows, cols = sizes[_SLOTS], sizes[_ROWS], sizes[_COLS]
     buckets, pix = sizes[_BUCKETS], sizes[_REGISTERS]
@@ -398,11 +412,15 @@ def run_pixels(
         places[3] = place - 1 if col > 0 else -1
         places[4] = place + 1 if col + 1 < cols else -1
         for site in range(SITES if sizes[_SMEARS] else 1):
-            if places[site] >= 0:
+            if places[site] < 0:
+                continue
+            kept_at = _kept_at(sizes, places[site])
+            if tags[kept_at] != places[site]:
                 _lit(
-                    sizes, numbers, keys, places[site], i, site, frames, row_start, frame_index,
-                    weight, slot_s, groups, present, lanes, group_ids, rates, heap, stamps,
+                    sizes, numbers, keys, places[site], frames, row_start, frame_index, weight,
+                    slot_s, groups, present, lanes, group_ids, rates, heap, stamps,
                 )  # fmt: skip
+                tags[kept_at] = places[site]
         lane = lanes[place]
         first, stop = entry_start[lane], entry_start[lane + 1]
         if sizes[_READS]:
@@ -432,11 +450,11 @@ def run_pixels(
                 continue
             if at < boundary:
                 charge = _charge(
-                    sizes, numbers, keys, places, i, at + 1, boundary, rates, groups, present,
+                    sizes, numbers, keys, places, at + 1, boundary, rates, groups, present,
                     lanes, group_ids, heap, stamps,
                 )  # fmt: skip
                 charge += (1.0 - fallen) * _charge(
-                    sizes, numbers, keys, places, i, at, at + 1, rates, groups, present,
+                    sizes, numbers, keys, places, at, at + 1, rates, groups, present,
                     lanes, group_ids, heap, stamps,
                 )  # fmt: skip
                 registers[pix] += charge
@@ -453,7 +471,7 @@ def run_pixels(
                 now = times[2 * e]
                 slot = at if at < slots else slots - 1
                 registers[pix] += (now - fallen) * _charge(
-                    sizes, numbers, keys, places, i, slot, slot + 1, rates, groups, present,
+                    sizes, numbers, keys, places, slot, slot + 1, rates, groups, present,
                     lanes, group_ids, heap, stamps,
                 )  # fmt: skip
                 if sizes[_FULL_WELL] and registers[pix] > well:
@@ -476,8 +494,8 @@ _POINTERS = {
 }  # fmt: skip
 _TYPES = (
     Ints, Floats, Keys, Ints, Ints32, Frames, Ints, Ints32, Floats, Floats, Floats, Ints32, Flags,
-    Keys, Ints, Ints, Floats, Floats, Floats, Ints, Floats, Floats, Floats, Ints, Floats, Floats,
-    Ints, Floats,
+    Keys, Ints, Ints, Floats, Floats, Floats, Ints, Floats, Floats, Floats, Ints, Ints, Floats,
+    Floats, Ints, Floats,
 )  # fmt: skip
 SIGNATURE = f"void({', '.join(f'CPointer({_POINTERS[kind]})' for kind in _TYPES)})"
 """The types of `run_pixels`'s parameters, for numba."""

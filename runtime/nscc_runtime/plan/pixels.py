@@ -32,6 +32,8 @@ from nscc_runtime.sensor.model import Sensor
 
 _DRAWN = (READ, RESET, ANALOG)
 _SITES = 5
+_MOST_KEPT = 1 << 23
+"""Bytes a thread may keep of neighbours' charge."""
 _FEWEST = 64
 """Pixels that are worth a thread."""
 
@@ -163,6 +165,8 @@ class Pixels:
         sizes[Size.FRAME] = frame
         for size, value in switches:
             sizes[size] = value
+        cols, each = int(sizes[Size.COLS]), _kept_bytes(sizes)
+        sizes[Size.KEPT_COLS] = cols if 3 * cols * each <= _MOST_KEPT else min(3, cols)
         return sizes
 
 
@@ -260,12 +264,20 @@ def _switches(effects: Selection, expected: bool) -> list[tuple[Size, int]]:
     ]
 
 
+def _kept_bytes(sizes: NDArray[np.int64]) -> int:
+    """What the charge of one site takes: rates, counts and their stamps, of light and dark."""
+    room = 2 * int(sizes[Size.WHOLE]) * int(sizes[Size.GROUPS])
+    return 16 * (int(sizes[Size.SLOTS]) + 2 * room)
+
+
 def _scratch(sizes: NDArray[np.int64]) -> tuple[NDArray[np.generic], ...]:
     slots, room = int(sizes[Size.SLOTS]), 2 * int(sizes[Size.WHOLE]) * int(sizes[Size.GROUPS])
+    sites = 3 * int(sizes[Size.KEPT_COLS]) if sizes[Size.CROSSTALK] else 1
     return (
-        np.empty(2 * _SITES * slots),
-        np.empty(2 * _SITES * room),
-        np.full(2 * _SITES * room, -1, np.int64),
+        np.empty(2 * sites * slots),
+        np.empty(2 * sites * room),
+        np.full(2 * sites * room, -1, np.int64),
+        np.full(sites, -1, np.int64),
         np.empty(len(_DRAWN) * int(sizes[Size.BUCKETS])),
         np.empty(int(sizes[Size.REGISTERS]) + 3),
         np.empty(_SITES, np.int64),

@@ -86,7 +86,15 @@ class Forecast:
 
         `everywhere`: all pixels run through their words.
         """
-        return float(np.max(self.squares(dropped, everywhere)[0]))
+        found = self._memory.get((dropped, everywhere))
+        if found is None:
+            found = float(np.max(self.squares(dropped, everywhere)[0]))
+            self._memory[dropped, everywhere] = found
+        return found
+
+    @cached_property
+    def _memory(self) -> dict[tuple[frozenset[str], bool], float]:
+        return {}
 
     def squares(
         self, dropped: frozenset[str], everywhere: bool

@@ -19,7 +19,7 @@ _MOST_BYTES = 1 << 28
 """Up to here light and shutters of all slots lie ready as arrays, which costs these ways no time;
 beyond it, they are made slot by slot."""
 _COPIED_BYTES = 1 << 26
-_COPIES = 5
+_COPIES = 25
 
 
 @dataclass(frozen=True, eq=False)
