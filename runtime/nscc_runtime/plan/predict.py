@@ -49,7 +49,9 @@ class Forecast:
     @cached_property
     def fields(self) -> Fields:
         """What each effect does to a sample of the scene."""
-        total_e = self._everything.total.reshape(self.light.shape)
+        # A few pixels may have most of the dark charge, as lamps have most of the light.
+        dark_e = self._everything.device.current * self.program.slot_s.sum()
+        total_e = (self._everything.total + dark_e).reshape(self.light.shape)
         sample = sample_of(total_e, len(self.light.frames), self.near)
         return fields_of(self.program, self.light, sample, self.device_seed)
 
