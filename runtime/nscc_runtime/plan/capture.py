@@ -43,6 +43,8 @@ from nscc_runtime.sensor.model import Sensor
 
 Values = NDArray[np.float64]
 
+_MOST_LIGHT = 1e36
+"""Sums of float32 may have no end."""
 SIGMAS = 6.0
 """How far from its mean a pixel is taken to come when it is asked whether it may saturate."""
 
@@ -321,9 +323,10 @@ class Planned:
         frames = self.source.frames.reshape(len(self.source.frames), -1)
         if np.all(weight == weight[0]):
             with np.errstate(over="ignore"):
-                return np.asarray(frames.sum(axis=0) * weight[0], np.float64)
+                found = np.asarray(frames.sum(axis=0) * weight[0], np.float64)
+            return np.minimum(found, _MOST_LIGHT)
         lanes = np.zeros(len(self.places), np.int32)
-        found: Values = weighted_sums(frames, lanes, weight.T[:, :, None], self.threads)[0]
+        found = weighted_sums(frames, lanes, weight.T[:, :, None], self.threads)[0]
         return found
 
     @property
