@@ -323,10 +323,10 @@ class Planned:
         frames = self.source.frames.reshape(len(self.source.frames), -1)
         if np.all(weight == weight[0]):
             with np.errstate(over="ignore"):
-                found = np.asarray(frames.sum(axis=0) * weight[0], np.float64)
-            return np.minimum(found, _MOST_LIGHT)
+                even = np.asarray(frames.sum(axis=0) * weight[0], np.float64)
+            return np.asarray(np.minimum(even, _MOST_LIGHT))
         lanes = np.zeros(len(self.places), np.int32)
-        found = weighted_sums(frames, lanes, weight.T[:, :, None], self.threads)[0]
+        found: Values = weighted_sums(frames, lanes, weight.T[:, :, None], self.threads)[0]
         return found
 
     @property
