@@ -15,7 +15,7 @@ def check(found: list[Draw]) -> None:
 
 
 def test_a_few_sensors() -> None:
-    check([each for seed in range(1000, 1005) for each in draws(seed)])
+    check([each for seed in range(1000, 1003) for each in draws(seed)])
 
 
 @pytest.mark.slow

@@ -1,6 +1,6 @@
 """The promise of plans in numbers: how often it holds, and how often its prediction comes true.
 
-    python tests/benchmarks/bench_promise.py [--slots 16] [--sensors 60] [--programs "b edges;d edges"]
+    python tests/benchmarks/bench_promise.py [--slots 16] [--sensors 60] [--programs "a;d edges"]
 
 Arrays of 64 x 64, frames pooled to 65536 samples, the default sensor: every scene of
 `tests/promise.py` x every program of `tests/plan_cases.py` x five tolerances; then programs, scenes

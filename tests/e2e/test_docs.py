@@ -6,6 +6,7 @@ import re
 import shlex
 import shutil
 from pathlib import Path
+from typing import Any
 
 import pytest
 from nscc_command import invoke
@@ -18,6 +19,7 @@ PAGES = (
     "docs/encodings.md",
     "docs/cpp.md",
     "docs/calibrate.md",
+    "docs/emulator.md",
     "docs/tradeoff.md",
     "docs/device.md",
     "docs/training.md",
@@ -76,6 +78,41 @@ def test_python_works_after_the_commands(tmp_path: Path, monkeypatch: pytest.Mon
     for text in blocks("README.md", "python"):
         exec(text, names)
     assert names["frame"]["exposure_e"].shape == (1, 256, 256)  # type: ignore[index]
+
+
+def test_python_captures_what_the_page_says(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    shutil.copytree(ROOT / "examples", tmp_path / "examples")
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, Any] = {}
+    for text in blocks("docs/emulator.md", "python"):
+        exec(text, names)
+    taken, again, batch = names["taken"], names["again"], names["batch"]
+    assert taken.exposure_e.shape == taken.frame.shape == (1, 256, 256)
+    assert 0 < taken.plan.predicted_e <= 4.5
+    assert "shot" in names["kept"]
+    assert again.frame.shape == (3, 1, 256, 256)
+    assert [each.plan.tolerance_e for each in batch] == [2.0, 2.0, 2.0]
+
+
+def test_the_table_of_a_plan_is_that_of_its_command(tmp_path: Path) -> None:
+    """Effects and what becomes of them; figures may differ in their last digits."""
+    shown, *_ = blocks("docs/emulator.md", "text")
+    command = next(line for line in blocks("docs/emulator.md", "console") if "--audit" in line)
+    shutil.copytree(ROOT / "examples", tmp_path / "examples")
+    (tmp_path / "build").mkdir()
+    outcome = invoke(shlex.split(command[2:])[1:], tmp_path)
+
+    def rows(text: str) -> list[tuple[str, str]]:
+        found = re.findall(r"^(\w+) .*?(kept|dropped|absent)\b", text, re.M)
+        return [(name, choice) for name, choice in found if name != "effect"]
+
+    assert len(rows(shown)) == 16
+    assert rows(outcome.err) == rows(shown)
+    for figure in ("predicted error", "audit: measured"):
+        values = [float(re.search(rf"{figure} ([\d.]+)", text)[1]) for text in (shown, outcome.err)]  # type: ignore[index]
+        assert values[0] == pytest.approx(values[1], rel=0.1)
 
 
 @pytest.mark.parametrize("page", PAGES)
