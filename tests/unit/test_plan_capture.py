@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from plan_cases import CASES, case, moving_light, plan_of
@@ -196,3 +198,51 @@ def test_light_that_does_not_fit_is_refused_and_no_number_is_marked() -> None:
     found = planned(container, light, sensor, plan_of("shot,dark,read")).expose(0, 0)
     assert not found.valid[0, 3, 4]
     assert found.valid.sum() == found.valid.size - 1
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_lamps_take_their_neighbours_along_whatever_the_codes_are(name: str) -> None:
+    """Charge of a lamp spills into slots in which its own shutter is closed."""
+    container = case(name, 16, rows=ROWS, cols=COLS)
+    sensor = sensor_of(container)
+    light = moving_light((16, ROWS, COLS), 10.0)
+    for row, col in ((2, 3), (5, 8), (9, 12)):
+        light.frames[:, row, col] = 800_000.0
+    scene = planned(container, light, sensor, plan_of("all", **CLOSED))
+    full, free = (
+        exposures(container, light, sensor, names, 1, SEED, DEVICE)[0]
+        for names in ("all", "all,-full_well,-register")
+    )
+    lost = np.abs(full - free).max(axis=0).reshape(-1)
+    assert (lost > 1.0).sum() > 2
+    assert set(np.flatnonzero(lost > 1.0).tolist()) <= set(scene.saturating.tolist())
+
+
+def test_a_code_read_once_beside_codes_read_often_loses_what_the_well_does() -> None:
+    """Registers are far from full, so nothing but the well says that a pixel needs its words."""
+    container = case("b accumulate", rows=ROWS, cols=COLS)
+    sensor = sensor_of(container, full_well_e=500.0, register_knee_fraction=1.0)
+    light = moving_light((8, ROWS, COLS), 900.0)
+    scene = planned(container, light, sensor, plan_of("all", **CLOSED))
+    full = exposures(container, light, sensor, "all", 1, SEED, DEVICE)[0]
+    error = scene.expose(SEED, 0).exposure_e - full
+    assert np.abs(error).max() < 5.0
+
+
+@pytest.mark.parametrize("left", ["prnu", "dark", "lag", "crosstalk", "prnu,dark,lag,crosstalk"])
+def test_what_a_plan_leaves_out_does_not_change_which_pixels_run(left: str) -> None:
+    """The prediction has all pixels near their limits exact, with all effects."""
+    container = case("d edges", 8, rows=ROWS, cols=COLS)
+    sensor = sensor_of(container, prnu_fraction=0.1, dark_current_e_per_s=1e6)
+    light = moving_light((8, ROWS, COLS), 4000.0)
+    names = ["all", *(f"-{name}" for name in left.split(","))]
+
+    def places(effects: str) -> list[int]:
+        plan = plan_of(effects, **CLOSED)
+        free = tuple(replace(each, forced=False) for each in plan.decisions)
+        scene = planned(container, light, sensor, replace(plan, decisions=free))
+        found: list[int] = scene.saturating.tolist()
+        return found
+
+    assert places("all") == places(",".join(names))
+    assert 0 < len(places("all")) < ROWS * COLS

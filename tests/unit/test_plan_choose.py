@@ -251,3 +251,35 @@ def test_forced_plans_are_plans_too(mid: tuple[Container, Light, Sensor]) -> Non
     assert all(each.forced == (each.kind != "after") or each.forced for each in plan.decisions[:-2])
     again = replace(plan, decisions=plan.decisions)
     assert again.wanted == plan.wanted
+
+
+def test_pixels_beside_lamps_are_predicted_with_what_they_get() -> None:
+    """A percent of the lamps' crosstalk is what leaving non-uniformity out costs there."""
+    container = case("a", 8, rows=64, cols=64)
+    light, sensor = scene("hdr, bright", 8, 64, 64), sensor_of(container)
+    full = full_frames(container, light, sensor, 4, 3, 5)
+    for effects in ("auto", "auto,-prnu", "auto,-lag"):
+        found = outcome(container, light, sensor, 2.0, full, effects=effects)
+        assert found.foreseen, (effects, found.err, found.plan.predicted_e)
+
+
+def test_dark_current_that_differs_much_is_predicted() -> None:
+    """Few pixels have most of it, and spill some of it."""
+    container = case("b edges", 8, "2ms", rows=128, cols=128)
+    light = Light.of_clip(np.full((8, 128, 128), 3.0, np.float32))
+    sensor = sensor_of(container, dark_spread_fraction=1.8, crosstalk_fraction=0.04)
+    full = full_frames(container, light, sensor, 2, 3, 5)
+    for effects in ("auto,-dark", "auto,-crosstalk"):
+        found = outcome(container, light, sensor, 1.0, full, effects=effects)
+        assert found.foreseen, (effects, found.err, found.plan.predicted_e)
+
+
+def test_short_cuts_count_where_saturation_is_left_out() -> None:
+    """All pixels near their limits, none of them run word by word: noise is that of sums."""
+    container = case("two buckets", 4, rows=64, cols=64)
+    light = Light.of_clip(np.full((4, 64, 64), 2000.0, np.float32))
+    sensor = sensor_of(container, register_max_e=9000.0, register_knee_fraction=1.0)
+    full = full_frames(container, light, sensor, 8, 3, 5)
+    found = outcome(container, light, sensor, 5.0, full, effects="auto,-full_well,-register")
+    assert len(Program.of(container, sensor).container.buckets) == 2
+    assert abs(found.plan.predicted_e - found.err) <= 0.2 * found.err + 0.05
