@@ -10,18 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.cli.support import CommonCommand, Product, done, write_together
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.cli.support import CommonCommand, Product, done, progress, write_together
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_PLANNED = ("tables",)
-"""Evaluations whose names are taken by versions to come."""
-
 
 class _Evaluations(CommonCommand, click.Group):
-    """What can be evaluated; what is of a version to come is rejected by name (NS0786)."""
+    """What can be evaluated; any other name is a run folder or a baseline."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -30,20 +26,10 @@ class _Evaluations(CommonCommand, click.Group):
         name = args[0]
         if name in self.commands or name.startswith("-"):
             return super().resolve_command(ctx, args)
-        if name not in _PLANNED:
-            return "of", self.commands["of"], args
-        known = ", ".join(self.commands)
-        raise Rejected(
-            Diagnostic(
-                "NS0786",
-                f"`nscc evaluate {name[:60]}` is not in this version of nscc",
-                notes=(f"this version has: {known}",),
-            ),
-            status=2,
-        )
+        return "of", self.commands["of"], args
 
 
-@click.group("evaluate", cls=_Evaluations, epilog="Not in this version: " + ", ".join(_PLANNED))
+@click.group("evaluate", cls=_Evaluations)
 def command() -> None:
     """Score reconstructions under a frozen protocol, whose digest stands beside every number.
 
@@ -116,6 +102,28 @@ def of(
 
     found, arrays = evaluate(subject, data, protocol, seed)
     _finish(found, arrays, save, as_json, out)
+
+
+@command.command("tables", cls=CommonCommand)
+@click.option("--data", required=True, type=click.Path(path_type=Path), metavar="DIR",
+              help="Panoramas and clips, or folders hdr and video of them.")  # fmt: skip
+@click.option("--runs", type=click.Path(path_type=Path), metavar="DIR",
+              help="A folder of run folders; runs of one row are its seeds.")  # fmt: skip
+@_outputs
+def tables(data: Path, runs: Path | None, as_json: bool, out: Path | None) -> None:
+    """The paper's Tables 2, 3 and 4: its rows and ours, what was measured here beside them.
+
+    Baselines are evaluated on the data, which takes minutes; rows of decoders need runs of `nscc
+    train`. Rows that were not run say so.
+    """
+    from nscc_training.evaluation.tables import tables as filled
+    from nscc_training.evaluation.tables import text_of
+
+    rows = filled(data, runs, lambda rows: progress(rows, "evaluating"))
+    text = json.dumps(rows, indent=2, allow_nan=False) + "\n"
+    if out is not None:
+        write_together({out: text.encode()})
+    click.echo(text if as_json else text_of(rows), nl=False)
 
 
 @command.command("compare", cls=CommonCommand)

@@ -189,7 +189,7 @@ def test_compare_results(folder: Path) -> None:
         (["sci8", "none.mat"], "NS0809"),
         (["sci8", "square.mat", "--iterations", "0"], "NS0783"),
         (["sci8"], "NS0780"),
-        (["tables", "--data", "x"], "NS0786"),
+        (["tables"], "NS0780"),
         (["ldr"], "NS0780"),
         (["ldr", "--data", ".", "--protocol", "hdr"], "NS0806"),
         (["ldr", "--data", ".", "--protocol", "hdr-v1"], "NS0811"),
