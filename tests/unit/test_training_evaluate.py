@@ -70,6 +70,9 @@ def test_a_still_run(tmp_path: Path) -> None:
     assert again["items"] == found["items"]
     other = invoke(["evaluate", str(run), "--data", "d", "--protocol", "video-v1"], tmp_path)
     assert other.codes == ["NS0821"]
+    trained(tmp_path / "short", shutter={"slots": 64, "tile": [2, 2]})
+    short = invoke(["evaluate", "short", "--data", "d", "--protocol", "hdr-v1"], tmp_path)
+    assert short.codes == ["NS0821"]
 
 
 def test_a_clip_run_on_both_protocols_of_clips(tmp_path: Path) -> None:
@@ -120,7 +123,7 @@ def test_what_was_seen_is_not_scored(tmp_path: Path) -> None:
         light = np.exp(rng.uniform(-4, 4, (512, 1024, 1)))
         cv2.imwrite(str(tmp_path / f"d/{name}.hdr"), np.repeat(light, 3, 2).astype(np.float32))
     data = {**SMALL["data"], "train": str(tmp_path / "d"), "val": ""}
-    trained(tmp_path / "r", shutter={"slots": 64, "tile": [2, 2]}, data=data)
+    trained(tmp_path / "r", shutter={"slots": 256, "tile": [2, 2]}, data=data)
     (tmp_path / "e").mkdir()
     (tmp_path / "d/p.hdr").rename(tmp_path / "e/renamed.hdr")
     refused = invoke(["evaluate", "r", "--data", "e", "--protocol", "hdr-v1"], tmp_path)
