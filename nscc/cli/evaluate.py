@@ -130,13 +130,15 @@ def tables(data: Path, runs: Path | None, as_json: bool, out: Path | None) -> No
 @command.command("compare", cls=CommonCommand)
 @click.argument("first", metavar="A.json", type=click.Path(path_type=Path))
 @click.argument("second", metavar="B.json", type=click.Path(path_type=Path))
+@click.option("--metric", default="psnr_db", show_default=True, metavar="NAME_db",
+              help="Which metric of the items; hdr-v1 has mu_psnr_db, too.")  # fmt: skip
 @_outputs
-def compare(first: Path, second: Path, as_json: bool, out: Path | None) -> None:
+def compare(first: Path, second: Path, metric: str, as_json: bool, out: Path | None) -> None:
     """How much better B is than A, in pairs: the same items of the same scenes."""
     from nscc_training.evaluation.results import compare as compared
     from nscc_training.evaluation.results import read_result
 
-    found = compared(read_result(first), read_result(second))
+    found = compared(read_result(first), read_result(second), metric)
     text = json.dumps(found, indent=2, allow_nan=False) + "\n"
     if out is not None:
         write_together({out: text.encode()})
@@ -150,7 +152,8 @@ def compare(first: Path, second: Path, as_json: bool, out: Path | None) -> None:
     click.echo(
         f"{found['second']['method']} over {found['first']['method']}: {gain:+.3f} dB, "
         f"95 % {interval[0]:+.3f} to {interval[1]:+.3f} "
-        f"({found['items']} items of {found['scenes']} scenes, protocol {found['protocol']})"
+        f"({metric}, {found['items']} items of {found['scenes']} scenes, "
+        f"protocol {found['protocol']})"
     )
 
 
