@@ -10,18 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.cli.support import CommonCommand, Product, done, write_together
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.cli.support import CommonCommand, Product, done, progress, write_together
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_PLANNED = ("tables",)
-"""Evaluations whose names are taken by versions to come."""
-
 
 class _Evaluations(CommonCommand, click.Group):
-    """What can be evaluated; what is of a version to come is rejected by name (NS0786)."""
+    """What can be evaluated; any other name is a run folder or a baseline."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -30,20 +26,10 @@ class _Evaluations(CommonCommand, click.Group):
         name = args[0]
         if name in self.commands or name.startswith("-"):
             return super().resolve_command(ctx, args)
-        if name not in _PLANNED:
-            return "of", self.commands["of"], args
-        known = ", ".join(self.commands)
-        raise Rejected(
-            Diagnostic(
-                "NS0786",
-                f"`nscc evaluate {name[:60]}` is not in this version of nscc",
-                notes=(f"this version has: {known}",),
-            ),
-            status=2,
-        )
+        return "of", self.commands["of"], args
 
 
-@click.group("evaluate", cls=_Evaluations, epilog="Not in this version: " + ", ".join(_PLANNED))
+@click.group("evaluate", cls=_Evaluations)
 def command() -> None:
     """Score reconstructions under a frozen protocol, whose digest stands beside every number.
 
@@ -109,8 +95,9 @@ def of(
 
     A run that has seen one of the files is refused. Baselines of hdr-v1: ldr (always open),
     best-uniform (the best single stop in hindsight), quad (2 x 2 geometric exposures), random, all
-    decoded by merging neighbours. Of video-v1: gap-tv, admm-tv, dictionary, adjoint on random bits,
-    and the yardsticks bilinear and thin-out.
+    decoded by merging neighbours; sparse-coding (random, by convolutional sparse coding). Of
+    video-v1: gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks bilinear and
+    thin-out.
     """
     from nscc_training.evaluation.subjects import evaluate
 
@@ -118,16 +105,40 @@ def of(
     _finish(found, arrays, save, as_json, out)
 
 
+@command.command("tables", cls=CommonCommand)
+@click.option("--data", required=True, type=click.Path(path_type=Path), metavar="DIR",
+              help="Panoramas and clips, or folders hdr and video of them.")  # fmt: skip
+@click.option("--runs", type=click.Path(path_type=Path), metavar="DIR",
+              help="A folder of run folders; runs of one row are its seeds.")  # fmt: skip
+@_outputs
+def tables(data: Path, runs: Path | None, as_json: bool, out: Path | None) -> None:
+    """The paper's Tables 2, 3 and 4: its rows and ours, what was measured here beside them.
+
+    Baselines are evaluated on the data, which takes minutes; rows of decoders need runs of `nscc
+    train`. Rows that were not run say so.
+    """
+    from nscc_training.evaluation.tables import tables as filled
+    from nscc_training.evaluation.tables import text_of
+
+    rows = filled(data, runs, lambda rows: progress(rows, "evaluating"))
+    text = json.dumps(rows, indent=2, allow_nan=False) + "\n"
+    if out is not None:
+        write_together({out: text.encode()})
+    click.echo(text if as_json else text_of(rows), nl=False)
+
+
 @command.command("compare", cls=CommonCommand)
 @click.argument("first", metavar="A.json", type=click.Path(path_type=Path))
 @click.argument("second", metavar="B.json", type=click.Path(path_type=Path))
+@click.option("--metric", default="psnr_db", show_default=True, metavar="NAME_db",
+              help="Which metric of the items; hdr-v1 has mu_psnr_db, too.")  # fmt: skip
 @_outputs
-def compare(first: Path, second: Path, as_json: bool, out: Path | None) -> None:
+def compare(first: Path, second: Path, metric: str, as_json: bool, out: Path | None) -> None:
     """How much better B is than A, in pairs: the same items of the same scenes."""
     from nscc_training.evaluation.results import compare as compared
     from nscc_training.evaluation.results import read_result
 
-    found = compared(read_result(first), read_result(second))
+    found = compared(read_result(first), read_result(second), metric)
     text = json.dumps(found, indent=2, allow_nan=False) + "\n"
     if out is not None:
         write_together({out: text.encode()})
@@ -141,7 +152,8 @@ def compare(first: Path, second: Path, as_json: bool, out: Path | None) -> None:
     click.echo(
         f"{found['second']['method']} over {found['first']['method']}: {gain:+.3f} dB, "
         f"95 % {interval[0]:+.3f} to {interval[1]:+.3f} "
-        f"({found['items']} items of {found['scenes']} scenes, protocol {found['protocol']})"
+        f"({metric}, {found['items']} items of {found['scenes']} scenes, "
+        f"protocol {found['protocol']})"
     )
 
 

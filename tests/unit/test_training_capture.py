@@ -14,7 +14,14 @@ from nscc_runtime.light import Light  # noqa: E402
 from nscc_runtime.sensor import default_sensor  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.programs import Chip, compiled, program_of  # noqa: E402
-from nscc_training.sensor_model import SensorModel, capture, laid, read_out  # noqa: E402
+from nscc_training.sensor_model import (  # noqa: E402
+    SensorModel,
+    capture,
+    exposed,
+    laid,
+    lifted,
+    read_out,
+)
 
 SPECS = [
     ShutterSpec("a", 6, (1, 1)),
@@ -99,6 +106,18 @@ def test_noise_has_the_variance_of_photons() -> None:
     again = capture(light, shutters, model, generator=torch.Generator().manual_seed(3)).frame
     assert torch.equal(frame, again)
     assert capture(light, shutters, model).frame.var() == 0
+
+
+def test_gradients_of_exposing_and_lifting() -> None:
+    generator = torch.Generator().manual_seed(1)
+    light = torch.rand(2, 3, 4, 6, generator=generator, dtype=torch.float64, requires_grad=True)
+    still = torch.rand(2, 4, 6, generator=generator, dtype=torch.float64, requires_grad=True)
+    soft = torch.rand(3, 2, 3, generator=generator, dtype=torch.float64, requires_grad=True)
+    assert torch.autograd.gradcheck(exposed, (light, soft))
+    assert torch.autograd.gradcheck(exposed, (still, soft))
+    assert torch.autograd.gradcheck(lambda e, s: lifted(e, s)[0], (still, soft))
+    with pytest.raises(ValueError, match="slots"):
+        exposed(light, soft[:2])
 
 
 def test_gradients_of_the_whole_capture() -> None:

@@ -70,6 +70,9 @@ def test_a_still_run(tmp_path: Path) -> None:
     assert again["items"] == found["items"]
     other = invoke(["evaluate", str(run), "--data", "d", "--protocol", "video-v1"], tmp_path)
     assert other.codes == ["NS0821"]
+    trained(tmp_path / "short", shutter={"slots": 64, "tile": [2, 2]})
+    short = invoke(["evaluate", "short", "--data", "d", "--protocol", "hdr-v1"], tmp_path)
+    assert short.codes == ["NS0821"]
 
 
 def test_a_clip_run_on_both_protocols_of_clips(tmp_path: Path) -> None:
@@ -120,12 +123,51 @@ def test_what_was_seen_is_not_scored(tmp_path: Path) -> None:
         light = np.exp(rng.uniform(-4, 4, (512, 1024, 1)))
         cv2.imwrite(str(tmp_path / f"d/{name}.hdr"), np.repeat(light, 3, 2).astype(np.float32))
     data = {**SMALL["data"], "train": str(tmp_path / "d"), "val": ""}
-    trained(tmp_path / "r", shutter={"slots": 64, "tile": [2, 2]}, data=data)
+    trained(tmp_path / "r", shutter={"slots": 256, "tile": [2, 2]}, data=data)
     (tmp_path / "e").mkdir()
     (tmp_path / "d/p.hdr").rename(tmp_path / "e/renamed.hdr")
     refused = invoke(["evaluate", "r", "--data", "e", "--protocol", "hdr-v1"], tmp_path)
     assert (refused.status, refused.codes) == (2, ["NS0820"])
     assert "renamed.hdr" in refused.err
+
+
+def test_tables_have_every_row_and_say_what_was_not_run(tmp_path: Path) -> None:
+    import cv2
+
+    (tmp_path / "d/hdr").mkdir(parents=True)
+    rng = np.random.default_rng(1)
+    light = cv2.resize(np.exp(rng.uniform(-4, 4, (64, 128))), (1024, 512))
+    light[:, :768] = 1.0  # one crop of four can be exposed as the protocol says
+    cv2.imwrite(str(tmp_path / "d/hdr/p.hdr"), np.repeat(light[..., None], 3, 2).astype("f4"))
+    (tmp_path / "runs").mkdir()
+    for seed in (0, 1):
+        shutter = {"slots": 256, "tile": [2, 2], "init": "quad", "learn": False}
+        trained(tmp_path / f"runs/{seed}", shutter=shutter,
+                train={**SMALL["train"], "seed": seed})  # fmt: skip
+    arguments = ["evaluate", "tables", "--data", "d", "--runs", "runs"]
+    outcome = invoke([*arguments, "--json", "-o", "t.json"], tmp_path)
+    assert outcome.status == 0, outcome.err
+    rows = json.loads(outcome.out)
+    assert rows == json.loads((tmp_path / "t.json").read_text())
+    assert [sum(row["table"] == k for row in rows) for k in (2, 3, 4)] == [7, 13, 6]
+    paper = {(row["table"], row["row"]): (row["paper_psnr_db"], row["paper_ssim"]) for row in rows}
+    assert paper[2, "learned code, U-Net"] == (35.42, 0.9464)
+    assert paper[3, "3D U-Net, e learned"] == (33.56, 0.9374)
+    assert paper[4, "dictionary, e random"] == (26.22, 0.7258)
+    ours = next(row for row in rows if row["row"] == "2 x 2 pattern, U-Net")
+    assert (ours["seeds"], ours["steps"], ours["size"]) == ([0, 1], 2, "small")
+    each = [
+        json.loads(
+            invoke(["evaluate", f"runs/{seed}", "--data", "d/hdr", "--protocol", "hdr-v1",
+                    "--json"], tmp_path).out
+        )["mean"]
+        for seed in (0, 1)
+    ]  # fmt: skip
+    assert ours["psnr_db"] == pytest.approx(sum(each) / 2)
+    for row in rows:
+        assert (row["psnr_db"] is None) == ("not run" in row["remark"])
+    human = invoke(arguments, tmp_path).out
+    assert human.count("not run") == sum("not run" in row["remark"] for row in rows)
 
 
 def test_baselines_of_clips(tmp_path: Path) -> None:

@@ -38,7 +38,7 @@ def load_run(path: Path) -> RunFolder:
     settings = load_config(path / "config.resolved.toml")
     # The codes are the run's own, wherever they once started from.
     start = replace(settings.shutter, init="uniform")
-    parts = make_parts(replace(settings, shutter=start))
+    parts = replace(make_parts(replace(settings, shutter=start)), settings=settings)
     try:
         if (path / CODES_FILE).is_file():
             parts.encoder.load_codes(load_codes(path / CODES_FILE))

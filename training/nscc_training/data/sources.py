@@ -17,7 +17,7 @@ from nscc_training.import_paths import imported, is_import_path
 from nscc_training.problems import rejected
 from nscc_training.settings import DataSettings
 
-_MOST_SIDE = 1024
+_MOST_SIDE = 512
 """Clips are cut to this from their centre: training takes patches."""
 _VALIDATION = 5
 """Every so many scenes one is for validation, where no folder is named for it."""

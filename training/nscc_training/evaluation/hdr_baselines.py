@@ -11,6 +11,7 @@ import torch
 from numpy.typing import NDArray
 
 from nscc_training.baselines.hdr import merged
+from nscc_training.baselines.sparse_coding import coded_still
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.evaluation.hdr import Crop, Unusable, crops, panoramas, scores
 from nscc_training.evaluation.results import Item, Subject, result
@@ -18,7 +19,7 @@ from nscc_training.measures import number
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel, capture
 
-BASELINES = ("ldr", "best-uniform", "quad", "random")
+BASELINES = ("ldr", "best-uniform", "quad", "random", "sparse-coding")
 
 
 def sensor_of(protocol: Protocol) -> SensorModel:
@@ -41,7 +42,8 @@ def stops_of(name: str, protocol: Protocol, seed: int) -> list[NDArray[np.int64]
     if name == "best-uniform":
         return [np.full((1, 1), 1 << k) for k in range(slots.bit_length()) if 1 << k <= slots]
     tile = (2, 2) if name == "quad" else (8, 8)
-    encoder = make_encoder(ShutterSpec("b", slots, tile), name, seed)
+    start = "quad" if name == "quad" else "random"
+    encoder = make_encoder(ShutterSpec("b", slots, tile), start, seed)
     return [encoder.codes()["stop"]]
 
 
@@ -62,7 +64,7 @@ def evaluate_hdr_baseline(
     begin = perf_counter()
     choices = stops_of(name, protocol, seed)
     for stops in choices:
-        items, arrays = _decoded(usable, stops, protocol, seed)
+        items, arrays = _decoded(name, usable, stops, protocol, seed)
         finite = [number(i.metrics["psnr_db"]) for i in items]
         mean = float(np.mean(finite)) if finite else -np.inf
         if best is None or mean > best[0]:
@@ -76,7 +78,7 @@ def evaluate_hdr_baseline(
 
 
 def _decoded(
-    usable: list[Crop], stops: NDArray[np.int64], protocol: Protocol, seed: int
+    method: str, usable: list[Crop], stops: NDArray[np.int64], protocol: Protocol, seed: int
 ) -> tuple[list[Item], dict[str, NDArray[Any]]]:
     sensor = sensor_of(protocol)
     slots = int(protocol["slots"])
@@ -95,6 +97,10 @@ def _decoded(
             frame, share, sensor.electrons_per_lsb, sensor.top_code,
             sensor.adc_noise_lsb * sensor.electrons_per_lsb,
         )  # fmt: skip
+        if method == "sparse-coding":
+            made = coded_still(
+                frame, share, made, sensor.electrons_per_lsb, sensor.top_code, sensor.full_well_e
+            )
         name = f"{crop.file.stem}_{crop.corner[0]}_{crop.corner[1]}"
         arrays[f"{name}_image"] = made.astype(np.float32)
         arrays[f"{name}_truth"] = crop.light_e.astype(np.float32)

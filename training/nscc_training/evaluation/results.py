@@ -106,8 +106,13 @@ def read_result(path: Path) -> dict[str, Any]:
     )
 
 
-def compare(first: dict[str, Any], second: dict[str, Any]) -> dict[str, Any]:
-    """How much better the second result is, item by item; Rejected (NS0808) across protocols."""
+def compare(
+    first: dict[str, Any], second: dict[str, Any], metric: str = "psnr_db"
+) -> dict[str, Any]:
+    """How much better the second result is in a metric of dB, item by item.
+
+    Rejected (NS0808) across protocols, without common items, or where the metric is missing.
+    """
     for key, what in (("protocol", "protocols"), ("protocol_sha256", "versions of a protocol")):
         if first.get(key) != second.get(key):
             raise rejected(
@@ -124,11 +129,21 @@ def compare(first: dict[str, Any], second: dict[str, Any]) -> dict[str, Any]:
             notes=("results are compared in pairs: the same crop or frame of the same file",),
             helps=("evaluate both on the same data",),
         )
+    held = (v.get(metric) for part in items for v in part.values())
+    if any(not isinstance(v, int | float) and v != "inf" for v in held):
+        known = sorted(k for k in next(iter(items[0].values())) if k.endswith("_db"))
+        raise rejected(
+            "NS0808",
+            f"not every item of the results has the metric '{metric[:40]}'",
+            notes=(f"the first has {', '.join(known)}",),
+            helps=("name one of them with --metric",),
+        )
     scenes = {k: str(v["file"]) for part in items for k, v in part.items()}
-    scores = [{k: number(v["psnr_db"]) for k, v in part.items()} for part in items]
+    scores = [{k: number(v[metric]) for k, v in part.items()} for part in items]
     return {
         "protocol": first["protocol"],
         "protocol_sha256": first["protocol_sha256"],
+        "metric": metric,
         "first": {"method": first.get("method"), "mean": first.get("mean")},
         "second": {"method": second.get("method"), "mean": second.get("mean")},
         **paired(scores[0], scores[1], scenes),

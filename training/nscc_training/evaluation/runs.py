@@ -72,14 +72,18 @@ def evaluate_run(
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
     parts = folder.parts
-    wanted = {"hdr-v1": (True, 256), "video-v1": (False, 16), "sci8": (False, 8)}[protocol.name]
-    still, slots = wanted
-    if parts.still != still or (not still and parts.slots != slots):
-        have = "stills" if parts.still else f"clips of {parts.slots} slots"
-        want = "stills" if still else f"clips of {slots}"
+    kind = parts.encoder.spec.kind
+    have = f"{'stills' if parts.still else 'clips'} of {parts.slots} slots, class {kind}"
+    if protocol.name == "hdr-v1":
+        want = f"stills of {protocol['slots']} slots, class {protocol['class']}"
+        good = parts.still and parts.slots == protocol["slots"] and kind == protocol["class"]
+    else:
+        want = f"clips of {protocol['frames']} slots"
+        good = not parts.still and parts.slots == protocol["frames"]
+    if not good:
         raise rejected(
             "NS0821",
-            f"'{folder.path}' was trained for {have}, protocol {protocol.name} takes {want}",
+            f"'{folder.path}' was trained for {have}; protocol {protocol.name} takes {want}",
             helps=("train with [data] protocol and [shutter] slots of the protocol",),
         )
     if protocol.name == "sci8" and parts.settings.decoder.name == "fcnet":

@@ -1,0 +1,83 @@
+"""Convolutional sparse coding: transposes, steps that converge, and what is not seen."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+torch = pytest.importorskip("torch")
+
+from nscc_training.baselines.hdr import merged  # noqa: E402
+from nscc_training.baselines.sparse_coding import (  # noqa: E402
+    blurred,
+    coded_still,
+    largest_gain,
+    made_filters,
+    sparse_coded,
+    spread,
+    summed,
+)
+
+
+def test_sum_and_spread_are_transposes() -> None:
+    generator = torch.Generator().manual_seed(1)
+    filters = made_filters()
+    maps = torch.rand((1, len(filters), 20, 23), generator=generator)
+    picture = torch.rand((1, 1, 20, 23), generator=generator)
+    left = (summed(maps, filters) * picture).sum()
+    right = (maps * spread(picture, filters)).sum()
+    assert float(left) == pytest.approx(float(right), rel=1e-4)
+
+
+def test_filters_have_length_one_and_are_the_same_again() -> None:
+    filters = made_filters()
+    assert torch.allclose(filters.square().sum(dim=(1, 2, 3)), torch.ones(len(filters)))
+    made_filters.cache_clear()
+    assert torch.equal(filters, made_filters())
+
+
+def test_the_step_is_short_enough() -> None:
+    """The gain bounds the operator: no picture is amplified by more."""
+    filters, mask = made_filters(), torch.ones(1, 1, 24, 24)
+    gain = largest_gain(filters, mask)
+    generator = torch.Generator().manual_seed(2)
+    for _ in range(5):
+        picture = torch.rand((1, 1, 24, 24), generator=generator) - 0.5
+        assert float(spread(picture, filters).square().sum()) <= gain * float(
+            picture.square().sum()
+        )
+
+
+def test_more_iterations_explain_more() -> None:
+    rng = np.random.default_rng(3)
+    seen = np.repeat(np.repeat(rng.random((8, 8)), 4, axis=0), 4, axis=1)
+    coarse, ones = np.full((32, 32), 0.5), np.ones((32, 32))
+    errors = [
+        float(np.mean((sparse_coded(coarse, seen, ones, made_filters(), n, 1e-3) - seen) ** 2))
+        for n in (0, 5, 60)
+    ]
+    assert errors[0] == pytest.approx(float(np.mean((0.5 - seen) ** 2)), rel=1e-4)
+    assert errors[2] < 0.2 * errors[1] < 0.2 * errors[0]
+
+
+def test_without_confidence_the_coarse_picture_is_left() -> None:
+    coarse = np.random.default_rng(4).random((24, 24))
+    found = sparse_coded(coarse, np.zeros((24, 24)), np.zeros((24, 24)), made_filters(), 5)
+    wanted = blurred(torch.from_numpy(coarse).float()[None, None])[0, 0].numpy()
+    np.testing.assert_allclose(found, wanted, atol=1e-6)
+
+
+def test_edges_come_back_sharper_than_by_merging() -> None:
+    light = np.full((48, 48), 2000.0)
+    light[:, 24:] = 90000.0
+    light[20:28] = 300.0
+    stops = np.random.default_rng(5).integers(1, 65, (8, 8))
+    share = np.tile(stops / 64, (6, 6))
+    epl = 30000 / 255
+    frame = np.clip(np.rint(light * share / epl), 0, 255).astype(np.float32)
+    coarse = merged(frame, share, epl, 255, 76.0)
+    found = coded_still(frame, share, coarse, epl, 255, 30000.0)
+    errors = [float(np.mean((np.sqrt(np.maximum(x, 0)) - np.sqrt(light)) ** 2))
+              for x in (coarse, found)]  # fmt: skip
+    assert errors[1] < errors[0]
+    assert np.isfinite(found).all()

@@ -1,0 +1,127 @@
+"""Stills by convolutional sparse coding (after Serrano et al., Computer Graphics Forum 2016).
+
+What a coarse picture, merged from neighbours, lacks is a sum of few small filters, wherever they
+are needed; FISTA finds how much of each from the pixels that are not saturated. It works on the
+square root of light, where errors of bright and dark pixels weigh alike. Filters are learned from
+made scenes.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+from torch.nn import functional
+
+from nscc_training.baselines.dictionary import learned
+
+SIDE = 9
+FILTERS = 40
+WEIGHT = 0.03
+ITERATIONS = 60
+
+Picture = NDArray[np.float64]
+
+_COARSE = 3.0
+"""Standard deviation in pixels of the blur that leaves the coarse picture."""
+
+
+def sparse_coded(
+    coarse: Picture, seen: Picture, confidence: Picture, filters: Tensor,
+    iterations: int = ITERATIONS, weight: float = WEIGHT,
+) -> Picture:  # fmt: skip
+    """A picture that is near `seen` where `confidence` (0..1) is high, else near `coarse` blurred.
+
+    All in square roots of light relative to a full well, (rows, cols). `filters` (K, 1, side,
+    side) as `made_filters` gives them.
+    """
+    base = blurred(torch.from_numpy(coarse).float()[None, None])
+    mask = torch.from_numpy(confidence).float()[None, None]
+    wanted = mask * (torch.from_numpy(seen).float()[None, None] - base)
+    step = 1.0 / largest_gain(filters, mask)
+    maps = torch.zeros((1, len(filters), *wanted.shape[2:]))
+    ahead, momentum = maps, 1.0
+    for _ in range(iterations):
+        error = mask * summed(ahead, filters) - wanted
+        moved = ahead - step * spread(mask * error, filters)
+        found = torch.sign(moved) * torch.clamp(moved.abs() - step * weight, min=0)
+        following = (1 + (1 + 4 * momentum**2) ** 0.5) / 2
+        ahead = found + (momentum - 1) / following * (found - maps)
+        maps, momentum = found, following
+    return np.asarray((base + summed(maps, filters))[0, 0].double().numpy())
+
+
+def coded_still(
+    frame: NDArray[np.float32], open_share: Picture, coarse_e: Picture, electrons_per_lsb: float,
+    top_code: int, full_well_e: float,
+) -> Picture:  # fmt: skip
+    """Light over the frame in electrons (rows, cols), from a frame's codes and a coarse result.
+
+    Photon noise of the square root of light does not depend on the light but on how long a pixel
+    was open: that is its confidence. A saturated pixel has none, but at least its own light.
+    """
+    share = np.where(open_share > 0, open_share, 1.0)
+    seen = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
+    usable = (frame < top_code) & (open_share > 0)
+    root = sparse_coded(
+        np.sqrt(np.maximum(coarse_e, 0) / full_well_e), np.sqrt(seen),
+        np.where(usable, share**0.25, 0.0), made_filters(),
+    )  # fmt: skip
+    found = np.square(np.maximum(root, 0.0))
+    saturated = (frame >= top_code) & (open_share > 0)
+    return np.where(saturated, np.maximum(found, seen), found) * full_well_e
+
+
+@lru_cache(maxsize=2)
+def made_filters(seed: int = 0) -> Tensor:
+    """Filters (K, 1, side, side) of length 1, learned from the details of made stills."""
+    from nscc_training.data.procedural import still
+
+    generator = np.random.default_rng([seed, SIDE])
+    blocks = []
+    for _ in range(16):
+        light = still(generator, 96)
+        root = np.sqrt(light / np.quantile(light, 0.7))
+        picture = torch.from_numpy(np.minimum(root, 4.0)).float()[None, None]
+        detail = (picture - blurred(picture))[0, 0].numpy()
+        for _ in range(150):
+            row, col = generator.integers(0, 96 - SIDE + 1, 2)
+            block = detail[row : row + SIDE, col : col + SIDE].ravel()
+            blocks.append(block / max(float(np.linalg.norm(block)), 0.05))
+    atoms = learned(np.array(blocks, np.float64), FILTERS, 3, 8, seed)
+    return torch.from_numpy(atoms.T.reshape(FILTERS, 1, SIDE, SIDE).copy()).float()
+
+
+def summed(maps: Tensor, filters: Tensor) -> Tensor:
+    """The picture (1, 1, rows, cols) of maps (1, K, rows, cols): each spread by its filter."""
+    return functional.conv_transpose2d(maps, filters, padding=SIDE // 2)
+
+
+def spread(picture: Tensor, filters: Tensor) -> Tensor:
+    """The transpose of `summed`."""
+    return functional.conv2d(picture, filters, padding=SIDE // 2)
+
+
+def blurred(picture: Tensor) -> Tensor:
+    """A Gaussian blur of (1, 1, rows, cols); beyond the edge the picture is repeated."""
+    reach = round(3 * _COARSE)
+    line = torch.exp(-0.5 * (torch.arange(-reach, reach + 1) / _COARSE) ** 2)
+    line = line / line.sum()
+    wide = functional.pad(picture, (reach, reach, reach, reach), mode="replicate")
+    across = functional.conv2d(wide, line.reshape(1, 1, 1, -1))
+    return functional.conv2d(across, line.reshape(1, 1, -1, 1))
+
+
+def largest_gain(filters: Tensor, mask: Tensor) -> float:
+    """A bound on the largest eigenvalue of the masked sum times its transpose, by iteration."""
+    picture = mask.clone()
+    gain = 1.0
+    for _ in range(12):
+        following = mask * summed(spread(picture, filters), filters)
+        gain = float(following.norm() / picture.norm().clamp(min=1e-20))
+        picture = following / max(gain, 1e-20)
+    # The iteration comes from below.
+    return 1.1 * max(gain, 1e-6)
