@@ -49,7 +49,8 @@ class Fields:
     because counts are not spread over the slots, with closed slots counted or not;
     `neighbours[closed]`: the same of crosstalk; `noise_cut`: that the noise of words is drawn as at
     the mean leakage. All but what
-    saturation loses is as if nothing saturated; `clipped`: where the full well is passed.
+    saturation loses is as if nothing saturated; `clipped`: where the full well is passed;
+    `after`: the fields there of fixed effects that act on what the well lets through.
     """
 
     sample: Sample
@@ -61,6 +62,7 @@ class Fields:
     neighbours: dict[bool, Values]
     noise_cut: Values
     clipped: NDArray[np.bool_]
+    after: dict[str, Values]
 
 
 def fields_of(program: Program, light: Light, sample: Sample, device_seed: int) -> Fields:
@@ -167,9 +169,18 @@ class _Fields:
         thinning, neighbours = self._left_out(moving, current)
         none = np.zeros(expected.shape, np.bool_)
         fields = Fields(
-            self.sample, expected, fixed, variance, shifts, thinning, neighbours, noise_cut, none
+            self.sample,
+            expected,
+            fixed,
+            variance,
+            shifts,
+            thinning,
+            neighbours,
+            noise_cut,
+            none,
+            {},
         )
-        return self._saturated(fields) if self.sample.near.any() else fields
+        return self._saturated(fields, pattern) if self.sample.near.any() else fields
 
     def _each_bucket(self, slots: Values) -> list[Values]:
         return [slots[:, :, bucket] for bucket in self.buckets]
@@ -265,7 +276,7 @@ class _Fields:
                     neighbours[False][bucket] += counted if group else c**2 * lit * within
         return thinning, neighbours
 
-    def _saturated(self, fields: Fields) -> Fields:
+    def _saturated(self, fields: Fields, pattern: Values) -> Fields:
         """The same with what the words make of the pixels that may saturate."""
         near = self.sample.near
         well, register = FULL_WELL.name, REGISTER.name
@@ -287,7 +298,14 @@ class _Fields:
         expected[:, near] = held[()]
         clipped = np.zeros(fields.expected.shape, np.bool_)
         clipped[:, near] = np.abs(held[(register,)] - held[(well, register)]) > _CLIPPED_E
-        return replace(fields, expected=expected, fixed=fixed, clipped=clipped)
+        # Of the charge that effects after the well act on, the part that it lets through.
+        free, part = fields.expected - pattern, np.ones_like(expected)
+        part[:, near] = (held[(register,)] - pattern[:, near]) / np.maximum(free[:, near], 1.0)
+        after = {
+            ANALOG.name: pattern + (fields.fixed[ANALOG.name] - pattern) * part,
+            LEAKAGE.name: fields.fixed[LEAKAGE.name] * part,
+        }
+        return replace(fields, expected=expected, fixed=fixed, clipped=clipped, after=after)
 
     def _rarely_lost(self, expected: Values) -> Values:
         """The RMS of what registers lose of exposures (buckets, pixels) that noise takes beyond

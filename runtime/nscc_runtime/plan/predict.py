@@ -27,6 +27,8 @@ from nscc_runtime.plan.fields import BOTH, Fields, fields_of
 from nscc_runtime.plan.model import Decision, Plan
 from nscc_runtime.plan.sample import sample_of
 
+_AFTER_THE_WELL = frozenset({READ.name, RESET.name, ANALOG.name})
+"""Noise that what passes the full well does not lack."""
 SATURATION = frozenset({FULL_WELL.name, REGISTER.name})
 """Effects that need single pixels to run through their words."""
 
@@ -142,25 +144,31 @@ class Forecast:
         """Names of the fixed fields, and the means (buckets, ., .) of their products."""
         found = self._kept_products.get(state)
         if found is None:
-            names, where = list(self.fields.fixed), self._where(state)
-            stack = np.stack(
-                [
-                    self.fields.fixed[name] * (1.0 if name in {*SATURATION, BOTH} else where)
-                    for name in names
-                ],
-                axis=1,
-            )
+            names = list(self.fields.fixed)
+            stack = np.stack([self._left(name, state) for name in names], axis=1)
             weight = self.fields.sample.weight
             products = (stack * (weight / weight.sum())) @ stack.transpose(0, 2, 1)
             found = self._kept_products[state] = names, products
         return found
+
+    def _left(self, name: str, state: str) -> NDArray[np.float64]:
+        """The field (buckets, pixels) of a fixed effect as far as a state does not simulate it."""
+        field, clipped = self.fields.fixed[name], self.fields.clipped
+        if name in {*SATURATION, BOTH}:
+            return field
+        if state == "clip":
+            return np.where(clipped, self.fields.after.get(name, 0.0), field)
+        return field * self._where(state)
 
     def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
         found = self._kept_variances.get(state)
         if found is None:
             where = self._where(state)
             found = self._kept_variances[state] = {
-                name: self.fields.sample.mean(v * where) for name, v in self.fields.variance.items()
+                name: self.fields.sample.mean(
+                    v if state == "clip" and name in _AFTER_THE_WELL else v * where
+                )
+                for name, v in self.fields.variance.items()
             }
         return found
 
@@ -240,7 +248,7 @@ class Forecast:
         found = self._kept_means[state] = {
             "thinning": mean(fields.thinning[self.closed] * where),
             "neighbours": mean(fields.neighbours[self.closed] * where),
-            "noise": mean(fields.noise_cut * where),
+            "noise": mean(fields.noise_cut * (1.0 if state == "clip" else where)),
             "leakage": relative**2 * mean(fields.expected**2 * where),
         }
         return found
