@@ -433,10 +433,14 @@ class Planned:
         """What the full well lets through, (buckets, pixels); infinite where pixels that may reach
         it run through their words.
         """
-        program = self.program
-        single = program.tables.single(program.model(self.plan.kept))
-        limit = np.where(np.isnan(single), np.inf, single * program.sensor.full_well_e)
-        return limit.T[:, program.lanes]
+        program, found = self.program, np.zeros((len(self.program.container.buckets), 1))
+        model = program.model(self.plan.kept)
+        unknown = np.isnan(program.tables.single(model))
+        for rate, between in zip(*self.leaks, strict=True):
+            single = program.tables.single(replace(model, leak_per_s=rate))
+            limit = np.where(unknown, 0.0, single * program.sensor.full_well_e)
+            found = found + limit.T[:, program.lanes] * between
+        return np.where(unknown.T[:, program.lanes], np.inf, found)
 
     @cached_property
     def saturating(self) -> NDArray[np.int64]:

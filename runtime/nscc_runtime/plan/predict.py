@@ -20,6 +20,7 @@ from nscc_runtime.effects.dark import DARK
 from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
 from nscc_runtime.effects.photons import SHOT
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
+from nscc_runtime.effects.timing import DEAD_TIME
 from nscc_runtime.light import Light
 from nscc_runtime.plan import leak_nodes
 from nscc_runtime.plan.capture import Planned, Program
@@ -27,6 +28,10 @@ from nscc_runtime.plan.fields import BOTH, Fields, fields_of
 from nscc_runtime.plan.model import Decision, Plan
 from nscc_runtime.plan.sample import sample_of
 
+_CLIP = "clip"
+"""Sums that are clipped know nothing of light that falls before the level of a reset is read; that
+is about as much as all of the gates' switching does.
+"""
 _AFTER_THE_WELL = frozenset({READ.name, RESET.name, ANALOG.name})
 """Noise that what passes the full well does not lack."""
 SATURATION = frozenset({FULL_WELL.name, REGISTER.name})
@@ -109,7 +114,7 @@ class Forecast:
         # Saturation is a field of its own: in `BOTH` where neither is simulated.
         lost = SATURATION & dropped
         inside = dropped - SATURATION | (lost if lost != SATURATION else {BOTH})
-        at = [i for i, name in enumerate(names) if name in inside]
+        at = [i for i, name in enumerate(names) if name in inside or name == _CLIP]
         part = products[:, at][:, :, at]
         random = sum((self._variances(state)[name] for name in self._random & dropped), _NOTHING)
         random = random + self._rounding(dropped)
@@ -144,7 +149,7 @@ class Forecast:
         """Names of the fixed fields, and the means (buckets, ., .) of their products."""
         found = self._kept_products.get(state)
         if found is None:
-            names = list(self.fields.fixed)
+            names = [*self.fields.fixed, _CLIP]
             stack = np.stack([self._left(name, state) for name in names], axis=1)
             weight = self.fields.sample.weight
             products = (stack * (weight / weight.sum())) @ stack.transpose(0, 2, 1)
@@ -153,7 +158,11 @@ class Forecast:
 
     def _left(self, name: str, state: str) -> NDArray[np.float64]:
         """The field (buckets, pixels) of a fixed effect as far as a state does not simulate it."""
-        field, clipped = self.fields.fixed[name], self.fields.clipped
+        fixed, clipped = self.fields.fixed, self.fields.clipped
+        if name == _CLIP:
+            field = fixed[DEAD_TIME.name]
+            return np.where(clipped, field, 0.0) if state == "clip" else np.zeros_like(field)
+        field = fixed[name]
         if name in {*SATURATION, BOTH}:
             return field
         if state == "clip":
@@ -245,11 +254,12 @@ class Forecast:
         fields, mean, where = self.fields, self.fields.sample.mean, self._where(state)
         age_s = float(self.program.slot_s.sum())
         relative = leak_nodes.error(self.program.sensor, self.leak_nodes, age_s)
+        after = np.ones(1) if state == "clip" else where
         found = self._kept_means[state] = {
             "thinning": mean(fields.thinning[self.closed] * where),
             "neighbours": mean(fields.neighbours[self.closed] * where),
-            "noise": mean(fields.noise_cut * (1.0 if state == "clip" else where)),
-            "leakage": relative**2 * mean(fields.expected**2 * where),
+            "noise": mean(fields.noise_cut * after),
+            "leakage": relative**2 * mean(fields.expected**2 * after),
         }
         return found
 
