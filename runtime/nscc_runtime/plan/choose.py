@@ -38,8 +38,8 @@ _COST_NS = {
 }  # fmt: skip
 """Nanoseconds a pixel that leaving an effect out saves; measured, to a factor of about two."""
 _NOTHING = np.zeros(1)
-_WORD_NS, _SLOT_NS = 60.0, 30.0
-"""Of one pixel through its words: nanoseconds a word, and a slot or cut between words."""
+_WORD_NS, _SLOT_NS = 300.0, 60.0
+"""Of one pixel through its words, neighbours' counts included: nanoseconds a word, and a slot."""
 
 
 def plan_for(
