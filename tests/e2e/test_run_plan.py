@@ -200,7 +200,8 @@ def test_a_plan_has_decided_already(option: list[str], folder: Path) -> None:
 @pytest.mark.parametrize(
     "content",
     [
-        b"", b"{}", b"[]", b"null", b"\xff\xfe", b"[" * 100000, b"NaN", b'{"schema": "nscc-plan-1"}',
+        b"", b"{}", b"[]", b"null", b"\xff\xfe", b"[" * 100000, b"NaN",
+        b'{"schema": "nscc-plan-1"}',
         b'{"schema": "nscc-plan-9", "plan": {}}', b'{"schema": ["nscc-plan-1"]}', b"7" * 5000,
     ],
 )  # fmt: skip

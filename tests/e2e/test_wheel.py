@@ -81,6 +81,9 @@ def test_compiles_and_runs_an_example(elsewhere: Path, root: Path) -> None:
     done([nscc, "build", program.name], elsewhere)
     done([nscc, "prove", "hdr_2x2.icw"], elsewhere)
     done([nscc, "run", "hdr_2x2.icw", "--scene", "builtin:hdr", "-o", "frame.npz"], elsewhere)
+    done(
+        [nscc, "run", "hdr_2x2.icw", "--scene", "builtin:hdr", "--audit", "-o", "p.npz"], elsewhere
+    )
     assert (elsewhere / "frame.npz").stat().st_size > 1000
     place = "import nscc, nscc_runtime, nscc_training; print(nscc.__file__)"
     python = elsewhere / "venv" / "bin" / "python"

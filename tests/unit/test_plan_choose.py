@@ -283,3 +283,20 @@ def test_short_cuts_count_where_saturation_is_left_out() -> None:
     found = outcome(container, light, sensor, 5.0, full, effects="auto,-full_well,-register")
     assert len(Program.of(container, sensor).container.buckets) == 2
     assert abs(found.plan.predicted_e - found.err) <= 0.2 * found.err + 0.05
+
+
+@pytest.mark.parametrize("tolerance", [5.0, 50.0])
+@pytest.mark.parametrize("name", ["a", "b edges", "b latch"])
+def test_wells_that_are_smaller_than_registers(name: str, tolerance: float) -> None:
+    """Sums clipped at the well: what comes after it is not lost there, and light before it is."""
+    container = case(name, 8, rows=64, cols=64)
+    light = scene("saturated", 8, 64, 64)
+    sensor = sensor_of(
+        container, full_well_e=20_000.0, register_min_e=-2e5, register_max_e=2e5,
+        register_knee_fraction=1.0, analog_gain=0.99, leakage_spread_fraction=0.6,
+    )  # fmt: skip
+    full = full_frames(container, light, sensor, 8, 3, 5)
+    found = outcome(container, light, sensor, tolerance, full)
+    assert found.kept
+    # What clipping costs is known from above.
+    assert 0.85 * found.err <= found.plan.predicted_e <= 2.0 * found.err + 0.05
