@@ -20,9 +20,9 @@ from nscc_runtime.effects.readout import ADC_NOISE
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
 from nscc_runtime.light import Light
-from nscc_runtime.plan.capture import Program
 from nscc_runtime.plan.model import Approximation, Choice, Decision, Plan
 from nscc_runtime.plan.predict import SATURATION, Forecast
+from nscc_runtime.plan.program import Program
 
 DEFAULT_TOLERANCE_E = 5.0
 
