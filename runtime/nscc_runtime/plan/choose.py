@@ -91,6 +91,10 @@ class Chooser:
         dropped = frozenset(self._forced_off())
         everywhere = self._everywhere(dropped)
         limit = (MARGIN * self.tolerance_e) ** 2
+        forced = self.forecast.square(dropped, everywhere)
+        if forced > limit:
+            # What the user forced off has broken the promise: the rest keeps to it by itself.
+            limit += forced
         while True:
             now = self.forecast.square(dropped, everywhere)
             fits = []
