@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from nscc_runtime.frame_file import Frame, Provenance
     from nscc_runtime.light import Light
     from nscc_runtime.plan.audit import Audit
-    from nscc_runtime.plan.capture import Program
     from nscc_runtime.plan.model import Plan
+    from nscc_runtime.plan.program import Program
     from nscc_runtime.sensor import Sensor
 
 PLAN_SCHEMA = "nscc-plan-1"

@@ -73,7 +73,7 @@ def command(program: Path | None, **options: Any) -> int:
     holds the error measured against the tolerance asked, a third says what each effect does and
     which are left out. Ends with status 1 where a plan broke its promise.
     """
-    from nscc_runtime.plan.capture import Program
+    from nscc_runtime.plan.program import Program
     from nscc_runtime.sensor import load_sensor
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
     from nscc_runtime.tradeoff.study import measure

@@ -14,9 +14,10 @@ from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.plan import audit as module
 from nscc_runtime.plan.audit import audit
-from nscc_runtime.plan.capture import Program, prepared
+from nscc_runtime.plan.capture import prepared
 from nscc_runtime.plan.choose import plan_for
 from nscc_runtime.plan.model import Plan
+from nscc_runtime.plan.program import Program
 from nscc_runtime.sensor import Sensor
 
 ROWS, COLS = 64, 80

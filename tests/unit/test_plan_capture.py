@@ -13,8 +13,9 @@ from nscc.diagnostics.model import Rejected
 from nscc.words.container import Container
 from nscc_runtime.effects import OPTIONAL
 from nscc_runtime.light import Light
-from nscc_runtime.plan.capture import Planned, Program, prepared
+from nscc_runtime.plan.capture import Planned, prepared
 from nscc_runtime.plan.model import Plan
+from nscc_runtime.plan.program import Program
 from nscc_runtime.sensor import Sensor
 
 ROWS, COLS = 12, 16

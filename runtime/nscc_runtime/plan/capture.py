@@ -8,38 +8,32 @@ only difference from it. Pixels that may saturate run through all their words.
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.words.container import Container
-from nscc_runtime.effects import Selection, selected
+from nscc_runtime.effects import Selection
 from nscc_runtime.effects.crosstalk import CROSSTALK, smeared
-from nscc_runtime.effects.dark import DARK, current_e_per_s
+from nscc_runtime.effects.dark import DARK
 from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
 from nscc_runtime.effects.photons import DARK as DARK_SOURCE
-from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, count_key, response
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER, leak_per_s, pattern_e
-from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
-from nscc_runtime.emulator.capture import check_program, check_size
+from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, count_key
+from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
+from nscc_runtime.effects.timing import LAG, MOTION
+from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, poisson
 from nscc_runtime.plan import leak_nodes
 from nscc_runtime.plan.fused import Fused
-from nscc_runtime.plan.masks import Masks
 from nscc_runtime.plan.model import Plan
-from nscc_runtime.plan.overlap import Overlap
-from nscc_runtime.plan.pixels import Pixels
-from nscc_runtime.plan.reach import Reach, reach_of
+from nscc_runtime.plan.pool import processors
+from nscc_runtime.plan.program import Device, Program
 from nscc_runtime.plan.sums import smeared_frames, sums_by_slot, weighted_sums
-from nscc_runtime.plan.tables import Model, Tables
-from nscc_runtime.reference.capture import Reference
+from nscc_runtime.plan.tables import Model
 from nscc_runtime.reference.noise import SUM
-from nscc_runtime.sensor.model import Sensor
 
 Values = NDArray[np.float64]
 
@@ -47,157 +41,6 @@ _MOST_LIGHT = 1e36
 """Sums of float32 may have no end."""
 SIGMAS = 6.0
 """How far from its mean a pixel is taken to come when it is asked whether it may saturate."""
-
-
-def processors() -> int:
-    """How many threads a run may use."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
-@dataclass(frozen=True, eq=False)
-class Device:
-    """What is fixed on a chip: numbers of each pixel, made when they are asked for."""
-
-    sensor: Sensor
-    seed: int
-    places: NDArray[np.int64]
-
-    @cached_property
-    def response(self) -> Values:
-        """The response to light."""
-        return response(self.sensor, self.seed, self.places)
-
-    @cached_property
-    def current(self) -> Values:
-        """The dark current, electrons a second."""
-        return current_e_per_s(self.sensor, self.seed, self.places)
-
-    @cached_property
-    def pattern(self) -> Values:
-        """The fixed error of one analog word, electrons."""
-        return pattern_e(self.sensor, self.seed, self.places)
-
-    @cached_property
-    def leak(self) -> Values:
-        """The rate of leakage, 1/s."""
-        return leak_per_s(self.sensor, self.seed, self.places)
-
-
-@dataclass(frozen=True, eq=False)
-class Program:
-    """A compiled program and a sensor, made ready once for any number of scenes and plans."""
-
-    container: Container
-    sensor: Sensor
-    reference: Reference
-    tables: Tables
-    slot_s: Values
-
-    @classmethod
-    def of(cls, container: Container, sensor: Sensor) -> Program:
-        """Raises Rejected where the words open no shutters (NS0442) or cannot run."""
-        check_program(container)
-        reference = Reference.of(container, sensor, selected("all"))
-        slot_s = np.array(container.slot_us, np.float64) * 1e-6
-        return cls(container, sensor, reference, Tables.of(reference), slot_s)
-
-    @property
-    def full(self) -> Model:
-        """The weights with every effect on."""
-        return Model(True, 1.0 / self.sensor.leakage_tau_s, True, True)
-
-    def model(self, kept: Selection) -> Model:
-        """The weights under the effects of a plan, at the mean leakage."""
-        leak = 1.0 / self.sensor.leakage_tau_s if LEAKAGE in kept else 0.0
-        return Model(ANALOG in kept, leak, DEAD_TIME in kept, DECAY in kept)
-
-    @cached_property
-    def pixels(self) -> Pixels:
-        """The words as they are, decayed."""
-        return Pixels.of(self.reference)
-
-    @cached_property
-    def fresh_pixels(self) -> Pixels:
-        """The words as they are meant."""
-        return Pixels.of(replace(self.reference, words=self.tables.fresh))
-
-    def words(self, kept: Selection) -> Pixels:
-        """The loop over the words of single pixels."""
-        return self.pixels if DECAY in kept or not self.tables.decays else self.fresh_pixels
-
-    @cached_property
-    def reach(self) -> Reach:
-        """How far registers go with every effect on."""
-        return reach_of(self.tables, selected("all"))
-
-    @cached_property
-    def lanes(self) -> NDArray[np.int32]:
-        """The lane of every pixel, flat."""
-        return self.reference.groups.lane.reshape(-1).astype(np.int32)
-
-    @cached_property
-    def overlapping(self) -> bool:
-        """Whether some slot is open in several buckets at once."""
-        return any(group & (group - 1) for group in self.group_ids.tolist())
-
-    @cached_property
-    def group_ids(self) -> NDArray[np.int64]:
-        """The groups of slots that occur."""
-        return np.unique(self.reference.groups.of_slot)
-
-    def device(self, device_seed: int) -> Device:
-        """What is fixed on a chip; the last one asked for is kept."""
-        if device_seed not in self._devices:
-            self._devices.clear()
-            places = np.arange(len(self.lanes), dtype=np.int64)
-            self._devices[device_seed] = Device(self.sensor, device_seed, places)
-        return self._devices[device_seed]
-
-    @cached_property
-    def _devices(self) -> dict[int, Device]:
-        return {}
-
-    def overlap(self, model: Model) -> Overlap:
-        """How much of the neighbours' groups falls on a pixel's open slots; kept."""
-        found = self._overlaps.get(model)
-        if found is None:
-            found = self._overlaps[model] = Overlap.of(self, model)
-        return found
-
-    @cached_property
-    def _overlaps(self) -> dict[Model, Overlap]:
-        return {}
-
-    def masks(self, group: int) -> Masks | None:
-        """Where each slot belongs to a group, pixel by pixel; kept. None: too large."""
-        if group not in self._masks:
-            members = np.ascontiguousarray((self.reference.groups.of_slot == group).T)
-            self._masks[group] = Masks.of(members, self.lanes)
-        return self._masks[group]
-
-    @cached_property
-    def _masks(self) -> dict[int, Masks | None]:
-        return {}
-
-    def members(self, group: int) -> Values:
-        """1 where a slot (N, lanes) belongs to a group."""
-        return np.ascontiguousarray((self.reference.groups.of_slot == group).T, np.float64)
-
-    def mean_weights(self, model: Model) -> dict[int, Values]:
-        """The mean weight (lanes, buckets) over the time of each group's slots; kept."""
-        weights = self.tables.weights(model).slots
-        found = self._mean_weights.get(model, {})
-        for group in self.group_ids.tolist() if not found else ():
-            time = self.members(group) * self.slot_s[:, None]
-            total = time.sum(axis=0)[:, None]
-            part = np.einsum("nl,nlb->lb", time, weights)
-            found[group] = np.divide(part, total, out=np.zeros_like(part), where=total > 0)
-        self._mean_weights[model] = found
-        return found
-
-    @cached_property
-    def _mean_weights(self) -> dict[Model, dict[int, Values]]:
-        return {}
 
 
 @dataclass(frozen=True, eq=False)

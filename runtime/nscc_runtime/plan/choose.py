@@ -20,9 +20,9 @@ from nscc_runtime.effects.readout import ADC_NOISE
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
 from nscc_runtime.light import Light
-from nscc_runtime.plan.capture import Program
 from nscc_runtime.plan.model import Approximation, Choice, Decision, Plan
 from nscc_runtime.plan.predict import SATURATION, Forecast
+from nscc_runtime.plan.program import Program
 
 DEFAULT_TOLERANCE_E = 5.0
 
@@ -38,8 +38,8 @@ _COST_NS = {
 }  # fmt: skip
 """Nanoseconds a pixel that leaving an effect out saves; measured, to a factor of about two."""
 _NOTHING = np.zeros(1)
-_WORD_NS, _SLOT_NS = 60.0, 30.0
-"""Of one pixel through its words: nanoseconds a word, and a slot or cut between words."""
+_WORD_NS, _SLOT_NS = 300.0, 60.0
+"""Of one pixel through its words, neighbours' counts included: nanoseconds a word, and a slot."""
 
 
 def plan_for(

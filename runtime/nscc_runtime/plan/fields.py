@@ -26,7 +26,7 @@ from nscc_runtime.plan.sample import Sample
 from nscc_runtime.plan.sums import sums_by_slot
 
 if TYPE_CHECKING:
-    from nscc_runtime.plan.capture import Program
+    from nscc_runtime.plan.program import Program
 
 Values = NDArray[np.float64]
 Frames = NDArray[np.float32]

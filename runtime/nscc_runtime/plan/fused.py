@@ -29,7 +29,8 @@ from nscc_runtime.plan.sums import on_frames
 from nscc_runtime.reference.noise import SUM
 
 if TYPE_CHECKING:
-    from nscc_runtime.plan.capture import Planned, Program
+    from nscc_runtime.plan.capture import Planned
+    from nscc_runtime.plan.program import Program
 
 _COMPLEX = frozenset(effect.name for effect in (CROSSTALK, DARK, ANALOG, LEAKAGE, DEAD_TIME, DECAY))
 _BLOCK = 1024

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from nscc_runtime.plan.tables import Model
 
 if TYPE_CHECKING:
-    from nscc_runtime.plan.capture import Program
+    from nscc_runtime.plan.program import Program
 
 Values = NDArray[np.float64]
 Weights = NDArray[np.float32]

@@ -23,9 +23,10 @@ from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
 from nscc_runtime.effects.timing import DEAD_TIME
 from nscc_runtime.light import Light
 from nscc_runtime.plan import leak_nodes
-from nscc_runtime.plan.capture import Planned, Program
+from nscc_runtime.plan.capture import Planned
 from nscc_runtime.plan.fields import BOTH, Fields, fields_of
 from nscc_runtime.plan.model import Decision, Plan
+from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.sample import sample_of
 
 _CLIP = "clip"

@@ -1,0 +1,249 @@
+"""What falls on a pixel in a run of slots: rates, counts spread by halving, neighbours' charge.
+
+Part of the loop over single pixels (`nscc_runtime.plan.pixel_loop`). Importing this module imports
+numba.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.noise.counter import bits, compiled
+from nscc_runtime.noise.gaussian import normal
+from nscc_runtime.noise.loops import halved, uniform
+from nscc_runtime.noise.poisson_law import poisson_exact
+from nscc_runtime.plan.layout import Key, Number, Size
+
+# Pointers; typed as arrays, which is how they are used.
+Keys = NDArray[np.uint64]
+Ints = NDArray[np.int64]
+Ints32 = NDArray[np.int32]
+Floats = NDArray[np.float64]
+Frames = NDArray[np.float32]
+Flags = NDArray[np.uint8]
+
+SITES = 5
+"""A pixel and its four neighbours."""
+
+# numba takes enum members for what they are only as plain numbers.
+_S = {member.name: int(member) for member in Size}
+_SLOTS, _ROWS, _COLS, _KEPT_COLS = _S["SLOTS"], _S["ROWS"], _S["COLS"], _S["KEPT_COLS"]
+_GROUPS, _WHOLE, _FRAME = _S["GROUPS"], _S["WHOLE"], _S["FRAME"]
+_SHOT, _DARK, _SMEARS, _UNEVEN = _S["SHOT"], _S["DARK"], _S["CROSSTALK"], _S["PRNU"]
+_N = {member.name: int(member) for member in Number}
+_N_SMEAR, _N_LAG, _N_PRNU, _N_CAP = _N["CROSSTALK"], _N["LAG"], _N["PRNU"], _N["RATE_CAP"]
+_N_DARK, _N_DARK_VARIANCE = _N["DARK"], _N["DARK_VARIANCE"]
+_K = {member.name: int(member) for member in Key}
+_K_PRNU, _K_DARK, _K_COUNT, _K_THIN = _K["PRNU"], _K["DARK"], _K["COUNT"], _K["THIN"]
+
+
+@compiled
+def stream_key(base: np.uint64, frame: int, group: np.uint64) -> np.uint64:
+    """`nscc_runtime.noise.key`, from the half of it that seed, effect and source decide."""
+    return bits(base, frame, group)
+
+
+@compiled
+def log_normal(variance: float, z: float) -> float:
+    return math.exp(math.sqrt(variance) * z - variance / 2)
+
+
+@compiled
+def _share(
+    rates: Floats, at: int, groups: Ints32, lane: int, group: int, first: int, stop: int
+) -> float:
+    """The rates of a group in the slots `first` .. `stop` - 1."""
+    total = 0.0
+    for n in range(first, stop):
+        if groups[lane + n] == group:
+            total += rates[at + n]
+    return total
+
+
+@compiled
+def _split(
+    heap: Floats, stamps: Ints, stamp: int, top: int, parent: int, slots: int, whole: int,
+    rates: Floats, at: int, groups: Ints32, lane: int, group: int, stream: np.uint64, place: int,
+) -> None:  # fmt: skip
+    """Halve the count of a node."""
+    size, above = whole, parent
+    while above > 1:
+        size //= 2
+        above //= 2
+    start = parent * size - whole
+    middle, end = start + size // 2, min(start + size, slots)
+    count = heap[top + parent]
+    drawn = count
+    if middle < slots:
+        left = _share(rates, at, groups, lane, group, start, middle)
+        right = _share(rates, at, groups, lane, group, middle, end)
+        drawn = halved(stream, place, parent, count, left, right)
+    heap[top + 2 * parent] = drawn
+    heap[top + 2 * parent + 1] = count - drawn
+    stamps[top + 2 * parent] = stamp
+    stamps[top + 2 * parent + 1] = stamp
+
+
+@compiled
+def _counted(
+    heap: Floats, stamps: Ints, stamp: int, top: int, first: int, stop: int, slots: int, whole: int,
+    rates: Floats, at: int, groups: Ints32, lane: int, group: int, stream: np.uint64, place: int,
+) -> float:  # fmt: skip
+    """The count of a group in the slots `first` .. `stop` - 1.
+
+    `heap` from `top` on keeps the counts of the nodes that were found for this stamp.
+    """
+    total = 0.0
+    low, high = first + whole, stop + whole
+    while low < high:
+        for side in range(2):
+            node = 0
+            if side == 0 and low & 1:
+                node = low
+                low += 1
+            elif side == 1 and high & 1:
+                high -= 1
+                node = high
+            if node > 0:
+                depth = 0
+                while stamps[top + (node >> depth)] != stamp:
+                    depth += 1
+                while depth > 0:
+                    _split(
+                        heap, stamps, stamp, top, node >> depth, slots, whole,
+                        rates, at, groups, lane, group, stream, place,
+                    )  # fmt: skip
+                    depth -= 1
+                total += heap[top + node]
+        low //= 2
+        high //= 2
+    return total
+
+
+@compiled
+def _prepared(
+    sizes: Ints, numbers: Floats, keys: Keys, source: int, place: int, stamp: int,
+    rates: Floats, at: int, groups: Ints32, present: Flags, lane: int, group_ids: Keys,
+    heap: Floats, stamps: Ints, first: int,
+) -> None:  # fmt: skip
+    """Draw the counts of a site's groups and put them at the tops of their heaps."""
+    slots, whole, count = sizes[_SLOTS], sizes[_WHOLE], sizes[_GROUPS]
+    for group in range(count):
+        if present[lane * count + group]:
+            rate = _share(rates, at, groups, lane * slots, group, 0, slots)
+            rate = rate if rate < numbers[_N_CAP] else numbers[_N_CAP]
+            stream = stream_key(keys[_K_COUNT + source], sizes[_FRAME], group_ids[group])
+            top = first + 2 * whole * group + 1
+            heap[top] = poisson_exact(uniform(stream, place), rate)
+            stamps[top] = stamp
+
+
+@compiled
+def _between(
+    sizes: Ints, keys: Keys, source: int, counted: bool, place: int, stamp: int, begin: int,
+    stop: int, rates: Floats, at: int, groups: Ints32, present: Flags, lane: int, group_ids: Keys,
+    heap: Floats, stamps: Ints, first: int,
+) -> float:  # fmt: skip
+    """The charge of the slots `begin` .. `stop` - 1 at a site, of one source."""
+    total = 0.0
+    slots, whole, count = sizes[_SLOTS], sizes[_WHOLE], sizes[_GROUPS]
+    if not counted:
+        for n in range(begin, stop):
+            total += rates[at + n]
+        return total
+    for group in range(count):
+        if present[lane * count + group]:
+            stream = stream_key(keys[_K_THIN + source], sizes[_FRAME], group_ids[group])
+            total += _counted(
+                heap, stamps, stamp, first + 2 * whole * group, begin, stop, slots, whole,
+                rates, at, groups, lane * slots, group, stream, place,
+            )  # fmt: skip
+    return total
+
+
+@compiled
+def kept_at(sizes: Ints, place: int) -> int:
+    """Where the charge of a site is kept: next to those of its neighbours, never in their place."""
+    if not sizes[_SMEARS]:
+        return 0
+    row, col = place // sizes[_COLS], place % sizes[_COLS]
+    found: int = (row % 3) * sizes[_KEPT_COLS] + col % sizes[_KEPT_COLS]
+    return found
+
+
+@compiled
+def charge(
+    sizes: Ints, numbers: Floats, keys: Keys, places: Ints, begin: int, stop: int,
+    rates: Floats, groups: Ints32, present: Flags, lanes: Ints32, group_ids: Keys,
+    heap: Floats, stamps: Ints,
+) -> float:  # fmt: skip
+    """The charge of the slots `begin` .. `stop` - 1 that falls on the pixel, smeared."""
+    if begin >= stop:
+        return 0.0
+    slots, room = sizes[_SLOTS], 2 * sizes[_WHOLE] * sizes[_GROUPS]
+    own, flow = 0.0, 0.0
+    for site in range(SITES if sizes[_SMEARS] else 1):
+        place = places[site]
+        if place < 0:
+            continue
+        kept = 2 * kept_at(sizes, place)
+        total = _between(
+            sizes, keys, 0, sizes[_SHOT] == 1, place, place, begin, stop, rates, kept * slots,
+            groups, present, lanes[place], group_ids, heap, stamps, kept * room,
+        )  # fmt: skip
+        if sizes[_DARK]:
+            total += _between(
+                sizes, keys, 1, sizes[_DARK] == 1, place, place, begin, stop, rates,
+                (kept + 1) * slots, groups, present, lanes[place], group_ids, heap, stamps,
+                (kept + 1) * room,
+            )  # fmt: skip
+        if site == 0:
+            own = total
+        else:
+            flow += total - own
+    return own + numbers[_N_SMEAR] * flow if sizes[_SMEARS] else own
+
+
+@compiled
+def lit(
+    sizes: Ints, numbers: Floats, keys: Keys, place: int,
+    frames: Frames, row_start: Ints, frame_index: Ints32, weight: Floats, slot_s: Floats,
+    groups: Ints32, present: Flags, lanes: Ints32, group_ids: Keys,
+    rates: Floats, heap: Floats, stamps: Ints,
+) -> None:  # fmt: skip
+    """The rates of a site, slot by slot, and the counts of its groups, where they are kept."""
+    slots, pixels = sizes[_SLOTS], sizes[_ROWS] * sizes[_COLS]
+    room = 2 * sizes[_WHOLE] * sizes[_GROUPS]
+    response = 1.0
+    if sizes[_UNEVEN]:
+        response += numbers[_N_PRNU] * normal(uniform(keys[_K_PRNU], place))
+        response = response if response > 0.0 else 0.0
+    kept = 2 * kept_at(sizes, place)
+    at = kept * slots
+    for n in range(slots):
+        total = 0.0
+        for k in range(row_start[n], row_start[n + 1]):
+            total += float(frames[frame_index[k] * pixels + place]) * weight[k]
+        rate = float(np.float32(total))
+        rate = (rate + numbers[_N_LAG] * rate) * response
+        rate = rate if rate > 0.0 else 0.0
+        rates[at + n] = rate if rate < numbers[_N_CAP] else numbers[_N_CAP]
+    if sizes[_SHOT]:
+        _prepared(
+            sizes, numbers, keys, 0, place, place, rates, at, groups, present, lanes[place],
+            group_ids, heap, stamps, kept * room,
+        )  # fmt: skip
+    if sizes[_DARK]:
+        at += slots
+        z = normal(uniform(keys[_K_DARK], place))
+        current = numbers[_N_DARK] * log_normal(numbers[_N_DARK_VARIANCE], z)
+        for n in range(slots):
+            rates[at + n] = slot_s[n] * current
+        if sizes[_DARK] == 1:
+            _prepared(
+                sizes, numbers, keys, 1, place, place, rates, at, groups, present, lanes[place],
+                group_ids, heap, stamps, (kept + 1) * room,
+            )  # fmt: skip
