@@ -84,7 +84,8 @@ class Chooser:
     @cached_property
     def forecast(self) -> Forecast:
         """What the scene makes of the effects."""
-        return Forecast(self.program, self.light, self.tolerance_e, self.device_seed)
+        off = frozenset(self._forced_off())
+        return Forecast(self.program, self.light, self.tolerance_e, self.device_seed, off)
 
     def plan(self, forced_reason: str = "named in --effects") -> Plan:
         """The plan."""

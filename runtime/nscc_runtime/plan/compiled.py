@@ -14,7 +14,7 @@ from pathlib import Path
 from nscc_runtime import machine_code, noise
 from nscc_runtime.noise.compiled import SOURCES as NOISE_SOURCES
 
-PARAMETERS = {"run_pixels": 29, "weighted_sums": 5, "smeared_frames": 5, "fused": 20}
+PARAMETERS = {"run_pixels": 29, "weighted_sums": 5, "smeared_frames": 5, "fused": 21}
 """The loops, with how many addresses each takes."""
 
 _SOURCES = ("layout.py", "charge_loop.py", "pixel_loop.py", "sum_loop.py", "fused_loop.py")

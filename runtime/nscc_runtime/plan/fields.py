@@ -286,11 +286,11 @@ class _Fields:
         }
         blank = np.zeros_like(fields.expected)
         fixed = dict(fields.fixed)
-        rare = self._rarely_lost(fields.expected[:, near])
+        rare = self._rarely_lost(held[(register,)])
         for name, lost, least in (
             (well, held[()] - held[(well,)], 0.0),
             (register, held[()] - held[(register,)], rare),
-            (BOTH, held[()] - held[(well, register)], rare),
+            (BOTH, held[()] - held[(well, register)], self._rarely_lost(held[(well, register)])),
         ):
             fixed[name] = blank.copy()
             fixed[name][:, near] = np.where(np.abs(lost) < least, -least, lost)

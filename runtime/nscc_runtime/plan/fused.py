@@ -112,7 +112,9 @@ class Fused:
         exposure = np.empty(shape)
         codes, valid = np.zeros(shape, np.uint8), np.ones(shape, np.bool_)
         for bucket in range(len(self.buckets)):
-            self._fill(bucket, seed, frame, read_out, (exposure[bucket], codes[bucket]))
+            self._fill(
+                bucket, seed, frame, read_out, (exposure[bucket], codes[bucket], valid[bucket])
+            )
         return Frame(codes, exposure, valid)
 
     def _fill(
@@ -121,9 +123,9 @@ class Fused:
         seed: int,
         frame: int,
         read_out: bool,
-        out: tuple[NDArray[np.float64], NDArray[np.uint8]],
+        out: tuple[NDArray[np.float64], NDArray[np.uint8], NDArray[np.bool_]],
     ) -> None:
-        """Expose one bucket into `out`: exposures and codes."""
+        """Expose one bucket into `out`: exposures, codes, and whether they are numbers."""
         from nscc_runtime.plan.compiled import entry_points
 
         scene, kept, loop = self.scene, self.scene.plan.kept, entry_points()["fused"]
@@ -139,7 +141,7 @@ class Fused:
         )  # fmt: skip
         words = np.array(keys, np.uint64)
         given = (_address(self.numbers), _address(words), *self.addresses[bucket])
-        filled = _address(out[0]), _address(out[1])
+        filled = [_address(array) for array in out]
 
         def run(begin: int, end: int) -> None:
             sizes = np.array([pixels, begin, end, count, lanes, *switches], np.int64)

@@ -216,7 +216,7 @@ def fused(
     sizes: Ints, numbers: Floats, keys: Keys, frames: Frames, kinds: Ints, frame_weight: Frames,
     mask_row: Ints, masks: Flags, table: Frames, lanes: Ints32, response: Floats, limit: Floats,
     sigma: Floats, part: Frames, values: Floats, scratch: Floats, few: Floats, places: Ints,
-    exposure: Floats, frame: Flags,
+    exposure: Floats, frame: Flags, valid: Flags,
 ) -> None:  # fmt: skip
     """One bucket of one frame.
 
@@ -226,7 +226,7 @@ def fused(
     of the counts, of each source of noise, of the readout. `kinds`, `frame_weight`, `mask_row`
     (frames,); `masks` (rows, pixels); `table` (frames, lanes); `limit` (lanes,); `sigma` (sources,
     lanes). `part`, `values`, `few`, `places`: scratch for `BLOCK` pixels; `scratch` for four times
-    as many.
+    as many. `valid` comes filled with 1, and is 0 where light is no number.
     """
     pixels, begin, end, count, lane_count = sizes[0], sizes[1], sizes[2], sizes[3], sizes[4]
     sources = sizes[8]
@@ -265,6 +265,7 @@ def fused(
         if large:
             for i in range(stop - first):
                 if not values[i] < _LARGE:
+                    valid[first + i] = values[i] == values[i]
                     values[i] = _summed(
                         frames, pixels, count, kinds, frame_weight, mask_row, masks, table,
                         lane_count, lanes, first + i,
@@ -306,7 +307,7 @@ _POINTERS = {
 }  # fmt: skip
 _TYPES = (
     Ints, Floats, Keys, Frames, Ints, Frames, Ints, Flags, Frames, Ints32, Floats, Floats, Floats,
-    Frames, Floats, Floats, Floats, Ints, Floats, Flags,
+    Frames, Floats, Floats, Floats, Ints, Floats, Flags, Flags,
 )  # fmt: skip
 SIGNATURE = f"void({', '.join(f'CPointer({_POINTERS[kind]})' for kind in _TYPES)})"
 """The types of `fused`'s parameters, for numba."""

@@ -53,6 +53,8 @@ class Forecast:
     light: Light
     tolerance_e: float
     device_seed: int
+    forced_off: frozenset[str] = frozenset()
+    """Effects that not even pixels running through their words have."""
 
     @cached_property
     def fields(self) -> Fields:
@@ -137,12 +139,14 @@ class Forecast:
         tables = self.program.tables
         return not np.isnan(tables.single(self.program.full)).any()
 
-    def _where(self, state: str) -> NDArray[np.float64]:
-        """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""
+    def _where(self, state: str, name: str = "") -> NDArray[np.float64]:
+        """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated, or
+        lost in a full well.
+        """
         fields = self.fields
         if state == "sums":
             return np.ones(fields.expected.shape)
-        if state == "clip":
+        if state == "clip" or name in self.forced_off:
             return np.where(fields.clipped, 0.0, 1.0)
         return np.broadcast_to(np.where(fields.sample.near, 0.0, 1.0), fields.expected.shape)
 
@@ -168,15 +172,16 @@ class Forecast:
             return field
         if state == "clip":
             return np.where(clipped, self.fields.after.get(name, 0.0), field)
-        return field * self._where(state)
+        return field * self._where(state, name)
 
     def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
         found = self._kept_variances.get(state)
         if found is None:
-            where = self._where(state)
             found = self._kept_variances[state] = {
                 name: self.fields.sample.mean(
-                    v if state == "clip" and name in _AFTER_THE_WELL else v * where
+                    v
+                    if state == "clip" and name in _AFTER_THE_WELL
+                    else v * self._where(state, name)
                 )
                 for name, v in self.fields.variance.items()
             }

@@ -17,7 +17,7 @@ _MOST_PIXELS = 2048
 _FEWEST_PIXELS = 1024
 _MOST_SAMPLES = 1 << 17
 """Frames x pixels, above the fewest pixels."""
-_MOST_NEAR = 256
+_MOST_NEAR = 512
 _GOLDEN = 0.6180339887498949
 
 
