@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 Values = NDArray[np.float64]
 Frames = NDArray[np.float32]
 
+FORCED = "forced off"
+"""What all that is forced off does where pixels run through their words: random parts included."""
 BOTH = "full_well and register"
 """What saturation of PIX and of registers do together."""
 _LEAK_STEP = 0.1
@@ -65,13 +67,27 @@ class Fields:
     after: dict[str, Values]
 
 
-def fields_of(program: Program, light: Light, sample: Sample, device_seed: int) -> Fields:
-    """The fields of a scene."""
-    return _Fields(program, light, sample, device_seed).found()
+def fields_of(
+    program: Program,
+    light: Light,
+    sample: Sample,
+    device_seed: int,
+    forced_off: frozenset[str] = frozenset(),
+) -> Fields:
+    """The fields of a scene; `forced_off` are effects that pixels near saturation lack as well."""
+    return _Fields(program, light, sample, device_seed, forced_off).found()
 
 
 class _Fields:
-    def __init__(self, program: Program, light: Light, sample: Sample, device_seed: int) -> None:
+    def __init__(
+        self,
+        program: Program,
+        light: Light,
+        sample: Sample,
+        device_seed: int,
+        forced_off: frozenset[str],
+    ) -> None:
+        self.forced_off = forced_off
         self.program, self.light, self.sample = program, light, sample
         self.sensor, self.device_seed = program.sensor, device_seed
         self.places = sample.places
@@ -294,6 +310,14 @@ class _Fields:
         ):
             fixed[name] = blank.copy()
             fixed[name][:, near] = np.where(np.abs(lost) < least, -least, lost)
+        if self.forced_off:
+            everything = selected("all").on
+            whole, less = (
+                self._held(Selection(on, frozenset()))
+                for on in (everything, everything - self.forced_off)
+            )
+            fixed[FORCED] = blank.copy()
+            fixed[FORCED][:, near] = whole - less
         expected = fields.expected.copy()
         expected[:, near] = held[()]
         clipped = np.zeros(fields.expected.shape, np.bool_)

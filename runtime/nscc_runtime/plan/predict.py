@@ -24,7 +24,7 @@ from nscc_runtime.effects.timing import DEAD_TIME
 from nscc_runtime.light import Light
 from nscc_runtime.plan import leak_nodes
 from nscc_runtime.plan.capture import Planned
-from nscc_runtime.plan.fields import BOTH, Fields, fields_of
+from nscc_runtime.plan.fields import BOTH, FORCED, Fields, fields_of
 from nscc_runtime.plan.model import Decision, Plan
 from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.sample import sample_of
@@ -63,7 +63,9 @@ class Forecast:
         dark_e = self._everything.device.current * self.program.slot_s.sum()
         total_e = (self._everything.total + dark_e).reshape(self.light.shape)
         sample = sample_of(total_e, len(self.light.frames), self.near)
-        return fields_of(self.program, self.light, sample, self.device_seed)
+        return fields_of(
+            self.program, self.light, sample, self.device_seed, self.forced_off - SATURATION
+        )
 
     @cached_property
     def near(self) -> NDArray[np.int64]:
@@ -117,7 +119,7 @@ class Forecast:
         # Saturation is a field of its own: in `BOTH` where neither is simulated.
         lost = SATURATION & dropped
         inside = dropped - SATURATION | (lost if lost != SATURATION else {BOTH})
-        at = [i for i, name in enumerate(names) if name in inside or name == _CLIP]
+        at = [i for i, name in enumerate(names) if name in inside or name in (_CLIP, FORCED)]
         part = products[:, at][:, :, at]
         random = sum((self._variances(state)[name] for name in self._random & dropped), _NOTHING)
         random = random + self._rounding(dropped)
@@ -139,14 +141,12 @@ class Forecast:
         tables = self.program.tables
         return not np.isnan(tables.single(self.program.full)).any()
 
-    def _where(self, state: str, name: str = "") -> NDArray[np.float64]:
-        """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated, or
-        lost in a full well.
-        """
+    def _where(self, state: str) -> NDArray[np.float64]:
+        """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""
         fields = self.fields
         if state == "sums":
             return np.ones(fields.expected.shape)
-        if state == "clip" or name in self.forced_off:
+        if state == "clip":
             return np.where(fields.clipped, 0.0, 1.0)
         return np.broadcast_to(np.where(fields.sample.near, 0.0, 1.0), fields.expected.shape)
 
@@ -172,16 +172,16 @@ class Forecast:
             return field
         if state == "clip":
             return np.where(clipped, self.fields.after.get(name, 0.0), field)
-        return field * self._where(state, name)
+        if name == FORCED:
+            return field * (state == "words")
+        return field * self._where(state)
 
     def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
         found = self._kept_variances.get(state)
         if found is None:
             found = self._kept_variances[state] = {
                 name: self.fields.sample.mean(
-                    v
-                    if state == "clip" and name in _AFTER_THE_WELL
-                    else v * self._where(state, name)
+                    v if state == "clip" and name in _AFTER_THE_WELL else v * self._where(state)
                 )
                 for name, v in self.fields.variance.items()
             }
