@@ -105,7 +105,7 @@ def table_text(
     """The points for a reader; `names` head the columns of method, setting and error.
 
     `time` is the unit of times and how many of it a millisecond has. A case or method is named
-    once. Points that another one beats say so.
+    once, and bounds have a column where there are any. Points that another one beats say so.
     """
     head = ("case", *names, "bound", time[0], "spread", "")
     rows = [head]
@@ -125,6 +125,9 @@ def table_text(
             )
         )
         before = here
+    if not any(row[4] for row in rows[1:]):
+        rows = [(*row[:4], *row[5:]) for row in rows]
+    head = rows[0]
     widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
     left = (0, 1, 2, len(head) - 1)
     lines = []
