@@ -36,6 +36,3 @@ COMMANDS = (
     Entry("doctor", "nscc.cli.doctor", "Report on this installation."),
 )
 """The commands of this version, in the order in which `nscc --help` lists them."""
-
-PLANNED_TRADEOFFS = ("decoder", "sensor")
-"""Tradeoffs whose names are taken by versions to come."""

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import click
 
-from nscc.cli.support import CommonCommand, Product, done, progress, write_together
-from nscc.cli.table import PLANNED_TRADEOFFS
+from nscc.cli.support import CommonCommand, progress
+from nscc.cli.tradeoff_decoder import command as decoder
 from nscc.cli.tradeoff_emulator import command as emulator
+from nscc.cli.tradeoff_files import output_files, output_options, some, write_files
+from nscc.cli.tradeoff_sensor import command as sensor
 from nscc.diagnostics.model import Diagnostic, Rejected
 from nscc.lower.plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
@@ -27,7 +29,7 @@ _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a fram
 
 
 class _Tradeoffs(CommonCommand, click.Group):
-    """The tradeoffs that there are; one of a version to come is rejected by name (NS0786)."""
+    """The tradeoffs that there are; another name is rejected with their list."""
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]
@@ -37,59 +39,30 @@ class _Tradeoffs(CommonCommand, click.Group):
         if name in self.commands or name.startswith("-"):
             return super().resolve_command(ctx, args)
         known = ", ".join(self.commands)
-        if name in PLANNED_TRADEOFFS:
-            wrong = Diagnostic(
-                "NS0786",
-                f"`nscc tradeoff {name}` is not in this version of nscc",
-                notes=(f"this version has: {known}",),
-            )
-        else:
-            wrong = Diagnostic(
-                "NS0781",
-                f"nscc has no tradeoff '{name}'",
-                helps=(f"there is: {known}",),
-            )
+        wrong = Diagnostic(
+            "NS0781", f"nscc has no tradeoff '{name}'", helps=(f"there is: {known}",)
+        )
         raise Rejected(wrong, status=2)
 
 
-def _some(names: Sequence[str]) -> Callable[[click.Context, click.Parameter, str], list[str]]:
-    """Reads an option's value: some of the names, separated by commas; in the order given here."""
-
-    def chosen(context: click.Context, option: click.Parameter, value: str) -> list[str]:
-        given = {part.strip() for part in value.split(",")}
-        for name in sorted(given.difference(names)):
-            raise click.BadParameter(f"{name!r} is none of {', '.join(names)}", context, option)
-        return [name for name in names if name in given]
-
-    return chosen
-
-
-@click.group(
-    "tradeoff",
-    cls=_Tradeoffs,
-    epilog="Not in this version: " + ", ".join(PLANNED_TRADEOFFS),
-)
+@click.group("tradeoff", cls=_Tradeoffs)
 def command() -> None:
     """Measure what more time buys: a table, a CSV file, a diagram."""
 
 
-command.add_command(emulator)
+for each in (emulator, sensor, decoder):
+    command.add_command(each)
 
 
 @command.command("synthesis", cls=CommonCommand)
 @click.argument("files", nargs=-1, metavar="[FILE.nsl]...", type=click.Path(path_type=Path))
+@output_options
 @click.option(
-    "-o", "out", type=click.Path(path_type=Path), metavar="OUT",
-    help="Write OUT.csv and OUT.png.",
-)  # fmt: skip
-@click.option("--csv", "csv_path", type=click.Path(path_type=Path), help="Write the CSV file here.")
-@click.option("--png", "png_path", type=click.Path(path_type=Path), help="Write the diagram here.")
-@click.option(
-    "--levels", callback=_some(_LEVELS), metavar="0,1,..",
+    "--levels", callback=some(_LEVELS), metavar="0,1,..",
     default=",".join(_LEVELS), show_default=True, help="Levels of -O.",
 )  # fmt: skip
 @click.option(
-    "--lowerings", callback=_some(LOWERINGS), metavar="NAME,..", default=",".join(LOWERINGS),
+    "--lowerings", callback=some(LOWERINGS), metavar="NAME,..", default=",".join(LOWERINGS),
     show_default=True, help="Lowerings.",
 )  # fmt: skip
 @click.option(
@@ -116,6 +89,7 @@ def synthesis(
     point is dominated if another of the same program has neither more words nor more time. Ends
     with status 1 where nothing fits.
     """
+    places = output_files(out, csv_path, png_path)
     cases = _cases(files) or builtin_cases()
     ways = list(every_way(cases, lowerings, [int(level) for level in levels]))
     found = measure(ways, repeats, count, lambda turns: progress(turns, "compiling"))
@@ -124,17 +98,12 @@ def synthesis(
         click.echo(line)
     if not found.points:
         return 1
-    if out is not None:
-        csv_path = csv_path or out.with_name(out.name + ".csv")
-        png_path = png_path or out.with_name(out.name + ".png")
-    products: dict[Path, Product] = {}
-    if csv_path is not None:
-        products[csv_path] = csv_text(found.points, processor_name()).encode()
-    if png_path is not None:
-        products[png_path] = _png(found.points, _WORDS[count], repeats)
-    write_together(products)
-    if products:
-        done("wrote " + ", ".join(path.as_posix() for path in products))
+    points = found.points
+    write_files(
+        places,
+        lambda: csv_text(points, processor_name()),
+        lambda: _png(points, _WORDS[count], repeats),
+    )
     return 0
 
 

@@ -17,9 +17,10 @@ COLUMNS = (
 class Point:
     """One method at one setting, measured several times on one problem.
 
-    Points compare within their `case` and `error_unit`. `error` is the less the better; `bound` is
-    what no setting of the method can get below, None where that is not known. `times_ms` are all
-    measurements.
+    Points compare within their `case` and `error_unit`. `error` is the less the better, unless
+    `more_is_better`, as for PSNR; `bound` is what no setting of the method can get below, None
+    where that is not known. `times_ms` are all measurements, on `device` where that is another
+    than most points'.
     """
 
     case: str
@@ -29,6 +30,13 @@ class Point:
     error_unit: str
     times_ms: tuple[float, ...]
     bound: float | None = None
+    more_is_better: bool = False
+    device: str = ""
+
+    @property
+    def badness(self) -> float:
+        """The error as a number that is the less the better."""
+        return -self.error if self.more_is_better else self.error
 
     @property
     def time_ms(self) -> float:
@@ -41,21 +49,33 @@ class Point:
         return max(self.times_ms) - min(self.times_ms)
 
 
+@dataclass(frozen=True)
+class Refused:
+    """A setting that cannot be measured: the code of the message that says why, and its text."""
+
+    case: str
+    method: str
+    setting: str
+    code: str
+    reason: str
+
+
 def dominated(points: Sequence[Point]) -> list[bool]:
     """For each point, whether another of its case and unit has neither more error nor more time,
     and less of one of them."""
     flags = []
     for point in points:
-        mine, kind = (point.error, point.time_ms), (point.case, point.error_unit)
-        others = ((p.error, p.time_ms) for p in points if (p.case, p.error_unit) == kind)
+        mine, kind = (point.badness, point.time_ms), (point.case, point.error_unit)
+        others = ((p.badness, p.time_ms) for p in points if (p.case, p.error_unit) == kind)
         flags.append(any(e <= mine[0] and t <= mine[1] and (e, t) != mine for e, t in others))
     return flags
 
 
-def csv_text(points: Sequence[Point], device: str) -> str:
+def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = ()) -> str:
     """The points as CSV with COLUMNS; `device` is what they were measured on.
 
     `method` is case and method together; `spread_ms` is the longest less the shortest measurement.
+    What is `refused` follows: without numbers, and its code in place of the unit.
     """
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
@@ -67,21 +87,27 @@ def csv_text(points: Sequence[Point], device: str) -> str:
                 point.setting,
                 f"{point.error:.10g}",
                 point.error_unit,
-                f"{point.time_ms:.3f}",
-                f"{point.spread_ms:.3f}",
-                device,
+                _csv_ms(point.time_ms),
+                _csv_ms(point.spread_ms),
+                point.device or device,
                 "yes" if beaten else "no",
             )
         )
+    for each in refused:
+        name = f"{each.case}, {each.method}"
+        writer.writerow((name, each.setting, "", each.code, "", "", device, ""))
     return text.getvalue()
 
 
-def table_text(points: Sequence[Point], names: tuple[str, str, str]) -> str:
+def table_text(
+    points: Sequence[Point], names: tuple[str, str, str], time: tuple[str, float] = ("ms", 1.0)
+) -> str:
     """The points for a reader; `names` head the columns of method, setting and error.
 
-    A case or method is named once. Points that another one beats say so.
+    `time` is the unit of times and how many of it a millisecond has. A case or method is named
+    once, and bounds have a column where there are any. Points that another one beats say so.
     """
-    head = ("case", *names, "bound", "ms", "spread", "")
+    head = ("case", *names, "bound", time[0], "spread", "")
     rows = [head]
     before = ("", "")
     for point, beaten in zip(points, dominated(points), strict=True):
@@ -93,12 +119,15 @@ def table_text(points: Sequence[Point], names: tuple[str, str, str]) -> str:
                 point.setting,
                 f"{point.error:.6g}",
                 "" if point.bound is None else f"{point.bound:.6g}",
-                _ms(point.time_ms),
-                _ms(point.spread_ms),
+                _three_digits(point.time_ms * time[1]),
+                _three_digits(point.spread_ms * time[1]),
                 "dominated" if beaten else "",
             )
         )
         before = here
+    if not any(row[4] for row in rows[1:]):
+        rows = [(*row[:4], *row[5:]) for row in rows]
+    head = rows[0]
     widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
     left = (0, 1, 2, len(head) - 1)
     lines = []
@@ -111,6 +140,11 @@ def table_text(points: Sequence[Point], names: tuple[str, str, str]) -> str:
     return "\n".join(lines)
 
 
-def _ms(time_ms: float) -> str:
-    """Milliseconds with three digits, more where there are that many before the point."""
-    return f"{time_ms:.0f}" if time_ms >= 100 else f"{time_ms:.3g}"
+def _three_digits(time: float) -> str:
+    """A time with three digits, more where there are that many before the point."""
+    return f"{time:.0f}" if time >= 100 else f"{time:.3g}"
+
+
+def _csv_ms(time_ms: float) -> str:
+    """To a microsecond, and to a nanosecond where that would say little."""
+    return f"{time_ms:.6f}" if 0 < time_ms < 0.1 else f"{time_ms:.3f}"

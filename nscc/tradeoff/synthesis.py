@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.model import Diagnostic, Rejected
 from nscc.emit.report import report
 from nscc.lower.plan import Lowering
 from nscc.pipeline import Compiled, Options, compile_source
@@ -29,12 +29,14 @@ _DOES_NOT_FIT = ("NS04", "NS05", "NS06")
 
 @dataclass(frozen=True)
 class Case:
-    """A program to compile in every way; `base` is the folder that its paths are relative to."""
+    """A program to compile in every way; `base` is the folder that its paths are relative to,
+    `target` a chip instead of the program's own."""
 
     name: str
     source: Source
     base: Path
     codes: Codes
+    target: str | None = None
 
 
 @dataclass(frozen=True)
@@ -97,19 +99,19 @@ def measure(ways: Sequence[Way], repeats: int, count: Count, progress: Progress 
     Rejected where a program is wrong; one that does not fit the chip in some way is refused there.
     """
     if ways:
-        _compiled(ways[0])  # what is imported and read once is not what is measured
+        compiled_or_not(ways[0])  # what is imported and read once is not what is measured
     times_ms: dict[Way, list[float]] = {way: [] for way in ways}
-    results: dict[Way, Compiled | str] = {}
+    results: dict[Way, Compiled | Diagnostic] = {}
     for way in progress([way for _ in range(repeats) for way in ways]):
-        if isinstance(results.get(way), str):
+        if isinstance(results.get(way), Diagnostic):
             continue
         begin = perf_counter()
-        results[way] = _compiled(way)
+        results[way] = compiled_or_not(way)
         times_ms[way].append((perf_counter() - begin) * 1e3)
     points, refused = [], []
     for way, found in results.items():
-        if isinstance(found, str):
-            refused.append((way, found))
+        if isinstance(found, Diagnostic):
+            refused.append((way, f"{found.message} ({found.code})"))
         else:
             points.append(_point(way, found, tuple(times_ms[way]), count))
     return Measured(tuple(points), tuple(refused))
@@ -122,19 +124,20 @@ def every_way(
     return (Way(*way) for way in product(cases, lowerings, levels))
 
 
-def _compiled(way: Way) -> Compiled | str:
-    """The compiled program, or why there is none."""
+def compiled_or_not(way: Way) -> Compiled | Diagnostic:
+    """The compiled program, or why it does not fit; raises Rejected for any other fault."""
     case = way.case
     options = Options(
-        level=way.level, codes=case.codes, lowering=way.lowering, suggest=False, cache=False
-    )
+        level=way.level, codes=case.codes, lowering=way.lowering, target=case.target,
+        suggest=False, cache=False,
+    )  # fmt: skip
     try:
         return compile_source(case.source, case.base, options)
     except Rejected as rejected:
         last = rejected.diagnostics[-1]
         if not last.code.startswith(_DOES_NOT_FIT):
             raise
-        return f"{last.message} ({last.code})"
+        return last
 
 
 def _point(way: Way, compiled: Compiled, times_ms: tuple[float, ...], count: Count) -> Point:

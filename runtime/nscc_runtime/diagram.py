@@ -58,15 +58,30 @@ class Panel:
     lines: tuple[Line, ...]
 
 
-def diagram_png(panels: Sequence[Panel], title: str, subtitle: str, error_label: str) -> bytes:
+@dataclass(frozen=True)
+class Axis:
+    """The time axis: its label, and how many of its units a second has."""
+
+    label: str = "time, s"
+    per_s: float = 1.0
+
+
+SECONDS = Axis()
+
+
+def diagram_png(
+    panels: Sequence[Panel], title: str, subtitle: str, error_label: str, *,
+    linear: bool = False, time: Axis = SECONDS,
+) -> bytes:  # fmt: skip
     """A PNG of all panels: time across, `error_label` upwards, both logarithmic.
 
-    The time axis is the same for all. The same panels give the same bytes, whatever the user's
-    plotting settings. Raises ValueError where there is nothing to draw.
+    With `linear` only time is, as decibels want it. The time axis is the same for all. The same
+    panels give the same bytes, whatever the user's plotting settings. Raises ValueError where there
+    is nothing to draw.
     """
     if not any(line.marks for panel in panels for line in panel.lines):
         raise ValueError("no points to draw")
-    return png_of(lambda: _figure(panels, title, subtitle, error_label))
+    return png_of(lambda: _figure(panels, title, subtitle, error_label, linear, time))
 
 
 def png_of(make: Callable[[], Figure]) -> bytes:
@@ -80,7 +95,9 @@ def png_of(make: Callable[[], Figure]) -> bytes:
     return data.getvalue()
 
 
-def _figure(panels: Sequence[Panel], title: str, subtitle: str, error_label: str) -> Figure:
+def _figure(
+    panels: Sequence[Panel], title: str, subtitle: str, error_label: str, linear: bool, time: Axis
+) -> Figure:
     from matplotlib.figure import Figure
 
     columns = _columns(len(panels))
@@ -100,11 +117,11 @@ def _figure(panels: Sequence[Panel], title: str, subtitle: str, error_label: str
         axes = figure.add_axes(
             (x / width, y / height, _PANEL_WIDTH / width, _PANEL_HEIGHT / height)
         )
-        _draw(axes, panel, colours, times)
+        _draw(axes, panel, colours, times, linear, time)
         if column == 0:
             axes.set_ylabel(error_label, color=INK, size=9)
         if number + columns >= len(panels):
-            axes.set_xlabel("time, s", color=INK, size=9)
+            axes.set_xlabel(time.label, color=INK, size=9)
     return figure
 
 
@@ -122,26 +139,40 @@ def _time_range(panels: Sequence[Panel]) -> tuple[float, float]:
     return least_s / span**0.05, most_s * span**0.32
 
 
-def _draw(axes: Axes, panel: Panel, colours: dict[str, str], times: tuple[float, float]) -> None:
+def _draw(
+    axes: Axes, panel: Panel, colours: dict[str, str], times: tuple[float, float], linear: bool,
+    time: Axis,
+) -> None:  # fmt: skip
     axes.set_xscale("log")
-    axes.set_yscale("log")
+    axes.set_yscale("linear" if linear else "log")
     axes.set_xlim(*times)
     drawn = [line for line in panel.lines if line.marks]
     heights = [m.error for line in drawn for m in line.marks]
     heights += [line.bound for line in drawn if line.bound]
     least, most = min(heights, default=1.0), max(heights, default=1.0)
-    room = max((most / least) ** 0.14, 1.1)
-    axes.set_ylim(least / room, most * room)
-    _dress(axes, panel.title)
+    if linear:
+        margin = max(0.14 * (most - least), 0.05 * abs(most), 1e-6)
+        axes.set_ylim(least - margin, most + margin)
+    else:
+        room = max((most / least) ** 0.14, 1.1)
+        axes.set_ylim(least / room, most * room)
+    _dress(axes, panel.title, linear, time)
     placed: list[float] = []
     for line in sorted(drawn, key=lambda line: line.marks[-1].error):
         _draw_line(axes, line, colours[line.name], times)
         _name(axes, line, colours[line.name], placed)
 
 
-def _dress(axes: Axes, title: str) -> None:
+def _dress(axes: Axes, title: str, linear: bool, time: Axis) -> None:
     """Frame, grid and ticks."""
-    from matplotlib.ticker import FixedLocator, FuncFormatter, NullFormatter, NullLocator
+    from matplotlib.ticker import (
+        FixedLocator,
+        FuncFormatter,
+        LogLocator,
+        MaxNLocator,
+        NullFormatter,
+        NullLocator,
+    )  # fmt: skip
 
     axes.set_title(title, loc="left", size=10.5, weight="bold", color=INK, pad=7)
     for side in ("top", "right"):
@@ -152,9 +183,14 @@ def _dress(axes: Axes, title: str) -> None:
     axes.set_axisbelow(True)
     axes.tick_params(which="both", colors=FAINT, labelsize=8.5, length=3)
     axes.xaxis.set_minor_formatter(NullFormatter())
-    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value * time.per_s:g}"))
+    low_s, high_s = axes.get_xlim()
+    if high_s / low_s < 100:
+        axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.yaxis.set_minor_locator(NullLocator())
-    axes.yaxis.set_major_locator(FixedLocator(round_values(*axes.get_ylim())))
+    axes.yaxis.set_major_locator(
+        MaxNLocator(6) if linear else FixedLocator(round_values(*axes.get_ylim()))
+    )
     axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
 
 
@@ -208,19 +244,25 @@ def _close(axes: Axes, marks: Sequence[Mark]) -> list[list[Mark]]:
 def _name(axes: Axes, line: Line, colour: str, placed: list[float]) -> None:
     """The line's name to the right of its last mark, moved up where another name is already."""
     last = line.marks[-1]
-    right_s = max(m.most_s for m in line.marks if abs(math.log(m.error / last.error)) < 0.03)
-    low, high = (math.log(value) for value in axes.get_ylim())
-    share = (math.log(last.error) - low) / (high - low)
+    right_s = max(m.most_s for m in line.marks if abs(_height(axes, m) - _height(axes, last)) < 4)
+    share = _height(axes, last) / (_PANEL_HEIGHT * 100)
     # The number above the other line's last mark is cleared, too.
     step = 15 / (_PANEL_HEIGHT * 72)
     while any(abs(share - other) < step for other in placed):
         share += step / 4
     placed.append(share)
     axes.annotate(
-        line.name, (right_s, math.exp(low + share * (high - low))), xytext=(6, 0),
+        line.name, (right_s, share), xycoords=axes.get_xaxis_transform(), xytext=(6, 0),
         textcoords="offset points", va="center", size=8.5, color=colour, weight="bold",
         annotation_clip=False,
     )  # fmt: skip
+
+
+def _height(axes: Axes, mark: Mark) -> float:
+    """How far above the bottom of the axes a mark is, in the figure's own pixels."""
+    whole = _PANEL_HEIGHT * 100
+    shown = axes.transData.transform((mark.time_s, mark.error))
+    return float(axes.transAxes.inverted().transform(shown)[1]) * whole
 
 
 def round_values(low: float, high: float) -> list[float]:

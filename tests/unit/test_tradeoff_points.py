@@ -12,8 +12,8 @@ from PIL import Image
 
 from nscc.tradeoff import device
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import COLUMNS, Point, csv_text, dominated, table_text
-from nscc_runtime.diagram import Line, Mark, Panel, diagram_png, round_values
+from nscc.tradeoff.points import COLUMNS, Point, Refused, csv_text, dominated, table_text
+from nscc_runtime.diagram import Axis, Line, Mark, Panel, diagram_png, round_values
 
 
 def point(case: str, setting: str, error: float, *times_ms: float, bound: float | None = None):
@@ -43,6 +43,25 @@ def test_dominated() -> None:
     assert dominated([]) == []
     other = [replace(each, error_unit="lsb", error=each.error / 100) for each in points]
     assert dominated(points + other) == dominated(points) * 2, "units do not compare"
+
+
+def test_more_may_be_better() -> None:
+    found = dominated(
+        [
+            replace(point("a", name, psnr_db, ms), more_is_better=True)
+            for name, psnr_db, ms in (("fast", 20, 1.0), ("worse", 19, 2.0), ("slow", 30, 9.0))
+        ]
+    )
+    assert found == [False, True, False]
+
+
+def test_csv_says_what_was_refused_and_where_a_point_is_from() -> None:
+    points = [replace(point("a", "1", 2, 0.0021), device="a card")]
+    text = csv_text(points, "chip", [Refused("a", "m", "2", "NS0412", "too many bits")])
+    assert list(csv.reader(io.StringIO(text)))[1:] == [
+        ["a, m", "1", "2", "words_per_frame", "0.002100", "0.000", "a card", "no"],
+        ["a, m", "2", "", "NS0412", "", "", "chip", ""],
+    ]
 
 
 def test_csv_has_the_columns_of_the_contract() -> None:
@@ -126,6 +145,14 @@ def test_a_diagram_of_anything(monkeypatch: pytest.MonkeyPatch) -> None:
     assert len(set(sizes)) == 4
     with pytest.raises(ValueError, match="no points"):
         diagram_png(PANELS[2:3], "title", "subtitle", "words")
+
+
+@pytest.mark.parametrize("errors", [(20.0, 30.0), (0.0, 0.0), (-3.0, 0.5), (25.0,)])
+def test_a_linear_diagram_of_anything(errors: tuple[float, ...]) -> None:
+    marks = tuple(mark(1e-6 * (k + 1), error) for k, error in enumerate(errors))
+    data = diagram_png([Panel("p", (Line("one", marks),))], "t", "s", "dB", linear=True,
+                       time=Axis("time, us", 1e6))  # fmt: skip
+    Image.open(io.BytesIO(data)).load()
 
 
 def test_a_diagram_is_the_same_every_time() -> None:

@@ -11,7 +11,6 @@ import pytest
 from nscc_command import invoke
 from PIL import Image
 
-from nscc.cli.table import PLANNED_TRADEOFFS
 from nscc.diagnostics.model import Rejected
 from nscc.lower.plan import LOWERINGS
 from nscc.pipeline import Options, compile_source
@@ -155,7 +154,6 @@ def test_nothing_that_fits(folder: Path) -> None:
         (["sinthesis"], "NS0781"),
         (["--frobnicate"], "NS0782"),
         ([], "NS0780"),
-        *(([name, "x", "--json"], "NS0786") for name in PLANNED_TRADEOFFS),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else value,
 )

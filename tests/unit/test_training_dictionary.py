@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from nscc_training.baselines.dictionary import SIDE, dictionary_clip, learned, pursued
+from nscc_training.least_squares import solve
 
 
 def test_pursuit_finds_what_was_planted() -> None:
@@ -71,3 +72,15 @@ def test_blocks_reach_the_edge() -> None:
     mask = np.ones((2, 13, 18), np.float32)
     found = dictionary_clip(np.full((13, 18), 0.6, np.float32), mask, flat)
     np.testing.assert_allclose(found, 0.3, rtol=1e-6)
+
+
+def test_many_more_equations_than_unknowns() -> None:
+    """Columns that depend on each other: the solution of least norm, by the pseudoinverse."""
+    rng = np.random.default_rng(5)
+    matrix = rng.normal(size=(90, 6)) @ np.diag([1, 1e-3, 1, 1, 1e3, 1]) @ rng.normal(size=(6, 9))
+    right = rng.normal(size=(90, 4))
+    found = solve(matrix, right)
+    assert found.rank == 6
+    assert np.allclose(found.solution, np.linalg.pinv(matrix, rcond=1e-12) @ right, rtol=1e-6)
+    one = solve(matrix, right[:, 0])
+    assert np.allclose(one.solution, found.solution[:, 0], rtol=1e-6)

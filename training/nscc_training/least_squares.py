@@ -26,7 +26,12 @@ def solve(matrix: NDArray[np.float64], right: NDArray[np.float64]) -> LeastSquar
     """
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         raise ValueError("least squares of values that are not finite")
-    solution, _, rank, singular = np.linalg.lstsq(matrix, right, rcond=None)
+    limit = np.finfo(np.float64).eps * max(matrix.shape)
+    if right.ndim == 2 and matrix.shape[0] > 2 * matrix.shape[1]:
+        # The same singular values and solution of a much smaller problem: Q only turns.
+        turn, matrix = np.linalg.qr(matrix)
+        right = turn.T @ right
+    solution, _, rank, singular = np.linalg.lstsq(matrix, right, rcond=limit)
     full = int(rank) == min(matrix.shape)
     condition = float(singular[0] / singular[-1]) if full and len(singular) else np.inf
     return LeastSquares(np.asarray(solution, np.float64), int(rank), condition)

@@ -12,7 +12,7 @@ _OWN = 8.0
 
 
 def merged(
-    frame: NDArray[np.float32], open_share: Picture, electrons_per_lsb: float, top_code: int,
+    frame: NDArray[np.float32], open_share: Picture, electrons_per_lsb: float, top_code: float,
     read_noise_e: float,
 ) -> Picture:  # fmt: skip
     """Light over the whole frame in electrons (rows, cols), from a frame's codes.

@@ -56,7 +56,7 @@ def sparse_coded(
 
 def coded_still(
     frame: NDArray[np.float32], open_share: Picture, coarse_e: Picture, electrons_per_lsb: float,
-    top_code: int, full_well_e: float,
+    top_code: float, full_well_e: float, iterations: int = ITERATIONS,
 ) -> Picture:  # fmt: skip
     """Light over the frame in electrons (rows, cols), from a frame's codes and a coarse result.
 
@@ -68,7 +68,7 @@ def coded_still(
     usable = (frame < top_code) & (open_share > 0)
     root = sparse_coded(
         np.sqrt(np.maximum(coarse_e, 0) / full_well_e), np.sqrt(seen),
-        np.where(usable, share**0.25, 0.0), made_filters(),
+        np.where(usable, share**0.25, 0.0), made_filters(), iterations,
     )  # fmt: skip
     found = np.square(np.maximum(root, 0.0))
     saturated = (frame >= top_code) & (open_share > 0)

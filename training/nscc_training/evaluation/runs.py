@@ -44,7 +44,7 @@ def evaluate_run(
         files = video.clips_of(data)
     else:
         files = sorted(data.glob("*.mat")) if data.is_dir() else [data]
-    _check_unseen(folder, files)
+    check_unseen(folder, files)
     left_out: list[dict[str, Any]] = []
     items: list[Item] = []
     arrays: dict[str, NDArray[Any]] = {}
@@ -94,7 +94,8 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
         )
 
 
-def _check_unseen(folder: RunFolder, files: list[Path]) -> None:
+def check_unseen(folder: RunFolder, files: list[Path]) -> None:
+    """Rejected (NS0820) where the run has seen one of these files."""
     shared = [p.name for p in files if sha256(p.read_bytes()).hexdigest() in folder.seen]
     if shared:
         raise rejected(

@@ -1,0 +1,207 @@
+"""`nscc tradeoff decoder`: scores are those of what a decoder makes, networks come from runs."""
+
+from __future__ import annotations
+
+import csv
+import io
+from dataclasses import replace
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+from PIL import Image
+from scipy.io import savemat
+
+torch = pytest.importorskip("torch")
+
+from nscc.cli.support import write_together  # noqa: E402
+from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc_training.baselines.sci import METHODS  # noqa: E402
+from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.decoders.blocks import BlockNet  # noqa: E402
+from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.run_folder import load_run  # noqa: E402
+from nscc_training.tradeoff import decoder, ways  # noqa: E402
+from nscc_training.tradeoff.decoder import Settings, cases, measure  # noqa: E402
+from nscc_training.tradeoff.scenes import protocol_of, scenes  # noqa: E402
+
+TINY = Settings(None, 2, 32, 2, 1e6, 0)
+
+
+def trained(out: Path, name: str, protocol: str, slots: int) -> Path:
+    values: dict[str, dict[str, Any]] = {
+        "shutter": {"class": "b", "slots": slots, "tile": [4, 4]},
+        "decoder": {"name": name},
+        "data": {"protocol": protocol, "patch": 16, "scenes": 2, "val_items": 1},
+        "train": {"steps": 1, "batch": 1, "validate_every": 1, "device": "cpu"},
+    }
+    train(settings_of(values), out, write=write_together)
+    return out
+
+
+@pytest.fixture(scope="module")
+def clip_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return trained(tmp_path_factory.mktemp("run") / "u", "unet3d", "video-v1", 4)
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The dictionary and filters take a minute to learn: their methods have tests of their own."""
+    kept = ways.baselines
+
+    def few(kind: Any) -> list[ways.Way]:
+        return [way for way in kept(kind) if way.method not in ("dictionary", "sparse-coding")]
+
+    monkeypatch.setattr(decoder, "baselines", few)
+
+
+def test_every_method_of_clips_that_sees_the_capture_is_there() -> None:
+    methods = [way.method for way in ways.baselines("clips")]
+    assert set(methods) == {name for name, each in METHODS.items() if each.sees == "capture"}
+    assert [way.setting for way in ways.baselines("clips") if way.method == "gap-tv"] == [
+        "5", "10", "20", "40", "80"
+    ]  # fmt: skip
+
+
+def test_points_are_scores_of_the_captures(quick: None) -> None:
+    [case, _] = cases([], TINY)
+    case = replace(case, ways=tuple(w for w in case.ways if w.method == "adjoint"))
+    points, repeats = measure([case], TINY)
+    assert repeats == 2
+    values = []
+    for taken in case.taken:
+        light = taken.scene.light_e
+        opened = taken.mask.sum(axis=0)
+        exposure = taken.frame * (30000 / 255)
+        # Noise and saturation apart, a frame holds the light of the open slots.
+        whole = (light * taken.mask).sum(axis=0)
+        assert np.corrcoef(np.minimum(whole, 30000).ravel(), exposure.ravel())[0, 1] > 0.99
+        made = taken.mask * (exposure / np.maximum(opened, 1))
+        pair = [np.clip(x / taken.scene.scale_e, 0, 1) for x in (light, made)]
+        frames = zip(*pair, strict=True)
+        values.append(np.mean([-10 * np.log10(np.mean((a - b) ** 2)) for a, b in frames]))
+    assert [p.error_unit for p in points] == ["psnr_db", "ssim"]
+    assert points[0].error == pytest.approx(np.mean(values), abs=1e-3)
+    assert all(len(p.times_ms) == 2 and p.more_is_better for p in points)
+
+
+def test_the_budget_ends_repeats_but_nothing_is_left_out(quick: None) -> None:
+    tight = replace(TINY, budget_s=0.0, repeats=50)
+    todo = cases([], tight)
+    points, repeats = measure(todo, tight)
+    assert repeats == 1
+    assert len(points) == 2 * sum(len(case.ways) for case in todo)
+
+
+def test_scores_do_not_depend_on_the_day(quick: None) -> None:
+    first, second = (
+        [(p.case, p.method, p.setting, p.error) for p in measure(cases([], TINY), TINY)[0]]
+        for _ in range(2)
+    )
+    assert first == second
+    other = replace(TINY, seed=1)
+    assert [row[-1] for row in first] != [p.error for p in measure(cases([], other), other)[0]]
+
+
+def test_runs_decode_their_own_code(quick: None, clip_run: Path, tmp_path: Path) -> None:
+    """Runs of one code share captures, others have a case of their own."""
+    made = [
+        trained(tmp_path / "f", "fcnet", "video-v1", 4),
+        clip_run,
+        trained(tmp_path / "s", "unet2d", "hdr-v1", 16),
+    ]
+    runs = [load_run(path) for path in made]
+    todo = cases(runs, replace(TINY, count=1))
+    assert [case.name for case in todo] == ["clips, code of f", "stills, code of s"]
+    methods = {(way.method, way.setting) for way in todo[0].ways}
+    assert {("unet3d small", "f32"), ("unet3d small", "bf16")} <= methods
+    assert {("fcnet small", f"x{k} {d}") for k in (1, 2, 4) for d in ("f32", "bf16")} <= methods
+    tile = runs[0].parts.encoder.hard().numpy()
+    assert np.array_equal(todo[0].taken[0].mask[:, :4, :4], tile)
+    points, _ = measure(todo, replace(TINY, count=1, repeats=1))
+    assert all(np.isfinite(p.error) for p in points)
+
+
+def test_a_network_is_the_runs_own(clip_run: Path) -> None:
+    folder = load_run(clip_run)
+    case = cases([folder], replace(TINY, count=1))[0]
+    exact, rough = (way for way in case.ways if way.method == "unet3d small")
+    taken = case.taken[0]
+    with torch.no_grad():
+        frame = torch.from_numpy(taken.frame)[None] / 255
+        wanted = folder.parts.decoder(frame, torch.from_numpy(taken.mask))[0].numpy()
+    assert np.allclose(exact.run(taken), wanted * (30000 / 4), rtol=1e-4, atol=0.1)
+    error = np.abs(rough.run(taken) - exact.run(taken)).max()
+    assert 0 < error < 0.1 * np.abs(exact.run(taken)).max() + 10
+
+
+def test_blocks_apart_are_the_blocks_by_themselves() -> None:
+    """Without overlap a block's pictures are the network's own; a pixel has one block."""
+    torch.manual_seed(1)
+    net = BlockNet(8, 3, (2, 2))
+    frame = torch.rand(1, 10, 7)
+    both = net(frame, torch.ones(3, 2, 2))
+    net.overlapping = (False, False)
+    apart = net(frame, torch.ones(3, 2, 2))
+    block = net.layers(frame[:, 4:8, :4].reshape(1, -1)).reshape(3, 4, 4)
+    assert torch.allclose(apart[0, :, 4:8, :4], block, atol=1e-6)
+    assert apart.shape == both.shape == (1, 3, 10, 7)
+    assert not torch.allclose(apart, both)
+
+
+def test_made_scenes_are_exposed_as_the_protocol_says() -> None:
+    protocol = protocol_of("stills", 64, 1)
+    [still] = scenes("stills", protocol, None, 1)
+    assert np.mean(still.light_e >= 30000) == pytest.approx(0.3, abs=0.005)
+    [clip] = scenes("clips", protocol_of("clips", 32, 8), None, 1)
+    assert clip.light_e.shape == (8, 32, 32)
+    assert np.percentile(clip.light_e.sum(axis=0), 99) == pytest.approx(30000)
+
+
+def test_the_command(quick: None, tmp_path: Path) -> None:
+    done = invoke(
+        ["tradeoff", "decoder", "--scenes", "1", "--size", "32", "--repeats", "1", "-o", "out"],
+        tmp_path,
+    )
+    assert done.status == 0, done.err
+    assert "not measured: unet2d, unet3d, fcnet" in done.out
+    rows = list(csv.DictReader(io.StringIO((tmp_path / "out.csv").read_text())))
+    assert {row["error_unit"] for row in rows} == {"psnr_db", "ssim"}
+    assert {row["method"] for row in rows} >= {"clips, random bits, gap-tv"}
+    for unit in ("psnr_db", "ssim"):
+        clips = [r for r in rows if r["method"].startswith("clips") and r["error_unit"] == unit]
+        best = max(clips, key=lambda row: float(row["error"]))
+        assert best["dominated"] == "no"
+    Image.open(tmp_path / "out.png").verify()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code"),
+    [
+        (["--run", "none"], "NS0818"),
+        (["--data", "."], "NS0811"),
+        (["--data", "none"], "NS0811"),
+        (["--size", "8"], "NS0783"),
+        (["--csv", "a", "--png", "a"], "NS0745"),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, list) else value,
+)
+def test_wrong_usage(tmp_path: Path, arguments: list[str], code: str) -> None:
+    done = invoke(["tradeoff", "decoder", *arguments], tmp_path)
+    assert (done.status, done.codes) == (2, [code])
+    assert not list(tmp_path.iterdir())
+
+
+def test_data_that_a_run_has_seen_is_refused(clip_run: Path, tmp_path: Path) -> None:
+    (tmp_path / "d").mkdir()
+    frames = np.random.default_rng(0).random((8, 64, 64)).astype(np.float32)
+    savemat(tmp_path / "d/c.mat", {"orig": np.moveaxis(frames, 0, 2) * 255})
+    folder = load_run(clip_run)
+    asked = replace(TINY, data=tmp_path / "d", count=1)
+    assert cases([folder], asked)[0].taken[0].scene.file.name == "c.mat"
+    digest = sha256((tmp_path / "d/c.mat").read_bytes()).hexdigest()
+    with pytest.raises(Rejected, match="NS0820"):
+        cases([replace(folder, seen=frozenset({digest}))], asked)

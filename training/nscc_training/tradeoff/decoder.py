@@ -1,0 +1,187 @@
+"""PSNR and SSIM against milliseconds: every decoder on the same captures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+import torch
+
+from nscc.tradeoff.points import Point
+from nscc_training.encoders import ShutterSpec, make_encoder
+from nscc_training.evaluation import hdr, video
+from nscc_training.evaluation.hdr_baselines import sensor_of
+from nscc_training.evaluation.runs import check_unseen
+from nscc_training.measures import number
+from nscc_training.protocols import Protocol
+from nscc_training.run_folder import RunFolder
+from nscc_training.sensor_model import SensorModel, exposed, laid, read_out
+from nscc_training.tradeoff.scenes import (
+    KINDS,
+    Kind,
+    Scene,
+    files_of,
+    kinds_in,
+    protocol_of,
+    scenes,
+)  # fmt: skip
+from nscc_training.tradeoff.ways import Light, Taken, Way, baselines, names_of, networks
+
+UNITS = ("psnr_db", "ssim")
+_WARM = 32
+"""Pixels a side of the part of a capture that everything is run on once, untimed."""
+_FRAMES = 16
+_STOPS = 256
+
+
+@dataclass(frozen=True)
+class Settings:
+    """`data`: a folder of scenes, made ones without; `size`: rows and cols of a scene;
+    `budget_s`: repeats end when it is spent, but everything is measured once."""
+
+    data: Path | None
+    count: int
+    size: int
+    repeats: int
+    budget_s: float
+    seed: int
+
+
+@dataclass(frozen=True, eq=False)
+class Case:
+    """Captures with one code, and the decoders that they are for."""
+
+    name: str
+    protocol: Protocol
+    taken: tuple[Taken, ...]
+    ways: tuple[Way, ...]
+
+
+Turn = tuple[Case, Way]
+Progress = Callable[[Sequence[Turn]], Iterable[Turn]]
+
+
+def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
+    """The codes of the runs, those with the same code together; without runs random bits for
+    clips and the 2 x 2 pattern for stills.
+
+    Raises Rejected: NS0811 for a folder without scenes, NS0820 where a run has seen one.
+    """
+    if not runs:
+        kinds = KINDS if settings.data is None else kinds_in(settings.data)
+        return [_fixed(kind, settings) for kind in kinds]
+    found: dict[Any, list[RunFolder]] = {}
+    for run in runs:
+        tile = run.parts.encoder.hard().cpu()
+        key = (run.parts.still, run.parts.model, tuple(tile.shape), tile.numpy().tobytes())
+        found.setdefault(key, []).append(run)
+    names = _short([together[0].path for together in found.values()])
+    return [
+        _learned(together, name, settings)
+        for together, name in zip(found.values(), names, strict=True)
+    ]
+
+
+def measure(
+    todo: Sequence[Case], settings: Settings, progress: Progress = iter
+) -> tuple[list[Point], int]:
+    """Two points for each decoder of each case, and how often everything was timed.
+
+    A time is that of one scene, the mean over the scenes; the repeats go round all decoders.
+    """
+    for case in todo:
+        for way in case.ways:
+            way.run(case.taken[0].corner(_WARM))
+    turns = [(case, way) for case in todo for way in case.ways]
+    times_ms: list[list[float]] = [[] for _ in turns]
+    made: list[list[Light]] = []
+    begin = perf_counter()
+    for turn in range(settings.repeats):
+        before = perf_counter()
+        for index, (case, way) in enumerate(progress(turns)):
+            start = perf_counter()
+            lights = [way.run(taken) for taken in case.taken]
+            times_ms[index].append((perf_counter() - start) * 1e3 / len(lights))
+            if turn == 0:
+                made.append(lights)
+        now = perf_counter()
+        if now - begin + (now - before) > settings.budget_s:
+            break
+    points = []
+    for (case, way), lights, times in zip(turns, made, times_ms, strict=True):
+        for unit, score in zip(UNITS, scored(case, lights), strict=True):
+            points.append(
+                Point(
+                    case.name, way.method, way.setting, score, unit, tuple(times),
+                    more_is_better=True, device=way.device,
+                )
+            )  # fmt: skip
+    return points, len(times_ms[0]) if turns else 0
+
+
+def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:
+    """PSNR in dB and SSIM, their means over the scenes, as the protocol counts them.
+
+    Scenes without any error count for SSIM alone, unless there are no others.
+    """
+    found = []
+    for taken, light in zip(case.taken, lights, strict=True):
+        if isinstance(taken.scene, video.Window):
+            found.append(video.scores(taken.scene, light))
+        else:
+            found.append(hdr.scores(taken.scene.light_e, light, case.protocol))
+    values = [number(scores["psnr_db"]) for scores in found]
+    finite = [value for value in values if np.isfinite(value)]
+    psnr_db = float(np.mean(finite)) if finite else float("inf")
+    return psnr_db, float(np.mean([scores["ssim"] for scores in found]))
+
+
+def _fixed(kind: Kind, settings: Settings) -> Case:
+    protocol = protocol_of(kind, settings.size, _FRAMES)
+    if kind == "clips":
+        name = "clips, random bits"
+        encoder = make_encoder(ShutterSpec("e", _FRAMES, (8, 8)), "random", settings.seed)
+    else:
+        name = "stills, 2 x 2 stops"
+        encoder = make_encoder(ShutterSpec("b", _STOPS, (2, 2)), "quad", settings.seed)
+    taken = _captured(kind, protocol, encoder.hard(), sensor_of(protocol), settings)
+    return Case(name, protocol, taken, tuple(baselines(kind)))
+
+
+def _learned(runs: Sequence[RunFolder], name: str, settings: Settings) -> Case:
+    parts = runs[0].parts
+    kind: Kind = "stills" if parts.still else "clips"
+    protocol = protocol_of(kind, settings.size, parts.slots)
+    if settings.data is not None:
+        for run in runs:
+            check_unseen(run, files_of(kind, settings.data))
+    taken = _captured(kind, protocol, parts.encoder.hard().cpu(), parts.model, settings)
+    apart = names_of(runs)
+    ways = [way for run, tail in zip(runs, apart, strict=True) for way in networks(run, tail)]
+    return Case(f"{kind}, code of {name}", protocol, taken, (*baselines(kind), *ways))
+
+
+def _captured(
+    kind: Kind, protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: Settings
+) -> tuple[Taken, ...]:
+    """The scenes behind a tile of shutters (N, r, c), with the noise of the sensor."""
+    found = []
+    chosen: list[Scene] = scenes(kind, protocol, settings.data, settings.count, settings.seed)
+    for index, scene in enumerate(chosen):
+        light = torch.as_tensor(scene.light_e, dtype=torch.float32)
+        shutters = laid(tile, *light.shape[-2:])
+        generator = torch.Generator().manual_seed(1000 * settings.seed + index)
+        codes = read_out(exposed(light[None], shutters), model, generator)[0]
+        frame = (codes - model.adc_offset_lsb).float().numpy()
+        found.append(Taken(scene, frame, shutters.numpy().astype(np.float32), model))
+    return tuple(found)
+
+
+def _short(paths: Sequence[Path]) -> list[str]:
+    """The shortest names that tell folders apart."""
+    names = [path.resolve().name for path in paths]
+    return names if len(set(names)) == len(names) else [path.as_posix() for path in paths]

@@ -1,0 +1,248 @@
+"""PSNR against the shortest slot: what a shutter class is worth, and what its words take."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from hashlib import sha256
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+
+from nscc.diagnostics.model import Diagnostic
+from nscc.lower.plan import Lowering
+from nscc.pipeline import Compiled
+from nscc.program.model import Codes
+from nscc.source import Source
+from nscc.target.load import load_target
+from nscc.target.model import Target
+from nscc.tradeoff.points import Point, Refused
+from nscc.tradeoff.synthesis import Case, Way, compiled_or_not
+from nscc.words.container import Container
+from nscc_runtime.capture import capture
+from nscc_runtime.light import Light
+from nscc_runtime.sensor import Sensor, default_sensor
+from nscc_training.baselines.sci import gap_tv
+from nscc_training.encoders import ShutterSpec, make_encoder
+from nscc_training.encoders.base import Encoder
+from nscc_training.evaluation import hdr, video
+from nscc_training.measures import number
+from nscc_training.programs import Chip, program_of
+from nscc_training.protocols import Protocol
+from nscc_training.sensor_model import SensorModel, laid
+from nscc_training.tradeoff.scenes import Kind, Scene, kinds_in, protocol_of, scenes
+from nscc_training.tradeoff.ways import Taken, clip_light, merged_still
+
+CLASSES = ("b", "c", "d", "e", "codebook")
+TILE = (8, 8)
+ROWS = 64
+_LONG_US = 1000.0
+_ITERATIONS = 20
+_TICK_US = 0.01
+"""Slots are whole numbers of these: programs are for readers."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What to compare: `classes` in `slots` for clips, class b in `stop_slots` for stills.
+
+    The most of `slots` is a multiple of each of them: it is the number of a clip's frames.
+    `slot_us` is what captures are made at, None for the shortest slot of each configuration.
+    """
+
+    classes: tuple[str, ...]
+    slots: tuple[int, ...]
+    stop_slots: tuple[int, ...]
+    codes: tuple[Codes, ...]
+    lowerings: tuple[Lowering, ...]
+    target: str
+    level: int
+    effects: str
+    slot_us: float | None
+    data: Path | None
+    count: int
+    seed: int
+
+
+@dataclass(frozen=True)
+class Configuration:
+    """One shutter, one way to compile it. Class c is open for a quarter of the frame."""
+
+    kind: Kind
+    shutters: str
+    slots: int
+    codes: Codes
+    lowering: Lowering
+
+    @property
+    def method(self) -> str:
+        """What stands in the tables."""
+        return f"{self.shutters}, {self.codes} codes, {self.lowering}"
+
+
+@dataclass(frozen=True)
+class Measured:
+    """Points and what does not fit, in the order of the configurations."""
+
+    points: tuple[Point, ...]
+    refused: tuple[Refused, ...]
+    target: str
+
+
+Progress = Callable[[Sequence[Configuration]], Iterable[Configuration]]
+
+
+def configurations(settings: Settings) -> list[Configuration]:
+    """Every class, number of slots, way to take codes, and lowering."""
+    kinds = ("clips", "stills") if settings.data is None else kinds_in(settings.data)
+    shapes: list[tuple[Kind, str, int]] = []
+    if "clips" in kinds:
+        shapes += [("clips", *each) for each in product(settings.classes, settings.slots)]
+    if "stills" in kinds:
+        shapes += [("stills", "b", slots) for slots in settings.stop_slots]
+    return [
+        Configuration(*shape, codes, lowering)
+        for shape in shapes
+        for codes, lowering in product(settings.codes, settings.lowerings)
+    ]
+
+
+def measure(settings: Settings, progress: Progress = iter) -> Measured:
+    """Compiles each configuration, and captures and decodes the scenes with its words.
+
+    The time of a point is the shortest slot. Raises Rejected for data that does not serve, and for
+    a target that does not exist.
+    """
+    target = load_target(settings.target, Path())
+    todo = configurations(settings)
+    benches = {kind: _bench(kind, target, settings) for kind in {each.kind for each in todo}}
+    points: list[Point] = []
+    refused: list[Refused] = []
+    for each in progress(todo):
+        bench, setting = benches[each.kind], f"{each.slots} slots"
+        encoder = _encoder(each, settings.seed)
+        found = compiled_for(each, encoder, settings)
+        if isinstance(found, Diagnostic):
+            refused.append(Refused(each.kind, each.method, setting, found.code, found.message))
+            continue
+        assert found.lowered is not None
+        assert found.container is not None
+        points.append(
+            Point(
+                each.kind, each.method, setting,
+                bench.psnr_db(found.container, encoder, settings), "psnr_db",
+                (found.lowered.shortest_slot_us / 1e3,), more_is_better=True,
+            )
+        )  # fmt: skip
+    return Measured(tuple(points), tuple(refused), target.name)
+
+
+def compiled_for(
+    each: Configuration, encoder: Encoder, settings: Settings
+) -> Compiled | Diagnostic:
+    """The configuration compiled for the slots that it is captured with, or why it does not fit.
+
+    Words do not depend on the slot's length but for refresh, which shorter slots need less of.
+    """
+    if settings.slot_us is not None:
+        return _compiled(each, encoder, settings.slot_us, settings)
+    found = _compiled(each, encoder, _LONG_US, settings)
+    if isinstance(found, Diagnostic):
+        return found
+    assert found.lowered is not None
+    ticks = math.ceil(found.lowered.shortest_slot_us / _TICK_US - 1e-6)
+    return _compiled(each, encoder, max(1, ticks) * _TICK_US, settings)
+
+
+def _compiled(
+    each: Configuration, encoder: Encoder, slot_us: float, settings: Settings
+) -> Compiled | Diagnostic:
+    chip = Chip(settings.target, slot_us)
+    source = Source("shutter.nsl", program_of(encoder, chip).text)
+    target = settings.target if settings.target.endswith(".toml") else None
+    case = Case(each.method, source, Path(), each.codes, target)
+    return compiled_or_not(Way(case, each.lowering, settings.level))
+
+
+def _encoder(each: Configuration, seed: int) -> Encoder:
+    """Random codes, the 2 x 2 pattern for stills."""
+    spec = ShutterSpec(
+        each.shutters, each.slots, (2, 2) if each.kind == "stills" else TILE,
+        length=max(1, each.slots // 4) if each.shutters == "c" else None,
+        rows=ROWS if each.shutters == "codebook" else None,
+    )  # fmt: skip
+    return make_encoder(spec, "quad" if each.kind == "stills" else "random", seed)
+
+
+@dataclass(frozen=True, eq=False)
+class _Bench:
+    """Scenes of one kind in front of one sensor; `known` are scores of captures seen before."""
+
+    protocol: Protocol
+    shown: tuple[Scene, ...]
+    sensor: Sensor
+    model: SensorModel
+    known: dict[bytes, float] = field(default_factory=dict)
+
+    def psnr_db(self, container: Container, encoder: Encoder, settings: Settings) -> float:
+        """The mean over the scenes, by a decoder that needs no training."""
+        return float(
+            np.mean(
+                [
+                    self._scored(self._taken(scene, container, encoder, settings, index))
+                    for index, scene in enumerate(self.shown)
+                ]
+            )
+        )
+
+    def _taken(
+        self, scene: Scene, container: Container, encoder: Encoder, settings: Settings, index: int
+    ) -> Taken:
+        shot = capture(
+            _light(scene, encoder.spec.slots), container, self.sensor, effects=settings.effects,
+            seed=1000 * settings.seed + index, device_seed=settings.seed,
+        )  # fmt: skip
+        frame = (shot.frame[0] - self.model.adc_offset_lsb).astype(np.float32)
+        mask = laid(encoder.hard(), *frame.shape).numpy().astype(np.float32)
+        return Taken(scene, frame, mask, self.model)
+
+    def _scored(self, taken: Taken) -> float:
+        # The words of open and of fixed codes often give the same frame.
+        digest = sha256(taken.frame.tobytes() + taken.mask.tobytes()).digest()
+        if digest not in self.known:
+            self.known[digest] = self._decoded(taken)
+        return self.known[digest]
+
+    def _decoded(self, taken: Taken) -> float:
+        scene = taken.scene
+        if isinstance(scene, hdr.Crop):
+            # Charge is compressed above the knee, long before the code is the largest.
+            knee_e = self.sensor.register_knee_fraction * self.sensor.full_well_e
+            made = merged_still(taken, knee_e / self.model.electrons_per_lsb)
+            return number(hdr.scores(scene.light_e, made, self.protocol)["psnr_db"])
+        made = clip_light(partial(gap_tv, iterations=_ITERATIONS), taken)
+        each = len(scene.light_e) // len(made)
+        return number(video.scores(scene, np.repeat(made / each, each, axis=0))["psnr_db"])
+
+
+def _bench(kind: Kind, target: Target, settings: Settings) -> _Bench:
+    sensor = default_sensor(target)
+    size, frames = max(target.rows, target.cols), max(settings.slots, default=1)
+    protocol = protocol_of(kind, size, frames, sensor.full_well_e)
+    shown = tuple(
+        replace(scene, light_e=scene.light_e[..., : target.rows, : target.cols])
+        for scene in scenes(kind, protocol, settings.data, settings.count, settings.seed)
+    )
+    return _Bench(protocol, shown, sensor, SensorModel.of(sensor, target))
+
+
+def _light(scene: Scene, slots: int) -> Light:
+    """A scene's light in so many slots, which last as long as all of its frames."""
+    if isinstance(scene, hdr.Crop):
+        return Light.of_still(scene.light_e.astype(np.float32), np.full(slots, 1.0 / slots))
+    frames, rows, cols = scene.light_e.shape
+    summed = scene.light_e.reshape(slots, frames // slots, rows, cols).sum(axis=1)
+    return Light.of_clip(summed.astype(np.float32))
