@@ -49,7 +49,6 @@ def test_an_edges_gradient_has_unit_area() -> None:
 
 @pytest.mark.parametrize("spec", SPECS, ids=lambda spec: spec.kind)
 def test_the_soft_shutter_by_finite_differences(spec: ShutterSpec) -> None:
-    torch.manual_seed(0)
     small = ShutterSpec(spec.kind, 6, (2, 2), length=2 if spec.length else None, rows=spec.rows
                         and 4)  # fmt: skip
     encoder = make_encoder(small, "random", 2, "sigmoid").double()
