@@ -107,7 +107,7 @@ def table_text(
     `time` is the unit of times and how many of it a millisecond has. A case or method is named
     once, and bounds have a column where there are any. Points that another one beats say so.
     """
-    head = ("case", *names, "bound", time[0], "spread", "")
+    head: tuple[str, ...] = ("case", *names, "bound", time[0], "spread", "")
     rows = [head]
     before = ("", "")
     for point, beaten in zip(points, dominated(points), strict=True):

@@ -21,6 +21,7 @@ PAGES = (
     "docs/tradeoff.md",
     "docs/device.md",
     "docs/training.md",
+    "docs/tradeoff_training.md",
     "examples/README.md",
 )
 
