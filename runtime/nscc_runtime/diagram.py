@@ -151,16 +151,17 @@ def _draw(
     heights += [line.bound for line in drawn if line.bound]
     least, most = min(heights, default=1.0), max(heights, default=1.0)
     if linear:
-        margin = max(0.14 * (most - least), 0.05 * abs(most), 1e-6)
+        margin = max(0.14 * (most - least), 0.02 * abs(most), 1e-6)
         axes.set_ylim(least - margin, most + margin)
     else:
         room = max((most / least) ** 0.14, 1.1)
         axes.set_ylim(least / room, most * room)
     _dress(axes, panel.title, linear, time)
     placed: list[float] = []
-    for line in sorted(drawn, key=lambda line: line.marks[-1].error):
+    # Names give way to where there is room: where errors are large, and where decibels are few.
+    for line in sorted(drawn, key=lambda line: line.marks[-1].error, reverse=linear):
         _draw_line(axes, line, colours[line.name], times)
-        _name(axes, line, colours[line.name], placed)
+        _name(axes, line, colours[line.name], placed, downwards=linear)
 
 
 def _dress(axes: Axes, title: str, linear: bool, time: Axis) -> None:
@@ -241,15 +242,15 @@ def _close(axes: Axes, marks: Sequence[Mark]) -> list[list[Mark]]:
     return groups
 
 
-def _name(axes: Axes, line: Line, colour: str, placed: list[float]) -> None:
-    """The line's name to the right of its last mark, moved up where another name is already."""
+def _name(axes: Axes, line: Line, colour: str, placed: list[float], *, downwards: bool) -> None:
+    """The line's name to the right of its last mark, moved away where another name is already."""
     last = line.marks[-1]
     right_s = max(m.most_s for m in line.marks if abs(_height(axes, m) - _height(axes, last)) < 4)
     share = _height(axes, last) / (_PANEL_HEIGHT * 100)
     # The number above the other line's last mark is cleared, too.
     step = 15 / (_PANEL_HEIGHT * 72)
     while any(abs(share - other) < step for other in placed):
-        share += step / 4
+        share += -step / 4 if downwards else step / 4
     placed.append(share)
     axes.annotate(
         line.name, (right_s, share), xycoords=axes.get_xaxis_transform(), xytext=(6, 0),

@@ -23,6 +23,7 @@ PAGES = (
     "docs/tradeoff.md",
     "docs/device.md",
     "docs/training.md",
+    "docs/tradeoff_training.md",
     "examples/README.md",
 )
 

@@ -43,6 +43,8 @@ def folder(tmp_path: Path) -> Path:
         ["train", "--schema"],
         ["train", "--help"],
         ["evaluate", "--help"],
+        ["tradeoff", "decoder", "--help"],
+        ["tradeoff", "sensor", "--help"],
     ],
     ids=" ".join,
 )
@@ -57,6 +59,8 @@ def test_needs_no_torch(arguments: list[str], folder: Path) -> None:
         ["train", "c.toml", "--out", "r"],
         ["evaluate", "ldr", "--data", ".", "--protocol", "hdr-v1"],
         ["reconstruct", ".", "a.npy", "-o", "o.npz"],
+        ["tradeoff", "decoder"],
+        ["tradeoff", "sensor"],
     ],
     ids=" ".join,
 )
