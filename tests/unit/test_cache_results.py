@@ -83,6 +83,7 @@ def test_low_levels_keep_nothing(level: int, folder: Path) -> None:
     assert not folder.exists()
 
 
+@pytest.mark.slow
 def test_what_decides_is_in_the_key(folder: Path, searches: list[int]) -> None:
     chip = builtin_target("scamp5")
     variants = [
@@ -233,7 +234,10 @@ def deep(levels: int) -> bytes:
     return b"[" * levels + b"]" * levels
 
 
-@pytest.mark.parametrize("name", ["b", "d", "book"])
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param("b", marks=pytest.mark.slow), pytest.param("d", marks=pytest.mark.slow), "book"],
+)
 def test_hostile_entries_do_no_harm(name: str, folder: Path) -> None:
     plain = built(TEXTS[name], cache=False)
     built(TEXTS[name])

@@ -60,6 +60,7 @@ def test_a_limit_that_is_met_changes_nothing_but_the_choice(tmp_path, rows):
     assert same == free
 
 
+@pytest.mark.slow
 def test_a_solution_within_the_limit_is_preferred_to_a_cheaper_one(tmp_path, rows):
     """The tightest limit is found by walking down; each step holds what it promises."""
     text = book_program(rows)
@@ -92,7 +93,10 @@ def too_few_words(folder, text, share):
     return round(8 + share * (least - 9))
 
 
-@pytest.mark.parametrize("share", [0.2, 0.5, 1.0])
+@pytest.mark.parametrize(
+    "share",
+    [pytest.param(0.2, marks=pytest.mark.slow), pytest.param(0.5, marks=pytest.mark.slow), 1.0],
+)
 def test_the_error_of_a_codebook_names_the_rows_that_pass(tmp_path, rows, share):
     limit = too_few_words(tmp_path, book_program(rows), share)
     option = ("--max-words-per-slot", str(limit))
@@ -102,6 +106,7 @@ def test_the_error_of_a_codebook_names_the_rows_that_pass(tmp_path, rows, share)
     assert within(report, limit)
 
 
+@pytest.mark.slow
 def test_only_rows_in_use_count(tmp_path, rows):
     text = book_program(rows, pixels="2 * ((x + 8 * y) % 32) + 1")
     option = ("--max-words-per-slot", str(too_few_words(tmp_path, text, 0.6)))
@@ -112,6 +117,7 @@ def test_only_rows_in_use_count(tmp_path, rows):
     assert f"of the 32 rows in use, up to row {2 * count - 1}" in error["rendered"]
 
 
+@pytest.mark.slow
 def test_unequal_slots_and_buckets_keep_their_frame(tmp_path, rows):
     times = ", ".join(f"{1 + k % 3}.5ms" for k in range(16))
 
@@ -128,6 +134,7 @@ def test_unequal_slots_and_buckets_keep_their_frame(tmp_path, rows):
     check_rows(tmp_path, only_error(tmp_path, text(64), *option), text, option)
 
 
+@pytest.mark.slow
 def test_slots_too_short_for_a_codebook_name_the_rows_that_pass(tmp_path, rows):
     def text(count, slot_us=None):
         return book_program(rows[:count], frame=f"frame 16 slots of {slot_us or tight_us:.3f}us")
