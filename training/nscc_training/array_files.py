@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
-from nscc_training.problems import listed, rejected
+from nscc_training.problems import listed
 
 KEYS = ("image", "video", "truth_e", "light", "orig")
 """The arrays that a file of several is taken to mean, the first that it has."""

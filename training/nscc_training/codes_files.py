@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.model import Rejected
-from nscc_training.problems import rejected
+from nscc.diagnostics.rejection import rejected
 
 Codes = Mapping[str, NDArray[np.int64]]
 

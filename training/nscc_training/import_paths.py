@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from nscc_training.problems import rejected
+from nscc.diagnostics.rejection import rejected
 
 
 def is_import_path(text: str) -> bool:

@@ -9,8 +9,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
-from nscc_training.problems import rejected
 
 NAMES = ("hdr-v1", "video-v1", "sci8")
 

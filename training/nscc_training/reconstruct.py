@@ -15,12 +15,12 @@ import torch
 from numpy.typing import NDArray
 
 from nscc.diagnostics.model import Diagnostic, Rejected, Severity
+from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import LEVELS, Options, compile_source
 from nscc.source import Source
 from nscc.words.file import to_bytes
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.sensor import sensor_sha256
-from nscc_training.problems import rejected
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.sensor_model import laid
 

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+from nscc.diagnostics.rejection import rejected
 from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
 from nscc_training.loop.setup import Parts, make_parts
-from nscc_training.problems import rejected
 from nscc_training.programs import CODES_FILE
 
 

@@ -9,8 +9,9 @@ from typing import Literal
 
 import numpy as np
 
+from nscc.diagnostics.rejection import rejected
 from nscc_runtime.calibrate.dark import Dark, dark_of
-from nscc_runtime.calibrate.errors import NOT_TRANSFER, rejected
+from nscc_runtime.calibrate.errors import NOT_TRANSFER
 from nscc_runtime.calibrate.fit import propagated, root, shared_variance
 from nscc_runtime.calibrate.frames import Stack
 from nscc_runtime.calibrate.levels import QUIET, Mask, Moments, level_of, moments

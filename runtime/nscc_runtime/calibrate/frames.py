@@ -19,7 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.model import Rejected
-from nscc_runtime.calibrate.errors import UNUSABLE, rejected
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.calibrate.errors import UNUSABLE
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.scenes.errors import size
 

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.calibrate.errors import TOO_FEW, UNUSABLE, rejected
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.calibrate.errors import TOO_FEW, UNUSABLE
 from nscc_runtime.calibrate.frames import Codes, Stack
 
 Map = NDArray[np.float64]

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from nscc_runtime.calibrate.errors import NOT_TRANSFER, UNUSABLE, rejected
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.calibrate.errors import NOT_TRANSFER, UNUSABLE
 from nscc_runtime.calibrate.fit import robust_scale, surface
 from nscc_runtime.calibrate.levels import Level, Mask, moments
 from nscc_runtime.scenes.errors import size

@@ -15,7 +15,8 @@ from math import sqrt
 import numpy as np
 
 from nscc.diagnostics.model import Rejected
-from nscc_runtime.calibrate.errors import NOT_TRANSFER, TOO_FEW, rejected
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.calibrate.errors import NOT_TRANSFER, TOO_FEW
 from nscc_runtime.calibrate.fit import Line, Vector, line
 from nscc_runtime.calibrate.levels import QUIET, Moments
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.crosstalk import CROSSTALK, smeared
 from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
+from nscc_runtime.effects.photodiode import FULL_WELL
 from nscc_runtime.effects.photons import DARK as DARK_SOURCE
 from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, count_key
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
@@ -90,18 +90,14 @@ class Planned:
 
     def _sums(self, seed: int, frame: int) -> Values:
         """Exposures (buckets, pixels) by sums over the slots."""
-        program, kept, sensor = self.program, self.plan.kept, self.program.sensor
+        program, kept = self.program, self.plan.kept
         away = self._counts(seed, frame)
         found = self.expected + self._spread(away) if away else self.expected.copy()
         if FULL_WELL in kept and REGISTER not in kept:
             np.minimum(found, self.limits, out=found)
         if ANALOG in kept:
             found += self.patterns
-        for effect, sigma in (
-            (READ, sensor.read_noise_e),
-            (RESET, sensor.reset_noise_e),
-            (ANALOG, sensor.analog_noise_e),
-        ):
+        for effect, sigma in program.noises:
             if effect in kept:
                 factor = sigma * program.tables.noise(effect.name, self.wanted)[0]
                 for draw in range(factor.shape[2]):

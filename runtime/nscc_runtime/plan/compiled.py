@@ -17,7 +17,14 @@ from nscc_runtime.noise.compiled import SOURCES as NOISE_SOURCES
 PARAMETERS = {"run_pixels": 29, "weighted_sums": 5, "smeared_frames": 5, "fused": 21}
 """The loops, with how many addresses each takes."""
 
-_SOURCES = ("layout.py", "charge_loop.py", "pixel_loop.py", "sum_loop.py", "fused_loop.py")
+_SOURCES = (
+    "layout.py",
+    "masks.py",
+    "charge_loop.py",
+    "pixel_loop.py",
+    "sum_loop.py",
+    "fused_loop.py",
+)
 
 
 @cache

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.crosstalk import CROSSTALK
 from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
+from nscc_runtime.effects.photodiode import FULL_WELL
 from nscc_runtime.effects.photons import PRNU, SHOT
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
@@ -164,11 +164,7 @@ class _Fields:
             SHOT.name: self._sum(moving, squared, self._counted(smeared=True)) * self.lag,
             DARK.name: open_2[:, self.lanes] * current,
         }
-        for effect, sigma in (
-            (READ, sensor.read_noise_e),
-            (RESET, sensor.reset_noise_e),
-            (ANALOG, sensor.analog_noise_e),
-        ):
+        for effect, sigma in program.noises:
             factor, rest = program.tables.noise(effect.name, full)
             total = ((factor**2).sum(axis=2) + rest).T
             variance[effect.name] = sigma**2 * total[:, self.lanes]

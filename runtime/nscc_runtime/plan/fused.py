@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects.crosstalk import CROSSTALK
 from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
+from nscc_runtime.effects.photodiode import FULL_WELL
 from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, count_key
 from nscc_runtime.effects.readout import ADC_NOISE
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
@@ -23,6 +23,7 @@ from nscc_runtime.effects.timing import DEAD_TIME, DECAY
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.plan.layout import FUSED_BLOCK
 from nscc_runtime.plan.masks import Masks
 from nscc_runtime.plan.pool import in_parts
 from nscc_runtime.plan.sums import on_frames
@@ -33,10 +34,9 @@ if TYPE_CHECKING:
     from nscc_runtime.plan.program import Program
 
 _COMPLEX = frozenset(effect.name for effect in (CROSSTALK, DARK, ANALOG, LEAKAGE, DEAD_TIME, DECAY))
-_BLOCK = 1024
 _NO_TABLE, _NO_MASKS = np.zeros((1, 1), np.float32), np.zeros(1, np.uint8)
-_SCRATCH = tuple(8 * _BLOCK * start for start in (0, 1, 2, 6, 7))
-_SCRATCH_BYTES = 8 * _BLOCK * 8
+_SCRATCH = tuple(8 * FUSED_BLOCK * start for start in (0, 1, 2, 6, 7))
+_SCRATCH_BYTES = 8 * FUSED_BLOCK * 8
 """Rows of the loop's scratch, in the order of its parameters; one has four of them."""
 _MUCH = 1 << 21
 """Pixels x frames from which on a second thread is worth waking."""
@@ -70,7 +70,7 @@ class Fused:
         frames = np.require(source.frames, np.float32, ["C", "A"]).reshape(len(source.frames), -1)
         sensor, target = program.sensor, program.container.target
         sigmas, sources = [], []
-        for effect, sigma in ((READ, sensor.read_noise_e), (RESET, sensor.reset_noise_e)):
+        for effect, sigma in program.noises:
             if effect in kept:
                 factor = sigma * program.tables.noise(effect.name, scene.wanted)[0]
                 for draw in range(factor.shape[2]):
@@ -151,7 +151,7 @@ class Fused:
 
         drawn = len(keys) > 1 or SHOT in kept
         work = pixels * (count + _DRAWN_FRAMES * drawn)
-        in_parts(run, pixels, scene.threads if work >= _MUCH else 1, _BLOCK)
+        in_parts(run, pixels, scene.threads if work >= _MUCH else 1, FUSED_BLOCK)
 
 
 def _address(array: NDArray[Any]) -> int:

@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 from nscc_runtime.noise.counter import bits, compiled, inlined, unit
 from nscc_runtime.noise.gaussian_fast import normal_fast
 from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
+from nscc_runtime.plan.layout import FUSED_BLOCK
+from nscc_runtime.plan.masks import Masks
 
 # Pointers; typed as arrays, which is how they are used.
 Ints = NDArray[np.int64]
@@ -22,8 +24,7 @@ Keys = NDArray[np.uint64]
 Frames = NDArray[np.float32]
 Flags = NDArray[np.uint8]
 
-BLOCK = 1024
-"""Pixels that go through all steps together."""
+BLOCK = FUSED_BLOCK
 
 MOST_COUNTED = 80
 _NOTHING = 1e-17
@@ -34,8 +35,7 @@ _FIRST_LANE = np.uint64(0)
 _LARGE = 1e30
 """Sums from here on are made once more, in float64."""
 
-SKIPPED, EVEN, MASKED, TABLED = 0, 1, 2, 3
-"""What becomes of a frame: nothing, the same everywhere, where its mask is 1, by the lane."""
+SKIPPED, EVEN, MASKED, TABLED = Masks.SKIPPED, Masks.EVEN, Masks.MASKED, Masks.TABLED
 
 
 @compiled

@@ -92,3 +92,5 @@ class Entry(IntEnum):
 
 MOST_DESTINATIONS = 3
 ENTRY_COLUMNS = int(Entry.FIRST_DESTINATION) + MOST_DESTINATIONS
+FUSED_BLOCK = 1024
+"""Pixels that go through all steps of a simple plan together."""

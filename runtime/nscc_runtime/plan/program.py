@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.effects import Selection, selected
+from nscc_runtime.effects import Effect, Selection, selected
 from nscc_runtime.effects.dark import current_e_per_s
+from nscc_runtime.effects.photodiode import READ, RESET
 from nscc_runtime.effects.photons import response
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, leak_per_s, pattern_e
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY
@@ -106,6 +107,16 @@ class Program:
     def lanes(self) -> NDArray[np.int32]:
         """The lane of every pixel, flat."""
         return self.reference.groups.lane.reshape(-1).astype(np.int32)
+
+    @property
+    def noises(self) -> tuple[tuple[Effect, float], ...]:
+        """The effects whose many small errors are one draw a bucket, with the size of an error."""
+        sensor = self.sensor
+        return (
+            (READ, sensor.read_noise_e),
+            (RESET, sensor.reset_noise_e),
+            (ANALOG, sensor.analog_noise_e),
+        )
 
     @cached_property
     def overlapping(self) -> bool:

@@ -15,8 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc_runtime.progress import Progress, unseen
-from nscc_runtime.scenes.errors import Census, damaged, rejected, size
+from nscc_runtime.scenes.errors import Census, damaged, size
 
 KEY = "light"
 MAT_CLIP_KEY = "orig"

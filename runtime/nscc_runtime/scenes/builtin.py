@@ -7,10 +7,10 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import exposure as exposures
-from nscc_runtime.scenes.errors import rejected
 from nscc_runtime.scenes.exposure import BUILTIN, Exposure
 
 NAMES = ("hdr", "motion", "flat", "dark")

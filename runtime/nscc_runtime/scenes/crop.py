@@ -7,7 +7,8 @@ from typing import Any
 
 from numpy.typing import NDArray
 
-from nscc_runtime.scenes.errors import Path_or_name, misfit, rejected, size
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.scenes.errors import Path_or_name, misfit, size
 
 
 @dataclass(frozen=True)

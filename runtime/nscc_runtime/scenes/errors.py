@@ -9,22 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.rejection import rejected
 
 Path_or_name = Path | str
-
-
-def rejected(
-    code: str,
-    message: str,
-    *,
-    notes: Sequence[str] = (),
-    helps: Sequence[str] = (),
-    data: dict[str, Any] | None = None,
-) -> Rejected:
-    """One error about the scene, as the exception that ends the command with status 2."""
-    diagnostic = Diagnostic(code, message, notes=tuple(notes), helps=tuple(helps), data=data or {})
-    return Rejected(diagnostic, status=2)
 
 
 def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) -> Rejected:

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.scenes.errors import Path_or_name, rejected
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.scenes.errors import Path_or_name
 
 DEFAULT_PERCENTILE = 99.0
 

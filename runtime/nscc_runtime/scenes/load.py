@@ -11,12 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.model import Diagnostic, Severity
+from nscc.diagnostics.rejection import rejected
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import arrays, exposure, timing
 from nscc_runtime.scenes.colour import Transfer, linear, luminance
 from nscc_runtime.scenes.crop import Window
-from nscc_runtime.scenes.errors import Census, rejected, size
+from nscc_runtime.scenes.errors import Census, size
 from nscc_runtime.scenes.exposure import Exposure
 from nscc_runtime.scenes.motion import with_motion
 from nscc_runtime.scenes.spread import spread

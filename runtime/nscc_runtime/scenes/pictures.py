@@ -16,8 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.colour import Transfer
-from nscc_runtime.scenes.errors import damaged, rejected
+from nscc_runtime.scenes.errors import damaged
 
 LINEAR = (".exr", ".hdr", ".pfm")
 DISPLAY = (".bmp", ".jpeg", ".jpg", ".png", ".tif", ".tiff", ".webp")

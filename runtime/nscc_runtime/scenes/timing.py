@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.model import Rejected
-from nscc_runtime.scenes.errors import Path_or_name, rejected
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.scenes.errors import Path_or_name
 
 _SLACK_FRAMES = Fraction(1, 1000)
 """So much of a frame may the last slot reach beyond the clip: slots of 16.667 ms at 60 frames/s."""

@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.rejection import rejected
 from nscc_training.data import procedural
 from nscc_training.data.camera import turned
 from nscc_training.import_paths import imported, is_import_path
-from nscc_training.problems import rejected
 from nscc_training.settings import DataSettings
 
 _MOST_SIDE = 512

@@ -9,8 +9,8 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+from nscc.diagnostics.rejection import rejected
 from nscc_training.measures import number
-from nscc_training.problems import rejected
 from nscc_training.protocols import Protocol
 from nscc_training.statistics import paired, summary
 

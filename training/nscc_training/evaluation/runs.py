@@ -13,13 +13,13 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from nscc.diagnostics.rejection import rejected
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.evaluation import hdr, video
 from nscc_training.evaluation.results import Item, Subject, result
 from nscc_training.evaluation.sci8 import read_sci_clip
 from nscc_training.measures import decibels
 from nscc_training.metrics import psnr, ssim
-from nscc_training.problems import rejected
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
 from nscc_training.sensor_model import exposed, laid, read_out

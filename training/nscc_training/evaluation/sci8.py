@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.rejection import rejected
 from nscc_training import metrics
 from nscc_training.baselines.dictionary import made_dictionary
 from nscc_training.baselines.sci import METHODS
 from nscc_training.baselines.tv import Clip
 from nscc_training.evaluation.results import Item, Subject, result
 from nscc_training.measures import decibels
-from nscc_training.problems import rejected
 from nscc_training.protocols import Protocol, load_protocol
 
 

@@ -7,9 +7,9 @@ from typing import Any
 
 from numpy.typing import NDArray
 
+from nscc.diagnostics.rejection import rejected
 from nscc_training.evaluation import hdr_baselines, video_baselines
 from nscc_training.evaluation.runs import evaluate_run
-from nscc_training.problems import rejected
 from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import load_run
 

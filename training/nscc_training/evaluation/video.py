@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.rejection import rejected
 from nscc_training import metrics
 from nscc_training.measures import decibels
 from nscc_training.metrics.psnr import mean_square_error
-from nscc_training.problems import rejected
 from nscc_training.protocols import Protocol
 
 Clip = NDArray[np.float64]

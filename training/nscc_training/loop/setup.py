@@ -9,6 +9,7 @@ import numpy as np
 import torch
 from torch import nn
 
+from nscc.diagnostics.rejection import rejected
 from nscc.target.load import load_target
 from nscc.target.model import Target
 from nscc_runtime.sensor import Sensor, default_sensor, load_sensor
@@ -19,7 +20,6 @@ from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path
 from nscc_training.losses import LOSSES, Loss
-from nscc_training.problems import rejected
 from nscc_training.programs import Chip, compiled, legal_codes, program, program_of
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel

@@ -11,9 +11,9 @@ from typing import Any
 import torch
 from torch import Tensor
 
+from nscc.diagnostics.rejection import rejected
 from nscc_training.config import config_toml
 from nscc_training.loop.setup import Parts
-from nscc_training.problems import rejected
 from nscc_training.settings import Settings
 
 CHECKPOINT = "checkpoint.safetensors"

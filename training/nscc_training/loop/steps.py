@@ -10,10 +10,10 @@ import numpy as np
 import torch
 from torch import Tensor
 
+from nscc.diagnostics.rejection import rejected
 from nscc_training import metrics
 from nscc_training.data import Batch
 from nscc_training.loop.setup import Parts
-from nscc_training.problems import rejected
 from nscc_training.sensor_model import SensorModel, exposed, read_out
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import torch
 
 from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc_training.config import config_toml
 from nscc_training.data import Batch, Batches, Scenes, load_scenes
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
@@ -24,7 +25,6 @@ from nscc_training.loop.steps import (
     scored,
     window,
 )
-from nscc_training.problems import rejected
 from nscc_training.programs import compiled, program_of, words_per_slot
 from nscc_training.settings import Settings
 

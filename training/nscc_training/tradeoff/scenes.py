@@ -9,9 +9,9 @@ from typing import Any, Literal
 
 import numpy as np
 
+from nscc.diagnostics.rejection import rejected
 from nscc_training.data import procedural
 from nscc_training.evaluation import hdr, video
-from nscc_training.problems import rejected
 from nscc_training.protocols import Protocol, load_protocol
 
 Kind = Literal["clips", "stills"]

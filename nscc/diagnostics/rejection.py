@@ -1,0 +1,22 @@
+"""One error as an exception, in one call: what input that cannot be used ends in."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from nscc.diagnostics.model import Diagnostic, Rejected
+
+
+def rejected(
+    code: str,
+    message: str,
+    *,
+    notes: Sequence[str] = (),
+    helps: Sequence[str] = (),
+    data: dict[str, Any] | None = None,
+    status: int = 2,
+) -> Rejected:
+    """The exception that ends the command with `status`; by default 2, wrong input."""
+    diagnostic = Diagnostic(code, message, notes=tuple(notes), helps=tuple(helps), data=data or {})
+    return Rejected(diagnostic, status=status)
