@@ -9,6 +9,7 @@ import click
 
 from nscc.cli.link_options import link_options
 from nscc.cli.programs import BuildChoice, build_options, load_program
+from nscc.cli.scene_options import scene_options, sensor_options
 from nscc.cli.support import CommonCommand, done, progress, say
 from nscc.diagnostics.model import Diagnostic, Rejected
 from nscc.diagnostics.suggest import closest
@@ -62,16 +63,8 @@ def command() -> None:
     help="The firmware, compiled for this machine, or its Python twin. auto: the firmware where "
     "there is a C++ compiler.",
 )
-@click.option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P (99).")
-@click.option("--transfer", type=click.Choice(["linear", "srgb"]), help="The scene's curve.")
-@click.option("--fps", type=float, help="The clip's frames a second, seen in the slots' own time.")
-@click.option("--crop", metavar="R,C", help="Top left corner of the array in the scene.")
-@click.option(
-    "--frames-are", type=click.Choice(["integrals", "samples"]), default="integrals",
-    help="Whether a clip's frames hold all the light of their time, or an instant of it.",
-)  # fmt: skip
-@click.option("--sensor", type=click.Path(path_type=Path), help="The sensor's numbers.")
-@click.option("--sensor-set", multiple=True, metavar="K=V", help="Change one of them.")
+@scene_options
+@sensor_options
 @click.option("--device-seed", type=click.IntRange(0, 2**63 - 1), default=0, help="Which chip.")
 @click.option("--once", is_flag=True, help="End when the first host has closed the port.")
 @click.option("--for", "seconds", type=click.FloatRange(0, _LONGEST_S), help="End after S seconds.")
@@ -137,8 +130,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
               help="With --to: seconds from frame to frame (default: 0).")  # fmt: skip
 @click.option("--target", metavar="NAME|FILE.toml", help="The chip, of a program that is there.")
 @click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
-@click.option("--sensor", type=click.Path(path_type=Path), help="The sensor's numbers.")
-@click.option("--sensor-set", multiple=True, metavar="K=V", help="Change one of them.")
+@sensor_options
 @link_options
 def capture(port: str, program: Path | None, **options: Any) -> None:
     """Expose frames with the program that the device at PORT holds, or with FILE.

@@ -14,6 +14,7 @@ import click
 
 from nscc.cli.link_options import link_options
 from nscc.cli.programs import BuildChoice, build_options, load_program
+from nscc.cli.scene_options import scene_options, sensor_options
 from nscc.cli.support import CommonCommand, Product, done, progress, say, write_together
 from nscc.diagnostics.model import Diagnostic, Rejected
 
@@ -77,16 +78,7 @@ class Timings:
 @click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames.")
 @click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes.")
 @click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
-@click.option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P (99).")
-@click.option("--transfer", type=click.Choice(["linear", "srgb"]), help="The scene's curve.")
-@click.option("--fps", type=float, help="The clip's frames a second, seen in the slots' own time.")
-@click.option("--crop", metavar="R,C", help="Top left corner of the array in the scene.")
-@click.option(
-    "--frames-are",
-    type=click.Choice(["integrals", "samples"]),
-    default="integrals",
-    help="Whether a clip's frames hold all the light of their time, or an instant of it.",
-)
+@scene_options
 @click.option(
     "--on",
     "place",
@@ -109,10 +101,7 @@ class Timings:
 @click.option(
     "--plan", type=click.Path(path_type=Path), help="Use this plan; if there is none, write it."
 )
-@click.option(
-    "--sensor", type=click.Path(path_type=Path), help="The sensor's numbers (nscc effects --toml)."
-)
-@click.option("--sensor-set", multiple=True, metavar="K=V", help="Change one of them.")
+@sensor_options
 @click.option(
     "--timings", type=click.Path(path_type=Path), help="Write seconds spent, as JSON, to a file."
 )

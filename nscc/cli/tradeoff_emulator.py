@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.cli.programs import BuildChoice, build_options, compile_options, load_program
+from nscc.cli.scene_options import scene_options, sensor_options
 from nscc.cli.support import CommonCommand, Product, done, progress, say, write_together
 from nscc.diagnostics.model import Diagnostic, Rejected
 
@@ -52,18 +53,8 @@ _SEEDS = click.IntRange(0, 2**63 - 1)
 @click.option("--seed", type=_SEEDS, default=0, help="Seed of the frames' noise.")
 @click.option("--device-seed", type=_SEEDS, default=0, help="Seed of fixed patterns.")
 @click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
-@click.option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P (99).")
-@click.option("--transfer", type=click.Choice(["linear", "srgb"]), help="The scenes' curve.")
-@click.option("--fps", type=float, help="The clips' frames a second, seen in the slots' own time.")
-@click.option("--crop", metavar="R,C", help="Top left corner of the array in the scenes.")
-@click.option(
-    "--frames-are", type=click.Choice(["integrals", "samples"]), default="integrals",
-    help="Whether a clip's frames hold all the light of their time, or an instant of it.",
-)  # fmt: skip
-@click.option(
-    "--sensor", type=click.Path(path_type=Path), help="The sensor's numbers (nscc effects --toml)."
-)
-@click.option("--sensor-set", multiple=True, metavar="K=V", help="Change one of them.")
+@scene_options
+@sensor_options
 @build_options
 def command(program: Path | None, **options: Any) -> int:
     """Measure what the emulator's time buys: error against the reference and time of one frame.
