@@ -40,5 +40,3 @@ def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> N
     from nscc_training.loop.train import train
 
     train(settings, out, write=write_together, resume=resume, track=progress, report=done)
-    done(f"{out}: {(out / 'model_card.md').name} says what it is worth; "
-         f"`nscc build {out / 'shutter.nsl'}` compiles its shutters")  # fmt: skip

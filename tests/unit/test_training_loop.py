@@ -208,6 +208,7 @@ def test_two_processes_learn_together(tmp_path: Path) -> None:
         capture_output=True, text=True, timeout=110,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr[-3000:]
+    assert done.stderr.count("model_card.md says") == 1
     assert {path.name for path in (tmp_path / "r").iterdir()} == FILES
     run(STILL, tmp_path / "alone")
     both, alone = (load_file(tmp_path / k / "decoder.safetensors") for k in ("r", "alone"))

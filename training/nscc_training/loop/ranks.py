@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
+from datetime import timedelta
 
 import torch
 from torch import Tensor, distributed
+
+LONGEST_WAIT = timedelta(hours=6)
+"""How long a process waits for the one that writes: it validates and makes artifacts alone."""
 
 
 class Ranks:
@@ -17,7 +21,8 @@ class Ranks:
         self.rank = int(os.environ.get("RANK", "0"))
         self._ours = self.count > 1 and not distributed.is_initialized()
         if self._ours:
-            distributed.init_process_group("nccl" if torch.cuda.is_available() else "gloo")
+            backend = "nccl" if torch.cuda.is_available() else "gloo"
+            distributed.init_process_group(backend, timeout=LONGEST_WAIT)
 
     @property
     def first(self) -> bool:
@@ -35,6 +40,15 @@ class Ranks:
         for gradient in gradients:
             gradient.mul_(share)
             distributed.all_reduce(gradient)
+
+    def meet(self) -> None:
+        """Wait until all are here.
+
+        Before a process ends: gloo's threads may still hold gradients of the last `average`, and
+        an interpreter that ends under them aborts. A meeting holds none.
+        """
+        if self.count > 1:
+            distributed.barrier()
 
     def close(self) -> None:
         """Leave the group, if it was entered here."""

@@ -33,6 +33,8 @@ METRICS = "metrics.csv"
 
 Write = Callable[[Mapping[Path, bytes]], None]
 """Writes several files, each whole or not at all."""
+Track = Callable[[Iterable[int], str, int], Iterable[int]]
+"""Passes steps on, given a label and how many there are, and may draw a bar."""
 
 
 @dataclass
@@ -48,30 +50,38 @@ class Run:
     rows: list[str] = field(default_factory=lambda: [",".join(COLUMNS)])
 
 
+def _untracked(steps: Iterable[int], _label: str, _total: int) -> Iterable[int]:
+    return steps
+
+
 def train(
     settings: Settings,
     out: Path,
     *,
     write: Write,
     resume: str = "auto",
-    track: Callable[[Iterable[int], str, int], Iterable[int]] = lambda steps, _label, _total: steps,
+    track: Track = _untracked,
     report: Callable[[str], None] = lambda _text: None,
     stop_after: int | None = None,
 ) -> None:
     """Train, and write the run folder `out`.
 
     `resume` is auto (go on from a checkpoint in `out` if there is one), never, or a run folder or
-    checkpoint to go on from. `track` draws a bar; `report` is told each validation. With
-    `stop_after` the run ends after that step, as if interrupted, but with a checkpoint.
+    checkpoint to go on from. `track` draws a bar and `report` is told each validation and the end,
+    both in the process that writes. With `stop_after` the run ends after that step, as if
+    interrupted, but with a checkpoint.
     """
     ranks = Ranks()
     try:
         run = _start(settings, out, resume, ranks)
         if ranks.first:
             _write_heads(run, out, write)
-        _steps(run, out, write, track, report, stop_after)
+        _steps(run, out, write, track if ranks.first else _untracked, report, stop_after)
         if ranks.first and run.progress.step >= settings.train.steps:
             _finish(run, out, write)
+            report(f"{out}: model_card.md says what it is worth; "
+                   f"`nscc build {out / 'shutter.nsl'}` compiles its shutters")  # fmt: skip
+        ranks.meet()
     finally:
         ranks.close()
 
@@ -133,8 +143,8 @@ def _optimiser(parts: Parts) -> torch.optim.Optimizer:
 
 
 def _steps(
-    run: Run, out: Path, write: Write, track: Callable[[Iterable[int], str, int], Iterable[int]],
-    report: Callable[[str], None], stop_after: int | None,
+    run: Run, out: Path, write: Write, track: Track, report: Callable[[str], None],
+    stop_after: int | None,
 ) -> None:  # fmt: skip
     total, every = run.parts.settings.train.steps, run.parts.settings.train.validate_every
     losses: list[float] = []
