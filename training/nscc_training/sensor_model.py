@@ -129,9 +129,12 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
     slots = shutters.shape[0]
     rows, cols = light.shape[-2:]
     if light.ndim == 3:
-        share = torch.full((slots,), 1.0 / slots) if slot_share is None else slot_share
-        weights = share.to(shutters.device, torch.float64).reshape(-1, 1, 1)
-        return light.double() * laid((shutters.double() * weights).sum(dim=0), rows, cols)
+        if slot_share is None:
+            opened = shutters.sum(dim=0, dtype=torch.float64) / slots
+        else:
+            weights = slot_share.to(shutters.device, torch.float64).reshape(-1, 1, 1)
+            opened = (shutters.double() * weights).sum(dim=0)
+        return light.double() * laid(opened, rows, cols)
     if light.shape[1] != slots:
         raise ValueError(f"light of {light.shape[1]} slots, shutters of {slots}")
     found: Tensor = _Masked.apply(light, laid(shutters, rows, cols))  # type: ignore[no-untyped-call]

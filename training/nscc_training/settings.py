@@ -40,8 +40,10 @@ class ShutterSettings:
     init: str = setting("quad", "random, uniform, quad (2 x 2 geometric), learned (as quad), or a "
                         "file of codes, .npz or .mat")  # fmt: skip
     learn: bool = setting(True, "false keeps the codes as they start")
-    relaxation: str = setting("straight-through", "how gradients pass the quantisation",
-                              choices=("straight-through", "sigmoid", "gumbel"))  # fmt: skip
+    relaxation: str = setting(
+        "straight-through", "how gradients pass the quantisation",
+        choices=("straight-through", "sigmoid", "gumbel", "tried"),
+    )  # fmt: skip
     temperature: tuple[float, ...] = setting((1.0, 0.05), "of a relaxation, at the first step "
                                              "and at the last", low=1e-6, high=1e6,
                                              count=2)  # fmt: skip
@@ -79,15 +81,21 @@ class DataSettings:
     """[data]: scenes. Training and validation never share one."""
 
     train: str = setting("procedural", "a folder, procedural, or one's own as module:name")
-    val: str = setting("procedural", "the same; empty: every fifth scene of `train`")
+    val: str = setting("procedural", "the same; empty: every fifth file of `train`")
     protocol: str = setting("hdr-v1", "stills (hdr-v1) or clips", choices=NAMES)
     transfer: str = setting("", "curve of clips: linear or srgb; empty: as the protocol says",
                             choices=("", "linear", "srgb"))  # fmt: skip
     patch: int = setting(64, "rows and columns of a training patch", low=11, high=4096)
+    together: int = setting(1, "patches of a batch that are cut from one exposure of a scene",
+                            low=1, high=100000)  # fmt: skip
     scenes: int = setting(16, "procedural scenes for training; a quarter as many to validate",
                           low=1, high=100000)  # fmt: skip
     frames: int = setting(128, "frames read of a clip", low=1, high=100000)
-    val_items: int = setting(8, "patches in a validation", low=1, high=100000)
+    paths: int = setting(4, "clips that a camera makes of a panorama, turning inside it", low=1,
+                         high=100000)  # fmt: skip
+    val_items: int = setting(
+        8, "exposures in a validation, of `together` patches", low=1, high=100000
+    )
     augment: bool = setting(True, "turn and mirror; contrast of stills; time of clips backwards")
     saturated: tuple[float, ...] = setting((0.3, 0.3), "the part of a still's pixels that "
                                            "saturate when always open, from and to", low=0.001,
@@ -98,7 +106,8 @@ class DataSettings:
 class LossSettings:
     """[loss]: what is minimised."""
 
-    name: str = setting("mu-law", "l1, log, mu-law, pu21, or one's own as module:name")
+    name: str = setting("mu-law", "l1 (linear), root, log, mu-law, pu21, psnr, psnr-mu, one's own "
+                        "as module:name, or the sum of several, joined by +")  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import torch
@@ -13,7 +13,11 @@ from nscc_training.data.sources import Scene, Scenes
 from nscc_training.settings import DataSettings
 
 _TRIES = 20
-"""Patches that are dark where they should saturate are drawn again so often."""
+"""Patches of surroundings that are dark where they should saturate are drawn again so often."""
+EXPOSED = 256
+"""Rows and columns of what is exposed together: a patch may be its dark or its bright part."""
+_POLES = 8
+"""Such a part of a panorama's rows, at the top and at the bottom, is stretched as no lens does."""
 
 
 @dataclass(frozen=True)
@@ -54,11 +58,12 @@ class Batches:
 
     def train(self, step: int) -> Batch:
         """The batch of a step."""
-        drawn = []
-        for place in range(self.batch):
+        drawn: list[Batch] = []
+        for place in range(0, self.batch, self.settings.together):
             generator = np.random.default_rng([self.seed, 4, step, place])
             scene = self.scenes.train[int(generator.integers(len(self.scenes.train)))]
-            drawn.append(self._patch(scene, generator, self.settings.augment))
+            count = min(self.settings.together, self.batch - place)
+            drawn += self._patches(scene, count, generator, self.settings.augment)
         return _joined(drawn)
 
     def val(self) -> list[Batch]:
@@ -67,57 +72,101 @@ class Batches:
         for index in range(self.settings.val_items):
             generator = np.random.default_rng([self.seed, 5, index])
             scene = self.scenes.val[index % len(self.scenes.val)]
-            found.append(_joined([self._patch(scene, generator, False)]))
+            found.append(_joined(self._patches(scene, self.settings.together, generator, False)))
         return found
 
-    def _patch(self, scene: Scene, generator: np.random.Generator, augment: bool) -> Batch:
+    def _patches(
+        self, scene: Scene, count: int, generator: np.random.Generator, augment: bool
+    ) -> list[Batch]:
+        """Patches of one exposure."""
         for _ in range(_TRIES):
-            values, name = self._cut(scene, generator)
-            if augment:
-                values = _augmented(values, generator)
-            level, white = self._level(values, generator)
-            if level > 0:
+            exposed = _Exposed.still if scene.light.ndim == 2 else _Exposed.clip
+            around = exposed(scene, self.settings, self.slots, generator)
+            if around.level > 0:
                 break
-        # A patch without any light is dark at any exposure.
-        scale = self.full_well_e / level if level > 0 else 0.0
+        if augment:
+            around = around.augmented(generator)
+        found = []
+        for _ in range(count):
+            row, col = _corner(around.light, self.settings.patch, generator)
+            found.append(self._batch(around, row, col))
+        return found
+
+    def _batch(self, around: _Exposed, row: int, col: int) -> Batch:
+        """The patch of an exposure at that corner."""
+        side = self.settings.patch
+        values = around.light[..., row : row + side, col : col + side]
+        # What has no light is dark at any exposure.
+        scale = self.full_well_e / around.level if around.level > 0 else 0.0
         light = torch.from_numpy(np.ascontiguousarray(values * np.float32(scale)))
         slots = 1 if values.ndim == 2 else self.slots
         truth = light * (slots / self.full_well_e)
-        peak = max(white * scale * slots / self.full_well_e, 1e-6)
-        return Batch(light[None], truth[None], torch.tensor([peak]), (name,))
-
-    def _cut(self, scene: Scene, generator: np.random.Generator) -> tuple[NDArray[np.float32], str]:
-        light, patch = scene.light, self.settings.patch
-        row = int(generator.integers(light.shape[-2] - patch + 1))
-        col = int(generator.integers(light.shape[-1] - patch + 1))
-        part = light[..., row : row + patch, col : col + patch]
-        if light.ndim == 2:
-            return part, f"{scene.name} at {row},{col}"
-        first = int(generator.integers(len(light) - self.slots + 1))
-        return part[first : first + self.slots], f"{scene.name} from {first} at {row},{col}"
-
-    def _level(
-        self, values: NDArray[np.float32], generator: np.random.Generator
-    ) -> tuple[float, float]:
-        """The light over the frame that fills a well, and the one that counts as 1."""
-        if values.ndim == 2:
-            low, high = self.settings.saturated
-            share = generator.uniform(min(low, high), max(low, high))
-            level = float(np.quantile(values, 1 - share))
-            return level, float(np.percentile(values, 99.9))
-        # Clips: the 99th percentile of what an open pixel gathers; 1 is the source's white.
-        return float(np.percentile(values.sum(axis=0, dtype=np.float64), 99)), 1.0
+        peak = max(around.white * scale * slots / self.full_well_e, 1e-6)
+        return Batch(
+            light[None], truth[None], torch.tensor([peak]), (f"{around.name}+{row},{col}",)
+        )
 
 
-def _augmented(values: NDArray[np.float32], generator: np.random.Generator) -> NDArray[np.float32]:
-    """Turned, mirrored; a still's contrast changed, a clip's time turned round."""
-    values = np.rot90(values, int(generator.integers(4)), axes=(-2, -1))
-    if generator.random() < 0.5:
-        values = values[..., ::-1]
-    if values.ndim == 3:
-        return values[::-1] if generator.random() < 0.5 else values
-    contrast = np.float32(generator.uniform(0.8, 1.25))
-    return np.asarray(np.maximum(values, np.float32(1e-20)) ** contrast, np.float32)
+@dataclass(frozen=True, eq=False)
+class _Exposed:
+    """What is exposed together: `level` is the light over the frame that fills a well, `white` the
+    one that counts as 1."""
+
+    light: NDArray[np.float32]
+    level: float
+    white: float
+    name: str
+
+    @classmethod
+    def still(
+        cls, scene: Scene, settings: DataSettings, _slots: int, generator: np.random.Generator
+    ) -> _Exposed:
+        """A crop whose given part of pixels saturates."""
+        light = scene.light
+        side = max(settings.patch, EXPOSED)
+        if light.shape[1] == 2 * light.shape[0] >= 4 * side:
+            pole = light.shape[0] // _POLES
+            light = light[pole:-pole]
+        row, col = _corner(light, side, generator)
+        light = light[row : row + side, col : col + side]
+        low, high = settings.saturated
+        share = generator.uniform(min(low, high), max(low, high))
+        level, white = (float(v) for v in np.quantile(light, (1 - share, 0.999)))
+        return cls(light, level, white, f"{scene.name} at {row},{col}")
+
+    @classmethod
+    def clip(
+        cls, scene: Scene, settings: DataSettings, slots: int, generator: np.random.Generator
+    ) -> _Exposed:
+        """A window whose 99th percentile over time fills a well; 1 is the source's white."""
+        side = max(settings.patch, EXPOSED)
+        row, col = _corner(scene.light, side, generator)
+        first = int(generator.integers(len(scene.light) - slots + 1))
+        light = scene.light[first : first + slots, row : row + side, col : col + side]
+        level = float(np.percentile(light.sum(axis=0, dtype=np.float64), 99))
+        return cls(light, level, 1.0, f"{scene.name} from {first} at {row},{col}")
+
+    def augmented(self, generator: np.random.Generator) -> _Exposed:
+        """Turned, mirrored; a still's contrast changed, a clip's time turned round."""
+        light = np.rot90(self.light, int(generator.integers(4)), axes=(-2, -1))
+        if generator.random() < 0.5:
+            light = light[..., ::-1]
+        if light.ndim == 3:
+            return replace(self, light=light[::-1] if generator.random() < 0.5 else light)
+        contrast = float(generator.uniform(0.8, 1.25))
+        bent = np.maximum(light, np.float32(1e-20)) ** np.float32(contrast)
+        return replace(
+            self, light=bent.astype(np.float32), level=self.level**contrast,
+            white=self.white**contrast,
+        )  # fmt: skip
+
+
+def _corner(
+    light: NDArray[np.float32], side: int, generator: np.random.Generator
+) -> tuple[int, int]:
+    """Where a square part of that side begins; 0 in a direction where there is no room."""
+    rows, cols = (max(0, size - side) for size in light.shape[-2:])
+    return int(generator.integers(rows + 1)), int(generator.integers(cols + 1))
 
 
 def _joined(drawn: list[Batch]) -> Batch:

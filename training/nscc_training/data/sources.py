@@ -19,8 +19,10 @@ from nscc_training.settings import DataSettings
 
 _MOST_SIDE = 512
 """Clips are cut to this from their centre: training takes patches."""
+_CAMERA_SIDE = 256
+"""Rows and columns of the clips that a camera makes of a panorama, at least."""
 _VALIDATION = 5
-"""Every so many scenes one is for validation, where no folder is named for it."""
+"""Every so many files one is for validation, where no folder is named for it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,8 +64,10 @@ def load_scenes(settings: DataSettings, still: bool, slots: int, seed: int) -> S
     if settings.val:
         val = _load(settings.val, kind, "val")
     else:
-        val = train[::_VALIDATION]
-        train = [scene for k, scene in enumerate(train) if k % _VALIDATION]
+        # By file: the clips of one panorama stay together.
+        kept = set(list(dict.fromkeys(scene.sha256 for scene in train))[::_VALIDATION])
+        val = [scene for scene in train if scene.sha256 in kept]
+        train = [scene for scene in train if scene.sha256 not in kept]
     shared = {s.sha256 for s in train} & {s.sha256 for s in val}
     if shared or not train or not val:
         names = sorted(s.name for s in val if s.sha256 in shared)
@@ -72,7 +76,7 @@ def load_scenes(settings: DataSettings, still: bool, slots: int, seed: int) -> S
             "training and validation share scenes" if shared else "there are too few scenes",
             notes=(f"shared: {', '.join(names[:5])}",) if shared else (),
             helps=("name different folders in [data] train and val, or leave val empty: every "
-                   "fifth scene of train is kept back then, which takes two at least",),
+                   "fifth file of train is kept back then, which takes two at least",),
         )  # fmt: skip
     return Scenes(tuple(train), tuple(val))
 
@@ -127,10 +131,11 @@ def _folder(folder: Path, kind: _Kind, part: str) -> list[Scene]:
             notes=(f"{what} end in {', '.join(endings)}",),
             helps=("name a folder of such files, `procedural`, or a function as module:name",),
         )
-    return [_read(path, kind, part) for path in files]
+    return [scene for path in files for scene in _read(path, kind)]
 
 
-def _read(path: Path, kind: _Kind, part: str) -> Scene:
+def _read(path: Path, kind: _Kind) -> list[Scene]:
+    """The scenes of a file: one, or the clips of a panorama."""
     from nscc_runtime.scenes.colour import linear, luminance
     from nscc_runtime.scenes.pictures import LINEAR, read_picture
 
@@ -139,13 +144,21 @@ def _read(path: Path, kind: _Kind, part: str) -> Scene:
         picture = linear(read_picture(path), "linear")
         light = np.maximum(luminance(picture) if picture.ndim == 3 else picture, 0.0)
         if not kind.still:
-            # One path of the camera a panorama, fixed by the file and the seed.
-            generator = np.random.default_rng([kind.seed, 3, int(digest[:8], 16)])
-            size = min(kind.settings.patch * 2, _MOST_SIDE)
-            light = turned(light.astype(np.float32), generator, kind.slots, size)
-            light /= np.float32(max(float(np.percentile(light, 99)), 1e-30))
-        return _scene(path.name, light.astype(np.float32), kind, digest)
-    return _scene(path.name, _read_clip(path, kind), kind, digest)
+            return _turned(light.astype(np.float32), path.name, digest, kind)
+        return [_scene(path.name, light, kind, digest)]
+    return [_scene(path.name, _read_clip(path, kind), kind, digest)]
+
+
+def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) -> list[Scene]:
+    """The clips of a panorama; the camera's paths are fixed by the file and the seed."""
+    size = max(kind.settings.patch, _CAMERA_SIDE)
+    scenes = []
+    for index in range(kind.settings.paths):
+        generator = np.random.default_rng([kind.seed, 3, int(digest[:8], 16), index])
+        light = turned(panorama, generator, kind.slots, size)
+        light /= np.float32(max(float(np.percentile(light, 99)), 1e-30))
+        scenes.append(_scene(f"{name}, path {index}", light, kind, digest))
+    return scenes
 
 
 def _read_clip(path: Path, kind: _Kind) -> NDArray[np.float32]:

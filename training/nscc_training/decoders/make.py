@@ -48,14 +48,18 @@ def make_decoder(name: str, size: str, task: Task) -> nn.Module:
     if name not in DECODERS or size not in SIZES:
         raise ValueError(f"{name!r} {size!r} is none of {DECODERS} in the sizes {SIZES}")
     still = task.kind == "still"
+    # The paper's networks begin with nothing; the small ones have no time for that.
+    guesses = size == "small"
     if name == "unet2d":
-        return StillUNet(_WIDTHS[name, size], None if still else task.slots, task.sees_code)
+        return StillUNet(
+            _WIDTHS[name, size], None if still else task.slots, task.sees_code, guesses
+        )
     if still:
         raise ValueError(f"{name} reconstructs clips, not stills")
     if name == "unet3d":
         if not task.sees_code:
             raise ValueError("unet3d is fed with S^T E, which holds the code: it cannot do without")
-        return ClipUNet(_WIDTHS[name, size], task.slots)
+        return ClipUNet(_WIDTHS[name, size], task.slots, guesses)
     return BlockNet(_HIDDEN[size], task.slots, task.tile)
 
 

@@ -9,6 +9,7 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from nscc_training.curves import log_curve_inverse
+from nscc_training.decoders.guess import clip_guess, still_guess
 from nscc_training.sensor_model import laid, lifted
 
 LOG_FLOOR = 1e-3
@@ -78,37 +79,74 @@ class StillUNet(nn.Module):
     pixel was open for and its light by itself, for clips S^T E, a channel a slot.
 
     The result of stills is the logarithm of light, that of clips (`slots`) has a channel a slot.
+    With `guesses` the network sees the first guess, too, and says what must be added to it; that
+    takes `sees_code`.
     """
 
-    def __init__(self, widths: Sequence[int], slots: int | None, sees_code: bool) -> None:
+    def __init__(
+        self, widths: Sequence[int], slots: int | None, sees_code: bool, guesses: bool = False
+    ) -> None:
         super().__init__()
-        self.slots, self.sees_code = slots, sees_code
-        known = 2 if slots is None else slots
-        self.network = UNet(1 + known if sees_code else 1, slots or 1, widths, 2)
+        self.slots, self.sees_code, self.guesses = slots, sees_code, guesses and sees_code
+        known = (2 if slots is None else slots) if sees_code else 0
+        guessed = (slots or 1) if self.guesses else 0
+        self.network = UNet(1 + known + guessed, slots or 1, widths, 2)
+        if self.guesses:
+            _nothing_yet(self.network)
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        x = frame.unsqueeze(1)
-        if self.sees_code and self.slots is not None:
-            volume, _valid = lifted(frame * self.slots, shutters.to(frame.dtype))
-            x = torch.cat([x, volume], dim=1)
-        elif self.sees_code:
+        return self._clip(frame, shutters) if self.slots else self._still(frame, shutters)
+
+    def _still(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        seen, guess = [frame], None
+        if self.sees_code:
             share = laid(shutters.mean(dim=0), *frame.shape[-2:]).expand_as(frame)
             alone = torch.where(share > 0, frame / share.clamp(min=1e-6), torch.zeros_like(frame))
-            x = torch.stack([frame, share, torch.log1p(alone / LOG_FLOOR)], dim=1)
-        found: Tensor = self.network(x).float()
-        return found if self.slots is not None else log_curve_inverse(found[:, 0], LOG_FLOOR)
+            seen += [share, torch.log1p(alone / LOG_FLOOR)]
+            if self.guesses:
+                guess = torch.log1p(still_guess(frame, share).clamp(min=0) / LOG_FLOOR)
+                seen.append(guess)
+        found: Tensor = self.network(torch.stack(seen, dim=1)).float()[:, 0]
+        return log_curve_inverse(found if guess is None else found + guess, LOG_FLOOR)
+
+    def _clip(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        assert self.slots is not None
+        seen, guess = [frame.unsqueeze(1)], None
+        if self.sees_code:
+            volume, guess = _volume_and_guess(frame, shutters, self.slots)
+            seen += [volume, guess] if self.guesses else [volume]
+        found: Tensor = self.network(torch.cat(seen, dim=1)).float()
+        return found + guess if self.guesses and guess is not None else found
 
 
 class ClipUNet(nn.Module):
-    """3D U-Net on S^T E: the frame copied over time and masked by the shutters."""
+    """3D U-Net on S^T E: the frame copied over time and masked by the shutters.
 
-    def __init__(self, widths: Sequence[int], slots: int) -> None:
+    With `guesses` it sees the first guess, too, and says what must be added to it.
+    """
+
+    def __init__(self, widths: Sequence[int], slots: int, guesses: bool = False) -> None:
         super().__init__()
-        self.slots = slots
-        self.network = UNet(1, 1, widths, 3)
+        self.slots, self.guesses = slots, guesses
+        self.network = UNet(2 if guesses else 1, 1, widths, 3)
+        if guesses:
+            _nothing_yet(self.network)
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        # A frame is the sum over its open slots; S^T E is in light a slot, so 1 is full well / N.
-        volume, _valid = lifted(frame * self.slots, shutters.to(frame.dtype))
-        found: Tensor = self.network(volume.unsqueeze(1)).squeeze(1)
-        return found.float()
+        volume, guess = _volume_and_guess(frame, shutters, self.slots)
+        seen = [volume, guess] if self.guesses else [volume]
+        found: Tensor = self.network(torch.stack(seen, dim=1)).squeeze(1).float()
+        return found + guess if self.guesses else found
+
+
+def _volume_and_guess(frame: Tensor, shutters: Tensor, slots: int) -> tuple[Tensor, Tensor]:
+    """S^T E and what it says by itself, (batch, N, rows, cols)."""
+    # A frame is the sum over its open slots; S^T E is in light a slot, so 1 is full well / N.
+    shutters = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
+    volume, _valid = lifted(frame * slots, shutters)
+    return volume, clip_guess(volume, shutters)
+
+
+def _nothing_yet(network: UNet) -> None:
+    """Begin with the guess itself."""
+    nn.init.zeros_(network.last.weight)

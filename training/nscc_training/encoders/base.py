@@ -11,12 +11,13 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
-RELAXATIONS = ("straight-through", "sigmoid", "gumbel")
+RELAXATIONS = ("straight-through", "sigmoid", "gumbel", "tried")
 """How gradients get past the quantisation.
 
 `straight-through`: hard shutters forward, a stand-in slope backward. `sigmoid`: soft shutters
 forward, whose temperature a schedule takes down. `gumbel` (codebooks; elsewhere as `sigmoid`): soft
-shapes and a random soft choice of them.
+shapes and a random soft choice of them. `tried` (bumps): hard shutters without any gradient; the
+loop tries others around them (`nscc_training.loop.trials`).
 """
 
 Codes = dict[str, NDArray[np.int64]]
@@ -89,6 +90,8 @@ class Encoder(nn.Module, ABC):
 
     def forward(self, generator: torch.Generator | None = None) -> Tensor:
         """The shutters of this step; noise on parameters comes from `generator`, if given."""
+        if self.relaxation == "tried":
+            return self.hard()
         return self.shutters(generator, soft=self.relaxation != "straight-through")
 
     def hard(self) -> Tensor:

@@ -15,6 +15,8 @@ from nscc_training.gradients import opened, replaced, rounded
 _FAR = 1e6
 """Slots before the frame: an edge there never matters."""
 _MOST_DISTANCES = 1 << 24
+LEAST_TRIED = 1.0
+"""The least noise of trials, in slots: with less of it codes round to what they are."""
 
 
 class AlwaysOpen(Encoder):
@@ -67,23 +69,38 @@ class Bump(Encoder):
         raise NotImplementedError
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        fields = self.fields(generator)
+        return self.opened_by(self.fields(generator), soft)
+
+    def opened_by(self, fields: Tensor, soft: bool = False) -> Tensor:
+        """The shutters (N, rows, cols) of field values (fields, rows, cols) within their limits,
+        of any size."""
         start, stop = self.edges(fields if soft else self.snapped(fields))
         n = torch.arange(self.spec.slots, dtype=torch.float64, device=stop.device)
         middle = n.reshape(-1, 1, 1) + 0.5
+        if not soft and not torch.is_grad_enabled():
+            return ((middle > start) & (middle < stop)).float()
         after, before = middle - start, stop - middle
         if soft:
             scale = 1.0 / self.temperature
             return (torch.sigmoid(after * scale) * torch.sigmoid(before * scale)).float()
         return (opened(after, self.width) * opened(before, self.width)).float()
 
+    def tried(self, fields: Tensor) -> Tensor:
+        """The standard deviation, in slots, of trials around fields (fields, rows, cols)."""
+        return torch.full_like(fields, max(self.noise, LEAST_TRIED))
+
     def fields(self, generator: torch.Generator | None) -> Tensor:
         """The fields (fields, rows, cols), real, within their limits; gradient 1 there."""
-        found = [
-            torch.clamp(self.noisy(self.get_parameter(name), generator), *limits)
-            for name, limits in self.limits.items()
-        ]
-        return torch.stack(found)
+        return self.within(
+            torch.stack([self.noisy(self.get_parameter(name), generator) for name in self.limits])
+        )
+
+    def within(self, fields: Tensor) -> Tensor:
+        """Fields (fields, rows, cols) clipped to their limits."""
+        return torch.stack([
+            torch.clamp(field, *limits)
+            for field, limits in zip(fields, self.limits.values(), strict=True)
+        ])  # fmt: skip
 
     def snapped(self, fields: Tensor) -> Tensor:
         """The nearest legal codes, straight through."""
@@ -123,6 +140,10 @@ class Stop(Bump):
 
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
         return torch.full_like(fields[0].detach(), -_FAR), fields[0]
+
+    def tried(self, fields: Tensor) -> Tensor:
+        # Exposures count by their ratio: a short one is tried in small steps.
+        return torch.minimum(super().tried(fields), fields / 4).clamp(min=LEAST_TRIED)
 
     def start_random(self, generator: np.random.Generator) -> None:
         self.fill(generator.integers(1, self.spec.slots, self.spec.tile, endpoint=True))

@@ -19,7 +19,9 @@ from nscc_training.measures import number
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel, capture
 
-BASELINES = ("ldr", "best-uniform", "quad", "random", "sparse-coding")
+BASELINES = ("ldr", "best-uniform", "best-uniform-mu", "quad", "random", "sparse-coding")
+_HINDSIGHT = {"best-uniform": "psnr_db", "best-uniform-mu": "mu_psnr_db"}
+"""What the best uniform stop is best in."""
 
 
 def sensor_of(protocol: Protocol) -> SensorModel:
@@ -39,7 +41,7 @@ def stops_of(name: str, protocol: Protocol, seed: int) -> list[NDArray[np.int64]
     slots = int(protocol["slots"])
     if name == "ldr":
         return [np.full((1, 1), slots)]
-    if name == "best-uniform":
+    if name in _HINDSIGHT:
         return [np.full((1, 1), 1 << k) for k in range(slots.bit_length()) if 1 << k <= slots]
     tile = (2, 2) if name == "quad" else (8, 8)
     start = "quad" if name == "quad" else "random"
@@ -52,8 +54,9 @@ def evaluate_hdr_baseline(
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """The result of a baseline on a folder of panoramas, and its pictures: arrays by name.
 
-    The best uniform stop is the best in hindsight, of the powers of two, over all crops: no
-    single exposure of these scenes does better. `crops_left_out` lists crops that cannot be used.
+    The best uniform stop is the best in hindsight, of the powers of two, over all crops, in linear
+    or in mu-law PSNR: no single exposure of these scenes does better. `crops_left_out` lists crops
+    that cannot be used.
     """
     protocol = load_protocol("hdr-v1")
     files = panoramas(folder)
@@ -65,7 +68,8 @@ def evaluate_hdr_baseline(
     choices = stops_of(name, protocol, seed)
     for stops in choices:
         items, arrays = _decoded(name, usable, stops, protocol, seed)
-        finite = [number(i.metrics["psnr_db"]) for i in items]
+        values = [number(i.metrics[_HINDSIGHT.get(name, "psnr_db")]) for i in items]
+        finite = [value for value in values if np.isfinite(value)]
         mean = float(np.mean(finite)) if finite else -np.inf
         if best is None or mean > best[0]:
             best = (mean, items, arrays, stops)

@@ -61,7 +61,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
     files["capture.toml"] = capture_toml(parts).encode()
     val = batches.val()
     stages = _stages(parts, batches, container_of.container)
-    side = parts.settings.data.patch
+    side, count = parts.settings.data.patch, sum(len(batch.peak) for batch in val)
     result = {
         "schema": "nscc-run-1",
         "protocol": parts.protocol.name,
@@ -69,7 +69,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
         "config_sha256": sha256(config_toml(parts.settings).encode()).hexdigest(),
         "step": step,
         "stages": stages,
-        "stages_note": f"mean PSNR in dB of {len(val)} validation patches of {side} x {side}, "
+        "stages_note": f"mean PSNR in dB of {count} validation patches of {side} x {side}, "
         "data range the patch's peak, without noise",
         "robustness": _robustness(parts, batches),
         "words_per_slot": words_per_slot(container_of),
@@ -155,7 +155,8 @@ def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
     rows, cols = container.target.rows, container.target.cols
     values = []
     tile = parts.encoder.hard()
-    for batch in batches.val():
+    patches = (batch.part(k, k + 1) for batch in batches.val() for k in range(len(batch.peak)))
+    for batch in patches:
         patch = batch.light[0].numpy()
         side = patch.shape[-1]
         if side > min(rows, cols):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import torch
-from torch import nn
+from torch import Tensor, nn
 
 from nscc.diagnostics.rejection import rejected
 from nscc.target.load import load_target
@@ -104,6 +104,8 @@ def _encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> 
         encoder = make_encoder(spec, start, seed, chosen.relaxation)
     except ValueError as error:
         raise _wrong("shutter", error) from error
+    if chosen.words_weight and chosen.relaxation == "tried":
+        raise _wrong("shutter.words_weight", "words have no gradient where codes are tried")
     if chip.require is not None:
         if not isinstance(encoder, Bump):
             raise _wrong("shutter.require", "it is for the classes b, c and d")
@@ -141,6 +143,17 @@ def _model(
 
 
 def _loss(name: str) -> Loss:
+    parts = [_one_loss(part.strip()) for part in name.split("+")]
+    if len(parts) == 1:
+        return parts[0]
+
+    def total(prediction: Tensor, truth: Tensor) -> Tensor:
+        return torch.stack([part(prediction, truth) for part in parts]).sum()
+
+    return total
+
+
+def _one_loss(name: str) -> Loss:
     if is_import_path(name):
         found: Loss = imported(name, "loss")
         return found

@@ -21,13 +21,13 @@ CHECKPOINT = "checkpoint.safetensors"
 
 @dataclass
 class Progress:
-    """How far a run has come: `step` updates are done; the best validation so far.
+    """How far a run has come: `step` updates are done; the best validation's loss so far.
 
     `best` holds the encoder's and decoder's tensors at that validation.
     """
 
     step: int = 0
-    best_db: float = float("-inf")
+    best_loss: float = float("inf")
     best_step: int = 0
     best: dict[str, Tensor] | None = None
 
@@ -66,7 +66,7 @@ def packed(parts: Parts, optimiser: torch.optim.Optimizer, progress: Progress) -
             tensors[f"optimiser.{index}.{key}"] = torch.as_tensor(value).clone().contiguous()
     about = {
         "step": progress.step,
-        "best_db": repr(progress.best_db),
+        "best_loss": repr(progress.best_loss),
         "best_step": progress.best_step,
         "config_sha256": config_digest(parts.settings),
     }
@@ -90,7 +90,7 @@ def unpack(path: Path, parts: Parts, optimiser: torch.optim.Optimizer) -> Progre
     _set_optimiser(optimiser, tensors)
     best = {k.removeprefix("best."): v for k, v in tensors.items() if k.startswith("best.")}
     return Progress(
-        int(about["step"]), float(about["best_db"]), int(about["best_step"]), best or None
+        int(about["step"]), float(about["best_loss"]), int(about["best_step"]), best or None
     )
 
 

@@ -59,12 +59,21 @@ def decoded(
 
 def loss_of(parts: Parts, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:
     """The loss, and the stand-in for words a slot: how many places change between slots."""
-    peak = batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
-    found = parts.loss(prediction / peak, batch.truth / peak)
+    found = parts.loss(*compared(prediction, batch))
     weight = parts.settings.shutter.words_weight
     if weight and len(shutters) > 1:
         found = found + weight * (shutters[1:] - shutters[:-1]).abs().mean()
     return found
+
+
+def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
+    """Prediction and truth over the peak, as losses take them.
+
+    As in metrics, light above the peak counts as the peak, wherever the truth is above it.
+    """
+    peak = batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
+    truth, made = batch.truth / peak, prediction / peak
+    return torch.where(truth >= 1, made.clamp(max=1), made), truth.clamp(max=1)
 
 
 def check_finite(loss: Tensor, parts: Parts, batch: Batch, step: int) -> None:

@@ -13,6 +13,7 @@ from nscc.diagnostics.model import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_training.config import config_toml
 from nscc_training.data import Batch, Batches, Scenes, load_scenes
+from nscc_training.encoders.bumps import Bump
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
 from nscc_training.loop.ranks import Ranks
 from nscc_training.loop.setup import Parts, make_parts
@@ -25,6 +26,7 @@ from nscc_training.loop.steps import (
     scored,
     window,
 )
+from nscc_training.loop.trials import pull, trial_of
 from nscc_training.programs import compiled, program_of, words_per_slot
 from nscc_training.settings import Settings
 
@@ -174,15 +176,24 @@ def _update(run: Run, step: int) -> float:
     batch: Batch = run.batches.train(step).part(first, last).to(parts.device)
     parts.decoder.train()
     run.optimiser.zero_grad(set_to_none=True)
-    # The codes' noise is the same in every process, the sensor's is not.
-    shutters = parts.encoder(generator_of(seed, 6, step)) if settings.shutter.learn else (
-        parts.encoder.hard()
-    )  # fmt: skip
     rows, cols = batch.light.shape[-2:]
-    shutters = window(shutters.to(parts.device), rows, cols, (seed, 7, step))
-    noise = generator_of(seed, 10, step, run.ranks.rank)
-    prediction = decoded(parts, batch.light, shutters, parts.model, noise)
+    place = (seed, 7, step)
+    trial = None
+    if settings.shutter.learn and parts.encoder.relaxation == "tried":
+        assert isinstance(parts.encoder, Bump)
+        trial = trial_of(parts.encoder, rows, cols, (seed, 6, step, run.ranks.rank), place)
+        shutters = trial.shutters[0]
+    elif settings.shutter.learn:
+        # The codes' noise is the same in every process, the sensor's is not.
+        shutters = window(parts.encoder(generator_of(seed, 6, step)), rows, cols, place)
+    else:
+        shutters = window(parts.encoder.hard(), rows, cols, place)
+    shutters = shutters.to(parts.device)
+    noise = (seed, 10, step, run.ranks.rank)
+    prediction = decoded(parts, batch.light, shutters, parts.model, generator_of(*noise))
     loss = loss_of(parts, prediction, batch, shutters)
+    if trial is not None:
+        loss = loss + pull(parts, batch, trial, prediction, generator_of(*noise))
     loss.backward()  # type: ignore[no-untyped-call]
     learned = [p for group in run.optimiser.param_groups for p in group["params"]]
     run.ranks.average((p.grad for p in learned if p.grad is not None), (last - first) / size)
@@ -226,8 +237,8 @@ def _validate(run: Run, losses: list[float], report: Callable[[str], None]) -> N
     run.rows.append(row(step, "val", found.loss, found.psnr_db, found.ssim, words, dead))
     report(f"step {step}: loss {found.loss:.5f}, {found.psnr_db:.2f} dB, SSIM {found.ssim:.4f}"
            + (f", {words:.1f} words a slot" if words is not None else ""))  # fmt: skip
-    if words is not None and found.psnr_db > run.progress.best_db:
-        run.progress.best_db, run.progress.best_step = found.psnr_db, step
+    if words is not None and found.loss < run.progress.best_loss:
+        run.progress.best_loss, run.progress.best_step = found.loss, step
         run.progress.best = tensors_of(parts)
 
 

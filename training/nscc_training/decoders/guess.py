@@ -1,0 +1,70 @@
+"""First guesses: what a frame and its code say without learning, for networks to improve on.
+
+Both are normalised averages: every pixel's light is the mean of the measurements around it, each
+with its weight, and where those weigh little, of wider and wider surroundings. Gradients pass.
+"""
+
+from __future__ import annotations
+
+import torch
+from torch import Tensor
+from torch.nn import functional
+
+READ_VARIANCE = 7.5e-6
+"""Of codes over the top code: 0.65 LSB of noise and the rounding of 8 bits."""
+SHOT_VARIANCE = 1 / 30000
+"""The same of photons, at a full well of 30,000 e: in proportion to the frame."""
+_OWN = 8.0
+"""A pixel's own measurement counts so much more than a direct neighbour's."""
+_FAINT = 0.01
+"""The weight with which wider surroundings count: below that of any measurement of a still."""
+
+
+def still_guess(frame: Tensor, share: Tensor) -> Tensor:
+    """Light over the whole frame, 1 is a full well, of `frame` (batch, rows, cols).
+
+    `share` is the part of the frame that each pixel was open for, of the same shape or without
+    the batch. Measurements count with their precision and saturated ones not at all; a saturated
+    pixel has at least the light that saturates it.
+    """
+    opened = share.clamp(min=1e-6)
+    alone = frame / opened
+    saturated = frame >= 1
+    noise = READ_VARIANCE + SHOT_VARIANCE * frame.clamp(min=0)
+    precision = torch.where(saturated | (share <= 0), torch.zeros_like(frame), share**2 / noise)
+    found = averaged(alone.unsqueeze(1), precision.unsqueeze(1)).squeeze(1)
+    return torch.where(saturated, torch.maximum(found, alone), found)
+
+
+def clip_guess(volume: Tensor, opened: Tensor) -> Tensor:
+    """Light slot by slot of S^T E, `volume` (batch, N, rows, cols), as `lifted` gives it.
+
+    `opened` (N, rows, cols) are the shutters. A pixel says more of a slot the fewer slots it was
+    open in: it counts with the inverse of their number.
+    """
+    weight = opened / opened.sum(dim=0).clamp(min=1)
+    return averaged(volume, weight.unsqueeze(0).expand_as(volume))
+
+
+def averaged(values: Tensor, weights: Tensor) -> Tensor:
+    """The weighted mean around every pixel, (batch, channels, rows, cols) of both."""
+    totals = [tuple(_tent(part) for part in (values * weights, weights))]
+    while max(totals[-1][0].shape[-2:]) > 1:
+        totals.append(tuple(functional.avg_pool2d(part, 2, ceil_mode=True) for part in totals[-1]))
+    value, weight = totals.pop()
+    found = value / weight.clamp(min=1e-12)
+    while totals:
+        value, weight = totals.pop()
+        wide = functional.interpolate(
+            found, size=value.shape[-2:], mode="bilinear", align_corners=False
+        )
+        found = (value + _FAINT * wide) / (weight + _FAINT)
+    return found
+
+
+def _tent(x: Tensor) -> Tensor:
+    """Sums over 3 x 3 pixels with weights 1, 1/2, 1/4; a pixel itself counts `_OWN` times."""
+    kernel = torch.tensor([[0.25, 0.5, 0.25], [0.5, _OWN, 0.5], [0.25, 0.5, 0.25]])
+    channels = x.shape[1]
+    stacked = kernel.to(x).expand(channels, 1, 3, 3)
+    return functional.conv2d(x, stacked, padding=1, groups=channels)
