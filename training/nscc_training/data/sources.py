@@ -150,13 +150,20 @@ def _read(path: Path, kind: _Kind) -> list[Scene]:
 
 
 def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) -> list[Scene]:
-    """The clips of a panorama; the camera's paths are fixed by the file and the seed."""
+    """The clips of a panorama; the camera's paths are fixed by the file and the seed.
+
+    Where stored values of clips are taken as light, so are those that a display camera would store.
+    """
+    from nscc_runtime.scenes.colour import linear_to_srgb
+
     size = max(kind.settings.patch, _CAMERA_SIDE)
     scenes = []
     for index in range(kind.settings.paths):
         generator = np.random.default_rng([kind.seed, 3, int(digest[:8], 16), index])
         light = turned(panorama, generator, kind.slots, size)
         light /= np.float32(max(float(np.percentile(light, 99)), 1e-30))
+        if kind.settings.transfer == "linear":
+            light = linear_to_srgb(np.clip(light, 0, 1).astype(np.float64)).astype(np.float32)
         scenes.append(_scene(f"{name}, path {index}", light, kind, digest))
     return scenes
 

@@ -10,6 +10,7 @@ from torch import nn
 from nscc_training.decoders.blocks import BlockNet
 from nscc_training.decoders.names import DECODERS, SIZES
 from nscc_training.decoders.unet import ClipUNet, StillUNet
+from nscc_training.decoders.unrolled import Unrolled
 from nscc_training.import_paths import imported, is_import_path
 
 _WIDTHS = {
@@ -18,7 +19,10 @@ _WIDTHS = {
     # The paper says "24 up to 768", doubling; five levels end at 384.
     ("unet3d", "paper"): (24, 48, 96, 192, 384),
     ("unet3d", "small"): (8, 16, 32, 64),
+    ("unrolled", "paper"): (64, 128, 256),
+    ("unrolled", "small"): (24, 48, 64),
 }
+_STAGES = {"paper": 9, "small": 3}
 _HIDDEN = {"paper": 4096, "small": 96}
 
 
@@ -60,6 +64,10 @@ def make_decoder(name: str, size: str, task: Task) -> nn.Module:
         if not task.sees_code:
             raise ValueError("unet3d is fed with S^T E, which holds the code: it cannot do without")
         return ClipUNet(_WIDTHS[name, size], task.slots, guesses)
+    if name == "unrolled":
+        if not task.sees_code:
+            raise ValueError("unrolled projects with the code: it cannot do without")
+        return Unrolled(_WIDTHS[name, size], task.slots, _STAGES[size])
     return BlockNet(_HIDDEN[size], task.slots, task.tile)
 
 

@@ -2,5 +2,5 @@
 
 from __future__ import annotations
 
-DECODERS = ("unet2d", "unet3d", "fcnet")
+DECODERS = ("unet2d", "unet3d", "fcnet", "unrolled")
 SIZES = ("paper", "small")

@@ -90,9 +90,8 @@ class StillUNet(nn.Module):
         self.slots, self.sees_code, self.guesses = slots, sees_code, guesses and sees_code
         known = (2 if slots is None else slots) if sees_code else 0
         guessed = (slots or 1) if self.guesses else 0
-        self.network = UNet(1 + known + guessed, slots or 1, widths, 2)
-        if self.guesses:
-            _nothing_yet(self.network)
+        network = UNet(1 + known + guessed, slots or 1, widths, 2)
+        self.network = begin_with_nothing(network) if self.guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         return self._clip(frame, shutters) if self.slots else self._still(frame, shutters)
@@ -128,9 +127,8 @@ class ClipUNet(nn.Module):
     def __init__(self, widths: Sequence[int], slots: int, guesses: bool = False) -> None:
         super().__init__()
         self.slots, self.guesses = slots, guesses
-        self.network = UNet(2 if guesses else 1, 1, widths, 3)
-        if guesses:
-            _nothing_yet(self.network)
+        network = UNet(2 if guesses else 1, 1, widths, 3)
+        self.network = begin_with_nothing(network) if guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         volume, guess = _volume_and_guess(frame, shutters, self.slots)
@@ -147,6 +145,7 @@ def _volume_and_guess(frame: Tensor, shutters: Tensor, slots: int) -> tuple[Tens
     return volume, clip_guess(volume, shutters)
 
 
-def _nothing_yet(network: UNet) -> None:
-    """Begin with the guess itself."""
+def begin_with_nothing(network: UNet) -> UNet:
+    """Let a network that improves on something begin with adding nothing to it."""
     nn.init.zeros_(network.last.weight)
+    return network

@@ -114,11 +114,10 @@ def scores(window: Window, result_e: Clip) -> dict[str, Any]:
 
 def encoded(light: Clip, srgb: bool) -> Clip:
     """Light in the source's encoding, clipped to 0..1."""
+    from nscc_runtime.scenes.colour import linear_to_srgb
+
     clipped = np.clip(light, 0.0, 1.0)
-    if not srgb:
-        return clipped
-    curve = 1.055 * np.maximum(clipped, 0.0031308) ** (1 / 2.4) - 0.055
-    return np.asarray(np.where(clipped <= 0.0031308, 12.92 * clipped, curve))
+    return linear_to_srgb(clipped) if srgb else clipped
 
 
 def _stored(path: Path) -> Iterator[NDArray[Any]]:

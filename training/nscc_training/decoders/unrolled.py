@@ -1,0 +1,43 @@
+"""Unrolled projections: a few steps of GAP whose denoisers are learned, for clips of any code."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import torch
+from torch import Tensor, nn
+
+from nscc_training.decoders.guess import clip_guess
+from nscc_training.decoders.unet import UNet, begin_with_nothing
+from nscc_training.sensor_model import laid, lifted
+
+
+class Unrolled(nn.Module):
+    """`stages` times: take the clip to one that gives the frame, then let a 2D U-Net improve it.
+
+    The projection is that of generalised alternating projection (Liao, Li and Carin, SIAM Journal
+    on Imaging Sciences 2014): it spreads what the frame has more than the clip's own capture over
+    the slots that each pixel was open in. A U-Net has a channel a slot, and sees the shutters.
+    """
+
+    def __init__(self, widths: Sequence[int], slots: int, stages: int) -> None:
+        super().__init__()
+        self.slots = slots
+        self.steps = nn.Parameter(torch.ones(stages))
+        self.denoisers = nn.ModuleList(
+            begin_with_nothing(UNet(2 * slots, slots, widths, 2)) for _ in range(stages)
+        )
+
+    def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        opened = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
+        count = opened.sum(dim=0).clamp(min=1)
+        # 1 is a full well for a frame, a full well / N for a slot.
+        total = frame * self.slots
+        volume, _valid = lifted(total, opened)
+        clip = clip_guess(volume, opened)
+        seen = opened.expand_as(clip)
+        for step, denoiser in zip(self.steps, self.denoisers, strict=True):
+            missing = (total - (opened * clip).sum(dim=1)) / count
+            clip = clip + step * opened * missing.unsqueeze(1)
+            clip = clip + denoiser(torch.cat([clip, seen], dim=1)).float()
+        return clip
