@@ -94,7 +94,8 @@ def of(
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
     A run that has seen one of the files is refused. Baselines of hdr-v1: ldr (always open),
-    best-uniform (the best single stop in hindsight), quad (2 x 2 geometric exposures), random, all
+    best-uniform and best-uniform-mu (the best single stop in hindsight, in linear or in mu-law
+    PSNR), quad (2 x 2 geometric exposures), random, all
     decoded by merging neighbours; sparse-coding (random, by convolutional sparse coding). Of
     video-v1: gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks bilinear and
     thin-out.
@@ -128,17 +129,23 @@ def tables(data: Path, runs: Path | None, as_json: bool, out: Path | None) -> No
 
 
 @command.command("compare", cls=CommonCommand)
-@click.argument("first", metavar="A.json", type=click.Path(path_type=Path))
-@click.argument("second", metavar="B.json", type=click.Path(path_type=Path))
+@click.argument("results", metavar="A.json B.json [A.json B.json ...]", nargs=-1, required=True,
+                type=click.Path(path_type=Path))  # fmt: skip
 @click.option("--metric", default="psnr_db", show_default=True, metavar="NAME_db",
               help="Which metric of the items; hdr-v1 has mu_psnr_db, too.")  # fmt: skip
 @_outputs
-def compare(first: Path, second: Path, metric: str, as_json: bool, out: Path | None) -> None:
-    """How much better B is than A, in pairs: the same items of the same scenes."""
+def compare(results: tuple[Path, ...], metric: str, as_json: bool, out: Path | None) -> None:
+    """How much better B is than A, in pairs: the same items of the same scenes.
+
+    More pairs are more seeds of the same two: the interval is over scenes, with all seeds.
+    """
+    if len(results) % 2:
+        raise click.UsageError("results are compared in pairs: A.json B.json, for each seed")
     from nscc_training.evaluation.results import compare as compared
     from nscc_training.evaluation.results import read_result
 
-    found = compared(read_result(first), read_result(second), metric)
+    read = [read_result(path) for path in results]
+    found = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
     text = json.dumps(found, indent=2, allow_nan=False) + "\n"
     if out is not None:
         write_together({out: text.encode()})
@@ -152,9 +159,14 @@ def compare(first: Path, second: Path, metric: str, as_json: bool, out: Path | N
     click.echo(
         f"{found['second']['method']} over {found['first']['method']}: {gain:+.3f} dB, "
         f"95 % {interval[0]:+.3f} to {interval[1]:+.3f} "
-        f"({metric}, {found['items']} items of {found['scenes']} scenes, "
+        f"({metric}, {found['items']} items of {found['scenes']} scenes"
+        f"{_seeds(found['pairs'])}, "
         f"protocol {found['protocol']})"
     )
+
+
+def _seeds(count: int) -> str:
+    return f" with {count} seeds" if count > 1 else ""
 
 
 def _finish(

@@ -23,6 +23,9 @@ if TYPE_CHECKING:
     from nscc_training.encoders import Encoder, ShutterSpec
 
 CODES_FILE = "codes.npz"
+TARGET_FILE = "target.toml"
+SENSOR_FILE = "sensor.toml"
+"""A chip and a sensor of one's own, beside the program that is for them."""
 _MOST_LISTED = 4096
 """A tile of more places than this goes into a file, which must hold the whole array."""
 _MOST_DIGITS = 1 << 15

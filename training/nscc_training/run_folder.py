@@ -11,7 +11,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
 from nscc_training.loop.setup import Parts, make_parts
-from nscc_training.programs import CODES_FILE
+from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,9 +36,14 @@ def load_run(path: Path) -> RunFolder:
     if missing:
         raise _no_run(path, f"it has no {', '.join(missing)}")
     settings = load_config(path / "config.resolved.toml")
-    # The codes are the run's own, wherever they once started from.
-    start = replace(settings.shutter, init="uniform")
-    parts = replace(make_parts(replace(settings, shutter=start)), settings=settings)
+    # Codes, chip and sensor are the run's own, wherever they once came from.
+    shutter, sensor = replace(settings.shutter, init="uniform"), settings.sensor
+    if (path / TARGET_FILE).is_file():
+        shutter = replace(shutter, target=str(path / TARGET_FILE))
+    if (path / SENSOR_FILE).is_file():
+        sensor = replace(sensor, file=str(path / SENSOR_FILE))
+    parts = make_parts(replace(settings, shutter=shutter, sensor=sensor))
+    parts = replace(parts, settings=settings)
     try:
         if (path / CODES_FILE).is_file():
             parts.encoder.load_codes(load_codes(path / CODES_FILE))

@@ -26,8 +26,8 @@ _BLOCK = 32
 class SensorModel:
     """The part of a sensor that training sees; units as in `nscc_runtime.sensor`.
 
-    `shot_noise` is Gaussian with the variance of photons; `slope` stands in for the gradient 0
-    of saturated pixels.
+    `shot_noise` is Gaussian with the variance of photons; `noise_factor` makes it and the noise
+    of the readout so many times larger; `slope` stands in for the gradient 0 of saturated pixels.
     """
 
     full_well_e: float
@@ -36,6 +36,7 @@ class SensorModel:
     adc_bits: int = 8
     adc_noise_lsb: float = 0.0
     shot_noise: bool = False
+    noise_factor: float = 1.0
     slope: float = 0.1
 
     @classmethod
@@ -152,11 +153,13 @@ def read_out(
     if generator is not None and sensor.shot_noise:
         drawn = _normal(charge, generator)
         # Without the detour of the gradient through the noise, which is infinite in the dark.
-        charge = charge + torch.sqrt(charge.detach().clamp(min=0)) * drawn
+        photons = torch.sqrt(charge.detach().clamp(min=0))
+        charge = charge + sensor.noise_factor * photons * drawn
     charge = saturated(charge, -sensor.full_well_e, sensor.full_well_e, sensor.slope)
     codes = charge / sensor.electrons_per_lsb
     if generator is not None and sensor.adc_noise_lsb:
-        codes = codes + sensor.adc_noise_lsb * _normal(codes, generator)
+        readout = sensor.noise_factor * sensor.adc_noise_lsb
+        codes = codes + readout * _normal(codes, generator)
     codes = rounded(codes) + sensor.adc_offset_lsb
     return saturated(codes, 0.0, float(sensor.top_code), sensor.slope).float()
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_training import metrics
-from nscc_training.measures import decibels
+from nscc_training.evaluation.results import Item
+from nscc_training.measures import decibels, number
 from nscc_training.metrics.psnr import mean_square_error, psnr_of_mse
 from nscc_training.protocols import Protocol
 
@@ -94,6 +95,25 @@ def exposed_crop(
     if abs(share - wanted) > float(protocol["saturated_tolerance"]):
         return Unusable(path.name, corner, f"{share:.1%} saturate instead of {wanted:.0%}")
     return Crop(path, corner, scaled)
+
+
+def also_saturated(
+    protocol: Protocol, scored: Callable[[float], tuple[Sequence[Item], Sequence[Unusable]]]
+) -> list[dict[str, Any]]:
+    """Means at the protocol's other parts of saturated pixels; `scored` gives items at one."""
+    found = []
+    for fraction in protocol["also_saturated"]:
+        items, left_out = scored(fraction)
+        means: dict[str, Any] = {}
+        for name in ("psnr_db", "ssim", "mu_psnr_db", "pu21_psnr_db"):
+            values = [number(item.metrics[name]) for item in items]
+            finite = [value for value in values if np.isfinite(value)]
+            means[f"mean_{name}"] = float(np.mean(finite)) if finite else None
+        found.append({
+            "saturated_fraction": fraction, "crops": len(items), "crops_left_out": len(left_out),
+            **means,
+        })  # fmt: skip
+    return found
 
 
 def scores(truth_e: Picture, result_e: Picture, protocol: Protocol) -> dict[str, Any]:

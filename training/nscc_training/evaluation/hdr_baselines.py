@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -13,7 +14,14 @@ from numpy.typing import NDArray
 from nscc_training.baselines.hdr import merged
 from nscc_training.baselines.sparse_coding import coded_still
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.evaluation.hdr import Crop, Unusable, crops, panoramas, scores
+from nscc_training.evaluation.hdr import (
+    Crop,
+    Unusable,
+    also_saturated,
+    crops,
+    panoramas,
+    scores,
+)
 from nscc_training.evaluation.results import Item, Subject, result
 from nscc_training.measures import number
 from nscc_training.protocols import Protocol, load_protocol
@@ -60,25 +68,38 @@ def evaluate_hdr_baseline(
     """
     protocol = load_protocol("hdr-v1")
     files = panoramas(folder)
-    found = list(crops(files, protocol))
-    usable = [crop for crop in found if isinstance(crop, Crop)]
-    left_out = [crop for crop in found if isinstance(crop, Unusable)]
+    usable, left_out = _parted(crops(files, protocol))
     best: tuple[float, list[Item], dict[str, NDArray[Any]], NDArray[np.int64]] | None = None
     begin = perf_counter()
     choices = stops_of(name, protocol, seed)
-    for stops in choices:
-        items, arrays = _decoded(name, usable, stops, protocol, seed)
+    for choice in choices:
+        items, arrays = _decoded(name, usable, choice, protocol, seed)
         values = [number(i.metrics[_HINDSIGHT.get(name, "psnr_db")]) for i in items]
         finite = [value for value in values if np.isfinite(value)]
         mean = float(np.mean(finite)) if finite else -np.inf
         if best is None or mean > best[0]:
-            best = (mean, items, arrays, stops)
+            best = (mean, items, arrays, choice)
     assert best is not None
+    stops = best[3]
+
+    def scored(fraction: float) -> tuple[list[Item], list[Unusable]]:
+        others, missing = _parted(crops(files, protocol, fraction))
+        return _decoded(name, others, stops, protocol, seed)[0], missing
+
     spent = 1e3 * (perf_counter() - begin) / max(1, len(usable) * len(choices))
-    settings = {"stops": best[3].tolist(), "seed": seed}
+    settings = {"stops": stops.tolist(), "seed": seed}
     subject = Subject(name, settings, stage="hard", decoder_ms=spent)
     skipped = [{"file": c.file, "crop": list(c.corner), "reason": c.reason} for c in left_out]
-    return result(protocol, subject, files, best[1], crops_left_out=skipped), best[2]
+    more = {"crops_left_out": skipped, "also_saturated": also_saturated(protocol, scored)}
+    return result(protocol, subject, files, best[1], **more), best[2]
+
+
+def _parted(found: Iterable[Crop | Unusable]) -> tuple[list[Crop], list[Unusable]]:
+    every = list(found)
+    return (
+        [crop for crop in every if isinstance(crop, Crop)],
+        [crop for crop in every if isinstance(crop, Unusable)],
+    )
 
 
 def _decoded(

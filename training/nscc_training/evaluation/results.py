@@ -107,28 +107,61 @@ def read_result(path: Path) -> dict[str, Any]:
 
 
 def compare(
-    first: dict[str, Any], second: dict[str, Any], metric: str = "psnr_db"
+    pairs: Sequence[tuple[dict[str, Any], dict[str, Any]]], metric: str = "psnr_db"
 ) -> dict[str, Any]:
-    """How much better the second result is in a metric of dB, item by item.
+    """How much better second results are than first ones in a metric of dB, item by item.
 
-    Rejected (NS0808) across protocols, without common items, or where the metric is missing.
+    Each pair is a seed; the bootstrap draws scenes, with their items of all seeds. Rejected
+    (NS0808) across protocols, without common items, or where the metric is missing.
     """
-    for key, what in (("protocol", "protocols"), ("protocol_sha256", "versions of a protocol")):
-        if first.get(key) != second.get(key):
+    scores: tuple[dict[str, float], dict[str, float]] = ({}, {})
+    scenes: dict[str, str] = {}
+    for seed, pair in enumerate(pairs):
+        _check_alike(pairs[0][0], *pair)
+        items = [_by_key(found) for found in pair]
+        if not set(items[0]) & set(items[1]):
             raise rejected(
                 "NS0808",
-                f"the results are of two {what}: {first.get(key)} and {second.get(key)}",
+                "the results have no item in common",
+                notes=("results are compared in pairs: the same crop or frame of the same file",),
+                helps=("evaluate both on the same data",),
+            )
+        _check_metric(items, metric)
+        for kept, part in zip(scores, items, strict=True):
+            for key, item in part.items():
+                kept[f"{seed} {key}"] = number(item[metric])
+                scenes[f"{seed} {key}"] = str(item["file"])
+    first, second = ([pair[k] for pair in pairs] for k in (0, 1))
+    return {
+        "protocol": first[0]["protocol"],
+        "protocol_sha256": first[0]["protocol_sha256"],
+        "metric": metric,
+        "pairs": len(pairs),
+        "first": _about(first),
+        "second": _about(second),
+        **paired(*scores, scenes),
+    }
+
+
+def _about(results: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    means = [found["mean"] for found in results if found.get("mean") is not None]
+    mean = sum(means) / len(means) if means else None
+    return {"method": results[0].get("method"), "mean": mean}
+
+
+def _check_alike(*results: dict[str, Any]) -> None:
+    for key, what in (("protocol", "protocols"), ("protocol_sha256", "versions of a protocol")):
+        found = list(dict.fromkeys(str(result.get(key)) for result in results))
+        if len(found) > 1:
+            raise rejected(
+                "NS0808",
+                f"the results are of two {what}: {found[0]} and {found[1]}",
                 notes=("a number without its protocol is no number: these do not compare",),
                 helps=("evaluate both under one protocol",),
             )
-    items = [_by_key(found) for found in (first, second)]
-    if not set(items[0]) & set(items[1]):
-        raise rejected(
-            "NS0808",
-            "the results have no item in common",
-            notes=("results are compared in pairs: the same crop or frame of the same file",),
-            helps=("evaluate both on the same data",),
-        )
+
+
+def _check_metric(items: Sequence[dict[str, dict[str, Any]]], metric: str) -> None:
     held = (v.get(metric) for part in items for v in part.values())
     if any(not isinstance(v, int | float) and v != "inf" for v in held):
         known = sorted(k for k in next(iter(items[0].values())) if k.endswith("_db"))
@@ -138,16 +171,6 @@ def compare(
             notes=(f"the first has {', '.join(known)}",),
             helps=("name one of them with --metric",),
         )
-    scenes = {k: str(v["file"]) for part in items for k, v in part.items()}
-    scores = [{k: number(v[metric]) for k, v in part.items()} for part in items]
-    return {
-        "protocol": first["protocol"],
-        "protocol_sha256": first["protocol_sha256"],
-        "metric": metric,
-        "first": {"method": first.get("method"), "mean": first.get("mean")},
-        "second": {"method": second.get("method"), "mean": second.get("mean")},
-        **paired(scores[0], scores[1], scenes),
-    }
 
 
 def _by_key(found: dict[str, Any]) -> dict[str, dict[str, Any]]:

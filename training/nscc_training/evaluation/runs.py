@@ -56,6 +56,16 @@ def evaluate_run(
         arrays[f"{label}_image" if parts.still else f"{label}_video"] = made.astype(np.float32)
         arrays[f"{label}_truth"] = truth.astype(np.float32)
         spent.append(seconds)
+    more: dict[str, Any] = {}
+    if parts.still:
+
+        def scored(fraction: float) -> tuple[list[Item], list[hdr.Unusable]]:
+            found = list(hdr.crops(files, protocol, fraction))
+            crops = [crop for crop in found if isinstance(crop, hdr.Crop)]
+            taken = [item for item, *_ in _of_crops(folder, crops, protocol, seed)]
+            return taken, [crop for crop in found if isinstance(crop, hdr.Unusable)]
+
+        more["also_saturated"] = hdr.also_saturated(protocol, scored)
     size = (256, 256)
     subject = Subject(
         f"{parts.settings.decoder.name} ({parts.settings.decoder.size})",
@@ -67,7 +77,8 @@ def evaluate_run(
         parameters=parameter_count(parts.decoder),
         flops=flops(parts.decoder, parts.slots, *size),
     )  # fmt: skip
-    return result(protocol, subject, files, items, left_out=left_out, flops_size=list(size)), arrays
+    more |= {"left_out": left_out, "flops_size": list(size)}
+    return result(protocol, subject, files, items, **more), arrays
 
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
@@ -131,10 +142,19 @@ def _stills(
     folder: RunFolder, files: list[Path], protocol: Protocol, seed: int,
     left_out: list[dict[str, Any]],
 ) -> Iterator[Scored]:  # fmt: skip
-    for index, crop in enumerate(hdr.crops(files, protocol)):
-        if isinstance(crop, hdr.Unusable):
+    crops = []
+    for crop in hdr.crops(files, protocol):
+        if isinstance(crop, hdr.Crop):
+            crops.append(crop)
+        else:
             left_out.append({"file": crop.file, "crop": list(crop.corner), "reason": crop.reason})
-            continue
+    yield from _of_crops(folder, crops, protocol, seed)
+
+
+def _of_crops(
+    folder: RunFolder, crops: list[hdr.Crop], protocol: Protocol, seed: int
+) -> Iterator[Scored]:
+    for index, crop in enumerate(crops):
         frame, shutters = _captured(folder, crop.light_e, 1000 * seed + index)
         made, seconds = _decoded(folder, frame, shutters)
         made = made * folder.parts.model.full_well_e

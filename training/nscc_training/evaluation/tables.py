@@ -17,6 +17,7 @@ from nscc.diagnostics.model import Rejected
 from nscc_training.evaluation.hdr import ENDINGS
 from nscc_training.evaluation.subjects import evaluate
 from nscc_training.measures import number
+from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.settings import Settings
 
@@ -48,6 +49,7 @@ ROWS: tuple[Row, ...] = (
     Row(2, "random code, U-Net", (32.76, 0.8904), key=("unet2d", "b", "random")),
     Row(2, "learned code, U-Net", (35.42, 0.9464), key=("unet2d", "b", "learned")),
     Row(2, "best uniform stop, merged", None, "best-uniform"),
+    Row(2, "best uniform stop in mu-law, merged", None, "best-uniform-mu"),
     Row(2, "2 x 2 pattern, merged", None, "quad"),
     Row(2, "2 x 2 pattern, U-Net", None, key=("unet2d", "b", "quad")),
     Row(3, "FC-net, c fixed", (27.73, 0.9445), key=("fcnet", "c", "fixed")),
@@ -117,7 +119,7 @@ def _row(
         "protocol": row.protocol, "data": [], "remark": row.remark,
     }  # fmt: skip
     folder = _folder(data, row.protocol)
-    mine = [run for run in runs if row.key is not None and key_of(run.parts.settings) == row.key]
+    mine = [run for run in runs if belongs(run, row)]
     subjects = [row.baseline] if row.baseline else [str(run.path) for run in mine]
     if not subjects or folder is None:
         reason = "not run: no data" if subjects else "not run"
@@ -144,6 +146,19 @@ def _row(
     made["data"] = [entry["file"] for entry in results[0]["data"]]
     made["protocol_sha256"] = results[0]["protocol_sha256"]
     return made
+
+
+def belongs(run: RunFolder, row: Row) -> bool:
+    """Whether a run is one of a row: it has its key, and its protocol's number of slots."""
+    protocol = load_protocol(row.protocol)
+    slots = protocol["slots" if row.protocol == "hdr-v1" else "frames"]
+    parts = run.parts
+    return (
+        row.key is not None
+        and key_of(parts.settings) == row.key
+        and parts.still == (row.protocol == "hdr-v1")
+        and parts.slots == slots
+    )
 
 
 def _folder(data: Path, protocol: str) -> Path | None:

@@ -35,12 +35,16 @@ def evaluate_video_baseline(
     """The result of a baseline on a folder of clips, and its clips: arrays by name.
 
     Captures are coded with random bits (class e) on an 8 x 8 tile, one draw a seed, on the
-    protocol's sensor; the yardsticks bilinear and thin-out see the truth instead. The dictionary is
+    protocol's sensor; the yardsticks bilinear and thin-out see the truth instead, both a sixteenth
+    of it: one slot of every pixel, and all slots of every sixteenth pixel. The dictionary is
     learned first, from made scenes.
     """
     protocol = load_protocol("video-v1")
     files = clips_of(folder)
-    spec = ShutterSpec("e", int(protocol["frames"]), _TILE)
+    slots = int(protocol["frames"])
+    spec = ShutterSpec("e", slots, _TILE)
+    if name == "bilinear":
+        spec = ShutterSpec("c", slots, _TILE, length=1)
     encoder = make_encoder(spec, "random", seed)
     items, arrays, spent = [], {}, 0.0
     left_out: list[dict[str, Any]] = []
@@ -55,7 +59,9 @@ def evaluate_video_baseline(
         label = f"{window.file.stem}_{window.first}"
         arrays[f"{label}_video"] = made.astype(np.float32)
         arrays[f"{label}_truth"] = window.light_e.astype(np.float32)
-    settings = {} if name in _TRUTH else {"bits": encoder.codes()["bits"].tolist(), "seed": seed}
+    settings: dict[str, Any] = {}
+    if name != "thin-out":
+        settings = {key: codes.tolist() for key, codes in encoder.codes().items()} | {"seed": seed}
     subject = Subject(
         name, settings, stage="hard", sees="truth" if name in _TRUTH else "capture",
         decoder_ms=1e3 * spent / max(1, len(items)),

@@ -6,6 +6,7 @@ import json
 import platform
 from dataclasses import replace
 from hashlib import sha256
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -27,7 +28,14 @@ from nscc_training.loop.setup import Parts
 from nscc_training.loop.steps import Scores, scored
 from nscc_training.measures import decibels
 from nscc_training.metrics import psnr
-from nscc_training.programs import CODES_FILE, compiled, program_of, words_per_slot
+from nscc_training.programs import (
+    CODES_FILE,
+    SENSOR_FILE,
+    TARGET_FILE,
+    compiled,
+    program_of,
+    words_per_slot,
+)
 from nscc_training.sensor_model import laid, read_out
 
 _CHANGES: tuple[tuple[str, dict[str, float]], ...] = (
@@ -36,7 +44,7 @@ _CHANGES: tuple[tuple[str, dict[str, float]], ...] = (
     ("full well +20 %", {"full_well_e": 1.2}),
     ("electrons a code -20 %", {"electrons_per_lsb": 0.8}),
     ("electrons a code +20 %", {"electrons_per_lsb": 1.2}),
-    ("readout noise x 2", {"adc_noise_lsb": 2.0}),
+    ("noise x 2", {"noise_factor": 2.0}),
 )
 
 
@@ -58,6 +66,10 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
     files = {"shutter.nsl": program.text.encode(), "decoder.safetensors": weights}
     if program.codes:
         files[CODES_FILE] = program.codes
+    if parts.chip.target.endswith(".toml"):
+        files[TARGET_FILE] = Path(parts.chip.target).read_bytes()
+    if parts.settings.sensor.file:
+        files[SENSOR_FILE] = Path(parts.settings.sensor.file).read_bytes()
     files["capture.toml"] = capture_toml(parts).encode()
     val = batches.val()
     stages = _stages(parts, batches, container_of.container)
