@@ -20,25 +20,32 @@ def turned(
 ) -> NDArray[np.float32]:
     """A clip (frames, size, size) of linear light from an equirectangular panorama (rows, cols).
 
-    The camera starts anywhere near the horizon and turns evenly; two or three bright or dark things
-    fly across.
+    The camera starts anywhere near the horizon and turns evenly, more often slowly than fast; one
+    to three things, other parts of the panorama, fly across.
     """
-    yaw = np.radians(generator.uniform(0, 360))
-    pitch = np.radians(generator.uniform(-15, 15))
-    turn = np.radians(generator.uniform(-_FASTEST, _FASTEST, 2) * (1.0, 0.3))
+    import cv2
+
+    def somewhere() -> tuple[float, float]:
+        return np.radians(generator.uniform(0, 360)), np.radians(generator.uniform(-15, 15))
+
+    yaw, pitch = somewhere()
+    turn = np.radians(_FASTEST * generator.uniform(-1, 1, 2) ** 3 * (1.0, 0.3))
     views = [view(panorama, yaw + turn[0] * k, pitch + turn[1] * k, size) for k in range(frames)]
     found = np.stack(views)
     level = float(np.median(found))
     rows, cols = np.mgrid[:size, :size]
-    for _ in range(int(generator.integers(2, 4))):
+    for _ in range(int(generator.integers(1, 4))):
+        texture = view(panorama, *somewhere(), size)
+        light = level / max(float(np.median(texture)), 1e-30) * np.exp(generator.uniform(-1.5, 1.5))
         place, speed = generator.uniform(0, size, 2), generator.uniform(-4, 4, 2)
-        radius = generator.uniform(0.03, 0.12) * size
-        light = level * np.exp(generator.uniform(-2, 3))
+        height, width = generator.uniform(0.04, 0.2, 2) * size
         for k in range(frames):
             y, x = place + speed * k
-            cover = np.clip(radius - np.hypot(rows - y, cols - x) + 0.5, 0, 1)
-            shade = light * (0.6 + 0.4 * np.sin((rows - y) * 9 / radius))
-            found[k] += ((shade - found[k]) * cover).astype(np.float32)
+            outside = np.hypot((rows - y) / height, (cols - x) / width) - 1
+            cover = np.clip(0.5 - outside * min(height, width), 0, 1)
+            shift = np.array([[1, 0, x - place[1]], [0, 1, y - place[0]]])
+            moved = cv2.warpAffine(texture, shift, (size, size), borderMode=cv2.BORDER_REFLECT)
+            found[k] += ((moved * light - found[k]) * cover).astype(np.float32)
     return found
 
 
