@@ -23,6 +23,7 @@ _WIDTHS = {
     ("unrolled", "small"): (24, 48, 64),
 }
 _STAGES = {"paper": 9, "small": 3}
+_TV_ITERATIONS = 20
 _HIDDEN = {"paper": 4096, "small": 96}
 
 
@@ -64,10 +65,11 @@ def make_decoder(name: str, size: str, task: Task) -> nn.Module:
         if not task.sees_code:
             raise ValueError("unet3d is fed with S^T E, which holds the code: it cannot do without")
         return ClipUNet(_WIDTHS[name, size], task.slots, guesses)
-    if name == "unrolled":
+    if name in ("unrolled", "refined"):
         if not task.sees_code:
-            raise ValueError("unrolled projects with the code: it cannot do without")
-        return Unrolled(_WIDTHS[name, size], task.slots, _STAGES[size])
+            raise ValueError(f"{name} projects with the code: it cannot do without")
+        iterations = _TV_ITERATIONS if name == "refined" else 0
+        return Unrolled(_WIDTHS["unrolled", size], task.slots, _STAGES[size], iterations)
     return BlockNet(_HIDDEN[size], task.slots, task.tile)
 
 

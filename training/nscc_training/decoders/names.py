@@ -2,5 +2,5 @@
 
 from __future__ import annotations
 
-DECODERS = ("unet2d", "unet3d", "fcnet", "unrolled")
+DECODERS = ("unet2d", "unet3d", "fcnet", "unrolled", "refined")
 SIZES = ("paper", "small")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
 import torch
 from torch import Tensor, nn
 
@@ -18,11 +19,16 @@ class Unrolled(nn.Module):
     The projection is that of generalised alternating projection (Liao, Li and Carin, SIAM Journal
     on Imaging Sciences 2014): it spreads what the frame has more than the clip's own capture over
     the slots that each pixel was open in. A U-Net has a channel a slot, and sees the shutters.
+
+    It begins with the first guess, or, with `tv_iterations`, with so many of GAP-TV: better, but no
+    gradient passes them, so that codes do not learn what they are worth.
     """
 
-    def __init__(self, widths: Sequence[int], slots: int, stages: int) -> None:
+    def __init__(
+        self, widths: Sequence[int], slots: int, stages: int, tv_iterations: int = 0
+    ) -> None:
         super().__init__()
-        self.slots = slots
+        self.slots, self.tv_iterations = slots, tv_iterations
         self.steps = nn.Parameter(torch.ones(stages))
         self.denoisers = nn.ModuleList(
             begin_with_nothing(UNet(2 * slots, slots, widths, 2)) for _ in range(stages)
@@ -33,11 +39,22 @@ class Unrolled(nn.Module):
         count = opened.sum(dim=0).clamp(min=1)
         # 1 is a full well for a frame, a full well / N for a slot.
         total = frame * self.slots
-        volume, _valid = lifted(total, opened)
-        clip = clip_guess(volume, opened)
+        if self.tv_iterations:
+            clip = self._gap_tv(total, opened)
+        else:
+            volume, _valid = lifted(total, opened)
+            clip = clip_guess(volume, opened)
         seen = opened.expand_as(clip)
         for step, denoiser in zip(self.steps, self.denoisers, strict=True):
             missing = (total - (opened * clip).sum(dim=1)) / count
             clip = clip + step * opened * missing.unsqueeze(1)
             clip = clip + denoiser(torch.cat([clip, seen], dim=1)).float()
         return clip
+
+    @torch.no_grad()
+    def _gap_tv(self, total: Tensor, opened: Tensor) -> Tensor:
+        from nscc_training.baselines.sci import gap_tv
+
+        mask = opened.float().cpu().numpy()
+        found = [gap_tv(y, mask, self.tv_iterations) for y in total.float().cpu().numpy()]
+        return torch.from_numpy(np.stack(found)).to(total)
