@@ -58,7 +58,7 @@ def test_a_still_run(tmp_path: Path) -> None:
     assert outcome.status == 0, outcome.err
     found = json.loads(outcome.out)
     assert [item["crop"] for item in found["items"]] == [[128, k] for k in (0, 256, 512, 768)]
-    assert found["parameters"] == 487_297
+    assert found["parameters"] == 487_441
     truth = np.load(tmp_path / "s/p_1_truth.npy").astype(float)
     made = np.load(tmp_path / "s/p_1_image.npy").astype(float)
     peak = np.percentile(truth, 99.9)
