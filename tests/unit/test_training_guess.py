@@ -1,4 +1,4 @@
-"""First guesses: constant light comes back from any code, and nothing makes them lose their head."""
+"""First guesses: constant light comes back from any code, all else stays finite."""
 
 from __future__ import annotations
 
