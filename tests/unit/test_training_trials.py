@@ -220,8 +220,7 @@ def learned(relaxation: str, steps: int) -> float:
 
 
 def test_trials_leave_saturation_where_straight_through_does_not() -> None:
-    """The light of saturated pixels says too little, so a gradient
-    through the capture wants more of it."""
+    """Saturated pixels say too little, so a gradient through the capture wants more of them."""
     assert 3 <= learned("tried", 200) <= 8
     assert learned("straight-through", 200) == SLOTS
 
