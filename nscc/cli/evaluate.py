@@ -94,11 +94,10 @@ def of(
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
     A run that has seen one of the files is refused. Baselines of hdr-v1: ldr (always open),
-    best-uniform and best-uniform-mu (the best single stop in hindsight, in linear or in mu-law
-    PSNR), quad (2 x 2 geometric exposures), random, all
-    decoded by merging neighbours; sparse-coding (random, by convolutional sparse coding). Of
-    video-v1: gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks bilinear and
-    thin-out.
+    best-uniform (the single stop that is best in hindsight, in linear PSNR), best-uniform-mu (the
+    same in mu-law PSNR), quad (2 x 2 geometric exposures), random, all decoded by merging
+    neighbours; sparse-coding (random, by convolutional sparse coding). Of video-v1: gap-tv,
+    admm-tv, dictionary, adjoint on random bits, and the yardsticks bilinear and thin-out.
     """
     from nscc_training.evaluation.subjects import evaluate
 

@@ -178,7 +178,7 @@ def test_the_quad_is_the_two_by_two_pattern() -> None:
     assert stop.tolist() == [[256, 64, 256, 64], [16, 4, 16, 4]] * 2
 
 
-@pytest.mark.parametrize("relaxation", RELAXATIONS)
+@pytest.mark.parametrize("relaxation", [r for r in RELAXATIONS if r != "tried"])
 @pytest.mark.parametrize("spec", SPECS[1:], ids=name_of)
 def test_projection_keeps_parameters_where_gradients_live(
     spec: ShutterSpec, relaxation: str

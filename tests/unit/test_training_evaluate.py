@@ -14,6 +14,7 @@ from scipy.io import savemat
 torch = pytest.importorskip("torch")
 
 from nscc.cli.support import write_together  # noqa: E402
+from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.evaluation.hdr import Crop, Unusable, exposed_crop  # noqa: E402
 from nscc_training.evaluation.video import encoded  # noqa: E402
@@ -58,7 +59,7 @@ def test_a_still_run(tmp_path: Path) -> None:
     assert outcome.status == 0, outcome.err
     found = json.loads(outcome.out)
     assert [item["crop"] for item in found["items"]] == [[128, k] for k in (0, 256, 512, 768)]
-    assert found["parameters"] == 487_297
+    assert found["parameters"] == 487_441
     truth = np.load(tmp_path / "s/p_1_truth.npy").astype(float)
     made = np.load(tmp_path / "s/p_1_image.npy").astype(float)
     peak = np.percentile(truth, 99.9)
@@ -185,6 +186,47 @@ def test_baselines_of_clips(tmp_path: Path) -> None:
     assert {k: v["sees"] for k, v in found.items()} == {
         "adjoint": "capture", "gap-tv": "capture", "thin-out": "truth"
     }  # fmt: skip
+
+
+def test_the_best_uniform_stops_are_the_best_of_what_they_are_named_for(tmp_path: Path) -> None:
+    """Against every power of two with a noise of its own: mu-law wants the shadows, linear light
+    the highlights."""
+    import cv2
+
+    (tmp_path / "d").mkdir()
+    light = cv2.resize(np.exp(np.random.default_rng(1).uniform(-4, 4, (64, 128))), (1024, 512))
+    light[:, 256:] = 1.0  # one crop of four can be exposed as the protocol says
+    cv2.imwrite(str(tmp_path / "d/p.hdr"), np.repeat(light[..., None], 3, 2).astype("f4"))
+    crop = cv2.imread(str(tmp_path / "d/p.hdr"), cv2.IMREAD_UNCHANGED)[128:384, :256, 1]
+    truth = crop / np.quantile(crop, 0.7)
+    peak = np.percentile(truth, 99.9)
+    rng, linear, curved = np.random.default_rng(7), {}, {}
+    for stop in (1 << k for k in range(9)):
+        charge = truth * 30000 * stop / 256
+        charge = np.minimum(charge + np.sqrt(charge) * rng.standard_normal(charge.shape), 30000)
+        codes = charge / 30000 * 255 + 0.65 * rng.standard_normal(charge.shape)
+        frame = np.clip(np.rint(codes), 0, 255).astype(np.float32)
+        share = np.full(frame.shape, stop / 256)
+        made = merged(frame, share, 30000 / 255, 255, 0.65 * 30000 / 255) / 30000
+        pair = [np.clip(x / peak, 0, 1) for x in (truth, made)]
+        linear[stop] = -10 * np.log10(np.mean((pair[0] - pair[1]) ** 2))
+        pair = [np.log1p(5000 * x) / np.log1p(5000) for x in pair]
+        curved[stop] = -10 * np.log10(np.mean((pair[0] - pair[1]) ** 2))
+    best = {}
+    for name, metric, wanted in (
+        ("best-uniform", "psnr_db", linear), ("best-uniform-mu", "mu_psnr_db", curved),
+    ):  # fmt: skip
+        outcome = invoke(
+            ["evaluate", name, "--data", "d", "--protocol", "hdr-v1", "--json"], tmp_path
+        )
+        assert outcome.status == 0, outcome.err
+        found = json.loads(outcome.out)
+        assert len(found["items"]) == 1
+        (best[name],) = found["settings"]["stops"][0]
+        assert best[name] == max(wanted, key=lambda stop: wanted[stop])
+        assert found["items"][0][metric] == pytest.approx(wanted[best[name]], abs=0.1)
+        assert sorted(wanted.values())[-2] < max(wanted.values()) - 0.3
+    assert best["best-uniform-mu"] > best["best-uniform"]
 
 
 def test_crops_are_exposed_as_the_protocol_says() -> None:

@@ -47,7 +47,13 @@ def clip_guess(volume: Tensor, opened: Tensor) -> Tensor:
 
 
 def averaged(values: Tensor, weights: Tensor) -> Tensor:
-    """The weighted mean around every pixel, (batch, channels, rows, cols) of both."""
+    """The weighted mean around every pixel, (batch, channels, rows, cols) of both, in their own
+    precision: that of a network around does not reach it."""
+    with torch.autocast(values.device.type, enabled=False):
+        return _averaged(values, weights)
+
+
+def _averaged(values: Tensor, weights: Tensor) -> Tensor:
     totals = [tuple(_tent(part) for part in (values * weights, weights))]
     while max(totals[-1][0].shape[-2:]) > 1:
         totals.append(tuple(functional.avg_pool2d(part, 2, ceil_mode=True) for part in totals[-1]))

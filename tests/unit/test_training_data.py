@@ -1,0 +1,261 @@
+"""Patches of one exposure, cameras in panoramas, splits by file, and the best state of a run."""
+
+from __future__ import annotations
+
+import json
+from collections import defaultdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+
+torch = pytest.importorskip("torch")
+
+from safetensors import safe_open  # noqa: E402
+from safetensors.torch import load_file  # noqa: E402
+
+from nscc.cli.support import write_together  # noqa: E402
+from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.data import Batch, Batches, Scene, Scenes, load_scenes  # noqa: E402
+from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.settings import DataSettings  # noqa: E402
+
+WELL = 30000.0
+
+
+def batches(
+    lights: dict[str, Any], batch: int = 6, seed: int = 3, slots: int = 4, **settings: Any
+) -> Batches:
+    """Of scenes that are for training and validation alike."""
+    scenes = tuple(Scene(n, n, np.asarray(x, np.float32)) for n, x in lights.items())
+    data = DataSettings(**{"patch": 16, "val_items": 5, **settings})
+    return Batches(
+        Scenes(scenes, scenes), data, slots=slots, full_well_e=WELL, batch=batch, seed=seed
+    )
+
+
+def places(batch: Batch) -> list[tuple[str, int, int]]:
+    """Of every patch: its exposure's name, and its corner in it."""
+    found = []
+    for name in batch.names:
+        exposure, _, corner = name.rpartition("+")
+        row, col = corner.split(",")
+        found.append((exposure, int(row), int(col)))
+    return found
+
+
+def random_light(*shape: int, seed: int = 1) -> Any:
+    return np.exp(np.random.default_rng(seed).normal(0, 2, shape))
+
+
+@pytest.mark.parametrize("size", [(40, 40), (300, 290)])
+def test_patches_of_one_exposure_share_level_and_peak(size: tuple[int, int]) -> None:
+    """30 % of all that is exposed saturates, and 1 is its 99.9th percentile, in every patch."""
+    light = random_light(*size)
+    cut = batches({"s": light}, batch=7, together=3, augment=False).train(0)
+    groups = defaultdict(list)
+    for index, (exposure, row, col) in enumerate(places(cut)):
+        groups[index // 3].append(index)
+        corner = [int(x) for x in exposure.partition(" at ")[2].split(",")]
+        assert all(0 <= c <= max(0, side - 256) for c, side in zip(corner, size, strict=True))
+        around = light[corner[0] : corner[0] + 256, corner[1] : corner[1] + 256]
+        level, white = np.quantile(around, (0.7, 0.999))
+        wanted = around[row : row + 16, col : col + 16] * (WELL / level)
+        np.testing.assert_allclose(cut.light[index], wanted, rtol=1e-5)
+        np.testing.assert_allclose(cut.truth[index], wanted / WELL, rtol=1e-5)
+        assert cut.peak[index].item() == pytest.approx(white / level, rel=1e-5)
+    assert [len(g) for g in groups.values()] == [3, 3, 1]
+    for group in groups.values():
+        assert len({places(cut)[k][0] for k in group}) == 1
+        assert len({places(cut)[k][1:] for k in group}) == len(group)
+        assert len(set(cut.peak[group].tolist())) == 1
+
+
+def test_a_dark_patch_stays_dark_beside_a_bright_one() -> None:
+    light = np.ones((120, 120))
+    light[:, 60:] = 1e4
+    cut = batches({"s": light}, batch=40, together=40, augment=False).train(0)
+    brightest = cut.light.amax(dim=(1, 2))
+    assert (brightest < WELL / 1000).any()
+    assert (brightest >= WELL * 0.99).any()
+
+
+def test_clips_of_one_exposure_share_it_too() -> None:
+    """The 99th percentile of what an open pixel gathers fills a well; 1 is white."""
+    light = np.random.default_rng(2).random((9, 30, 33))
+    cut = batches({"s": light}, batch=4, together=2, augment=False).train(1)
+    for index, (exposure, row, col) in enumerate(places(cut)):
+        first = int(exposure.split(" from ")[1].split(" at ")[0])
+        window = light[first : first + 4]
+        level = np.percentile(window.sum(axis=0), 99)
+        wanted = window[:, row : row + 16, col : col + 16] * (WELL / level)
+        np.testing.assert_allclose(cut.light[index], wanted, rtol=1e-5)
+        assert cut.peak[index].item() == pytest.approx(4 / level, rel=1e-5)
+    names = [p[0] for p in places(cut)]
+    assert names[0] == names[1]
+    assert names[2] == names[3]
+
+
+@pytest.mark.parametrize("together", [1, 3])
+def test_augmentation_bends_level_and_peak_with_the_light(together: int) -> None:
+    """30 % saturate and 0.1 % are above the peak, whatever the contrast."""
+    light = random_light(16, 16)
+    values = set()
+    for step in range(6):
+        cut = batches({"s": light}, batch=3, together=together).train(step)
+        for patch, peak in zip(cut.truth, cut.peak, strict=True):
+            assert np.mean(patch.numpy() > 1) == pytest.approx(0.3, abs=0.01)
+            assert 0 < np.mean(patch.numpy() > peak.item()) < 0.01
+            values.add(round(peak.item(), 4))
+    assert len(values) == 18 // together
+
+
+@pytest.mark.parametrize(("shape", "poles"), [((512, 1024), True), ((512, 1000), False),
+                                              ((400, 800), False)])  # fmt: skip
+def test_the_poles_of_a_panorama_are_left_out(shape: tuple[int, int], poles: bool) -> None:
+    light = np.full(shape, 1.0)
+    eighth = shape[0] // 8
+    light[eighth:-eighth] += np.random.default_rng(1).random((shape[0] - 2 * eighth, shape[1]))
+    light[:eighth] = light[-eighth:] = 5.0  # brighter than anything between
+    cut = batches({"s": light}, batch=60, augment=False, patch=64).train(0)
+    at_a_pole = (cut.light == cut.light.amax(dim=(1, 2), keepdim=True)).sum(dim=(1, 2)) > 1
+    assert bool(at_a_pole.any()) != poles
+
+
+def test_validation_is_the_same_each_time() -> None:
+    lights = {"a": random_light(40, 50), "b": random_light(300, 50, seed=2)}
+    source = batches(lights, together=2)
+    first = source.val()
+    source.train(0)
+    again, other = source.val(), batches(lights, together=2, batch=1).val()
+    assert len(first) == 5
+    for one, two, three in zip(first, again, other, strict=True):
+        assert len(one.names) == 2
+        assert one.names == two.names == three.names
+        for field in ("light", "truth", "peak"):
+            assert torch.equal(getattr(one, field), getattr(two, field))
+            assert torch.equal(getattr(one, field), getattr(three, field))
+    assert {places(b)[0][0].partition(" ")[0] for b in first} == {"a", "b"}
+    assert batches(lights, seed=4, together=2).val()[0].names != first[0].names
+
+
+def test_steps_differ_and_come_again() -> None:
+    source = batches({"a": random_light(40, 50)}, together=2)
+    one, two, again = source.train(5), source.train(6), source.train(5)
+    assert torch.equal(one.light, again.light)
+    assert one.names != two.names
+
+
+def test_what_is_dark_altogether_stays_finite() -> None:
+    for shape in ((30, 30), (6, 30, 30)):
+        source = batches({"a": np.zeros(shape)}, together=2)
+        for cut in (source.train(0), *source.val()):
+            assert (cut.light == 0).all()
+            assert (cut.peak > 0).all()
+            assert torch.isfinite(cut.peak).all()
+
+
+def panorama(path: Path, seed: int) -> None:
+    import cv2
+
+    light = np.exp(np.random.default_rng(seed).normal(0, 1, (64, 128, 1)))
+    cv2.imwrite(str(path), np.repeat(light, 3, 2).astype(np.float32))
+
+
+def loaded(train: Path, val: str = "", seed: int = 0, **settings: Any) -> Scenes:
+    data = DataSettings(
+        train=str(train), val=val, protocol="video-v1", patch=16, **{"paths": 3, **settings}
+    )
+    return load_scenes(data, still=False, slots=3, seed=seed)
+
+
+def test_a_panorama_gives_several_clips_each_its_own(tmp_path: Path) -> None:
+    for seed in range(3):
+        panorama(tmp_path / f"p{seed}.hdr", seed)
+    found = loaded(tmp_path)
+    scenes = [*found.train, *found.val]
+    assert len(scenes) == 9
+    assert len({s.name for s in scenes}) == 9
+    assert len({s.light.tobytes() for s in scenes}) == 9
+    for scene in scenes:
+        assert scene.light.shape == (3, 256, 256)
+        assert np.percentile(scene.light, 99) == pytest.approx(1, rel=1e-3)
+    again = loaded(tmp_path)
+    for one, two in zip(scenes, [*again.train, *again.val], strict=True):
+        assert (one.name, one.sha256) == (two.name, two.sha256)
+        assert np.array_equal(one.light, two.light)
+    other = loaded(tmp_path, seed=1)
+    assert not np.array_equal(found.train[0].light, other.train[0].light)
+    # fewer paths are the first ones
+    few = {s.name: s.light for s in loaded(tmp_path, paths=1).train}
+    assert len(few) == 2
+    for scene in found.train:
+        if scene.name in few:
+            assert np.array_equal(few[scene.name], scene.light)
+
+
+def test_a_file_is_never_on_both_sides(tmp_path: Path) -> None:
+    for seed in range(6):
+        panorama(tmp_path / f"p{seed}.hdr", seed)
+    (tmp_path / "p9.hdr").write_bytes((tmp_path / "p0.hdr").read_bytes())  # under two names
+    found = loaded(tmp_path)
+    sides = [{s.sha256 for s in part} for part in (found.train, found.val)]
+    assert not sides[0] & sides[1]
+    assert [len(side) for side in sides] == [4, 2]
+    assert len(found.train) == 12
+    assert {s.name.partition(",")[0] for s in found.val} == {"p0.hdr", "p5.hdr", "p9.hdr"}
+    listed = found.split()
+    assert len(listed["val"]) == len(found.val)
+    (tmp_path / "val").mkdir()
+    (tmp_path / "p3.hdr").rename(tmp_path / "val/renamed.hdr")
+    assert loaded(tmp_path, str(tmp_path / "val"))
+    panorama(tmp_path / "val/p1.hdr", 1)
+    with pytest.raises(Rejected, match="NS0811"):
+        loaded(tmp_path, str(tmp_path / "val"))
+
+
+def test_one_panorama_is_too_few_however_many_its_paths(tmp_path: Path) -> None:
+    panorama(tmp_path / "p.hdr", 1)
+    with pytest.raises(Rejected, match="NS0811"):
+        loaded(tmp_path, paths=20)
+
+
+@pytest.mark.parametrize(("name", "best"), [("away", -1), ("near", None)])
+def test_the_best_state_is_that_of_the_least_loss(
+    name: str, best: int | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also where the PSNR says the opposite: one loss falls as the error grows."""
+    (tmp_path / "losses_of_best.py").write_text(
+        "def away(p, t):\n    return -(p - t).abs().mean()\n"
+        "def near(p, t):\n    return (p - t).abs().mean()\n"
+    )
+    monkeypatch.chdir(tmp_path)
+    values = {
+        "shutter": {"slots": 16, "tile": [2, 2], "learn": False},
+        "data": {"patch": 16, "scenes": 2, "val_items": 2},
+        "loss": {"name": f"losses_of_best:{name}"},
+        "train": {"steps": 8, "batch": 1, "validate_every": 2, "rate": 0.01},
+    }
+    train(settings_of(values), tmp_path / "r", write=write_together)
+    rows = [row.split(",") for row in (tmp_path / "r/metrics.csv").read_text().splitlines()[1:]]
+    val = [(int(r[0]), float(r[2]), float(r[3])) for r in rows if r[1] == "val"]
+    losses, decibels = [v[1] for v in val], [v[2] for v in val]
+    least, highest = int(np.argmin(losses)), int(np.argmax(decibels))
+    if best is not None:
+        assert val[least][0] == 8
+        assert highest == 0
+    with safe_open(str(tmp_path / "r/checkpoint.safetensors"), framework="pt") as file:
+        about = json.loads(file.metadata()["nscc"])
+        kept = {k: file.get_tensor(k) for k in file.keys()}  # noqa: SIM118
+    assert (about["best_step"], about["best_loss"]) == (val[least][0], repr(losses[least]))
+    for key, tensor in load_file(tmp_path / "r/decoder.safetensors").items():
+        assert torch.equal(tensor, kept[f"best.decoder.{key}"])
+
+
+def test_nothing_together_and_no_path_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "c.toml").write_text("[data]\ntogether = 0\npaths = 0\n")
+    found = invoke(["train", "c.toml", "--out", "r"], tmp_path)
+    assert (found.status, found.codes) == (2, ["NS0815", "NS0815"])

@@ -1,0 +1,247 @@
+"""First guesses: constant light comes back from any code, all else stays finite."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+torch = pytest.importorskip("torch")
+
+from nscc_training.baselines.hdr import merged  # noqa: E402
+from nscc_training.decoders import unet  # noqa: E402
+from nscc_training.decoders.guess import averaged, clip_guess, still_guess  # noqa: E402
+from nscc_training.decoders.make import Task, make_decoder  # noqa: E402
+from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
+from nscc_training.sensor_model import lifted  # noqa: E402
+
+SIZES = [(1, 1), (1, 7), (5, 3), (16, 16), (33, 21)]
+
+
+def drawn(*shape: int, seed: int = 0) -> Any:
+    return torch.rand(shape, generator=torch.Generator().manual_seed(seed), dtype=torch.float64)
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("scale", [1e-9, 1.0, 1e6])
+def test_a_constant_is_its_own_average(size: tuple[int, int], scale: float) -> None:
+    """Whatever the weights are, nearly nothing included; most pixels have none."""
+    weights = scale * drawn(2, 3, *size) * (drawn(2, 3, *size, seed=1) < 0.3)
+    weights[..., 0, 0] = scale
+    found = averaged(torch.full((2, 3, *size), 0.37, dtype=torch.float64), weights)
+    assert found.shape == (2, 3, *size)
+    assert (found - 0.37).abs().max() < 1e-12
+
+
+def test_heavy_weights_leave_wider_surroundings_out() -> None:
+    """Then it is the mean of 3 x 3 pixels, written out: the own one counts eight times."""
+    values, weights = drawn(1, 1, 6, 9).numpy()[0, 0], 1e7 * (1 + drawn(6, 9, seed=1).numpy())
+    wanted = np.empty_like(values)
+    near = {(0, 0): 8.0, (0, 1): 0.5, (1, 0): 0.5, (1, 1): 0.25}
+    for row in range(6):
+        for col in range(9):
+            top = bottom = 0.0
+            for r in range(max(0, row - 1), min(6, row + 2)):
+                for c in range(max(0, col - 1), min(9, col + 2)):
+                    part = near[abs(r - row), abs(c - col)] * weights[r, c]
+                    top, bottom = top + part * values[r, c], bottom + part
+            wanted[row, col] = top / bottom
+    found = averaged(*(torch.from_numpy(x)[None, None] for x in (values, weights)))
+    np.testing.assert_allclose(found[0, 0], wanted, rtol=1e-7)
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_an_average_is_between_what_was_measured(size: tuple[int, int]) -> None:
+    values = drawn(1, 2, *size)
+    weights = drawn(1, 2, *size, seed=1) * (drawn(1, 2, *size, seed=2) < 0.2)
+    weights[..., -1, -1] = 1.0
+    found = averaged(values, weights)
+    for channel in range(2):
+        measured = values[0, channel][weights[0, channel] > 0]
+        assert found[0, channel].min() >= measured.min() - 1e-12
+        assert found[0, channel].max() <= measured.max() + 1e-12
+    # what has no weight says nothing, however loud
+    shouting = torch.where(weights > 0, values, torch.full_like(values, 1e6))
+    assert torch.allclose(averaged(shouting, weights), found)
+
+
+def test_a_lonely_measurement_reaches_everywhere() -> None:
+    weights = torch.zeros(1, 1, 37, 50)
+    weights[0, 0, 30, 2] = 5.0
+    values = torch.zeros(1, 1, 37, 50)
+    values[0, 0, 30, 2] = 0.8
+    assert (averaged(values, weights) - 0.8).abs().max() < 1e-5
+
+
+def test_averages_have_true_gradients() -> None:
+    values = drawn(1, 2, 5, 3).requires_grad_()
+    weights = (0.05 + drawn(1, 2, 5, 3, seed=1)).requires_grad_()
+    assert torch.autograd.gradcheck(averaged, (values, weights))
+
+
+@pytest.mark.parametrize("light", [0.02, 0.7, 3.0, 60.0])
+def test_constant_light_comes_back_from_any_code_of_a_still(light: float) -> None:
+    """Exposures of 1/256 to 1 saturate wherever light x share is a full well."""
+    generator = torch.Generator().manual_seed(3)
+    stops = torch.randint(0, 9, (2, 23, 18), generator=generator)
+    share = 2.0**-stops
+    found = still_guess((light * share).clamp(max=1), share)
+    assert ((light * share) >= 1).any() == (light >= 1)
+    assert (found / light - 1).abs().max() < 1e-4
+
+
+def test_the_saturated_take_their_neighbours_light_and_no_less_than_saturates_them() -> None:
+    share = torch.full((1, 9, 9), 1 / 16)
+    share[0, 4, 4] = 0.5
+    for around, wanted in ((6.0, 6.0), (2.5, 2.5), (1.2, 2.0), (0.1, 2.0)):
+        frame = around * share
+        frame[0, 4, 4] = 1.0
+        found = still_guess(frame, share)[0, 4, 4].item()
+        assert found == pytest.approx(wanted, rel=1e-3)
+
+
+def test_a_pixel_that_never_opens_takes_its_neighbours_light() -> None:
+    share = torch.full((1, 9, 9), 0.25)
+    share[0, 3, 5] = 0.0
+    frame = 2.0 * share
+    frame[0, 3, 5] = 0.02  # noise of the readout
+    found = still_guess(frame, share)
+    assert (found - 2.0).abs().max() < 1e-3
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("level", [0.0, 1.0, -0.02])
+@pytest.mark.parametrize("opened", [0.0, 1 / 256, 1.0])
+def test_frames_without_any_news_stay_finite(
+    size: tuple[int, int], level: float, opened: float
+) -> None:
+    frame = torch.full((2, *size), level, requires_grad=True)
+    found = still_guess(frame, torch.full(size, opened))
+    found.sum().backward()
+    assert torch.isfinite(found).all()
+    assert torch.isfinite(frame.grad).all()
+    if opened and level in (0.0, 1.0):
+        assert torch.allclose(found, torch.full_like(found, level / opened))
+
+
+def test_a_still_is_what_the_merging_baseline_makes_of_it() -> None:
+    """An independent implementation, with its own sums and units."""
+    rng = np.random.default_rng(5)
+    rows, cols = np.mgrid[:24, :30]
+    share = np.array([[1, 1 / 4], [1 / 16, 1 / 64]])[rows % 2, cols % 2]
+    light = np.exp(1.2 + np.sin(rows / 5) + np.cos(cols / 6)) * rng.uniform(0.98, 1.02, (24, 30))
+    frame = np.clip(np.rint(light * share * 255), 0, 255).astype(np.float32)
+    assert 0.2 < (frame == 255).mean() < 0.6
+    well = 30000.0
+    wanted = merged(frame, share, well / 255, 255, 0.65 * well / 255) / well
+    found = still_guess(torch.from_numpy(frame / 255)[None], torch.from_numpy(share).float())
+    np.testing.assert_allclose(found[0], wanted, rtol=5e-3)
+    # and both say something about the light
+    assert np.median(np.abs(found[0].numpy() / light - 1)) < 0.1
+
+
+def random_shutters(slots: int, rows: int, cols: int) -> Any:
+    generator = torch.Generator().manual_seed(4)
+    shutters = (torch.rand(slots, rows, cols, generator=generator) < 0.3).float()
+    shutters[:, rows // 2, cols // 2] = 0.0
+    shutters[:, 0, 0] = 1.0
+    return shutters
+
+
+@pytest.mark.parametrize("size", SIZES[1:])
+def test_constant_clips_come_back_from_any_code(size: tuple[int, int]) -> None:
+    """One pixel never opens, one always; in every slot some pixel does."""
+    shutters = random_shutters(5, *size)
+    exposure = 0.3 * shutters.sum(dim=0)[None]
+    volume, _ = lifted(exposure, shutters)
+    assert (clip_guess(volume, shutters) - 0.3).abs().max() < 1e-5
+
+
+def test_a_slot_belongs_to_those_who_were_open_in_it_alone() -> None:
+    """Half the pixels are open in the first slot alone, half in the second: both come back."""
+    rows, cols = np.mgrid[:12, :13]
+    first = torch.from_numpy((rows + cols) % 2 == 0).float()
+    shutters = torch.stack([first, 1 - first])
+    exposure = (0.2 * first + 0.7 * (1 - first))[None]
+    volume, _ = lifted(exposure, shutters)
+    found = clip_guess(volume, shutters)
+    assert (found[0, 0] - 0.2).abs().max() < 1e-5
+    assert (found[0, 1] - 0.7).abs().max() < 1e-5
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_clips_without_any_light_or_shutter_stay_finite(size: tuple[int, int]) -> None:
+    for shutters in (torch.zeros(3, *size), torch.ones(3, *size)):
+        for level in (0.0, 1.0):
+            volume, _ = lifted(torch.full((1, *size), level), shutters)
+            found = clip_guess(volume, shutters)
+            assert torch.isfinite(found).all()
+            assert torch.allclose(found, volume)
+
+
+def noisy_frame(rows: int, cols: int) -> Any:
+    frame = torch.rand(2, rows, cols, generator=torch.Generator().manual_seed(6))
+    frame[0, 2, 3], frame[1, 4, 4] = 1.0, 0.0
+    return frame
+
+
+def test_small_decoders_of_stills_begin_with_the_guess() -> None:
+    decoder = make_decoder("unet2d", "small", Task("still", 16, (4, 4)))
+    shutters = (torch.arange(16).reshape(-1, 1, 1) < torch.tensor([[1, 4], [16, 2]])).float()
+    frame = noisy_frame(13, 10)
+    wanted = still_guess(frame, shutters.mean(dim=0).repeat(7, 5)[:13])
+    torch.testing.assert_close(decoder(frame, shutters), wanted, rtol=1e-5, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["unet2d", "unet3d"])
+def test_small_decoders_of_clips_begin_with_the_guess(name: str) -> None:
+    decoder = make_decoder(name, "small", Task("clip", 5, (4, 4)))
+    shutters, frame = random_shutters(5, 13, 10), noisy_frame(13, 10)
+    # a frame counts full wells, a slot's light full wells / N
+    wanted = clip_guess(lifted(5 * frame, shutters)[0], shutters)
+    assert torch.equal(decoder(frame, shutters), wanted)
+
+
+def test_a_guess_does_not_round_with_the_network() -> None:
+    """bf16 is of the network: light comes back from its first guess as exactly as before."""
+    decoder = make_decoder("unet2d", "small", Task("still", 16, (4, 4)))
+    shutters = (torch.arange(16).reshape(-1, 1, 1) < torch.tensor([[1, 4], [16, 2]])).float()
+    frame = noisy_frame(13, 10)
+    exact = decoder(frame, shutters)
+    with torch.autocast("cpu", torch.bfloat16):
+        torch.testing.assert_close(decoder(frame, shutters), exact, rtol=1e-5, atol=1e-6)
+
+
+def test_only_decoders_that_guess_do(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Without `guesses` they neither add nor see it: its value changes nothing."""
+    unet_scale = [1.0]
+    for name in ("still_guess", "clip_guess"):
+        was = getattr(unet, name)
+        monkeypatch.setattr(unet, name, lambda *x, was=was: was(*x) * unet_scale[0])
+    shutters, frame = random_shutters(5, 13, 10), noisy_frame(13, 10)
+    for guesses in (False, True):
+        for decoder in (
+            StillUNet((4, 8), None, True, guesses), StillUNet((4, 8), 5, True, guesses),
+            ClipUNet((4, 8), 5, guesses),
+        ):  # fmt: skip
+            made = []
+            for scale in (1.0, 2.0):
+                unet_scale[0] = scale
+                made.append(decoder(frame, shutters))
+            assert torch.equal(*made) != guesses
+    # without the code there is nothing to guess from
+    blind = StillUNet((4, 8), None, sees_code=False, guesses=True)
+    assert torch.equal(blind(frame, shutters), blind(frame, 1 - shutters))
+
+
+@pytest.mark.parametrize(
+    ("name", "kind", "channels"), [("unet2d", "still", 3), ("unet2d", "clip", 6),
+                                   ("unet3d", "clip", 1)],
+)  # fmt: skip
+def test_the_papers_sizes_begin_with_nothing(name: str, kind: str, channels: int) -> None:
+    with torch.device("meta"):
+        decoder = make_decoder(name, "paper", Task(kind, 5, (4, 4)))
+    first = decoder.network.down[0][0]
+    assert first.in_channels == channels
+    assert decoder.guesses is False

@@ -1,0 +1,88 @@
+"""Losses in decibels against the metrics they stand for, and sums of losses."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+torch = pytest.importorskip("torch")
+
+from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc_training import metrics  # noqa: E402
+from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.loop.setup import make_parts  # noqa: E402
+from nscc_training.losses import LEAST_ERROR, LOSSES, Loss  # noqa: E402
+
+
+def pair(error: float) -> tuple[torch.Tensor, torch.Tensor]:
+    generator = torch.Generator().manual_seed(2)
+    truth = torch.rand(2, 9, 11, generator=generator, dtype=torch.float64)
+    noise = torch.rand(2, 9, 11, generator=generator, dtype=torch.float64) - 0.5
+    return (truth + error * noise).clamp(0, 1), truth
+
+
+@pytest.mark.parametrize("error", [1.0, 0.1, 0.01])
+def test_decibels_are_those_of_the_metrics(error: float) -> None:
+    made, truth = pair(error)
+    for name, metric in (
+        ("psnr", lambda t, m: metrics.psnr(t, m, 1.0)),
+        ("psnr-mu", lambda t, m: metrics.mu_psnr(t, m, 1.0)),
+    ):
+        wanted = metric(truth.numpy(), made.numpy())
+        assert wanted < 55
+        assert -10 * LOSSES[name](made, truth).item() == pytest.approx(wanted, abs=0.1)
+    # the least error is added, no more
+    mse = float(np.mean((truth - made).numpy() ** 2))
+    assert LOSSES["psnr"](made, truth).item() == pytest.approx(np.log10(mse + LEAST_ERROR))
+
+
+def test_half_the_error_is_six_decibels_wherever() -> None:
+    for error in (0.5, 0.05):
+        values = []
+        for part in (1.0, 0.5):
+            made, truth = pair(error * part)
+            truth = truth * 0 + 0.5
+            made = truth + error * part * (pair(1.0)[1] - 0.5)
+            values.append(LOSSES["psnr"](made, truth).item())
+        assert values[0] - values[1] == pytest.approx(2 * np.log10(2), abs=1e-3)
+
+
+def test_the_root_is_of_square_roots() -> None:
+    made, truth = torch.tensor([0.25, 0.81]), torch.tensor([0.36, 0.49])
+    assert LOSSES["root"](made, truth).item() == pytest.approx((0.1 + 0.2) / 2)
+
+
+def loss_of(name: str) -> Loss:
+    return make_parts(settings_of({"shutter": {"slots": 16}, "loss": {"name": name}})).loss
+
+
+def test_sums_of_losses() -> None:
+    made, truth = (x.clone().requires_grad_() for x in pair(0.1))
+    single = {name: LOSSES[name](made, truth) for name in ("psnr", "psnr-mu", "l1")}
+    for text in ("psnr+psnr-mu+l1", " l1 + psnr-mu  +psnr"):
+        found = loss_of(text)(made, truth)
+        assert found.item() == pytest.approx(sum(x.item() for x in single.values()))
+    (slope,) = torch.autograd.grad(found, made, retain_graph=True)
+    parts = [torch.autograd.grad(x, made, retain_graph=True)[0] for x in single.values()]
+    assert torch.allclose(slope, sum(parts))
+    twice = loss_of("l1+l1")(made, truth)
+    assert twice.item() == pytest.approx(2 * single["l1"].item())
+
+
+def test_ones_own_loss_in_a_sum(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "loss_in_a_sum.py").write_text("def one(p, t):\n    return p.mean()\n")
+    monkeypatch.chdir(tmp_path)
+    made, truth = pair(0.1)
+    found = loss_of("l1 + loss_in_a_sum:one")(made, truth)
+    assert found.item() == pytest.approx((made - truth).abs().mean().item() + made.mean().item())
+
+
+@pytest.mark.parametrize("name", ["psnr+psmr", "l1+", "+", "l1++mu-law", "", "l1,psnr"])
+def test_an_unknown_part_is_refused(name: str) -> None:
+    with pytest.raises(Rejected) as caught:
+        loss_of(name)
+    (found,) = caught.value.diagnostics
+    assert found.code == "NS0815"
+    assert "psnr-mu" in found.message

@@ -1,0 +1,358 @@
+"""Codes learned by trial, against gradients that are known without any trial."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+from numpy.typing import NDArray
+from scipy.stats import norm
+from training_oracle import small_target
+
+torch = pytest.importorskip("torch")
+
+from safetensors.torch import load_file  # noqa: E402
+
+from nscc.cli.support import write_together  # noqa: E402
+from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.data import Batch  # noqa: E402
+from nscc_training.loop.setup import Parts, make_parts  # noqa: E402
+from nscc_training.loop.steps import decoded, generator_of, loss_of, window  # noqa: E402
+from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.loop.trials import pull, trial_of  # noqa: E402
+from nscc_training.sensor_model import laid  # noqa: E402
+
+SLOTS, SIDE = 64, 20
+
+
+class Share(torch.nn.Module):
+    """Says of every pixel for which part of the frame it was open, whatever it saw."""
+
+    def forward(self, frame: Any, shutters: Any) -> Any:
+        return laid(shutters.mean(dim=0), *frame.shape[-2:]).expand_as(frame)
+
+
+class Alone(torch.nn.Module):
+    """Every pixel's light by itself, as if nothing saturated."""
+
+    def forward(self, frame: Any, shutters: Any) -> Any:
+        return frame / laid(shutters.mean(dim=0), *frame.shape[-2:]).detach()
+
+
+def squared(prediction: Any, truth: Any) -> Any:
+    return (prediction - truth).square().mean()
+
+
+def fourth(prediction: Any, truth: Any) -> Any:
+    """No trapezoid is exact for it."""
+    return (prediction - truth).pow(4).mean()
+
+
+def parts_of(
+    decoder: Any, loss: Any = squared, sensor_noise: bool = False, **shutter: Any
+) -> Parts:
+    values = {"class": "b", "slots": SLOTS, "tile": [2, 2], "relaxation": "tried", **shutter}
+    sensor, cpu = {"noise": sensor_noise}, {"device": "cpu"}
+    found = make_parts(settings_of({"shutter": values, "sensor": sensor, "train": cpu}))
+    return replace(found, decoder=decoder, loss=loss)
+
+
+def batch_of(parts: Parts, light: Any, truth: Any) -> Batch:
+    """One patch: light and truth over the frame in full wells."""
+    light = torch.as_tensor(light, dtype=torch.float32).expand(SIDE, SIDE)[None]
+    truth = torch.as_tensor(truth, dtype=torch.float32).expand(SIDE, SIDE)[None]
+    return Batch(light * parts.model.full_well_e, truth, torch.tensor([1.0]), ("one",))
+
+
+def tried_gradients(parts: Parts, batch: Batch, trials: int) -> NDArray[np.float64]:
+    """The gradients (trials, fields, rows, cols) of that many trials."""
+    found = []
+    for seed in range(trials):
+        parts.encoder.zero_grad()
+        trial = trial_of(parts.encoder, SIDE, SIDE, (1, seed), (2, seed))
+        made = decoded(parts, batch.light, trial.shutters[0], parts.model, generator_of(3, seed))
+        zero = pull(parts, batch, trial, made, generator_of(3, seed))
+        assert zero.item() == 0
+        zero.backward()
+        found.append(np.stack([p.grad.numpy().copy() for p in parts.encoder.parameters()]))
+    return np.stack(found)
+
+
+def smoothed(loss: Any, field: NDArray[np.float64], spread: NDArray[np.float64]) -> Any:
+    """The mean of loss(stop) over stops rounded from normal noise around a field, exactly."""
+    stops = np.arange(1, SLOTS + 1).reshape(-1, 1, 1)
+    ends = np.arange(1.5, SLOTS).reshape(-1, 1, 1)
+    below = norm.cdf((ends - field) / spread)
+    ones = np.ones((1, *field.shape))
+    chance = np.diff(np.concatenate([0 * ones, below, ones]), axis=0)
+    return (chance * loss(stops)).sum(axis=0)
+
+
+@pytest.mark.parametrize(
+    ("loss", "power", "noise", "bias"),
+    [(squared, 2, 1.0, 0.0), (squared, 2, 6.0, 0.0), (fourth, 4, 1.0, 0.02), (fourth, 4, 3.0, 0.2)],
+)
+def test_trials_find_the_slope_of_the_smoothed_loss(
+    loss: Any, power: int, noise: float, bias: float
+) -> None:
+    """Each place has a best stop of its own; the slope by finite differences of exact means.
+
+    One place is short, so that it moves by a quarter of itself, and one at its limit. For a fourth
+    power at a distance d the trapezoid says 2 h^2 / d^2 more, with h^2 about 3 spread^2.
+    """
+    best = np.array([[10.0, 50.0], [60.0, 30.0]])
+    fields = np.array([[30.0, 20.0], [40.0, 62.0]])
+    parts = parts_of(Share(), loss)
+    parts.encoder.noise = noise
+    parts.encoder.fill(fields)
+    batch = batch_of(parts, 0.5, np.tile(best / SLOTS, (SIDE // 2, SIDE // 2)))
+    found = tried_gradients(parts, batch, 400)[:, 0]
+    spread = np.minimum(noise, fields / 4)
+
+    def at(values: NDArray[np.float64]) -> Any:
+        # a quarter of the pixels is at each place
+        return smoothed(lambda s: (s - best) ** power / SLOTS**power, values, spread) / 4
+
+    wanted = (at(fields + 0.01) - at(fields - 0.01)) / 0.02
+    error = found.std(axis=0, ddof=1) / np.sqrt(len(found))
+    assert (np.sign(found.mean(axis=0)) == np.sign(fields - best)).all()
+    assert (np.abs(wanted) > 8 * error).all()
+    assert (np.abs(found.mean(axis=0) - wanted) < 5 * error + bias * np.abs(wanted)).all()
+
+
+def test_a_single_trial_is_the_difference_of_the_losses_around() -> None:
+    """For squared errors, pixel by pixel: no mean over trials hides anything."""
+    parts = parts_of(Share(), tile=[SIDE, SIDE], init="random")
+    parts.encoder.noise = 3.0
+    wish = np.random.default_rng(1).random((SIDE, SIDE))
+    found = tried_gradients(parts, batch_of(parts, 0.5, wish), 1)[0, 0]
+    trial = trial_of(parts.encoder, SIDE, SIDE, (1, 0), (2, 0))
+    one, two = ((s.mean(dim=0).double().numpy() - wish) ** 2 / SIDE**2 for s in trial.shutters)
+    for row, col in ((0, 0), (0, 9), (7, 12), (19, 19), (18, 3)):
+        around = np.s_[max(0, row - 2) : row + 3, max(0, col - 2) : col + 3]
+        moved, spread = (float(x[0, row, col]) for x in (trial.moved, trial.spread))
+        wanted = moved * (one[around].sum() - two[around].sum()) / (2 * spread**2)
+        assert found[row, col] == pytest.approx(wanted, rel=1e-3, abs=1e-8)
+
+
+@pytest.mark.parametrize(("noise", "wanted"), [(0.0, [1, 1, 1, 1]), (6.0, [1, 2, 5, 6])])
+def test_short_exposures_are_tried_in_small_steps(noise: float, wanted: list[float]) -> None:
+    parts = parts_of(Share())
+    parts.encoder.noise = noise
+    parts.encoder.fill(np.array([[2.0, 8.0], [20.0, 64.0]]))
+    trial = trial_of(parts.encoder, SIDE, SIDE, (1,), (2,))
+    assert trial.spread[0, :2, :2].reshape(-1).tolist() == wanted
+
+
+def test_a_single_trial_counts_only_what_is_around() -> None:
+    """One pixel alone has a loss: only places within two pixels of it get a gradient."""
+    parts = parts_of(Share(), tile=[SIDE, SIDE])
+    seen = torch.zeros(SIDE, SIDE)
+    seen[9, 6] = 1.0
+    one = replace(parts, loss=lambda p, t: ((p - t).square() * seen).sum())
+    found = tried_gradients(one, batch_of(parts, 0.5, 0.9), 1)[0, 0]
+    rows, cols = np.nonzero(found)
+    assert (set(rows), set(cols)) == (set(range(7, 12)), set(range(4, 9)))
+    assert len(rows) == 25
+
+
+@pytest.mark.parametrize("kind", ["b", "c", "d"])
+def test_both_sides_are_tried_symmetrically(kind: str) -> None:
+    parts = parts_of(Share(), **{"class": kind}, noise=5.0)
+    parts.encoder.noise = 2.0
+    middle = {"b": [32.0], "c": [30.0], "d": [16.0, 48.0]}[kind]
+    parts.encoder.fill(*(np.full((2, 2), x) for x in middle))
+    trial = trial_of(parts.encoder, SIDE, SIDE, (1,), (2,))
+    assert trial.fields.shape == (len(middle), SIDE, SIDE)
+    assert torch.equal(trial.spread, torch.full_like(trial.spread, 2.0))
+    assert trial.moved.std().item() == pytest.approx(2.0, rel=0.15)
+    for sign, shutters in zip((1, -1), trial.shutters, strict=True):
+        assert not shutters.requires_grad
+        edges = torch.round(trial.fields + sign * trial.moved).detach()
+        start = {"b": 0 * edges[0], "c": edges[0], "d": edges[0]}[kind]
+        stop = {"b": edges[0], "c": start + 4, "d": edges[-1]}[kind]
+        n = torch.arange(SLOTS).reshape(-1, 1, 1)
+        assert torch.equal(shutters, ((n >= start) & (n < stop)).float())
+
+
+def test_the_same_seed_is_the_same_trial() -> None:
+    parts = parts_of(Share())
+    one, two, other = (trial_of(parts.encoder, SIDE, SIDE, (s,), (2,)) for s in (1, 1, 5))
+    assert torch.equal(one.moved, two.moved)
+    assert not torch.equal(one.moved, other.moved)
+
+
+def bright(relaxation: str) -> tuple[Parts, Batch]:
+    """Light of eight full wells a frame: a stop of 8 of 64 fills the well. Half the peak."""
+    parts = parts_of(Alone(), sensor_noise=True, relaxation=relaxation)
+    return parts, replace(batch_of(parts, 8.0, 8.0), peak=torch.tensor([16.0]))
+
+
+def test_the_slope_includes_what_saturation_takes_away() -> None:
+    """Against losses of the noisy sensor itself at every stop, one by one."""
+    parts, batch = bright("tried")
+    losses = []
+    for stop in range(1, SLOTS + 1):
+        light = 8 * 30000 * stop / SLOTS
+        rng = np.random.default_rng(stop)
+        charge = np.clip(light + np.sqrt(light) * rng.standard_normal(20_000), 0, 30000)
+        codes = charge / 30000 * 255 + parts.model.adc_noise_lsb * rng.standard_normal(20_000)
+        made = np.clip(np.rint(codes), 0, 255) / 255 * SLOTS / stop
+        losses.append(np.mean((made / 16 - 0.5) ** 2))
+    table = np.array(losses).reshape(-1, 1, 1)
+    for stop, sign in ((3.0, -1), (8.0, 1), (12.0, 1), (30.0, 1)):
+        parts.encoder.fill(np.full((2, 2), stop))
+        found = tried_gradients(parts, batch, 100)[:, 0].mean(axis=(1, 2))
+        spread = np.ones((1, 1))
+
+        def at(value: float, spread: Any = spread) -> float:
+            mean = smoothed(lambda _: table, np.full((1, 1), value), spread)
+            return float(mean[0, 0]) / 4
+
+        wanted = (at(stop + 0.01) - at(stop - 0.01)) / 0.02
+        error = found.std(ddof=1) / 10
+        assert np.sign(wanted) == np.sign(found.mean()) == sign
+        assert abs(found.mean() - wanted) < 5 * error + 0.1 * abs(wanted)
+        assert abs(wanted) > 10 * error
+
+
+def learned(relaxation: str, steps: int) -> float:
+    """The mean stop after so many steps from always open."""
+    parts, batch = bright(relaxation)
+    parts.encoder.fill(np.full((2, 2), float(SLOTS)))
+    optimiser = torch.optim.Adam(parts.encoder.parameters(), betas=(0.5, 0.9))
+    for step in range(steps):
+        optimiser.param_groups[0]["lr"] = 1 - step / steps
+        optimiser.zero_grad()
+        if relaxation == "tried":
+            trial = trial_of(parts.encoder, SIDE, SIDE, (1, step), (2, step))
+            shutters, noise = trial.shutters[0], generator_of(3, step)
+            made = decoded(parts, batch.light, shutters, parts.model, noise)
+            loss = loss_of(parts, made, batch, shutters)
+            loss = loss + pull(parts, batch, trial, made, generator_of(3, step))
+        else:
+            shutters = parts.encoder(None)
+            made = decoded(parts, batch.light, shutters, parts.model, generator_of(3, step))
+            loss = loss_of(parts, made, batch, shutters)
+        loss.backward()
+        optimiser.step()
+        parts.encoder.project()
+    return float(parts.encoder.codes()["stop"].mean())
+
+
+def test_trials_leave_saturation_where_straight_through_does_not() -> None:
+    """Saturated pixels say too little, so a gradient through the capture wants more of them."""
+    assert 3 <= learned("tried", 200) <= 8
+    assert learned("straight-through", 200) == SLOTS
+
+
+def test_what_is_required_is_tried_and_nothing_else() -> None:
+    parts = parts_of(Share(), require="stop < 9 or stop > 40", init="quad", noise=8.0)
+    parts.encoder.noise = 8.0
+    parts.encoder.fill(np.array([[8.0, 41.0], [1.0, 64.0]]))
+    legal = {*range(1, 9), *range(41, SLOTS + 1)}
+    seen: set[int] = set()
+    for seed in range(5):
+        trial = trial_of(parts.encoder, SIDE, SIDE, (seed,), (2,))
+        for shutters in trial.shutters:
+            seen |= {int(stop) for stop in shutters.sum(dim=0).unique()}
+    assert seen <= legal
+    assert len(seen) > 20
+
+
+def window_of(gradient: NDArray[np.float64]) -> tuple[slice, slice]:
+    """The rectangle outside of which a gradient is 0; inside it is not."""
+    rows, cols = np.nonzero(gradient)
+    found = slice(rows.min(), rows.max() + 1), slice(cols.min(), cols.max() + 1)
+    assert (gradient[found] != 0).all()
+    return found
+
+
+@pytest.mark.parametrize("tile", [(48, 56), (48, 4), (4, 56)])
+def test_codes_learn_in_the_window_of_the_patch_alone(tile: tuple[int, int]) -> None:
+    parts = parts_of(Share(), tile=list(tile), init="random")
+    places = set()
+    for seed in range(4):
+        parts.encoder.zero_grad()
+        trial = trial_of(parts.encoder, SIDE, SIDE, (1, seed), (2, seed))
+        batch = batch_of(parts, 0.5, 0.99)
+        made = decoded(parts, batch.light, trial.shutters[0], parts.model, None)
+        pull(parts, batch, trial, made, generator_of(3)).backward()
+        found = window_of(parts.encoder.stop.grad.numpy())
+        sides = [part.stop - part.start for part in found]
+        assert sides == [min(SIDE, side) for side in tile]
+        # the codes tried are those of that very part
+        stops = torch.from_numpy(parts.encoder.codes()["stop"].astype(float))
+        assert torch.equal(trial.fields.detach()[0], laid(stops[found], SIDE, SIDE))
+        hard = window(parts.encoder.hard(), SIDE, SIDE, (2, seed))
+        assert torch.equal(laid(hard.sum(dim=0), SIDE, SIDE).double(), trial.fields.detach()[0])
+        places.add((found[0].start, found[1].start))
+    assert len(places) > 1
+
+
+SMALL: dict[str, dict[str, Any]] = {
+    "shutter": {"class": "b", "slots": 16, "tile": [4, 4], "init": "random", "noise": 2.0,
+                "relaxation": "tried"},
+    "data": {"patch": 16, "scenes": 3, "val_items": 1, "together": 2},
+    "loss": {"name": "psnr+psnr-mu"},
+    "train": {"steps": 4, "batch": 2, "validate_every": 2, "code_rate": 0.05},
+}  # fmt: skip
+
+
+def run(out: Path, shutter: dict[str, Any], **more: Any) -> None:
+    values = {**SMALL, "shutter": {**SMALL["shutter"], **shutter}}
+    train(settings_of(values), out, write=write_together, **more)
+
+
+@pytest.mark.parametrize("kind", ["b", "d"])
+def test_a_run_gone_on_with_is_the_run_that_was_never_stopped(kind: str, tmp_path: Path) -> None:
+    run(tmp_path / "whole", {"class": kind})
+    run(tmp_path / "stopped", {"class": kind}, stop_after=2)
+    run(tmp_path / "stopped", {"class": kind})
+    for path in (tmp_path / "whole").iterdir():
+        if path.name != "checkpoint.safetensors":
+            assert path.read_bytes() == (tmp_path / "stopped" / path.name).read_bytes(), path.name
+    first, second = (
+        load_file(tmp_path / k / "checkpoint.safetensors") for k in ("whole", "stopped")
+    )
+    assert first.keys() == second.keys()
+    assert all(torch.equal(first[key], second[key]) for key in first)
+    run(tmp_path / "frozen", {"class": kind, "learn": False})
+    codes = [np.load(tmp_path / k / "codes.npz")["stop"] for k in ("whole", "frozen")]
+    assert not np.array_equal(*codes)
+
+
+def test_free_codes_of_a_small_chip_learn_by_trial(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Every pixel has a code of its own; those that no patch ever met stay."""
+    text = invoke(["targets", "scamp5", "--toml"], tmp_path).out
+    (tmp_path / "small.toml").write_text(small_target(text, 64, 64))
+    monkeypatch.chdir(tmp_path)
+    free = {"free": True, "target": "small.toml", "tile": [8, 8]}
+    for name, learn in (("learned", True), ("frozen", False)):
+        run(tmp_path / name, {**free, "learn": learn})
+    stops = [np.load(tmp_path / k / "codes.npz")["stop"] for k in ("learned", "frozen")]
+    assert stops[0].shape == (64, 64)
+    moved = float(np.mean(stops[0] != stops[1]))
+    # four windows of a sixteenth of the array
+    assert 0 < moved <= 4 / 16
+
+
+@pytest.mark.parametrize("kind", ["a", "e", "codebook"])
+def test_only_edges_are_tried(kind: str) -> None:
+    with pytest.raises(Rejected, match="NS0815") as caught:
+        parts_of(Share(), **{"class": kind, "slots": 8})
+    assert "b, c and d" in caught.value.diagnostics[0].message
+
+
+def test_words_weigh_nothing_where_codes_are_tried() -> None:
+    with pytest.raises(Rejected, match="NS0815") as caught:
+        parts_of(Share(), words_weight=0.1)
+    assert "words_weight" in caught.value.diagnostics[0].message
+    assert parts_of(Share(), words_weight=0.1, relaxation="straight-through")
