@@ -110,8 +110,12 @@ def of(
               help="Panoramas and clips, or folders hdr and video of them.")  # fmt: skip
 @click.option("--runs", type=click.Path(path_type=Path), metavar="DIR",
               help="A folder of run folders; runs of one row are its seeds.")  # fmt: skip
+@click.option("--results", type=click.Path(path_type=Path), metavar="DIR",
+              help="What `nscc evaluate -o` wrote before: it is not done again.")  # fmt: skip
 @_outputs
-def tables(data: Path, runs: Path | None, as_json: bool, out: Path | None) -> None:
+def tables(
+    data: Path, runs: Path | None, results: Path | None, as_json: bool, out: Path | None
+) -> None:
     """The paper's Tables 2, 3 and 4: its rows and ours, what was measured here beside them.
 
     Baselines are evaluated on the data, which takes minutes; rows of decoders need runs of `nscc
@@ -120,7 +124,7 @@ def tables(data: Path, runs: Path | None, as_json: bool, out: Path | None) -> No
     from nscc_training.evaluation.tables import tables as filled
     from nscc_training.evaluation.tables import text_of
 
-    rows = filled(data, runs, lambda rows: progress(rows, "evaluating"))
+    rows = filled(data, runs, results, lambda rows: progress(rows, "evaluating"))
     text = json.dumps(rows, indent=2, allow_nan=False) + "\n"
     if out is not None:
         write_together({out: text.encode()})

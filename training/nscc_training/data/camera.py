@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 Picture = NDArray[np.float32]
 FIELD_OF_VIEW = 90.0
 """Degrees: 256 pixels of a panorama of 1024."""
-_FASTEST = 2.0
-"""Degrees a frame."""
+_TURNS = (0.05, 3.0)
+"""Degrees a frame, slowest and fastest: both are as likely, and all ratios between them."""
+_FLIGHTS = (0.1, 8.0)
+"""Pixels a frame of things that fly across."""
 
 
 def turned(
@@ -20,8 +22,8 @@ def turned(
 ) -> NDArray[np.float32]:
     """A clip (frames, size, size) of linear light from an equirectangular panorama (rows, cols).
 
-    The camera starts anywhere near the horizon and turns evenly, more often slowly than fast; one
-    to three things, other parts of the panorama, fly across.
+    The camera starts anywhere near the horizon and turns evenly; one to three things, other parts
+    of the panorama, fly across.
     """
     import cv2
 
@@ -29,7 +31,7 @@ def turned(
         return np.radians(generator.uniform(0, 360)), np.radians(generator.uniform(-15, 15))
 
     yaw, pitch = somewhere()
-    turn = np.radians(_FASTEST * generator.uniform(-1, 1, 2) ** 3 * (1.0, 0.3))
+    turn = np.radians(_velocity(generator, _TURNS) * (0.3, 1.0))[::-1]
     views = [view(panorama, yaw + turn[0] * k, pitch + turn[1] * k, size) for k in range(frames)]
     found = np.stack(views)
     level = float(np.median(found))
@@ -37,7 +39,7 @@ def turned(
     for _ in range(int(generator.integers(1, 4))):
         texture = view(panorama, *somewhere(), size)
         light = level / max(float(np.median(texture)), 1e-30) * np.exp(generator.uniform(-1.5, 1.5))
-        place, speed = generator.uniform(0, size, 2), generator.uniform(-4, 4, 2)
+        place, speed = generator.uniform(0, size, 2), _velocity(generator, _FLIGHTS)
         height, width = generator.uniform(0.04, 0.2, 2) * size
         for k in range(frames):
             y, x = place + speed * k
@@ -47,6 +49,13 @@ def turned(
             moved = cv2.warpAffine(texture, shift, (size, size), borderMode=cv2.BORDER_REFLECT)
             found[k] += ((moved * light - found[k]) * cover).astype(np.float32)
     return found
+
+
+def _velocity(generator: np.random.Generator, limits: tuple[float, float]) -> NDArray[np.float64]:
+    """Down and right in any direction, its size spread evenly over the ratios within limits."""
+    size = np.exp(generator.uniform(*np.log(limits)))
+    angle = generator.uniform(0, 2 * np.pi)
+    return np.asarray(size * np.array([np.sin(angle), np.cos(angle)]))
 
 
 def view(panorama: Picture, yaw: float, pitch: float, size: int) -> Picture:

@@ -16,6 +16,7 @@ from torch import Tensor
 from nscc.diagnostics.rejection import rejected
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.evaluation import hdr, video
+from nscc_training.evaluation.keys import key_of
 from nscc_training.evaluation.results import Item, Subject, result
 from nscc_training.evaluation.sci8 import read_sci_clip
 from nscc_training.measures import decibels
@@ -66,11 +67,19 @@ def evaluate_run(
             return taken, [crop for crop in found if isinstance(crop, hdr.Unusable)]
 
         more["also_saturated"] = hdr.also_saturated(protocol, scored)
-    size = (256, 256)
+    size, settings = (256, 256), parts.settings
     subject = Subject(
-        f"{parts.settings.decoder.name} ({parts.settings.decoder.size})",
-        {"run": folder.path.name, "program_sha256": sha256(folder.program.encode()).hexdigest(),
-         "config_sha256": folder.result.get("config_sha256"), "seed": seed},
+        f"{settings.decoder.name} ({settings.decoder.size})",
+        {
+            "run": folder.path.name,
+            "row": list(key_of(settings)),
+            "size": settings.decoder.size,
+            "steps": settings.train.steps,
+            "train_seed": settings.train.seed,
+            "program_sha256": sha256(folder.program.encode()).hexdigest(),
+            "config_sha256": folder.result.get("config_sha256"),
+            "seed": seed,
+        },
         stage="hard",
         decoder_ms=1e3 * float(np.median(spent)) if spent else None,
         device=parts.device.type,

@@ -6,20 +6,24 @@ rows are what can be compared.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from nscc.diagnostics.model import Rejected
-from nscc_training.evaluation.hdr import ENDINGS
+from nscc.diagnostics.rejection import rejected
+from nscc_training.evaluation.hdr import ENDINGS, panoramas
+from nscc_training.evaluation.keys import Key, key_of
+from nscc_training.evaluation.results import read_result
 from nscc_training.evaluation.subjects import evaluate
+from nscc_training.evaluation.video import clips_of
 from nscc_training.measures import number
 from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import RunFolder, load_run
-from nscc_training.settings import Settings
 
 
 @dataclass(frozen=True)
@@ -34,7 +38,7 @@ class Row:
     name: str
     paper: tuple[float, float] | None
     baseline: str = ""
-    key: tuple[str, str, str] | None = None
+    key: Key | None = None
     remark: str = ""
 
     @property
@@ -52,20 +56,22 @@ ROWS: tuple[Row, ...] = (
     Row(2, "best uniform stop in mu-law, merged", None, "best-uniform-mu"),
     Row(2, "2 x 2 pattern, merged", None, "quad"),
     Row(2, "2 x 2 pattern, U-Net", None, key=("unet2d", "b", "quad")),
-    Row(3, "FC-net, c fixed", (27.73, 0.9445), key=("fcnet", "c", "fixed")),
+    Row(3, "FC-net, c fixed", (27.73, 0.9445), key=("fcnet", "c", "quad"),
+        remark="the 2 x 2 pattern"),
     Row(3, "FC-net, c learned", (27.78, 0.9449), key=("fcnet", "c", "learned")),
-    Row(3, "FC-net, d fixed", (27.85, 0.9443), key=("fcnet", "d", "fixed")),
+    Row(3, "FC-net, d fixed", (27.85, 0.9443), key=("fcnet", "d", "quad"),
+        remark="the 2 x 2 pattern"),
     Row(3, "FC-net, d learned", (28.16, 0.9449), key=("fcnet", "d", "learned")),
     Row(3, "FC-net, e random", (28.02, 0.9430), key=("fcnet", "e", "random")),
     Row(3, "FC-net, e learned", (28.78, 0.9502), key=("fcnet", "e", "learned")),
-    Row(3, "3D U-Net, c fixed", (32.67, 0.9225), key=("unet3d", "c", "fixed")),
+    Row(3, "3D U-Net, c fixed", (32.67, 0.9225), key=("unet3d", "c", "quad"),
+        remark="the 2 x 2 pattern"),
     Row(3, "3D U-Net, c learned", (32.87, 0.9272), key=("unet3d", "c", "learned")),
     Row(3, "3D U-Net, e random", (32.19, 0.9254), key=("unet3d", "e", "random")),
     Row(3, "3D U-Net, e learned", (33.56, 0.9374), key=("unet3d", "e", "learned"),
         remark="16 bits, more than its own chip has"),
     Row(3, "3D U-Net, codebook learned", None, key=("unet3d", "codebook", "learned")),
     Row(3, "3D U-Net, codebook, words in the loss", None, key=("unet3d", "codebook", "words")),
-    Row(3, "3D U-Net, 2 x 2 pattern", None, key=("unet3d", "c", "quad")),
     Row(3, "2D U-Net, d random", None, key=("unet2d", "d", "random")),
     Row(3, "2D U-Net, d learned", None, key=("unet2d", "d", "learned")),
     Row(3, "2D U-Net, d, 2 x 2 pattern", None, key=("unet2d", "d", "quad")),
@@ -79,28 +85,71 @@ ROWS: tuple[Row, ...] = (
 )  # fmt: skip
 
 
-def key_of(settings: Settings) -> tuple[str, str, str]:
-    """The row that a run belongs to: decoder, class, and what became of its codes."""
-    shutter = settings.shutter
-    codes = "learned"
-    if not shutter.learn:
-        codes = shutter.init if shutter.init in ("random", "quad") else "fixed"
-    elif shutter.words_weight > 0:
-        codes = "words"
-    return settings.decoder.name, shutter.kind, codes
-
-
 def tables(
-    data: Path, runs: Path | None, track: Callable[[Sequence[Row]], Any] = lambda rows: rows
+    data: Path,
+    runs: Path | None,
+    results: Path | None = None,
+    track: Callable[[Sequence[Row]], Any] = lambda rows: rows,
 ) -> list[dict[str, Any]]:
     """Every row as JSON values: the paper's numbers, ours, and what they were made with.
 
     `data` holds panoramas and clips, or folders `hdr` and `video` of them; `runs` holds run
-    folders. Runs of one row are its seeds. What was not run has `psnr_db` None and says why.
+    folders. Runs of one row are its seeds. `results` holds what `nscc evaluate` wrote before: runs
+    and baselines that are among them, on the same files, are not evaluated again. What was not run
+    has `psnr_db` None and says why.
     """
-    found = _runs(runs)
-    done: dict[str, dict[str, Any]] = {}
-    return [_row(row, data, found, done) for row in track(ROWS)]
+    places = {
+        protocol: _Place.of(data, protocol) for protocol in dict.fromkeys(r.protocol for r in ROWS)
+    }
+    held = _held(results, places)
+    known = {_config(found) for found in held}
+    fresh = [run for run in _runs(runs) if run.result.get("config_sha256") not in known]
+    return [_row(row, places[row.protocol], fresh, held) for row in track(ROWS)]
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A folder with a protocol's scenes and the digests of its files; None where there is none."""
+
+    folder: Path | None
+    digests: frozenset[str]
+
+    @classmethod
+    def of(cls, data: Path, protocol: str) -> _Place:
+        folder = _folder(data, protocol)
+        if folder is None:
+            return cls(None, frozenset())
+        files = panoramas(folder) if protocol == "hdr-v1" else clips_of(folder)
+        return cls(folder, frozenset(sha256(path.read_bytes()).hexdigest() for path in files))
+
+
+def _held(folder: Path | None, places: Mapping[str, _Place]) -> list[dict[str, Any]]:
+    """The results in a folder that are of the same protocols and files."""
+    if folder is None:
+        return []
+    if not folder.is_dir():
+        raise rejected(
+            "NS0807",
+            f"'{folder}' is no folder of results",
+            helps=("`nscc evaluate ... -o DIR/NAME.json` writes them",),
+        )
+    found = []
+    for path in sorted(folder.glob("*.json")):
+        result = read_result(path)
+        place = places.get(str(result.get("protocol")))
+        digests = frozenset(str(entry["sha256"]) for entry in result.get("data", ()))
+        current = (
+            place is not None
+            and place.digests == digests
+            and load_protocol(str(result["protocol"])).sha256 == result.get("protocol_sha256")
+        )
+        if current:
+            found.append(result)
+    return found
+
+
+def _config(found: dict[str, Any]) -> object:
+    return found.get("settings", {}).get("config_sha256")
 
 
 def _runs(folder: Path | None) -> list[RunFolder]:
@@ -111,7 +160,7 @@ def _runs(folder: Path | None) -> list[RunFolder]:
 
 
 def _row(
-    row: Row, data: Path, runs: list[RunFolder], done: dict[str, dict[str, Any]]
+    row: Row, place: _Place, fresh: list[RunFolder], held: list[dict[str, Any]]
 ) -> dict[str, Any]:
     made: dict[str, Any] = {
         "table": row.table,
@@ -121,34 +170,47 @@ def _row(
         "psnr_db": None, "ssim": None, "size": None, "steps": None, "seeds": [],
         "protocol": row.protocol, "data": [], "remark": row.remark,
     }  # fmt: skip
-    folder = _folder(data, row.protocol)
-    mine = [run for run in runs if belongs(run, row)]
-    subjects = [row.baseline] if row.baseline else [str(run.path) for run in mine]
-    if not subjects or folder is None:
-        reason = "not run: no data" if subjects else "not run"
+    try:
+        results = _results(row, place, fresh, held)
+    except Rejected as refused:
+        made["remark"] = f"not run: {refused.diagnostics[0].message}"
+        return made
+    if not results:
+        reason = "not run: no data" if place.folder is None else "not run"
         made["remark"] = f"{reason}; {row.remark}" if row.remark else reason
         return made
-    results = []
-    for subject in subjects:
-        name = f"{subject} {row.protocol}"
-        if name not in done:
-            try:
-                done[name] = evaluate(subject, folder, row.protocol, 0)[0]
-            except Rejected as refused:
-                made["remark"] = f"not run: {refused.diagnostics[0].message}"
-                return made
-        results.append(done[name])
     means = [found["mean"] for found in results if found["mean"] is not None]
     similar = [np.mean([item["ssim"] for item in found["items"]]) for found in results]
-    settings = [run.parts.settings for run in mine]
+    settings = [found["settings"] for found in results]
     made["psnr_db"] = float(np.mean([number(mean) for mean in means])) if means else None
     made["ssim"] = float(np.mean(similar))
-    made["seeds"] = sorted({s.train.seed for s in settings}) or [0]
-    made["size"] = settings[0].decoder.size if settings else "-"
-    made["steps"] = max((s.train.steps for s in settings), default=0)
+    made["seeds"] = sorted({s.get("train_seed", s.get("seed", 0)) for s in settings})
+    made["size"] = settings[0].get("size", "-")
+    made["steps"] = max(s.get("steps", 0) for s in settings)
     made["data"] = [entry["file"] for entry in results[0]["data"]]
     made["protocol_sha256"] = results[0]["protocol_sha256"]
     return made
+
+
+def _results(
+    row: Row, place: _Place, fresh: list[RunFolder], held: list[dict[str, Any]]
+) -> list[dict[str, Any]]:
+    """The results of a row, those that are new added to those that are held."""
+    if place.folder is None:
+        return []
+    mine = [found for found in held if found["protocol"] == row.protocol and _is_of(found, row)]
+    subjects = [str(run.path) for run in fresh if belongs(run, row)]
+    if row.baseline and not mine:
+        subjects = [row.baseline]
+    made = [evaluate(subject, place.folder, row.protocol, 0)[0] for subject in subjects]
+    held += made
+    return mine + [found for found in made if found not in mine]
+
+
+def _is_of(found: dict[str, Any], row: Row) -> bool:
+    if row.key is None:
+        return _config(found) is None and found["method"] == row.baseline
+    return tuple(found["settings"].get("row", ())) == row.key
 
 
 def belongs(run: RunFolder, row: Row) -> bool:
