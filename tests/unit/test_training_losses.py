@@ -11,6 +11,7 @@ torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.model import Rejected  # noqa: E402
 from nscc_training import metrics  # noqa: E402
+from nscc_runtime.scenes.colour import linear_to_srgb  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
 from nscc_training.losses import LEAST_ERROR, LOSSES, Loss  # noqa: E402
@@ -49,9 +50,11 @@ def test_half_the_error_is_six_decibels_wherever() -> None:
         assert values[0] - values[1] == pytest.approx(2 * np.log10(2), abs=1e-3)
 
 
-def test_the_root_is_of_square_roots() -> None:
-    made, truth = torch.tensor([0.25, 0.81]), torch.tensor([0.36, 0.49])
-    assert LOSSES["root"](made, truth).item() == pytest.approx((0.1 + 0.2) / 2)
+def test_display_errors_are_those_of_srgb() -> None:
+    made, truth = np.array([0.25, 0.81, 0.001, 0.0]), np.array([0.36, 0.49, 0.0, 0.002])
+    wanted = np.abs(linear_to_srgb(made) - linear_to_srgb(truth)).mean()
+    found = LOSSES["display"](torch.from_numpy(made), torch.from_numpy(truth))
+    assert found.item() == pytest.approx(wanted, rel=1e-12)
 
 
 def loss_of(name: str) -> Loss:

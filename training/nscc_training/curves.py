@@ -1,4 +1,5 @@
-"""Curves from linear light to numbers that errors may be counted in: mu-law, log, gamma, PU21.
+"""Curves from linear light to numbers that errors may be counted in: mu-law, log, gamma, sRGB,
+PU21.
 
 Each takes a numpy array or a torch tensor and returns the same kind and precision; inside it
 calculates in float64, because a float32 logarithm of 1e8 alone is 1e-6 off. Below their domain all
@@ -66,6 +67,13 @@ def gamma_inverse(y: Array, exponent: float = 0.5) -> Array:
     toe = GAMMA_TOE**exponent
     power = xp.clip(wide, toe, None) ** (1.0 / exponent)
     return _as(y, xp.where(wide > toe, power, wide * GAMMA_TOE ** (1.0 - exponent)))
+
+
+def srgb(x: Array) -> Array:
+    """The curve of IEC 61966-2-1 from linear light; a straight line below 0.0031308."""
+    xp, wide = _library(x), _wide(x)
+    power = 1.055 * xp.clip(wide, 0.0031308, None) ** (1 / 2.4) - 0.055
+    return _as(x, xp.where(wide > 0.0031308, power, 12.92 * wide))
 
 
 def pu21(luminance: Array) -> Array:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import torch
 from torch import Tensor
 
-from nscc_training.curves import MU, gamma, log_curve, mu_law, pu21
+from nscc_training.curves import MU, log_curve, mu_law, pu21, srgb
 
 Loss = Callable[[Tensor, Tensor], Tensor]
 """(prediction, truth) of one shape to a scalar."""
@@ -25,9 +25,9 @@ def l1(prediction: Tensor, truth: Tensor) -> Tensor:
     return (prediction - truth).abs().mean()
 
 
-def root(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Mean absolute error of the square roots: about what display encodings make of light."""
-    return l1(gamma(prediction), gamma(truth))
+def display(prediction: Tensor, truth: Tensor) -> Tensor:
+    """Mean absolute error in display encoding (sRGB), in which clips are scored."""
+    return l1(srgb(prediction), srgb(truth))
 
 
 def log(prediction: Tensor, truth: Tensor) -> Tensor:
@@ -59,7 +59,7 @@ def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
 
 
 LOSSES: dict[str, Loss] = {
-    "l1": l1, "root": root, "log": log, "mu-law": mu, "pu21": pu21_loss, "psnr": psnr,
+    "l1": l1, "display": display, "log": log, "mu-law": mu, "pu21": pu21_loss, "psnr": psnr,
     "psnr-mu": psnr_mu,
 }  # fmt: skip
 """The losses by the names that configurations use."""

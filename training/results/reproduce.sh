@@ -37,3 +37,71 @@ baseline() {
     nscc evaluate "$1" --data "$3" --protocol "$2" -o "results/$1.json"
 }
 
+for name in ldr best-uniform best-uniform-mu quad random sparse-coding; do
+    baseline "$name" hdr-v1 data/hdr_test
+done
+for seed in 0 1 2; do
+    set_seed=(--set train.seed=$seed)
+    fixed=(--set shutter.learn=false)
+    learn hdr_learned_$seed hdr-v1 data/hdr_test hdr.toml "${set_seed[@]}"
+    learn hdr_quad_$seed hdr-v1 data/hdr_test hdr.toml "${set_seed[@]}" "${fixed[@]}"
+    learn hdr_random_$seed hdr-v1 data/hdr_test hdr.toml "${set_seed[@]}" "${fixed[@]}" \
+        --set shutter.init=random
+    learn vid_learned_$seed video-v1 data/clips clip.toml "${set_seed[@]}"
+    learn vid_quad_$seed video-v1 data/clips clip.toml "${set_seed[@]}" "${fixed[@]}"
+    learn vid_random_$seed video-v1 data/clips clip.toml "${set_seed[@]}" "${fixed[@]}" \
+        --set shutter.init=random
+done
+
+for name in bilinear thin-out dictionary gap-tv; do
+    baseline "$name" video-v1 data/clips
+done
+rows=(--set decoder.name=fcnet --set train.steps=3000)
+bits=(--set shutter.relaxation=straight-through --set shutter.init=quad)
+kept=(--set shutter.learn=false)
+wide=(--set shutter.class=e --set shutter.target=scamp7)
+clip() {
+    local name=$1
+    shift
+    learn "$name" video-v1 data/clips clip.toml "${rows[@]}" "$@"
+}
+clip fc_c_quad --set shutter.class=c "${kept[@]}"
+clip fc_c_learned --set shutter.class=c
+clip fc_d_quad "${kept[@]}"
+clip fc_d_learned
+clip fc_e_random "${bits[@]}" "${wide[@]}" "${kept[@]}" --set shutter.init=random
+clip fc_e_learned "${bits[@]}" "${wide[@]}"
+rows=(--set decoder.name=unet3d --set train.steps=400 --set train.batch=2
+    --set data.val_items=16 --set train.validate_every=200)
+clip u3_codebook_learned "${bits[@]}" --set shutter.class=codebook
+clip u3_c_quad --set shutter.class=c "${kept[@]}"
+clip u3_c_learned --set shutter.class=c
+clip u3_codebook_words "${bits[@]}" --set shutter.class=codebook --set shutter.words_weight=0.05
+clip u3_e_random "${bits[@]}" "${wide[@]}" "${kept[@]}" --set shutter.init=random
+clip u3_e_learned "${bits[@]}" "${wide[@]}"
+
+learn sci8 sci8 data/sci sci8.toml
+nscc evaluate sci8 data/sci/*.mat --method gap-tv -o results/gap-tv-sci8.json
+
+# NAME METRIC: the learned codes against the others, over all seeds.
+against() {
+    local pairs=()
+    for seed in 0 1 2; do
+        pairs+=("results/$1_$2_$seed.json" "results/$1_learned_$seed.json")
+    done
+    nscc evaluate compare "${pairs[@]}" --metric "$3"
+}
+for other in random quad; do
+    against hdr $other mu_psnr_db
+    against hdr $other psnr_db
+    against vid $other psnr_db
+done
+for seed in 0 1 2; do
+    nscc evaluate compare results/best-uniform-mu.json results/hdr_learned_$seed.json \
+        --metric mu_psnr_db
+    nscc evaluate compare results/bilinear.json results/vid_learned_$seed.json
+done
+mkdir -p tables/hdr tables/video
+ln -sf "$PWD"/data/hdr_test/* tables/hdr/
+ln -sf "$PWD"/data/clips/* tables/video/
+nscc evaluate tables --data tables --runs runs --results results
