@@ -10,8 +10,8 @@ import pytest
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.model import Rejected  # noqa: E402
-from nscc_training import metrics  # noqa: E402
 from nscc_runtime.scenes.colour import linear_to_srgb  # noqa: E402
+from nscc_training import metrics  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
 from nscc_training.losses import LEAST_ERROR, LOSSES, Loss  # noqa: E402
