@@ -60,8 +60,8 @@ def test_a_still_run(tmp_path: Path) -> None:
     found = json.loads(outcome.out)
     assert [item["crop"] for item in found["items"]] == [[128, k] for k in (0, 256, 512, 768)]
     assert found["parameters"] == 487_441
-    truth = np.load(tmp_path / "s/p_1_truth.npy").astype(float)
-    made = np.load(tmp_path / "s/p_1_image.npy").astype(float)
+    truth = np.load(tmp_path / "s/p_128_0_truth.npy").astype(float)
+    made = np.load(tmp_path / "s/p_128_0_image.npy").astype(float)
     peak = np.percentile(truth, 99.9)
     error = np.mean((np.clip(truth / peak, 0, 1) - np.clip(made / peak, 0, 1)) ** 2)
     assert found["items"][0]["psnr_db"] == pytest.approx(-10 * np.log10(error), abs=1e-3)
@@ -89,8 +89,8 @@ def test_a_clip_run_on_both_protocols_of_clips(tmp_path: Path) -> None:
     assert outcome.status == 0, outcome.err
     found = json.loads(outcome.out)
     assert [item["frame"] for item in found["items"]] == [0, 16]
-    truth = np.load(tmp_path / "s/c_2_truth.npy").astype(float)
-    made = np.load(tmp_path / "s/c_2_video.npy").astype(float)
+    truth = np.load(tmp_path / "s/c_16_truth.npy").astype(float)
+    made = np.load(tmp_path / "s/c_16_video.npy").astype(float)
     # a .mat clip is linear: its light is its values, up to the exposure
     values = np.moveaxis(orig[..., 16:32], 2, 0) / 255
     scale = truth[values > 0].sum() / values.sum()

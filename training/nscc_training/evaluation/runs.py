@@ -53,7 +53,8 @@ def evaluate_run(
     ways = {"hdr-v1": _stills, "video-v1": _clips, "sci8": _sci}
     for item, made, truth, seconds in ways[protocol.name](folder, files, protocol, seed, left_out):
         items.append(item)
-        label = f"{Path(item.file).stem}_{len(items)}"
+        place = [item.frame] if item.crop is None else item.crop
+        label = "_".join([Path(item.file).stem, *map(str, place)])
         arrays[f"{label}_image" if parts.still else f"{label}_video"] = made.astype(np.float32)
         arrays[f"{label}_truth"] = truth.astype(np.float32)
         spent.append(seconds)

@@ -1,0 +1,74 @@
+"""A picture of what methods made of the same scenes, from folders of `nscc evaluate --save`.
+
+    python training/results/figure.py OUT.png NAME.. -- METHOD=DIR [METHOD=DIR ..]
+
+Each NAME is a row, the start of the files' names (`studio_small_05_1k_128_0`); columns are the
+truth and the methods. Stills are shown by mu-law over the truth's 99.9th percentile, as hdr-v1
+counts them; of clips the ninth frame, relative to the truth's 99th percentile, in sRGB.
+"""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import matplotlib
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.scenes.colour import linear_to_srgb
+from nscc_training.curves import mu_law
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+
+FRAME = 8
+
+
+def shown(values: NDArray[np.float64], truth: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Values on 0..1 for the screen."""
+    if values.ndim == 3:
+        white = np.percentile(truth, 99)
+        return linear_to_srgb(np.clip(values[FRAME] / white, 0, 1))
+    return np.asarray(mu_law(np.clip(values / np.percentile(truth, 99.9), 0, 1)))
+
+
+def loaded(folder: Path, name: str, what: str) -> NDArray[np.float64]:
+    """An array of a folder: `truth`, or else the image or video."""
+    kinds = ("truth",) if what == "truth" else ("image", "video")
+    for kind in kinds:
+        path = folder / f"{name}_{kind}.npy"
+        if path.is_file():
+            return np.asarray(np.load(path), np.float64)
+    raise SystemExit(f"{folder} has no {name}_{' or _'.join(kinds)}.npy")
+
+
+def main() -> None:
+    """Draw."""
+    try:
+        out, *rest = sys.argv[1:]
+        cut = rest.index("--")
+        names = rest[:cut]
+        methods = [entry.split("=", 1) for entry in rest[cut + 1 :]]
+    except ValueError:
+        raise SystemExit(__doc__) from None
+    if not names or not methods or any(len(method) != 2 for method in methods):
+        raise SystemExit(__doc__)
+    figure, axes = plt.subplots(
+        len(names), 1 + len(methods), squeeze=False, layout="compressed",
+        figsize=(2.6 * (1 + len(methods)), 2.7 * len(names)),
+    )  # fmt: skip
+    for index, (row, name) in enumerate(zip(axes, names, strict=True)):
+        truth = loaded(Path(methods[0][1]), name, "truth")
+        pictures = [("truth", shown(truth, truth))]
+        for method, folder in methods:
+            pictures.append((method, shown(loaded(Path(folder), name, "result"), truth)))
+        for axis, (title, picture) in zip(row, pictures, strict=True):
+            axis.imshow(picture, cmap="gray", vmin=0, vmax=1)
+            axis.set_axis_off()
+            axis.set_title("" if index else title, fontsize=10)
+    figure.savefig(out, dpi=80, metadata={"Software": None})
+
+
+if __name__ == "__main__":
+    main()
