@@ -30,6 +30,6 @@ def test_they_rise(values: np.ndarray) -> None:
 
 
 def test_the_ends_and_the_standards_own_values() -> None:
-    """IEC 61966-2-1: mid grey of 18 % is 0.4614; a step of 1 in 255 at the dark end is 1 / 3294.6."""
+    """Of IEC 61966-2-1: grey of 18 % is 0.4614; the first of 255 steps is a light of 1 / 3294.6."""
     np.testing.assert_allclose(linear_to_srgb(np.array([0, 0.18, 1])), [0, 0.4614, 1], atol=5e-5)
     np.testing.assert_allclose(linear_to_srgb(np.array([1 / 3294.6])), [1 / 255], rtol=1e-4)

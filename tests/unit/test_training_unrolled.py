@@ -69,6 +69,22 @@ def test_they_begin_with_a_clip_that_gives_the_frame(
     torch.testing.assert_close(decoder(frame, mask), found)
 
 
+def test_a_stage_goes_its_step_of_the_way() -> None:
+    """One whole step gives the frame, half a step leaves half of what misses."""
+    decoder = make_decoder("unrolled", "small", Task("clip", 5, (4, 4)))
+    frame, shutters = coded(5, 13, 10)
+    mask = whole(shutters, 13, 10)
+    missing = {}
+    for step in (0.0, 0.5, 1.0):
+        with torch.no_grad():
+            decoder.steps[:] = torch.tensor([0.0, step, 0.0])
+            made = decoder(frame, shutters)
+        missing[step] = (5 * frame - (mask * made).sum(dim=1)) * (mask.sum(dim=0) > 0)
+    assert missing[0.0].abs().max() > 0.1
+    torch.testing.assert_close(missing[0.5], missing[0.0] / 2, rtol=1e-4, atol=1e-5)
+    assert missing[1.0].abs().max() < 1e-5
+
+
 def test_refined_begins_nearer_to_the_truth() -> None:
     """Of a square that moves: that is what the iterations of GAP-TV are for."""
     rows, cols = np.mgrid[:32, :32]
