@@ -22,6 +22,7 @@ from nscc.diagnostics.model import Rejected  # noqa: E402
 from nscc_training.baselines.sci import METHODS  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
+from nscc_training.decoders.names import DECODERS  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.tradeoff import decoder, ways  # noqa: E402
@@ -167,7 +168,7 @@ def test_the_command(quick: None, tmp_path: Path) -> None:
         tmp_path,
     )
     assert done.status == 0, done.err
-    assert "not measured: unet2d, unet3d, fcnet" in done.out
+    assert f"not measured: {', '.join(DECODERS)};" in done.out
     rows = list(csv.DictReader(io.StringIO((tmp_path / "out.csv").read_text())))
     assert {row["error_unit"] for row in rows} == {"psnr_db", "ssim"}
     assert {row["method"] for row in rows} >= {"clips, random bits, gap-tv"}

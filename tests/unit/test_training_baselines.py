@@ -181,6 +181,107 @@ def test_compare_results(folder: Path) -> None:
         assert (refused.status, refused.codes) == (2, [code])
 
 
+def scored(folder: Path, name: str, items: dict[str, list[float | str]], **more: object) -> str:
+    """A result with so many dB for the crops of each scene."""
+    each = [
+        {"file": file, "crop": [0, k], "frame": None, "psnr_db": value}
+        for file, values in items.items()
+        for k, value in enumerate(values)
+    ]
+    finite = [float(item["psnr_db"]) for item in each if item["psnr_db"] != "inf"]
+    text = {
+        "schema": "nscc-result-1", "protocol": "p", "protocol_sha256": "1" * 64, "method": name[0],
+        "mean": sum(finite) / len(finite), "items": each, **more,
+    }  # fmt: skip
+    (folder / f"{name}.json").write_text(json.dumps(text))
+    return f"{name}.json"
+
+
+def test_a_comparison_over_seeds_draws_scenes_with_all_their_seeds(tmp_path: Path) -> None:
+    """Two scenes: a gains 1 dB in the mean of four seeds, b 3. A draw of two scenes is twice a in
+    a quarter of all draws, twice b in another: the interval is 1 to 3, however many seeds."""
+    names = []
+    for seed, apart in enumerate((-1.0, 0.0, 1.0, 0.0)):
+        base = {"a": [10.0 + seed, 20.0], "b": [30.0 - seed]}
+        better = {"a": [11 + seed + apart, 21 + apart], "b": [33 - seed + apart]}
+        names += [scored(tmp_path, f"A{seed}", base), scored(tmp_path, f"B{seed}", better)]
+    arguments = ["evaluate", "compare", *names]
+    outcome = invoke([*arguments, "--json"], tmp_path)
+    assert outcome.status == 0, outcome.err
+    found = json.loads(outcome.out)
+    # eight gains of a, four of b
+    gains = [0.0, 0.0, 1.0, 1.0, 2.0, 2.0, 1.0, 1.0, 2.0, 3.0, 4.0, 3.0]
+    mean = (8 * 1 + 4 * 3) / 12
+    assert found["gain_db"] == pytest.approx(mean)
+    assert found["ci95"] == pytest.approx([1, 3])
+    assert found["sd"] == pytest.approx(math.sqrt(sum((g - mean) ** 2 for g in gains) / 11))
+    assert (found["pairs"], found["items"], found["scenes"]) == (4, 12, 2)
+    assert (found["only_first"], found["only_second"], found["infinite"]) == (0, 0, 0)
+    # of each seed (10 + k + 20 + 30 - k) / 3 and (11 + 21 + 33) / 3 + apart
+    assert found["first"] == {"method": "A", "mean": pytest.approx(20)}
+    assert found["second"] == {"method": "B", "mean": pytest.approx(65 / 3)}
+    human = invoke(arguments, tmp_path).out
+    assert "B over A: +1.667 dB, 95 % +1.000 to +3.000" in human
+    assert "12 items of 2 scenes with 4 seeds" in human
+
+
+def test_items_of_one_seed_are_compared_with_those_of_the_same(tmp_path: Path) -> None:
+    names = [
+        scored(tmp_path, "A0", {"a": [10.0, 12.0], "b": [9.0]}),
+        scored(tmp_path, "B0", {"a": [11.0, "inf"], "c": [9.0]}),
+        scored(tmp_path, "A1", {"a": [50.0]}),
+        scored(tmp_path, "B1", {"a": [54.0, 70.0]}),
+    ]
+    found = json.loads(invoke(["evaluate", "compare", *names, "--json"], tmp_path).out)
+    assert found["gain_db"] == pytest.approx((1 + 4) / 2)
+    assert (found["items"], found["infinite"], found["scenes"]) == (3, 1, 1)
+    # b of A0 alone; c of B0 and the second of B1 alone
+    assert (found["only_first"], found["only_second"]) == (1, 2)
+    assert found["ci95"] == pytest.approx([2.5, 2.5])
+
+
+def test_one_pair_is_what_it_was(tmp_path: Path) -> None:
+    first = scored(tmp_path, "A0", {"a": [10.0], "b": [20.0]})
+    second = scored(tmp_path, "B0", {"a": [12.0], "b": [26.0]})
+    outcome = invoke(["evaluate", "compare", first, second, "--json", "-o", "c.json"], tmp_path)
+    found = json.loads(outcome.out)
+    assert found == json.loads((tmp_path / "c.json").read_text())
+    assert found == {
+        "protocol": "p", "protocol_sha256": "1" * 64, "metric": "psnr_db", "pairs": 1,
+        "first": {"method": "A", "mean": 15.0}, "second": {"method": "B", "mean": 19.0},
+        "items": 2, "scenes": 2, "only_first": 0, "only_second": 0, "gain_db": 4.0,
+        "sd": pytest.approx(8**0.5), "ci95": [2.0, 6.0], "infinite": 0,
+    }  # fmt: skip
+    human = invoke(["evaluate", "compare", first, second], tmp_path).out
+    assert "2 items of 2 scenes, protocol p" in human
+
+
+def test_what_does_not_pair_is_refused(tmp_path: Path) -> None:
+    base, better = {"a": [10.0]}, {"a": [11.0]}
+    names = [scored(tmp_path, f"{k}{seed}", base if k == "A" else better)
+             for seed in (0, 1) for k in "AB"]  # fmt: skip
+    for count in (1, 3):
+        odd = invoke(["evaluate", "compare", *names[:count]], tmp_path)
+        assert (odd.status, odd.codes) == (2, ["NS0780"])
+        assert "pairs" in odd.err
+    none = invoke(["evaluate", "compare"], tmp_path)
+    assert (none.status, none.codes) == (2, ["NS0780"])
+    for key in ("protocol", "protocol_sha256"):
+        for other in (["A1"], ["B1"], ["A1", "B1"]):
+            for name in ("A1", "B1"):
+                items, wrong = base if name == "A1" else better, {key: "other"}
+                scored(tmp_path, name, items, **(wrong if name in other else {}))
+            refused = invoke(["evaluate", "compare", *names, "-o", "c.json"], tmp_path)
+            assert (refused.status, refused.codes) == (2, ["NS0808"])
+            assert not (tmp_path / "c.json").exists()
+    scored(tmp_path, "A1", base)
+    scored(tmp_path, "B1", {"b": [11.0]})
+    refused = invoke(["evaluate", "compare", *names], tmp_path)
+    assert (refused.status, refused.codes) == (2, ["NS0808"])
+    scored(tmp_path, "B1", better)
+    assert invoke(["evaluate", "compare", *names], tmp_path).status == 0
+
+
 @pytest.mark.parametrize(
     ("arguments", "code"),
     [

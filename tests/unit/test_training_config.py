@@ -12,6 +12,7 @@ pytest.importorskip("torch")
 
 from nscc.diagnostics.model import Rejected
 from nscc_training.config import config_toml, load_config, settings_of
+from nscc_training.decoders.names import DECODERS
 from nscc_training.settings import Settings
 
 
@@ -75,6 +76,8 @@ def test_the_schema_is_a_configuration(tmp_path: Path) -> None:
     outcome = invoke(["train", "--schema"], tmp_path)
     assert outcome.status == 0
     assert settings_of(tomllib.loads(outcome.out)) == Settings()
+    remarks = outcome.out.partition("[decoder]")[2].partition("name =")[0]
+    assert f"# {', '.join(DECODERS)}, or" in remarks
 
 
 @pytest.mark.parametrize(
@@ -92,6 +95,13 @@ def test_the_schema_is_a_configuration(tmp_path: Path) -> None:
         (["loss.name=l3"], 2, "NS0815"),
         (["loss.name=no_such:loss"], 2, "NS0812"),
         (["decoder.name=unet3d"], 2, "NS0815"),
+        (["decoder.name=unrolled"], 2, "NS0815"),
+        (["decoder.name=refined"], 2, "NS0815"),
+        (
+            ["decoder.name=refined", "decoder.sees_code=false", "data.protocol=video-v1"],
+            2,
+            "NS0815",
+        ),
         (["decoder.name=no_such:net"], 2, "NS0812"),
         (["data.train=none"], 2, "NS0811"),
         (["data.train=."], 2, "NS0811"),

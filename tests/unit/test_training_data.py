@@ -20,6 +20,7 @@ from nscc.cli.support import write_together  # noqa: E402
 from nscc.diagnostics.model import Rejected  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Batch, Batches, Scene, Scenes, load_scenes  # noqa: E402
+from nscc_training.data.camera import turned, view  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.settings import DataSettings  # noqa: E402
 
@@ -195,6 +196,79 @@ def test_a_panorama_gives_several_clips_each_its_own(tmp_path: Path) -> None:
     for scene in found.train:
         if scene.name in few:
             assert np.array_equal(few[scene.name], scene.light)
+
+
+def test_clips_of_panoramas_are_encoded_where_values_are_taken_as_light(tmp_path: Path) -> None:
+    for seed in range(2):
+        panorama(tmp_path / f"p{seed}.hdr", seed)
+    plain, srgb, stored = (loaded(tmp_path, transfer=t) for t in ("", "srgb", "linear"))
+    for one, two, three in zip(plain.train, srgb.train, stored.train, strict=True):
+        assert np.array_equal(one.light, two.light)
+        assert one.light.max() > 1.5
+        light = np.clip(one.light.astype(float), 0, 1)
+        wanted = np.where(light > 0.0031308, 1.055 * light ** (1 / 2.4) - 0.055, 12.92 * light)
+        np.testing.assert_allclose(three.light, wanted, atol=1e-6)
+        assert three.light.dtype == np.float32
+        assert 0 <= three.light.min() < three.light.max() <= 1
+        assert (three.name, three.sha256) == (one.name, one.sha256)
+
+
+def smooth_panorama() -> Any:
+    """Light that a direction (ahead, right, down) has: 2 + 0.9 ahead - 0.6 right + 0.5 down."""
+    rows, cols = np.mgrid[:512, :1024] + 0.5
+    longitude, latitude = cols / 1024 * 2 * np.pi, (rows / 512 - 0.5) * np.pi
+    ahead, right = np.cos(latitude) * np.cos(longitude), np.cos(latitude) * np.sin(longitude)
+    return (2 + 0.9 * ahead - 0.6 * right + 0.5 * np.sin(latitude)).astype(np.float32)
+
+
+@pytest.mark.parametrize("yaw", [0.0, 100.0, 179.9, 300.0, 721.0])
+@pytest.mark.parametrize("pitch", [0.0, 14.0, -20.0])
+def test_a_camera_sees_what_is_where_it_looks(yaw: float, pitch: float) -> None:
+    """Rays of a pinhole with 90 degrees, turned by matrices; pitch is upwards."""
+    found = view(smooth_panorama(), np.radians(yaw), np.radians(pitch), 40)
+    a, b = np.radians(yaw), np.radians(pitch)
+    up = np.array([[np.cos(b), 0, np.sin(b)], [0, 1, 0], [-np.sin(b), 0, np.cos(b)]])
+    around = np.array([[np.cos(a), -np.sin(a), 0], [np.sin(a), np.cos(a), 0], [0, 0, 1]])
+    for row in range(0, 40, 3):
+        for col in range(0, 40, 3):
+            ray = np.array([1.0, (col + 0.5) / 20 - 1, (row + 0.5) / 20 - 1])
+            ahead, right, down = around @ up @ (ray / np.linalg.norm(ray))
+            wanted = 2 + 0.9 * ahead - 0.6 * right + 0.5 * down
+            assert found[row, col] == pytest.approx(wanted, abs=1e-3)
+
+
+def test_a_turning_camera_moves_what_nothing_covers() -> None:
+    light = np.exp(np.random.default_rng(5).normal(0, 1, (128, 256))).astype(np.float32)
+    moved = 0
+    for seed in range(6):
+        found = turned(light, np.random.default_rng(seed), 7, 96)
+        assert (found.shape, found.dtype) == ((7, 96, 96), np.float32)
+        assert np.isfinite(found).all()
+        assert found.min() >= 0
+        assert np.array_equal(found, turned(light, np.random.default_rng(seed), 7, 96))
+        draws = np.random.default_rng(seed)
+        yaw, pitch = np.radians(draws.uniform(0, 360)), np.radians(draws.uniform(-15, 15))
+        across, along = np.radians(2.0) * draws.uniform(-1, 1, 2) ** 3 * [1.0, 0.3]
+        first = view(light, yaw, pitch, 96)
+        shown = [found[k] == view(light, yaw + across * k, pitch + along * k, 96) for k in range(7)]
+        # three things of a fifth of the side at most cover less than two fifths of the picture
+        assert min(np.mean(part) for part in shown) > 0.6
+        assert min(np.mean(part) for part in shown) < 1
+        if abs(across) > np.radians(0.1):
+            assert np.mean(found[6] == first) < 0.2
+            moved += 1
+    assert moved >= 2
+    other = turned(light, np.random.default_rng(9), 7, 96)
+    assert not np.array_equal(other, turned(light, np.random.default_rng(8), 7, 96))
+
+
+def test_a_dark_panorama_and_one_pixel_of_light_stay_finite() -> None:
+    dark = np.zeros((64, 128), np.float32)
+    assert (turned(dark, np.random.default_rng(1), 3, 32) == 0).all()
+    dark[30, 60] = 1e6
+    found = turned(dark, np.random.default_rng(1), 3, 32)
+    assert np.isfinite(found).all()
+    assert found.min() >= 0
 
 
 def test_a_file_is_never_on_both_sides(tmp_path: Path) -> None:

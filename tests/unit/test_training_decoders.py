@@ -16,6 +16,7 @@ from nscc_training.decoders.make import (  # noqa: E402
     make_decoder,
     parameter_count,
 )
+from nscc_training.decoders.names import DECODERS  # noqa: E402
 from nscc_training.decoders.unet import UNet  # noqa: E402
 
 STILL = Task("still", 256, (8, 8))
@@ -29,7 +30,7 @@ def coded(slots: int, rows: int, cols: int) -> tuple[torch.Tensor, torch.Tensor]
 
 
 @pytest.mark.parametrize("size", [(32, 32), (37, 41), (16, 24)])
-@pytest.mark.parametrize("name", ["unet2d", "unet3d", "fcnet"])
+@pytest.mark.parametrize("name", DECODERS)
 def test_clips_of_any_size(name: str, size: tuple[int, int]) -> None:
     decoder = make_decoder(name, "small", CLIP)
     found = decoder(*coded(16, *size))
@@ -58,6 +59,9 @@ def test_sizes_are_those_that_were_promised() -> None:
                 count, rel=0.03
             )
             assert parameter_count(make_decoder(name, "small", task)) <= 600_000
+    with torch.device("meta"):
+        for name in DECODERS:
+            assert parameter_count(make_decoder(name, "small", CLIP)) <= 600_000
 
 
 def test_operations_are_counted() -> None:
@@ -109,6 +113,10 @@ def test_what_a_decoder_cannot_be() -> None:
         ("unet3d", STILL, "clips"),
         ("fcnet", STILL, "clips"),
         ("unet3d", Task("clip", 16, (8, 8), sees_code=False), "S\\^T E"),
+        ("unrolled", STILL, "clips"),
+        ("refined", STILL, "clips"),
+        ("unrolled", Task("clip", 16, (8, 8), sees_code=False), "unrolled projects"),
+        ("refined", Task("clip", 16, (8, 8), sees_code=False), "refined projects"),
         ("unet4d", CLIP, "none of"),
     ):
         with pytest.raises(ValueError, match=words):

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
+import shutil
+from hashlib import sha256
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -10,16 +14,20 @@ import numpy as np
 import pytest
 from nscc_command import invoke
 from scipy.io import savemat
+from training_oracle import small_target
 
 torch = pytest.importorskip("torch")
 
 from nscc.cli.support import write_together  # noqa: E402
 from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.evaluation import hdr_baselines  # noqa: E402
 from nscc_training.evaluation.hdr import Crop, Unusable, exposed_crop  # noqa: E402
+from nscc_training.evaluation.tables import ROWS, key_of, text_of  # noqa: E402
 from nscc_training.evaluation.video import encoded  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.protocols import load_protocol  # noqa: E402
+from nscc_training.run_folder import load_run  # noqa: E402
 
 SMALL: dict[str, dict[str, Any]] = {
     "data": {"patch": 16, "scenes": 2, "val_items": 1},
@@ -104,9 +112,10 @@ def test_a_clip_run_on_both_protocols_of_clips(tmp_path: Path) -> None:
     assert sci.codes == ["NS0821"]
 
 
-def test_a_run_with_the_mask_of_the_file(tmp_path: Path) -> None:
+@pytest.mark.parametrize("name", ["unet3d", "unrolled", "refined"])
+def test_a_run_with_the_mask_of_the_file(name: str, tmp_path: Path) -> None:
     shutter = {"class": "e", "slots": 8, "tile": [4, 4], "init": "random"}
-    trained(tmp_path / "r", shutter=shutter, decoder={"name": "unet3d"},
+    trained(tmp_path / "r", shutter=shutter, decoder={"name": name},
             data={**SMALL["data"], "protocol": "video-v1"})  # fmt: skip
     clip(tmp_path / "c.mat", 10, 32)
     outcome = invoke(["evaluate", "r", "--data", "c.mat", "--protocol", "sci8", "--json"], tmp_path)
@@ -132,19 +141,24 @@ def test_what_was_seen_is_not_scored(tmp_path: Path) -> None:
     assert "renamed.hdr" in refused.err
 
 
-def test_tables_have_every_row_and_say_what_was_not_run(tmp_path: Path) -> None:
-    import cv2
-
+def test_tables_have_every_row_and_say_what_was_not_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     (tmp_path / "d/hdr").mkdir(parents=True)
-    rng = np.random.default_rng(1)
-    light = cv2.resize(np.exp(rng.uniform(-4, 4, (64, 128))), (1024, 512))
-    light[:, :768] = 1.0  # one crop of four can be exposed as the protocol says
-    cv2.imwrite(str(tmp_path / "d/hdr/p.hdr"), np.repeat(light[..., None], 3, 2).astype("f4"))
+    one_crop(tmp_path / "d/hdr/p.hdr")
+    # sparse coding takes seconds a crop, and has tests of its own
+    monkeypatch.setattr(hdr_baselines, "coded_still", lambda _frame, _share, made, *_: made)
     (tmp_path / "runs").mkdir()
     for seed in (0, 1):
         shutter = {"slots": 256, "tile": [2, 2], "init": "quad", "learn": False}
         trained(tmp_path / f"runs/{seed}", shutter=shutter,
                 train={**SMALL["train"], "seed": seed})  # fmt: skip
+    # of the same key, but not what the protocols expose: no seeds of these rows
+    trained(tmp_path / "runs/short", shutter={**shutter, "slots": 64},
+            train={**SMALL["train"], "seed": 7})  # fmt: skip
+    clips = {"class": "c", "slots": 8, "tile": [2, 2], "init": "quad", "learn": False}
+    trained(tmp_path / "runs/clips", shutter=clips, decoder={"name": "unet3d"},
+            data={**SMALL["data"], "protocol": "video-v1"})  # fmt: skip
     arguments = ["evaluate", "tables", "--data", "d", "--runs", "runs"]
     outcome = invoke([*arguments, "--json", "-o", "t.json"], tmp_path)
     assert outcome.status == 0, outcome.err
@@ -155,6 +169,8 @@ def test_tables_have_every_row_and_say_what_was_not_run(tmp_path: Path) -> None:
     assert paper[2, "learned code, U-Net"] == (35.42, 0.9464)
     assert paper[3, "3D U-Net, e learned"] == (33.56, 0.9374)
     assert paper[4, "dictionary, e random"] == (26.22, 0.7258)
+    (eight,) = (row for row in rows if row["row"] == "3D U-Net, 2 x 2 pattern")
+    assert (eight["remark"], eight["seeds"]) == ("not run", [])
     ours = next(row for row in rows if row["row"] == "2 x 2 pattern, U-Net")
     assert (ours["seeds"], ours["steps"], ours["size"]) == ([0, 1], 2, "small")
     each = [
@@ -167,8 +183,199 @@ def test_tables_have_every_row_and_say_what_was_not_run(tmp_path: Path) -> None:
     assert ours["psnr_db"] == pytest.approx(sum(each) / 2)
     for row in rows:
         assert (row["psnr_db"] is None) == ("not run" in row["remark"])
-    human = invoke(arguments, tmp_path).out
-    assert human.count("not run") == sum("not run" in row["remark"] for row in rows)
+    assert text_of(rows).count("not run") == sum("not run" in row["remark"] for row in rows)
+    (tmp_path / "none").mkdir()
+    human = invoke(["evaluate", "tables", "--data", "none"], tmp_path).out
+    assert human.count("not run") == len(rows)
+
+
+@pytest.mark.parametrize(
+    ("decoder", "shutter", "name"),
+    [
+        ("unet2d", {"class": "d", "learn": False, "init": "random"}, "2D U-Net, d random"),
+        ("unet2d", {"class": "d"}, "2D U-Net, d learned"),
+        ("unet2d", {"class": "d", "learn": False}, "2D U-Net, d, 2 x 2 pattern"),
+        ("unet3d", {"class": "c", "learn": False}, "3D U-Net, 2 x 2 pattern"),
+        ("unet3d", {"class": "codebook"}, "3D U-Net, codebook learned"),
+        ("unet3d", {"class": "codebook", "words_weight": 0.1},
+         "3D U-Net, codebook, words in the loss"),
+        ("unrolled", {"class": "d"}, None),
+        ("unet2d", {"class": "e", "learn": False, "init": "random"}, None),
+    ],
+)  # fmt: skip
+def test_rows_of_our_own(decoder: str, shutter: dict[str, Any], name: str | None) -> None:
+    key = key_of(settings_of({"decoder": {"name": decoder}, "shutter": shutter}))
+    found = [row for row in ROWS if row.table == 3 and row.key == key]
+    assert [row.name for row in found] == ([name] if name else [])
+    assert all(row.paper is None for row in found)
+
+
+def one_crop(path: Path) -> np.ndarray:
+    """Write a panorama of one crop that can be exposed as the protocol says; its light there."""
+    import cv2
+
+    light = cv2.resize(np.exp(np.random.default_rng(1).uniform(-4, 4, (64, 128))), (1024, 512))
+    light[:, 256:] = 1.0
+    cv2.imwrite(str(path), np.repeat(light[..., None], 3, 2).astype("f4"))
+    stored = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)[128:384, :256, 1]
+    return np.asarray(stored, float)
+
+
+def read_by_hand(truth: np.ndarray, share: np.ndarray, seed: int) -> np.ndarray:
+    """Codes of light in full wells over the frame, with a noise of its own."""
+    rng = np.random.default_rng(seed)
+    charge = truth * share * 30000
+    charge = np.minimum(charge + np.sqrt(charge) * rng.standard_normal(charge.shape), 30000)
+    codes = charge / 30000 * 255 + 0.65 * rng.standard_normal(charge.shape)
+    return np.clip(np.rint(codes), 0, 255).astype(np.float32)
+
+
+def scored_by_hand(truth: np.ndarray, made: np.ndarray) -> dict[str, float]:
+    """Linear and mu-law PSNR of light in full wells."""
+    peak = np.percentile(truth, 99.9)
+    pair = [np.clip(x / peak, 0, 1) for x in (truth, made)]
+    curved = [np.log1p(5000 * x) / np.log1p(5000) for x in pair]
+    return {
+        f"mean_{name}": -10 * np.log10(np.mean((a - b) ** 2))
+        for name, (a, b) in (("psnr_db", pair), ("mu_psnr_db", curved))
+    }
+
+
+def decoded_by(run: Path, frame: np.ndarray, stops: np.ndarray) -> np.ndarray:
+    """What a run's decoder makes of codes, in full wells."""
+    opened = torch.from_numpy(np.arange(256)[:, None, None] < stops).float()
+    with torch.no_grad():
+        made = load_run(run).parts.decoder(torch.from_numpy(frame / 255)[None], opened)
+    return np.asarray(made[0].numpy(), float)
+
+
+@pytest.mark.parametrize("subject", ["quad", "best-uniform", "run"])
+def test_other_parts_saturated_are_reported_too(subject: str, tmp_path: Path) -> None:
+    """Against the crop, exposed and scored by hand at 10 and 50 %."""
+    (tmp_path / "d").mkdir()
+    light = one_crop(tmp_path / "d/p.hdr")
+    if subject == "run":
+        shutter = {"slots": 256, "tile": [2, 2], "learn": False}
+        trained(tmp_path / "run", shutter=shutter)
+    arguments = ["evaluate", subject, "--data", "d", "--protocol", "hdr-v1", "--json"]
+    outcome = invoke(arguments, tmp_path)
+    assert outcome.status == 0, outcome.err
+    found = json.loads(outcome.out)
+    assert [part["saturated_fraction"] for part in found["also_saturated"]] == [0.1, 0.5]
+    if subject == "run":
+        stops = np.load(tmp_path / "run/codes.npz")["stop"]
+    else:
+        # the stop that is best at 30 % is kept
+        stops = np.array(found["settings"]["stops"])
+    share = np.tile(stops / 256, [256 // side for side in stops.shape])
+    for part in found["also_saturated"]:
+        truth = light / np.quantile(light, 1 - part["saturated_fraction"], method="higher")
+        scores = []
+        for seed in range(4):
+            frame = read_by_hand(truth, share, seed)
+            if subject == "run":
+                made = decoded_by(tmp_path / "run", frame, stops)
+            else:
+                made = merged(frame, share, 30000 / 255, 255, 0.65 * 30000 / 255) / 30000
+            scores.append(scored_by_hand(truth, made))
+        for name in ("mean_psnr_db", "mean_mu_psnr_db"):
+            # the darkest pixels of a 2 x 2 pattern make 0.3 dB of difference from noise to noise
+            assert part[name] == pytest.approx(np.median([s[name] for s in scores]), abs=0.5)
+        assert 0 < part["mean_ssim"] < 1
+        assert (part["crops"], part["crops_left_out"]) == (1, 3)
+    at_ten, at_fifty = (part["mean_psnr_db"] for part in found["also_saturated"])
+    # so that neither could be taken for the other or for 30 %
+    assert min(abs(a - b) for a, b in combinations((at_ten, found["mean"], at_fifty), 2)) > 1.5
+
+
+def test_a_run_keeps_a_chip_and_a_sensor_of_ones_own(tmp_path: Path) -> None:
+    """Whoever has the folder needs nothing else: from anywhere, after the files are gone."""
+    (tmp_path / "mine").mkdir()
+    chip = small_target(invoke(["targets", "scamp5", "--toml"], tmp_path).out, 64, 48)
+    sensor = re.sub(r"(?m)^full_well_e = .*$", "full_well_e = 20000.0",
+                    invoke(["effects", "--toml"], tmp_path).out)  # fmt: skip
+    sensor = re.sub(r"(?m)^electrons_per_lsb = .*$", "electrons_per_lsb = 70.0", sensor)
+    given = {"target.toml": chip + "# a chip\n", "sensor.toml": sensor + "# a sensor\n"}
+    for name, text in given.items():
+        (tmp_path / "mine" / f"my_{name}").write_text(text)
+    (tmp_path / "c.toml").write_text(
+        '[shutter]\nslots = 256\ntile = [2, 2]\ntarget = "mine/my_target.toml"\n'
+        '[sensor]\nfile = "mine/my_sensor.toml"\n[data]\npatch = 16\nscenes = 2\nval_items = 1\n'
+        "[train]\nsteps = 1\nbatch = 1\nvalidate_every = 1\n"
+    )
+    done = invoke(["train", "c.toml", "--out", "r"], tmp_path)
+    assert done.status == 0, done.err
+    shutil.rmtree(tmp_path / "mine")
+    files = json.loads((tmp_path / "r/result.json").read_text())["files"]
+    for name, text in given.items():
+        assert (tmp_path / "r" / name).read_text() == text
+        assert files[name] == sha256(text.encode()).hexdigest()
+    here = tmp_path / "elsewhere"
+    (here / "d").mkdir(parents=True)
+    one_crop(here / "d/p.hdr")
+    arguments = ["evaluate", "../r", "--data", "d", "--protocol", "hdr-v1", "--json"]
+    outcome = invoke(arguments, here)
+    assert outcome.status == 0, outcome.err
+    assert len(json.loads(outcome.out)["items"]) == 1
+    model = load_run(tmp_path / "r").parts.model
+    assert (model.full_well_e, model.electrons_per_lsb) == (20000, 70)
+    # what is printed at the end works, and so does a frame of it
+    command = re.search(r"`nscc (build .*)`", done.err)
+    assert command
+    assert invoke([*command[1].split(), "-O", "1", "-o", "s.icw"], tmp_path).status == 0
+    exposing = ["run", "../r/shutter.nsl", "-O", "1", "--scene", "builtin:hdr", "--sensor",
+                "../r/sensor.toml"]  # fmt: skip
+    own = ["--target", "../r/target.toml"]
+    assert invoke([*exposing, *own, "-o", "f.npz"], here).status == 0
+    for run in ("../r", str(tmp_path / "r")):
+        made = invoke(["reconstruct", run, "f.npz", "-o", "o.npz"], here)
+        assert made.status == 0, made.err
+        image = np.load(here / "o.npz")["image"]
+        assert image.shape == (64, 48)
+        assert np.isfinite(image).all()
+    # a frame of another chip, of another sensor
+    invoke([*exposing, "-o", "g.npz"], here)
+    invoke([*exposing[:-2], *own, "-o", "h.npz"], here)
+    for name, words in (("g.npz", "--target target.toml"), ("h.npz", "electrons_per_lsb")):
+        refused = invoke(["reconstruct", "../r", name, "-o", "p.npz"], here)
+        assert refused.codes == ["NS0819"]
+        assert words in refused.err
+
+
+def test_bilinear_sees_one_slot_of_each_pixel(tmp_path: Path) -> None:
+    """As many samples as thin-out has; the rest are tents over samples of the same frame."""
+    (tmp_path / "d").mkdir()
+    noise = np.random.default_rng(2).integers(1, 256, (256, 256, 16), np.uint8)
+    savemat(tmp_path / "d/c.mat", {"orig": noise})
+    arguments = ["evaluate", "bilinear", "--data", "d", "--protocol", "video-v1", "--json"]
+    outcome = invoke([*arguments, "--save", "s", "--seed", "3"], tmp_path)
+    assert outcome.status == 0, outcome.err
+    found = json.loads(outcome.out)
+    assert (found["sees"], found["settings"]["seed"]) == ("truth", 3)
+    start = np.array(found["settings"]["start"])
+    assert (start.shape, set(found["settings"])) == ((8, 8), {"start", "seed"})
+    assert 0 <= start.min() < start.max() <= 15
+    seen = np.arange(16)[:, None, None] == np.tile(start, (32, 32))
+    assert np.mean(seen) == 1 / 16
+    truth, made = (np.load(tmp_path / f"s/c_0_{n}.npy") for n in ("truth", "video"))
+    assert np.array_equal(made[seen], truth[seen])
+    assert np.mean(made[~seen] == truth[~seen]) < 0.1
+    rng = np.random.default_rng(4)
+    for _ in range(60):
+        n, row, col = (int(rng.integers(side)) for side in truth.shape)
+        if seen[n, row, col]:
+            continue
+        for reach in (2, 4, 8, 16, 32, 64):
+            top = bottom = 0.0
+            for r in range(max(0, row - reach + 1), min(256, row + reach)):
+                for c in range(max(0, col - reach + 1), min(256, col + reach)):
+                    weight = (1 - abs(r - row) / reach) * (1 - abs(c - col) / reach)
+                    top += weight * seen[n, r, c] * truth[n, r, c]
+                    bottom += weight * seen[n, r, c]
+            if bottom:
+                break
+        if bottom:
+            assert made[n, row, col] == pytest.approx(top / bottom, rel=1e-5)
 
 
 def test_baselines_of_clips(tmp_path: Path) -> None:
@@ -191,13 +398,8 @@ def test_baselines_of_clips(tmp_path: Path) -> None:
 def test_the_best_uniform_stops_are_the_best_of_what_they_are_named_for(tmp_path: Path) -> None:
     """Against every power of two with a noise of its own: mu-law wants the shadows, linear light
     the highlights."""
-    import cv2
-
     (tmp_path / "d").mkdir()
-    light = cv2.resize(np.exp(np.random.default_rng(1).uniform(-4, 4, (64, 128))), (1024, 512))
-    light[:, 256:] = 1.0  # one crop of four can be exposed as the protocol says
-    cv2.imwrite(str(tmp_path / "d/p.hdr"), np.repeat(light[..., None], 3, 2).astype("f4"))
-    crop = cv2.imread(str(tmp_path / "d/p.hdr"), cv2.IMREAD_UNCHANGED)[128:384, :256, 1]
+    crop = one_crop(tmp_path / "d/p.hdr")
     truth = crop / np.quantile(crop, 0.7)
     peak = np.percentile(truth, 99.9)
     rng, linear, curved = np.random.default_rng(7), {}, {}

@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +21,9 @@ from safetensors.torch import load_file  # noqa: E402
 from nscc.cli.support import write_together  # noqa: E402
 from nscc.diagnostics.model import Rejected  # noqa: E402
 from nscc_training.config import config_toml, settings_of  # noqa: E402
+from nscc_training.loop import artifacts  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.sensor_model import read_out  # noqa: E402
 
 STILL: dict[str, dict[str, Any]] = {
     "shutter": {"class": "b", "slots": 16, "tile": [4, 4], "init": "random", "noise": 0.5},
@@ -74,6 +77,69 @@ def test_a_run_leaves_what_was_promised(values: dict[str, Any], tmp_path: Path) 
         from hashlib import sha256
 
         assert sha256((tmp_path / "r" / name).read_bytes()).hexdigest() == digest
+
+
+def test_robustness_is_of_the_sensors_and_exposures_that_it_names(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each row by what its sensor makes of a flat field of 9000 electrons and of a bright one."""
+    seen: list[tuple[Any, float]] = []
+    scored = artifacts.scored
+
+    def watched(parts: Any, batches: Any, shutters: Any, model: Any, seed: int, exposure: float = 1,
+                ) -> Any:  # fmt: skip
+        seen.append((model, exposure))
+        return scored(parts, batches, shutters, model, seed, exposure)
+
+    monkeypatch.setattr(artifacts, "scored", watched)
+    run(changed(STILL, "train", steps=1), tmp_path / "r")
+    rows = json.loads((tmp_path / "r" / "result.json").read_text())["robustness"]
+    gain = 30000 / 255
+    found = {}
+    for row, (model, exposure) in zip(rows, seen[-len(rows) :], strict=True):
+        generator = torch.Generator().manual_seed(1)
+        flat = torch.full((1, 300, 300), 9000.0 * exposure, dtype=torch.float64)
+        frame = read_out(flat, model, generator).double()
+        bright = read_out(flat * 100, replace(model, adc_bits=16)).double()
+        found[row["change"]] = [frame.mean().item(), frame.var().item(), bright.max().item()]
+    mean, full = 9000 / gain, 255
+    # photons and readout; the rounding does not grow with them
+    noise = 9000 / gain**2 + 0.65**2
+    wanted = {
+        "as trained": [mean, noise + 1 / 12, full],
+        "full well -20 %": [mean, noise + 1 / 12, 0.8 * full],
+        "full well +20 %": [mean, noise + 1 / 12, 1.2 * full],
+        "electrons a code -20 %": [mean / 0.8, noise_at(0.8) + 1 / 12, full / 0.8],
+        "electrons a code +20 %": [mean / 1.2, noise_at(1.2) + 1 / 12, full / 1.2],
+        "noise x 2": [mean, 4 * noise + 1 / 12, full],
+        "exposure x 0.5": [mean / 2, 4500 / gain**2 + 0.65**2 + 1 / 12, full],
+        "exposure x 2": [mean * 2, 18000 / gain**2 + 0.65**2 + 1 / 12, full],
+    }
+    assert list(found) == list(wanted)
+    for name, (mean, spread, top) in wanted.items():
+        assert found[name] == [
+            pytest.approx(mean, rel=2e-3), pytest.approx(spread, rel=0.05),
+            pytest.approx(top, abs=0.6),
+        ], name  # fmt: skip
+
+
+def noise_at(factor: float) -> float:
+    """The variance of 9000 electrons where a code is so many times 30000 / 255 of them."""
+    return 9000 / (factor * 30000 / 255) ** 2 + 0.65**2
+
+
+@pytest.mark.parametrize("name", ["unrolled", "refined"])
+def test_codes_learn_through_projections(name: str, tmp_path: Path) -> None:
+    shutter = {"class": "e", "slots": 6, "tile": [4, 4], "init": "random"}
+    values = {**CLIP, "shutter": shutter, "decoder": {"name": name}}
+    values = changed(values, "train", code_rate=1.0)
+    run(values, tmp_path / "r")
+    run(changed(values, "shutter", learn=False), tmp_path / "frozen")
+    learned, frozen = (np.load(tmp_path / k / "codes.npz")["bits"] for k in ("r", "frozen"))
+    assert not np.array_equal(learned, frozen)
+    found = json.loads((tmp_path / "r" / "result.json").read_text())
+    assert found["parameters"] <= 600_000 < found["flops"]
+    assert found["stages"]["compiled_equals_hard"] is True
 
 
 @pytest.mark.parametrize("values", [STILL, CLIP], ids=["still", "clip"])

@@ -40,6 +40,11 @@ class Chip:
     slot_us: float = 125.0
     require: str | None = None
 
+    @property
+    def file(self) -> str | None:
+        """The target's file, as the compiler's options take it; None for a name."""
+        return self.target if self.target.endswith(".toml") else None
+
 
 @dataclass(frozen=True)
 class ProgramFiles:
@@ -72,7 +77,7 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
     lines += ["nsl 1", ""]
     # A file's path is relative to where the user works, not to the program: it is an option of
     # the compiler then, not part of the text.
-    if not chip.target.endswith(".toml"):
+    if chip.file is None:
         lines.append(f"target {chip.target}")
     lines += [f"frame {spec.slots} slots of {_time(chip.slot_us)}", ""]
     lines += _rule(spec, codes, packed)
@@ -95,11 +100,7 @@ def compiled(
     with tempfile.TemporaryDirectory() as folder:
         if files.codes:
             (Path(folder) / CODES_FILE).write_bytes(files.codes)
-        options = Options(
-            level=level,
-            codes="open" if every_code else "fixed",
-            target=chip.target if chip.target.endswith(".toml") else None,
-        )
+        options = Options(level=level, codes="open" if every_code else "fixed", target=chip.file)
         return compile_source(Source("shutter.nsl", files.text), Path(folder), options)
 
 

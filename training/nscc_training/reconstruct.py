@@ -21,6 +21,7 @@ from nscc.source import Source
 from nscc.words.file import to_bytes
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.sensor import sensor_sha256
+from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.sensor_model import laid
 
@@ -93,7 +94,8 @@ def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
             yield "it was exposed with other shutters than the run's"
     elif read.meta.get("program_sha256") not in _programs(folder):
-        yield "its program is not the run's shutter.nsl, compiled at any level"
+        chip = "" if folder.parts.chip.file is None else f" with --target {TARGET_FILE}"
+        yield f"its program is not the run's shutter.nsl, compiled{chip} at any level"
 
 
 class _Programs:
@@ -105,7 +107,8 @@ class _Programs:
     def __contains__(self, digest: object) -> bool:
         source = Source("shutter.nsl", self.folder.program)
         for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
-            found = compile_source(source, self.folder.path, Options(level=level))
+            options = Options(level=level, target=self.folder.parts.chip.file)
+            found = compile_source(source, self.folder.path, options)
             if found.container and sha256(to_bytes(found.container)).hexdigest() == digest:
                 return True
         return False

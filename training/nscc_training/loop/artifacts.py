@@ -66,8 +66,8 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
     files = {"shutter.nsl": program.text.encode(), "decoder.safetensors": weights}
     if program.codes:
         files[CODES_FILE] = program.codes
-    if parts.chip.target.endswith(".toml"):
-        files[TARGET_FILE] = Path(parts.chip.target).read_bytes()
+    if parts.chip.file is not None:
+        files[TARGET_FILE] = Path(parts.chip.file).read_bytes()
     if parts.settings.sensor.file:
         files[SENSOR_FILE] = Path(parts.settings.sensor.file).read_bytes()
     files["capture.toml"] = capture_toml(parts).encode()

@@ -27,7 +27,7 @@ from nscc_training.loop.steps import (
     window,
 )
 from nscc_training.loop.trials import pull, trial_of
-from nscc_training.programs import compiled, program_of, words_per_slot
+from nscc_training.programs import TARGET_FILE, compiled, program_of, words_per_slot
 from nscc_training.settings import Settings
 
 COLUMNS = ("step", "split", "loss", "psnr_db", "ssim", "words_per_slot", "dead_share")
@@ -81,8 +81,9 @@ def train(
         _steps(run, out, write, track if ranks.first else _untracked, report, stop_after)
         if ranks.first and run.progress.step >= settings.train.steps:
             _finish(run, out, write)
+            chip = "" if run.parts.chip.file is None else f" --target {out / TARGET_FILE}"
             report(f"{out}: model_card.md says what it is worth; "
-                   f"`nscc build {out / 'shutter.nsl'}` compiles its shutters")  # fmt: skip
+                   f"`nscc build {out / 'shutter.nsl'}{chip}` compiles its shutters")  # fmt: skip
         ranks.meet()
     finally:
         ranks.close()
