@@ -52,6 +52,11 @@ def psnr_mu(prediction: Tensor, truth: Tensor) -> Tensor:
     return psnr(mu_law(prediction, MU), mu_law(truth, MU))
 
 
+def psnr_display(prediction: Tensor, truth: Tensor) -> Tensor:
+    """The same in display encoding."""
+    return psnr(srgb(prediction), srgb(truth))
+
+
 def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
     """Mean absolute error in PU21 units over those of the data range, `NITS` cd/m2."""
     most = pu21(torch.tensor(NITS, dtype=torch.float64)).item()
@@ -60,6 +65,6 @@ def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
 
 LOSSES: dict[str, Loss] = {
     "l1": l1, "display": display, "log": log, "mu-law": mu, "pu21": pu21_loss, "psnr": psnr,
-    "psnr-mu": psnr_mu,
+    "psnr-mu": psnr_mu, "psnr-display": psnr_display,
 }  # fmt: skip
 """The losses by the names that configurations use."""

@@ -106,8 +106,10 @@ class DataSettings:
 class LossSettings:
     """[loss]: what is minimised."""
 
-    name: str = setting("mu-law", "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, "
-                        "one's own as module:name, or the sum of several, joined by +")  # fmt: skip
+    name: str = setting(
+        "mu-law", "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, psnr-display, "
+        "one's own as module:name, or several, joined by + and added",
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)

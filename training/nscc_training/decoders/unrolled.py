@@ -36,7 +36,7 @@ class Unrolled(nn.Module):
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         opened = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
-        count = opened.sum(dim=0).clamp(min=1)
+        energy = opened.square().sum(dim=0).clamp(min=1)
         # 1 is a full well for a frame, a full well / N for a slot.
         total = frame * self.slots
         if self.tv_iterations:
@@ -46,7 +46,7 @@ class Unrolled(nn.Module):
             clip = clip_guess(volume, opened)
         seen = opened.expand_as(clip)
         for step, denoiser in zip(self.steps, self.denoisers, strict=True):
-            missing = (total - (opened * clip).sum(dim=1)) / count
+            missing = (total - (opened * clip).sum(dim=1)) / energy
             clip = clip + step * opened * missing.unsqueeze(1)
             clip = clip + denoiser(torch.cat([clip, seen], dim=1)).float()
         return clip
