@@ -49,6 +49,8 @@ class ShutterSettings:
                                              count=2)  # fmt: skip
     noise: float = setting(0.0, "on parameters at the first step, in slots or for digits in their "
                            "own unit; 0 at the last", low=0, high=1e6)  # fmt: skip
+    settle: float = setting(0.0, "the last part of the steps, in which the codes stay as they are "
+                            "and the decoder learns them", low=0, high=1)  # fmt: skip
     target: str = setting("scamp5", "the chip: a name or a file, as --target takes it")
     require: str = setting("", "a condition that legal codes fulfil, as in a program (b, c, d)")
     codes: str = setting("fixed", "open: every legal code must compile, not only those learned",

@@ -15,8 +15,6 @@ from nscc_training.gradients import opened, replaced, rounded
 _FAR = 1e6
 """Slots before the frame: an edge there never matters."""
 _MOST_DISTANCES = 1 << 24
-LEAST_TRIED = 1.0
-"""The least noise of trials, in slots: with less of it codes round to what they are."""
 
 
 class AlwaysOpen(Encoder):
@@ -87,7 +85,12 @@ class Bump(Encoder):
 
     def tried(self, fields: Tensor) -> Tensor:
         """The standard deviation, in slots, of trials around fields (fields, rows, cols)."""
-        return torch.full_like(fields, max(self.noise, LEAST_TRIED))
+        return torch.full_like(fields, max(self.noise, self.least_tried))
+
+    @property
+    def least_tried(self) -> float:
+        """The least noise of trials, in slots: with less of it codes round to what they are."""
+        return max(0.5, self.spec.slots / 256)
 
     def fields(self, generator: torch.Generator | None) -> Tensor:
         """The fields (fields, rows, cols), real, within their limits; gradient 1 there."""
@@ -143,7 +146,7 @@ class Stop(Bump):
 
     def tried(self, fields: Tensor) -> Tensor:
         # Exposures count by their ratio: a short one is tried in small steps.
-        return torch.minimum(super().tried(fields), fields / 4).clamp(min=LEAST_TRIED)
+        return torch.minimum(super().tried(fields), fields / 4).clamp(min=self.least_tried)
 
     def start_random(self, generator: np.random.Generator) -> None:
         self.fill(generator.integers(1, self.spec.slots, self.spec.tile, endpoint=True))

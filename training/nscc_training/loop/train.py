@@ -180,11 +180,12 @@ def _update(run: Run, step: int) -> float:
     rows, cols = batch.light.shape[-2:]
     place = (seed, 7, step)
     trial = None
-    if settings.shutter.learn and parts.encoder.relaxation == "tried":
+    learns = codes_learn(settings, step)
+    if learns and parts.encoder.relaxation == "tried":
         assert isinstance(parts.encoder, Bump)
         trial = trial_of(parts.encoder, rows, cols, (seed, 6, step, run.ranks.rank), place)
         shutters = trial.shutters[0]
-    elif settings.shutter.learn:
+    elif learns:
         # The codes' noise is the same in every process, the sensor's is not.
         shutters = window(parts.encoder(generator_of(seed, 6, step)), rows, cols, place)
     else:
@@ -204,6 +205,11 @@ def _update(run: Run, step: int) -> float:
     run.optimiser.step()
     parts.encoder.project()
     return loss.item()
+
+
+def codes_learn(settings: Settings, step: int) -> bool:
+    """Whether the codes change in a step: at the end of a run they may be settled."""
+    return settings.shutter.learn and step < (1 - settings.shutter.settle) * settings.train.steps
 
 
 def anneal(parts: Parts, step: int) -> None:
@@ -230,7 +236,7 @@ def _validate(run: Run, losses: list[float], report: Callable[[str], None]) -> N
     parts, step = run.parts, run.progress.step
     parts.decoder.eval()
     settings = parts.settings
-    dead = parts.encoder.dead_share() if settings.shutter.learn else None
+    dead = parts.encoder.dead_share() if codes_learn(settings, step - 1) else None
     run.rows.append(row(step, "train", sum(losses) / len(losses), None, None, None, dead))
     words = true_words(parts)
     found = scored(parts, run.batches.val(), parts.encoder.hard(), parts.model,
