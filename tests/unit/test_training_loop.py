@@ -316,3 +316,25 @@ def test_reconstruct_and_what_it_refuses(tmp_path: Path) -> None:
     assert "NS0818" in invoke(["reconstruct", ".", "f.npz", "-o", "q.npz"], tmp_path).codes
     (tmp_path / "r" / "decoder.safetensors").write_bytes(b"\x00" * 9)
     assert "NS0818" in invoke(["reconstruct", "r", "f.npz", "-o", "q.npz"], tmp_path).codes
+
+
+@pytest.mark.parametrize("relaxation", ["straight-through", "tried"])
+def test_settled_codes_stay_and_the_decoder_learns(relaxation: str, tmp_path: Path) -> None:
+    """From half of the run on; before, and without it, the codes change."""
+
+    def at(step: int, settle: float) -> dict[str, Any]:
+        out = tmp_path / f"r{settle}"
+        values = changed(STILL, "shutter", settle=settle, relaxation=relaxation)
+        run(values, out, stop_after=step)
+        return dict(load_file(out / "checkpoint.safetensors"))
+
+    for settle in (0.0, 0.5):
+        early, middle, late = (at(step, settle) for step in (2, 4, 5))
+        assert not torch.equal(early["encoder.stop"], middle["encoder.stop"])
+        assert torch.equal(middle["encoder.stop"], late["encoder.stop"]) == (settle > 0)
+        key = "decoder.network.last.weight"
+        assert not torch.equal(middle[key], late[key])
+    rows = (tmp_path / "r0.5" / "metrics.csv").read_text().splitlines()
+    shares = {row.split(",")[0]: row.split(",")[6] for row in rows[1:] if ",val," in row}
+    assert shares["2"] != ""
+    assert shares["4"] == shares["5"] == ""
