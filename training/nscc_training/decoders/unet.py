@@ -112,10 +112,13 @@ class StillUNet(nn.Module):
         assert self.slots is not None
         seen, guess = [frame.unsqueeze(1)], None
         if self.sees_code:
-            volume, guess = _volume_and_guess(frame, shutters, self.slots)
-            seen += [volume, guess] if self.guesses else [volume]
+            volume, opened = _lifted(frame, shutters, self.slots)
+            seen.append(volume)
+            if self.guesses:
+                guess = clip_guess(volume, opened)
+                seen.append(guess)
         found: Tensor = self.network(torch.cat(seen, dim=1)).float()
-        return found + guess if self.guesses and guess is not None else found
+        return found if guess is None else found + guess
 
 
 class ClipUNet(nn.Module):
@@ -131,18 +134,18 @@ class ClipUNet(nn.Module):
         self.network = begin_with_nothing(network) if guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        volume, guess = _volume_and_guess(frame, shutters, self.slots)
-        seen = [volume, guess] if self.guesses else [volume]
+        volume, opened = _lifted(frame, shutters, self.slots)
+        guess = clip_guess(volume, opened) if self.guesses else None
+        seen = [volume] if guess is None else [volume, guess]
         found: Tensor = self.network(torch.stack(seen, dim=1)).squeeze(1).float()
-        return found + guess if self.guesses else found
+        return found if guess is None else found + guess
 
 
-def _volume_and_guess(frame: Tensor, shutters: Tensor, slots: int) -> tuple[Tensor, Tensor]:
-    """S^T E and what it says by itself, (batch, N, rows, cols)."""
+def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[Tensor, Tensor]:
+    """S^T E (batch, N, rows, cols) and the shutters over the frame (N, rows, cols)."""
+    opened = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
     # A frame is the sum over its open slots; S^T E is in light a slot, so 1 is full well / N.
-    shutters = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
-    volume, _valid = lifted(frame * slots, shutters)
-    return volume, clip_guess(volume, shutters)
+    return lifted(frame * slots, opened)[0], opened
 
 
 def begin_with_nothing(network: UNet) -> UNet:
