@@ -47,6 +47,11 @@ for seed in 0 1 2; do
     learn hdr_quad_$seed hdr-v1 data/hdr_test hdr.toml "${set_seed[@]}" "${fixed[@]}"
     learn hdr_random_$seed hdr-v1 data/hdr_test hdr.toml "${set_seed[@]}" "${fixed[@]}" \
         --set shutter.init=random
+    linear=("${set_seed[@]}" --set loss.name=psnr --set shutter.settle=0.2)
+    learn lin_learned_$seed hdr-v1 data/hdr_test hdr.toml "${linear[@]}"
+    learn lin_quad_$seed hdr-v1 data/hdr_test hdr.toml "${linear[@]}" "${fixed[@]}"
+    learn lin_random_$seed hdr-v1 data/hdr_test hdr.toml "${linear[@]}" "${fixed[@]}" \
+        --set shutter.init=random
     learn vid_learned_$seed video-v1 data/clips clip.toml "${set_seed[@]}"
     learn vid_quad_$seed video-v1 data/clips clip.toml "${set_seed[@]}" "${fixed[@]}"
     learn vid_random_$seed video-v1 data/clips clip.toml "${set_seed[@]}" "${fixed[@]}" \
@@ -56,7 +61,7 @@ done
 for name in bilinear thin-out dictionary gap-tv; do
     baseline "$name" video-v1 data/clips
 done
-rows=(--set decoder.name=fcnet --set train.steps=3000)
+rows=(--set decoder.name=fcnet --set train.steps=2000 --set train.code_rate=2e-3)
 bits=(--set shutter.relaxation=straight-through --set shutter.init=quad)
 kept=(--set shutter.learn=false)
 wide=(--set shutter.class=e --set shutter.target=scamp7)
@@ -71,8 +76,8 @@ clip fc_d_quad "${kept[@]}"
 clip fc_d_learned
 clip fc_e_random "${bits[@]}" "${wide[@]}" "${kept[@]}" --set shutter.init=random
 clip fc_e_learned "${bits[@]}" "${wide[@]}"
-rows=(--set decoder.name=unet3d --set train.steps=400 --set train.batch=2
-    --set data.val_items=16 --set train.validate_every=200)
+rows=(--set decoder.name=unet3d --set train.steps=300 --set train.batch=2
+    --set train.validate_every=100 --set train.code_rate=2e-3)
 clip u3_codebook_learned "${bits[@]}" --set shutter.class=codebook
 clip u3_c_quad --set shutter.class=c "${kept[@]}"
 clip u3_c_learned --set shutter.class=c
@@ -94,6 +99,7 @@ against() {
 for other in random quad; do
     against hdr $other mu_psnr_db
     against hdr $other psnr_db
+    against lin $other psnr_db
     against vid $other psnr_db
 done
 for seed in 0 1 2; do
