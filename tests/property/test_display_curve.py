@@ -6,7 +6,8 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nscc_runtime.scenes.colour import linear_to_srgb, srgb_to_linear
+from nscc_runtime.scenes.colour import srgb_to_linear
+from nscc_training.curves import srgb as linear_to_srgb
 
 VALUES = st.lists(st.floats(0, 4), min_size=1, max_size=20).map(np.array)
 BENDS = np.array([0.0, 0.0031308, np.nextafter(0.0031308, 1), 0.04045, np.nextafter(0.04045, 1), 1])

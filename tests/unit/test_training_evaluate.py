@@ -448,3 +448,33 @@ def test_encoding_is_the_reverse_of_the_scenes() -> None:
     values = np.linspace(0, 1, 256)
     np.testing.assert_allclose(encoded(srgb_to_linear(values), True), values, atol=1e-7)
     assert encoded(np.array([-1.0, 0.25, 7.0]), False).tolist() == [0.0, 0.25, 1.0]
+
+
+def test_a_run_of_two_rows_is_evaluated_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """FC-net with learned class c stands in Tables 3 and 4."""
+    run = trained(
+        tmp_path / "runs/c", shutter={"class": "c", "slots": 16, "tile": [4, 4]},
+        decoder={"name": "fcnet"}, data={**SMALL["data"], "protocol": "video-v1"},
+    )  # fmt: skip
+    (tmp_path / "d").mkdir()
+    clip(tmp_path / "d/c.mat", 16, 256)
+    asked = []
+
+    def evaluated(subject: str, data: Path, protocol: str, seed: int) -> tuple[dict[str, Any], Any]:
+        asked.append(subject)
+        settings = {"row": ["fcnet", "c", "learned"], "config_sha256": "1"}
+        return {
+            "protocol": protocol, "method": subject, "mean": 20.0, "items": [{"ssim": 0.5}],
+            "settings": settings if subject == str(run) else {}, "data": [{"file": "c.mat"}],
+            "protocol_sha256": "2",
+        }, {}  # fmt: skip
+
+    monkeypatch.setattr("nscc_training.evaluation.tables.evaluate", evaluated)
+    from nscc_training.evaluation.tables import tables
+
+    rows = tables(tmp_path / "d", tmp_path / "runs")
+    assert [row["psnr_db"] for row in rows if row["row"] == "FC-net, c learned"] == [20.0, 20.0]
+    assert asked.count(str(run)) == 1
+    assert len(asked) == len(set(asked))

@@ -16,8 +16,7 @@ import matplotlib
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.scenes.colour import linear_to_srgb
-from nscc_training.curves import mu_law
+from nscc_training.curves import mu_law, srgb
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
@@ -29,7 +28,7 @@ def shown(values: NDArray[np.float64], truth: NDArray[np.float64]) -> NDArray[np
     """Values on 0..1 for the screen."""
     if values.ndim == 3:
         white = np.percentile(truth, 99)
-        return linear_to_srgb(np.clip(values[FRAME] / white, 0, 1))
+        return srgb(np.clip(values[FRAME] / white, 0, 1))
     return np.asarray(mu_law(np.clip(values / np.percentile(truth, 99.9), 0, 1)))
 
 

@@ -37,12 +37,6 @@ def srgb_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.where(values <= 0.04045, values / 12.92, curve)
 
 
-def linear_to_srgb(light: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The sRGB curve of linear light: 0 to 0, 1 to 1; below 0.0031308 a straight line."""
-    curve = 1.055 * np.maximum(light, 0.0031308) ** (1 / 2.4) - 0.055
-    return np.where(light <= 0.0031308, 12.92 * light, curve)
-
-
 def luminance(rgb: NDArray[np.float64]) -> NDArray[np.float64]:
     """Luminance (rows, cols) of linear colours (rows, cols, 3) in the order red, green, blue."""
     red, green, blue = LUMINANCE

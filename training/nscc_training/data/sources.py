@@ -12,9 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc_training.curves import srgb
 from nscc_training.data import procedural
 from nscc_training.data.camera import turned
 from nscc_training.import_paths import imported, is_import_path
+from nscc_training.scene_files import CLIPS, files_in
 from nscc_training.settings import DataSettings
 
 _MOST_SIDE = 512
@@ -116,13 +118,10 @@ def _made(kind: _Kind, part: str) -> list[Scene]:
 
 
 def _folder(folder: Path, kind: _Kind, part: str) -> list[Scene]:
-    from nscc_runtime.scenes.clips import CLIPS
     from nscc_runtime.scenes.pictures import LINEAR
 
-    endings = LINEAR if kind.still else (*CLIPS, ".mat", *LINEAR)
-    files = []
-    if folder.is_dir():
-        files = sorted(p for p in folder.iterdir() if p.suffix.lower() in endings)
+    endings = LINEAR if kind.still else (*CLIPS, *LINEAR)
+    files = files_in(folder, endings)
     if not files:
         what = "stills" if kind.still else "clips"
         raise rejected(
@@ -154,8 +153,6 @@ def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) 
 
     Where stored values of clips are taken as light, so are those that a display camera would store.
     """
-    from nscc_runtime.scenes.colour import linear_to_srgb
-
     size = max(kind.settings.patch, _CAMERA_SIDE)
     scenes = []
     for index in range(kind.settings.paths):
@@ -163,7 +160,7 @@ def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) 
         light = turned(panorama, generator, kind.slots, size)
         light /= np.float32(max(float(np.percentile(light, 99)), 1e-30))
         if kind.settings.transfer == "linear":
-            light = linear_to_srgb(np.clip(light, 0, 1).astype(np.float64)).astype(np.float32)
+            light = srgb(np.clip(light, 0, 1))
         scenes.append(_scene(f"{name}, path {index}", light, kind, digest))
     return scenes
 

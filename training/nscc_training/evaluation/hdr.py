@@ -16,6 +16,7 @@ from nscc_training.evaluation.results import Item
 from nscc_training.measures import decibels, number
 from nscc_training.metrics.psnr import mean_square_error, psnr_of_mse
 from nscc_training.protocols import Protocol
+from nscc_training.scene_files import files_in
 
 Picture = NDArray[np.float64]
 ENDINGS = (".hdr", ".exr", ".pfm")
@@ -38,14 +39,14 @@ class Unusable:
     corner: tuple[int, int]
     reason: str
 
+    def as_json(self) -> dict[str, Any]:
+        """What a result says of it."""
+        return {"file": self.file, "crop": list(self.corner), "reason": self.reason}
+
 
 def panoramas(folder: Path) -> list[Path]:
     """The linear pictures of a folder by name; Rejected (NS0811) where there are none."""
-    found = (
-        sorted(p for p in folder.iterdir() if p.suffix.lower() in ENDINGS)
-        if folder.is_dir()
-        else []
-    )
+    found = files_in(folder, ENDINGS)
     if not found:
         raise rejected(
             "NS0811",
@@ -97,13 +98,25 @@ def exposed_crop(
     return Crop(path, corner, scaled)
 
 
+def parted(
+    files: list[Path], protocol: Protocol, fraction: float | None = None
+) -> tuple[list[Crop], list[Unusable]]:
+    """The crops of panoramas, in order: those that can be used, and the others."""
+    every = list(crops(files, protocol, fraction))
+    return (
+        [crop for crop in every if isinstance(crop, Crop)],
+        [crop for crop in every if isinstance(crop, Unusable)],
+    )
+
+
 def also_saturated(
-    protocol: Protocol, scored: Callable[[float], tuple[Sequence[Item], Sequence[Unusable]]]
+    files: list[Path], protocol: Protocol, scored: Callable[[list[Crop]], Sequence[Item]]
 ) -> list[dict[str, Any]]:
-    """Means at the protocol's other parts of saturated pixels; `scored` gives items at one."""
+    """Means at the protocol's other parts of saturated pixels; `scored` gives the crops' items."""
     found = []
     for fraction in protocol["also_saturated"]:
-        items, left_out = scored(fraction)
+        usable, left_out = parted(files, protocol, fraction)
+        items = scored(usable)
         means: dict[str, Any] = {}
         for name in ("psnr_db", "ssim", "mu_psnr_db", "pu21_psnr_db"):
             values = [number(item.metrics[name]) for item in items]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -16,10 +15,9 @@ from nscc_training.baselines.sparse_coding import coded_still
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.evaluation.hdr import (
     Crop,
-    Unusable,
     also_saturated,
-    crops,
     panoramas,
+    parted,
     scores,
 )
 from nscc_training.evaluation.results import Item, Subject, result
@@ -68,7 +66,7 @@ def evaluate_hdr_baseline(
     """
     protocol = load_protocol("hdr-v1")
     files = panoramas(folder)
-    usable, left_out = _parted(crops(files, protocol))
+    usable, left_out = parted(files, protocol)
     best: tuple[float, list[Item], dict[str, NDArray[Any]], NDArray[np.int64]] | None = None
     begin = perf_counter()
     choices = stops_of(name, protocol, seed)
@@ -82,24 +80,17 @@ def evaluate_hdr_baseline(
     assert best is not None
     stops = best[3]
 
-    def scored(fraction: float) -> tuple[list[Item], list[Unusable]]:
-        others, missing = _parted(crops(files, protocol, fraction))
-        return _decoded(name, others, stops, protocol, seed)[0], missing
+    def scored(others: list[Crop]) -> list[Item]:
+        return _decoded(name, others, stops, protocol, seed)[0]
 
     spent = 1e3 * (perf_counter() - begin) / max(1, len(usable) * len(choices))
     settings = {"stops": stops.tolist(), "seed": seed}
     subject = Subject(name, settings, stage="hard", decoder_ms=spent)
-    skipped = [{"file": c.file, "crop": list(c.corner), "reason": c.reason} for c in left_out]
-    more = {"crops_left_out": skipped, "also_saturated": also_saturated(protocol, scored)}
+    more = {
+        "crops_left_out": [crop.as_json() for crop in left_out],
+        "also_saturated": also_saturated(files, protocol, scored),
+    }
     return result(protocol, subject, files, best[1], **more), best[2]
-
-
-def _parted(found: Iterable[Crop | Unusable]) -> tuple[list[Crop], list[Unusable]]:
-    every = list(found)
-    return (
-        [crop for crop in every if isinstance(crop, Crop)],
-        [crop for crop in every if isinstance(crop, Unusable)],
-    )
 
 
 def _decoded(

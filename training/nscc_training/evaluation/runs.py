@@ -61,13 +61,10 @@ def evaluate_run(
     more: dict[str, Any] = {}
     if parts.still:
 
-        def scored(fraction: float) -> tuple[list[Item], list[hdr.Unusable]]:
-            found = list(hdr.crops(files, protocol, fraction))
-            crops = [crop for crop in found if isinstance(crop, hdr.Crop)]
-            taken = [item for item, *_ in _of_crops(folder, crops, protocol, seed)]
-            return taken, [crop for crop in found if isinstance(crop, hdr.Unusable)]
+        def scored(crops: list[hdr.Crop]) -> list[Item]:
+            return [item for item, *_ in _of_crops(folder, crops, protocol, seed)]
 
-        more["also_saturated"] = hdr.also_saturated(protocol, scored)
+        more["also_saturated"] = hdr.also_saturated(files, protocol, scored)
     size, settings = (256, 256), parts.settings
     subject = Subject(
         f"{settings.decoder.name} ({settings.decoder.size})",
@@ -152,12 +149,8 @@ def _stills(
     folder: RunFolder, files: list[Path], protocol: Protocol, seed: int,
     left_out: list[dict[str, Any]],
 ) -> Iterator[Scored]:  # fmt: skip
-    crops = []
-    for crop in hdr.crops(files, protocol):
-        if isinstance(crop, hdr.Crop):
-            crops.append(crop)
-        else:
-            left_out.append({"file": crop.file, "crop": list(crop.corner), "reason": crop.reason})
+    crops, unusable = hdr.parted(files, protocol)
+    left_out += [crop.as_json() for crop in unusable]
     yield from _of_crops(folder, crops, protocol, seed)
 
 

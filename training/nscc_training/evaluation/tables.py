@@ -24,6 +24,7 @@ from nscc_training.evaluation.video import clips_of
 from nscc_training.measures import number
 from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import RunFolder, load_run
+from nscc_training.scene_files import CLIPS, files_in
 
 
 @dataclass(frozen=True)
@@ -195,16 +196,16 @@ def _row(
 def _results(
     row: Row, place: _Place, fresh: list[RunFolder], held: list[dict[str, Any]]
 ) -> list[dict[str, Any]]:
-    """The results of a row, those that are new added to those that are held."""
+    """The results of a row. What is evaluated for it is held from then on, and no longer fresh."""
     if place.folder is None:
         return []
     mine = [found for found in held if found["protocol"] == row.protocol and _is_of(found, row)]
-    subjects = [str(run.path) for run in fresh if belongs(run, row)]
-    if row.baseline and not mine:
-        subjects = [row.baseline]
+    runs = [run for run in fresh if belongs(run, row)]
+    subjects = [row.baseline] if row.baseline and not mine else [str(run.path) for run in runs]
     made = [evaluate(subject, place.folder, row.protocol, 0)[0] for subject in subjects]
     held += made
-    return mine + [found for found in made if found not in mine]
+    fresh[:] = [run for run in fresh if run not in runs]
+    return mine + made
 
 
 def _is_of(found: dict[str, Any], row: Row) -> bool:
@@ -228,13 +229,8 @@ def belongs(run: RunFolder, row: Row) -> bool:
 
 def _folder(data: Path, protocol: str) -> Path | None:
     """The folder with a protocol's scenes; None where there are none."""
-    from nscc_runtime.scenes.clips import CLIPS
-
-    name, endings = ("hdr", ENDINGS) if protocol == "hdr-v1" else ("video", (*CLIPS, ".mat"))
-    for folder in (data / name, data):
-        if folder.is_dir() and any(p.suffix.lower() in endings for p in folder.iterdir()):
-            return folder
-    return None
+    name, endings = ("hdr", ENDINGS) if protocol == "hdr-v1" else ("video", CLIPS)
+    return next((folder for folder in (data / name, data) if files_in(folder, endings)), None)
 
 
 def text_of(rows: list[dict[str, Any]]) -> str:

@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training import metrics
+from nscc_training import curves, metrics
 from nscc_training.measures import decibels
 from nscc_training.metrics.psnr import mean_square_error
 from nscc_training.protocols import Protocol
+from nscc_training.scene_files import CLIPS, files_in
 
 Clip = NDArray[np.float64]
 
@@ -44,19 +45,12 @@ class Passed:
 
 def clips_of(folder: Path) -> list[Path]:
     """The clips of a folder by name; Rejected (NS0811) where there are none."""
-    from nscc_runtime.scenes.clips import CLIPS
-
-    endings = (*CLIPS, ".mat")
-    found = (
-        sorted(p for p in folder.iterdir() if p.suffix.lower() in endings)
-        if folder.is_dir()
-        else []
-    )
+    found = files_in(folder, CLIPS)
     if not found:
         raise rejected(
             "NS0811",
             f"'{folder}' holds no data for protocol video-v1",
-            notes=(f"clips end in {', '.join(endings)}",),
+            notes=(f"clips end in {', '.join(CLIPS)}",),
             helps=("name a folder of clips of at least 256 x 256",),
         )
     return found
@@ -114,10 +108,8 @@ def scores(window: Window, result_e: Clip) -> dict[str, Any]:
 
 def encoded(light: Clip, srgb: bool) -> Clip:
     """Light in the source's encoding, clipped to 0..1."""
-    from nscc_runtime.scenes.colour import linear_to_srgb
-
     clipped = np.clip(light, 0.0, 1.0)
-    return linear_to_srgb(clipped) if srgb else clipped
+    return curves.srgb(clipped) if srgb else clipped
 
 
 def _stored(path: Path) -> Iterator[NDArray[Any]]:

@@ -13,6 +13,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_training.data import procedural
 from nscc_training.evaluation import hdr, video
 from nscc_training.protocols import Protocol, load_protocol
+from nscc_training.scene_files import CLIPS
 
 Kind = Literal["clips", "stills"]
 KINDS: tuple[Kind, ...] = ("clips", "stills")
@@ -48,10 +49,8 @@ def files_of(kind: Kind, data: Path) -> list[Path]:
 
 def kinds_in(data: Path) -> list[Kind]:
     """What kinds of scenes a folder holds; Rejected (NS0811) where there are none."""
-    from nscc_runtime.scenes.clips import CLIPS
-
     found = {p.suffix.lower() for p in data.iterdir()} if data.is_dir() else set()
-    endings: dict[Kind, Sequence[str]] = {"clips": (*CLIPS, ".mat"), "stills": hdr.ENDINGS}
+    endings: dict[Kind, Sequence[str]] = {"clips": CLIPS, "stills": hdr.ENDINGS}
     kinds = [kind for kind in KINDS if found & set(endings[kind])]
     if not kinds:
         every = ", ".join(ending for kind in KINDS for ending in endings[kind])
