@@ -56,7 +56,8 @@ def load_target(
     is wrong in it, all at once.
     """
     if name_or_path.endswith(".toml") or "/" in name_or_path or "\\" in name_or_path:
-        return _load_file(name_or_path, base, source, span)
+        data = read_target(name_or_path, base, source=source, span=span)
+        return parse_target(data, name_or_path)
     names = builtin_names()
     if name_or_path in names:
         return builtin_target(name_or_path)
@@ -132,11 +133,14 @@ def _toml_value(value: Any) -> str:
     return repr(value)
 
 
-def _load_file(name: str, base: Path, source: Source | None, span: Span | None) -> Target:
+def read_target(
+    name: str, base: Path, *, source: Source | None = None, span: Span | None = None
+) -> bytes:
+    """What a user's file holds, for `parse_target`; arguments and NS0231 as of `load_target`."""
     at = Label(span, "this file") if source and span else None
     try:
         with open(base / name, "rb") as file:
-            data = file.read(LARGEST_FILE + 1)
+            return file.read(LARGEST_FILE + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         shown = ascii(name[:200])
@@ -153,7 +157,6 @@ def _load_file(name: str, base: Path, source: Source | None, span: Span | None) 
             ),
             status=2,
         ) from None
-    return parse_target(data, name)
 
 
 def parse_target(data: bytes, name: str) -> Target:

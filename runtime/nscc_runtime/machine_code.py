@@ -14,10 +14,49 @@ import os
 import re
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 _DIGEST_BYTES = 32
+
+
+@dataclass(frozen=True, eq=False)
+class Loops:
+    """The loops of a package: loaded from a file, or compiled with numba on first use.
+
+    The file begins with `stem` and lies in `__pycache__` beside the module in file `module` or,
+    where that cannot be written, in the user's cache folder. `sources` is what the machine code
+    depends on. `parameters` are the loops by name, with how many addresses each takes; `listed`
+    gives the functions, each with its numba signature, and alone may import numba.
+    """
+
+    stem: str
+    module: str
+    sources: Sequence[Path]
+    parameters: Mapping[str, int]
+    listed: Callable[[], Iterable[tuple[Callable[..., None], str]]]
+
+    def entry_points(self) -> dict[str, Callable[..., None]]:
+        """The loops as machine code, by name."""
+        return self._linked
+
+    def is_compiled(self) -> bool:
+        """Whether the machine code is there: if not, its first use takes some seconds."""
+        return kept(self.name(), folders(self.module)) is not None
+
+    def object_code(self, places: Sequence[Path]) -> bytes:
+        """The object file: read from the first place that has it whole, else compiled and kept."""
+        return object_code(self.name(), places, lambda: build(self.listed()))
+
+    def name(self) -> str:
+        """The object file's name."""
+        return name(self.stem, self.sources)
+
+    @cached_property
+    def _linked(self) -> dict[str, Callable[..., None]]:
+        return load(self.object_code(folders(self.module)), self.parameters)
 
 
 def folders(module: str) -> tuple[Path, ...]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_runtime.sensor.load import load_sensor, sensor_toml
+from nscc_runtime.sensor.load import load_sensor, parse_sensor, read_sensor, sensor_toml
 from nscc_runtime.sensor.model import Sensor
 from nscc_runtime.sensor.schema import PARAMETERS, Parameter
 from nscc_runtime.sensor.values import default_sensor, sensor_sha256
@@ -13,6 +13,8 @@ __all__ = [
     "Sensor",
     "default_sensor",
     "load_sensor",
+    "parse_sensor",
+    "read_sensor",
     "sensor_sha256",
     "sensor_toml",
 ]

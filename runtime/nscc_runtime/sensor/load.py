@@ -30,11 +30,36 @@ def load_sensor(target: Target, path: Path | None = None, changes: Sequence[str]
     TOML, NS0753 and NS0754 for unknown names and wrong values, NS0755 for a change that is not
     NAME=VALUE; all that is wrong at once.
     """
-    values, found = ({}, []) if path is None else _from_file(path)
+    values, found = ({}, []) if path is None else _values(read_sensor(path), str(path))
     for change in changes:
         changed, problems = _change(change)
         values.update(changed)
         found += problems
+    if found:
+        raise Rejected(found, status=2)
+    return completed(values, target)
+
+
+def read_sensor(path: Path) -> bytes:
+    """What a sensor's file holds, for `parse_sensor`; Rejected (NS0751) if it cannot be read."""
+    try:
+        with open(path, "rb") as file:
+            return file.read(LARGEST_FILE + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise Rejected(
+            Diagnostic(
+                "NS0751",
+                f"the sensor file {str(path)[:200]!a} cannot be read: {reason}",
+                helps=(_START,),
+            ),
+            status=2,
+        ) from None
+
+
+def parse_sensor(target: Target, data: bytes, name: str) -> Sensor:
+    """The sensor of a file's bytes; `name` is the file's for messages. Raises as `load_sensor`."""
+    values, found = _values(data, name)
     if found:
         raise Rejected(found, status=2)
     return completed(values, target)
@@ -65,21 +90,7 @@ def sensor_toml(
     return "\n".join(lines) + "\n"
 
 
-def _from_file(path: Path) -> tuple[dict[str, float], list[Diagnostic]]:
-    name = str(path)
-    try:
-        with open(path, "rb") as file:
-            data = file.read(LARGEST_FILE + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise Rejected(
-            Diagnostic(
-                "NS0751",
-                f"the sensor file {name[:200]!a} cannot be read: {reason}",
-                helps=(_START,),
-            ),
-            status=2,
-        ) from None
+def _values(data: bytes, name: str) -> tuple[dict[str, float], list[Diagnostic]]:
     try:
         text, values = parsed(data)
     except NotToml as reason:

@@ -7,36 +7,25 @@ compiles ahead (an installer's last step): some seconds once. See `nscc_runtime.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from functools import cache
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
-from nscc_runtime import machine_code
-
-ENTRY = "denoise"
-_PARAMETERS = 7
+from nscc_runtime.machine_code import Loops
 
 
-@cache
-def entry_point() -> Callable[..., None]:
-    """`nscc_training.baselines.loops.denoise` as machine code; takes 7 addresses."""
-    code = machine_code.object_code(_name(), machine_code.folders(__file__), _build)
-    return machine_code.load(code, {ENTRY: _PARAMETERS})[ENTRY]
-
-
-def is_compiled() -> bool:
-    """Whether the machine code is there: if not, its first use takes some seconds."""
-    return machine_code.kept(_name(), machine_code.folders(__file__)) is not None
-
-
-def _build() -> bytes:
+def _listed() -> Iterator[tuple[Callable[..., None], str]]:
     from nscc_training.baselines import loops
 
-    return machine_code.build([(loops.denoise, loops.SIGNATURE)])
+    yield loops.denoise, loops.SIGNATURE
 
 
-def _name() -> str:
-    return machine_code.name(ENTRY, [Path(__file__).with_name("loops.py")])
+LOOPS = Loops("denoise", __file__, [Path(__file__).with_name("loops.py")], {"denoise": 7}, _listed)
+is_compiled = LOOPS.is_compiled
+
+
+def entry_point() -> Callable[..., None]:
+    """`nscc_training.baselines.loops.denoise` as machine code; takes 7 addresses."""
+    return LOOPS.entry_points()["denoise"]
 
 
 if __name__ == "__main__":
