@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import click
 
 from nscc.cli.programs import BuildChoice, load_program
-from nscc.cli.support import CommonCommand, done, progress, say, write_whole
+from nscc.cli.support import CommonCommand, NumberRange, done, progress, say, write_whole
 from nscc.target.load import DEFAULT_NAME, load_target
 
 if TYPE_CHECKING:
@@ -70,7 +70,7 @@ def _spread(args: list[str]) -> list[str]:
 )
 @click.option(
     "--crosstalk",
-    type=click.FloatRange(0, 0.2),
+    type=NumberRange(0, 0.2),
     metavar="C",
     help="Take crosstalk as known (0: as EMVA 1288 does) instead of measuring it.",
 )

@@ -10,7 +10,7 @@ import click
 from nscc.cli.link_options import link_options
 from nscc.cli.programs import BuildChoice, build_options, load_program
 from nscc.cli.scene_options import scene_options, sensor_options
-from nscc.cli.support import CommonCommand, done, progress, say
+from nscc.cli.support import CommonCommand, NumberRange, done, progress, say
 from nscc.diagnostics.model import Diagnostic, Rejected
 from nscc.diagnostics.suggest import closest
 
@@ -67,7 +67,7 @@ def command() -> None:
 @sensor_options
 @click.option("--device-seed", type=click.IntRange(0, 2**63 - 1), default=0, help="Which chip.")
 @click.option("--once", is_flag=True, help="End when the first host has closed the port.")
-@click.option("--for", "seconds", type=click.FloatRange(0, _LONGEST_S), help="End after S seconds.")
+@click.option("--for", "seconds", type=NumberRange(0, _LONGEST_S), help="End after S seconds.")
 def serve(**options: Any) -> None:
     """Stand in for a chip: prints the port to open on the first line, then serves it.
 
@@ -126,7 +126,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
 @click.option("--to", "folder", type=click.Path(path_type=Path), help="A folder: frame after "
               "frame, until Ctrl-C.")  # fmt: skip
 @click.option("--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: so many frames.")
-@click.option("--every", type=click.FloatRange(0, _LONGEST_S), default=0.0,
+@click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,
               help="With --to: seconds from frame to frame (default: 0).")  # fmt: skip
 @click.option("--target", metavar="NAME|FILE.toml", help="The chip, of a program that is there.")
 @click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")

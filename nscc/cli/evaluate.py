@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.cli.support import CommonCommand, Product, done, progress, write_together
+from nscc.cli.support import CommonCommand, NumberRange, Product, done, progress, write_together
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -56,7 +56,7 @@ def _outputs(function: Callable[..., Any]) -> Callable[..., Any]:
               help="gap-tv, admm-tv, dictionary, adjoint; or a yardstick: bilinear, "
               "thin-out.")  # fmt: skip
 @click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
-@click.option("--weight", type=click.FloatRange(0, 10, min_open=True), default=0.1,
+@click.option("--weight", type=NumberRange(0, 10, min_open=True), default=0.1,
               show_default=True, help="Of total variation, for values on [0, 1].")  # fmt: skip
 @click.option("--save", type=click.Path(path_type=Path), metavar="DIR",
               help="Write reconstructions and truth into this folder.")  # fmt: skip
@@ -72,6 +72,9 @@ def sci8(
     from nscc_training.baselines.compiled import is_compiled
     from nscc_training.evaluation.sci8 import evaluate_sci8
 
+    names = [path.name for path in clips]
+    if twice := sorted({name for name in names if names.count(name) > 1}):
+        raise click.UsageError(f"a clip counts once, and results know it by its name: {twice[0]}")
     if method.endswith("-tv") and not is_compiled():
         done("compiling the loop of total variation for this processor: once, some seconds")
     found, arrays = evaluate_sci8(list(clips), method, iterations, weight)
@@ -159,10 +162,11 @@ def compare(results: tuple[Path, ...], metric: str, as_json: bool, out: Path | N
     if gain is None:
         click.echo("no pair of items has finite scores")
         return
+    unit = " dB" if metric.endswith("_db") else ""
+    between = "one scene" if interval is None else f"95 % {interval[0]:+.3f} to {interval[1]:+.3f}"
     click.echo(
-        f"{found['second']['method']} over {found['first']['method']}: {gain:+.3f} dB, "
-        f"95 % {interval[0]:+.3f} to {interval[1]:+.3f} "
-        f"({metric}, {found['items']} items of {found['scenes']} scenes"
+        f"{found['second']['method']} over {found['first']['method']}: {gain:+.3f}{unit}, "
+        f"{between} ({metric}, {found['items']} items of {found['scenes']} scenes"
         f"{_seeds(found['pairs'])}, "
         f"protocol {found['protocol']})"
     )
@@ -206,9 +210,10 @@ def _lines(found: dict[str, Any]) -> str:
         ssim = sum(item["ssim"] for item in items) / len(items)
         lines.append(f"  {file:32} {mean}, SSIM {ssim:.4f}, {len(items)} items")
     if found["mean"] is not None:
-        low, high = found["ci95"]
+        interval = found["ci95"]
+        between = "one scene" if interval is None else "95 % {:.2f} to {:.2f}".format(*interval)
         lines.append(
-            f"  mean {found['mean']:.2f} dB, sd {found['sd']:.2f}, 95 % {low:.2f} to {high:.2f}"
+            f"  mean {found['mean']:.2f} dB, sd {found['sd']:.2f}, {between}"
             f", {found['infinite']} infinite"
         )
     if found["decoder_ms"] is not None:

@@ -7,6 +7,8 @@ from typing import Any, TypeVar
 
 import click
 
+from nscc.cli.support import NumberRange
+
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 DEFAULT_BAUD = 3_000_000
@@ -18,7 +20,7 @@ def link_options(function: Command) -> Command:
     for option in (
         click.option(
             "--patience",
-            type=click.FloatRange(0.1, 3600),
+            type=NumberRange(0.1, 3600),
             default=DEFAULT_PATIENCE_S,
             show_default=True,
             help="Seconds of silence after which a device is given up.",

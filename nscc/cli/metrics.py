@@ -9,7 +9,7 @@ from typing import Any
 
 import click
 
-from nscc.cli.support import CommonCommand, write_whole
+from nscc.cli.support import CommonCommand, NumberRange, write_whole
 
 
 @click.command("metrics", cls=CommonCommand)
@@ -26,7 +26,7 @@ from nscc.cli.support import CommonCommand, write_whole
 @click.option("--rec-key", help="Which array of REC, where it holds several.")
 @click.option(
     "--nits",
-    type=click.FloatRange(0.005, 10000.0, min_open=True),
+    type=NumberRange(0.005, 10000.0, min_open=True),
     default=1000.0,
     show_default=True,
     help="The luminance in cd/m2 that R stands for, in PU21-PSNR.",

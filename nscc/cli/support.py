@@ -32,6 +32,19 @@ class Session:
     deny_warnings: bool = False
 
 
+class NumberRange(click.FloatRange):
+    """A number within limits. Comparing tells nothing about NaN, which click lets pass."""
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float:
+        """The number; BadParameter for what is none."""
+        found = float(super().convert(value, param, ctx))
+        if found != found:
+            self.fail(f"{value!r} is no number.", param, ctx)
+        return found
+
+
 def session() -> Session:
     """The running invocation's session; a fresh one outside of any command."""
     context = click.get_current_context(silent=True)
@@ -165,6 +178,8 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
             _fill(file, data)
         return []
     temporary = final.with_name(f".{final.name[:200]}.{os.getpid()}.part")
+    # Left by a process that was killed while it wrote; in containers numbers soon come again.
+    temporary.unlink(missing_ok=True)
     try:
         with open(temporary, "xb") as file:
             _fill(file, data)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.cli.support import CommonCommand, done, progress
+from nscc.cli.support import CommonCommand, NumberRange, done, progress
 from nscc.cli.tradeoff_files import output_files, output_options, write_files
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import Point, csv_text, dominated, table_text
@@ -31,7 +31,7 @@ _TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
               help="Rows and columns of a scene.")  # fmt: skip
 @click.option("--repeats", type=click.IntRange(1, 1000), default=3, show_default=True,
               help="How often everything is timed, in turn: the median counts.")  # fmt: skip
-@click.option("--budget", type=click.FloatRange(0, 1e6), default=40.0, show_default=True,
+@click.option("--budget", type=NumberRange(0, 1e6), default=40.0, show_default=True,
               metavar="S", help="Seconds after which repeats end; the first is done in any "
               "case.")  # fmt: skip
 @click.option("--seed", type=click.IntRange(0, 2**31 - 1), default=0,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.cli.support import CommonCommand, done, progress
+from nscc.cli.support import CommonCommand, NumberRange, done, progress
 from nscc.cli.tradeoff_files import output_files, output_options, some, write_files
 from nscc.lower.plan import LOWERINGS
 from nscc.tradeoff.points import Point, Refused, csv_text, dominated, table_text
@@ -61,7 +61,7 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
               help="The chip.")  # fmt: skip
 @click.option("-O", "level", type=click.IntRange(0, 3), default=1, show_default=True,
               help="How long to search for fewer words.")  # fmt: skip
-@click.option("--slot-us", type=click.FloatRange(0.01, 1e6), metavar="T",
+@click.option("--slot-us", type=NumberRange(0.01, 1e6), metavar="T",
               help="Capture with slots of this length instead of each configuration's "
               "shortest.")  # fmt: skip
 @click.option("--effects", default="auto", show_default=True, metavar="E",

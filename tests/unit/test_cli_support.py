@@ -20,6 +20,14 @@ def test_writes_and_replaces(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["file"]
 
 
+def test_what_a_killed_process_left_is_no_obstacle(tmp_path: Path) -> None:
+    """In a container the next process has the same number."""
+    (tmp_path / f".file.{os.getpid()}.part").write_bytes(b"half")
+    write_whole(tmp_path / "file", b"whole")
+    assert (tmp_path / "file").read_bytes() == b"whole"
+    assert os.listdir(tmp_path) == ["file"]
+
+
 def test_new_files_have_the_usual_rights(tmp_path: Path) -> None:
     write_whole(tmp_path / "product", b"")
     (tmp_path / "usual").write_bytes(b"")

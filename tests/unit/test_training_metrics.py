@@ -141,6 +141,7 @@ def folder(tmp_path: Path) -> Path:
     np.savez(tmp_path / "clip.npz", truth=truth, video=result)
     np.save(tmp_path / "small.npy", truth[0, :10])
     np.save(tmp_path / "nan.npy", np.where(truth[0] > 0.5, np.nan, 1.0))
+    np.save(tmp_path / "huge.npy", truth[0] * 1e200)
     np.save(tmp_path / "text.npy", np.full((16, 16), "x"))
     (tmp_path / "broken.npz").write_bytes(b"PK\x03\x04 and nothing")
     (tmp_path / "notes.txt").write_text("no picture")
@@ -190,8 +191,26 @@ def test_the_command_takes_clips_apart(folder: Path) -> None:
         (["t.npy", "r.npz", "--data-range", "inf"], "NS0803"),
         (["t.npy", "r.npz"], "NS0780"),
         (["t.npy", "r.npz", "--data-range", "1", "--nits", "0"], "NS0783"),
+        (["t.npy", "r.npz", "--data-range", "1", "--nits", "nan"], "NS0783"),
+        (["t.npy", "r.npz", "--data-range", "1e200"], "NS0803"),
+        (["t.npy", "r.npz", "--data-range", "1e-200"], "NS0803"),
+        (["huge.npy", "t.npy", "--data-range", "1"], "NS0804"),
+        (["t.npy", "huge.npy", "--data-range", "1"], "NS0804"),
     ],
 )
 def test_the_command_refuses(folder: Path, arguments: list[str], code: str) -> None:
     outcome = invoke(["metrics", *arguments], folder)
     assert (outcome.status, outcome.codes) == (2, [code])
+
+
+@pytest.mark.parametrize("scale", [1e-59, 1.0, 1e59])
+def test_the_unit_does_not_matter(tmp_path: Path, scale: float) -> None:
+    truth, result = _pair((16, 16))
+    np.save(tmp_path / "t.npy", truth * scale)
+    np.save(tmp_path / "r.npy", result * scale)
+    arguments = ["metrics", "t.npy", "r.npy", "--data-range", str(scale), "--json"]
+    outcome = invoke(arguments, tmp_path)
+    assert outcome.status == 0, outcome.err
+    found = json.loads(outcome.out)
+    assert found["psnr_db"] == pytest.approx(metrics.psnr(truth, result, 1.0))
+    assert found["ssim"] == pytest.approx(slow_ssim(truth, result, 1.0))

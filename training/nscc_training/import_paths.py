@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import importlib
 import sys
+import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from nscc.diagnostics.model import Rejected
 from nscc.diagnostics.rejection import rejected
 
 
@@ -43,3 +47,27 @@ def imported(text: str, what: str) -> Any:
             helps=("name a class or a function",),
         )
     return found
+
+
+@contextmanager
+def own_code(text: str, what: str) -> Iterator[None]:
+    """Whatever the user's code raises in this block is Rejected (NS0822), with its place."""
+    try:
+        yield
+    except Rejected:
+        raise
+    except Exception as error:  # the user's code may raise anything
+        last = traceback.extract_tb(error.__traceback__)[-1]
+        said = " ".join(str(error).split())[:200]
+        place = f"{Path(last.filename).name}, line {last.lineno}"
+        raise own_failed(text, what, f"{type(error).__name__}: {said} ({place})") from error
+
+
+def own_failed(text: str, what: str, reason: str) -> Rejected:
+    """NS0822: the user's code does not do what training needs of it."""
+    return rejected(
+        "NS0822",
+        f"the {what} '{text[:100]}' does not work",
+        notes=(reason,),
+        helps=("`nscc explain NS0822` says what it is called with and has to give",),
+    )

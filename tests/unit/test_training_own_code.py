@@ -1,0 +1,173 @@
+"""Decoders, losses and data of the user's own that do not do what they should."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+torch = pytest.importorskip("torch")
+
+from nscc.cli.support import write_together  # noqa: E402
+from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.data.sources import load_scenes  # noqa: E402
+from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.settings import DataSettings  # noqa: E402
+
+CODE = """
+import numpy as np
+import torch
+
+
+class Own(torch.nn.Module):
+    def __init__(self, **about):
+        super().__init__()
+        self.gain = torch.nn.Parameter(torch.ones(()))
+
+    def forward(self, frame, shutters):
+        return self.made(frame * self.gain)
+
+
+def decoder(made):
+    return type("Decoder", (Own,), {"made": lambda self, frame: made(frame)})
+
+
+def broken(frame):
+    raise RuntimeError("no idea")
+
+
+good = decoder(lambda frame: frame)
+raises = decoder(broken)
+one_axis_more = decoder(lambda frame: frame[:, None])
+one_pixel = decoder(lambda frame: frame[..., :1, :1])
+one_of_the_batch = decoder(lambda frame: frame[:1])
+a_pair = decoder(lambda frame: (frame, frame))
+no_gradient = decoder(lambda frame: frame.detach())
+
+
+class NothingToLearn(torch.nn.Module):
+    def __init__(self, **about):
+        super().__init__()
+
+    def forward(self, frame, shutters):
+        return frame
+
+
+class NotMade(torch.nn.Module):
+    def __init__(self):
+        super().__init__()
+
+
+squared = lambda made, truth: (made - truth).square().mean()
+listed = lambda made, truth: (made - truth).square().mean().reshape(1)
+unreduced = lambda made, truth: (made - truth).square()
+a_float = lambda made, truth: 1.0
+detached = lambda made, truth: (made - truth).square().mean().detach()
+failing = lambda made, truth: {}["x"]
+one_argument = lambda made: made.mean()
+
+nothing = lambda **about: None
+pictures_alone = lambda **about: [np.ones((20, 20))]
+complex_light = lambda **about: [("a", np.ones((20, 20)) * 1j)]
+too_bright = lambda **about: [("a", np.full((20, 20), 1e300))]
+
+
+def ends_early(**about):
+    yield "a", np.ones((20, 20))
+    raise OSError("the disk is gone")
+
+
+def scaled(kind, part, slots, seed):
+    unit = float(open_unit())
+    return [(part, unit * np.random.default_rng(len(part)).random((20, 20)) ** 4)]
+
+
+def open_unit():
+    with open("unit.txt") as file:
+        return file.read()
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (tmp_path / "own_code_of_tests.py").write_text(CODE)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def outcome(folder: Path, section: str, name: str, **shutter: Any) -> list[str]:
+    """The codes that a run ends with; none if it is finished."""
+    path = f"own_code_of_tests:{name}"
+    values: dict[str, dict[str, Any]] = {
+        "shutter": {"slots": 8, "tile": [2, 2], **shutter},
+        "data": {"patch": 16, "scenes": 2, "val_items": 1},
+        "train": {"steps": 1, "batch": 2, "device": "cpu"},
+    }
+    more = {"train": path, "val": path} if section == "data" else {"name": path}
+    values[section] = {**values.get(section, {}), **more}
+    try:
+        train(settings_of(values), folder / "run", write=write_together, resume="never")
+    except Rejected as rejected:
+        return [diagnostic.code for diagnostic in rejected.diagnostics]
+    return []
+
+
+@pytest.mark.parametrize(
+    ("section", "name"),
+    [
+        ("decoder", "good"), ("decoder", "NothingToLearn"), ("loss", "squared"),
+        ("loss", "listed"),
+    ],
+)  # fmt: skip
+def test_what_does_its_work(folder: Path, section: str, name: str) -> None:
+    assert outcome(folder, section, name) == []
+    assert (folder / "run/result.json").is_file()
+
+
+@pytest.mark.parametrize(
+    ("section", "name"),
+    [
+        *(("decoder", name) for name in (
+            "raises", "one_axis_more", "one_pixel", "one_of_the_batch", "a_pair", "no_gradient",
+            "NotMade",
+        )),
+        *(("loss", name) for name in (
+            "unreduced", "a_float", "detached", "failing", "one_argument",
+        )),
+        *(("data", name) for name in ("nothing", "pictures_alone", "ends_early")),
+    ],
+)  # fmt: skip
+def test_what_fails_is_said_to_be_the_users(folder: Path, section: str, name: str) -> None:
+    assert outcome(folder, section, name) == ["NS0822"]
+    assert not (folder / "run/result.json").exists()
+
+
+@pytest.mark.parametrize("name", ["complex_light", "too_bright"])
+def test_light_that_is_none_is_refused(folder: Path, name: str) -> None:
+    assert outcome(folder, "data", name) == ["NS0811"]
+
+
+def test_nothing_to_learn_is_refused(folder: Path) -> None:
+    settings = settings_of({
+        "shutter": {"slots": 8, "tile": [2, 2], "learn": False},
+        "decoder": {"name": "own_code_of_tests:NothingToLearn"},
+    })  # fmt: skip
+    with pytest.raises(Rejected) as caught:
+        train(settings, folder / "run", write=write_together)
+    assert [d.code for d in caught.value.diagnostics] == ["NS0815"]
+
+
+@pytest.mark.parametrize("unit", ["1e-300", "1e-30", "1e30"])
+def test_stills_have_no_unit(folder: Path, unit: str) -> None:
+    """Their contrast is bent above a floor, and powers of theirs must stay finite."""
+    lights = []
+    for text in ("1", unit):
+        (folder / "unit.txt").write_text(text)
+        path = "own_code_of_tests:scaled"
+        scenes = load_scenes(DataSettings(train=path, val=path, patch=16), True, 8, 0)
+        lights.append(scenes.train[0].light.astype(np.float64))
+    assert lights[1] / lights[1].max() == pytest.approx(lights[0] / lights[0].max(), rel=1e-6)
+    assert 1e-8 < lights[1].max() < 1e8
