@@ -18,11 +18,16 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 INK, FAINT, GRID = "#1d2129", "#6b7280", "#e3e7ee"
-COLOURS = ("#2563a8", "#d9722b", "#2f9268", "#8a4fb5", "#c2405a", "#8c7a2d")
+COLOURS = (
+    "#2563a8", "#d9722b", "#2f9268", "#8a4fb5", "#c2405a", "#8c7a2d", "#1b9bb3", "#6b4226",
+    "#d15fa6", "#4a4f57",
+)  # fmt: skip
 _DPI = 150
 _NEAR = 12.0
 """Dots of a line closer than this, in the figure's own pixels (100 an inch), share one name."""
 _MOST_COLUMNS = 3
+_MOST_NAMED = 3
+"""Of more marks than that in one place the first and the last are named."""
 _PANEL_WIDTH, _PANEL_HEIGHT = 4.0, 2.75
 _LEFT, _RIGHT, _TOP, _BOTTOM = 0.75, 0.3, 1.3, 0.75
 _BETWEEN, _ABOVE = 0.62, 0.62
@@ -218,7 +223,8 @@ def _draw_line(axes: Axes, line: Line, colour: str, times: tuple[float, float]) 
     halo = [withStroke(linewidth=2.2, foreground="white")]
     for group in _close(axes, line.marks):
         middle_s = math.sqrt(group[0].time_s * group[-1].time_s)
-        text = " ".join(mark.text for mark in line.marks if mark in group)
+        texts = [mark.text for mark in line.marks if mark in group]
+        text = " ".join(texts if len(texts) <= _MOST_NAMED else [texts[0], "..", texts[-1]])
         axes.annotate(
             text, (middle_s, max(mark.error for mark in group)), xytext=(0, 5.5),
             textcoords="offset points", ha="center", size=7.5, color=colour, zorder=4,

@@ -66,7 +66,7 @@ def networks(folder: RunFolder, name: str) -> list[Way]:
     """A run's decoder in both number formats, FC-net also with fewer blocks."""
     parts = folder.parts
     chosen = parts.settings.decoder
-    method = f"{chosen.name} {chosen.size}{name}"
+    method = f"{chosen.name} {chosen.sized}{name}"
     device = torch.cuda.get_device_name(parts.device) if parts.device.type == "cuda" else ""
     found = []
     for dtype in ("f32", "bf16"):
@@ -149,7 +149,7 @@ def _network(folder: RunFolder, net: torch.nn.Module, dtype: str) -> Callable[[T
 
 def names_of(folders: Sequence[RunFolder]) -> list[str]:
     """What tells runs apart whose decoders have one name and size: their folders' names."""
-    kinds = [(f.parts.settings.decoder.name, f.parts.settings.decoder.size) for f in folders]
+    kinds = [(f.parts.settings.decoder.name, f.parts.settings.decoder.sized) for f in folders]
     return [
         f" ({folder.path.resolve().name})" if kinds.count(kind) > 1 else ""
         for folder, kind in zip(folders, kinds, strict=True)
