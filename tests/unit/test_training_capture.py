@@ -155,3 +155,30 @@ def test_gradients_of_the_whole_capture() -> None:
     start = torch.tensor([[0.3, 1.2], [2.1, 0.7]], dtype=torch.float64, requires_grad=True)
     stop = torch.tensor([[3.3, 4.2], [5.1, 2.7]], dtype=torch.float64, requires_grad=True)
     assert torch.autograd.gradcheck(exposures, (start, stop))
+
+
+@pytest.mark.parametrize(
+    ("light", "shutters", "share"),
+    [
+        ((8, 8), (8, 2, 2), None),
+        ((1, 1, 8, 8, 8), (8, 2, 2), None),
+        ((1, 7, 8, 8), (8, 2, 2), None),
+        ((1, 8, 8, 8), (8, 2), None),
+        ((1, 8, 8, 8), (1, 8, 2, 2), None),
+        ((1, 8, 8, 8), (8, 0, 2), None),
+        ((1, 8, 8), (8, 2, 2), 1),
+        ((1, 8, 8), (8, 2, 2), 7),
+        ((1, 8, 8, 8), (8, 2, 2), 8),
+    ],
+)
+def test_other_shapes_are_refused_and_not_broadcast(
+    light: tuple[int, ...], shutters: tuple[int, ...], share: int | None
+) -> None:
+    weights = None if share is None else torch.ones(share)
+    with pytest.raises(ValueError, match=r"light|shutters|slots"):
+        capture(
+            torch.ones(light),
+            torch.ones(shutters),
+            SensorModel(30000.0, 30000.0 / 255),
+            slot_share=weights,
+        )

@@ -128,6 +128,9 @@ def test_bad_codes_are_refused(tmp_path: Path) -> None:
     np.savez(tmp_path / "half.npz", stop=np.full((2, 2), 0.5))
     with pytest.raises(Rejected, match="no code"):
         load_codes(tmp_path / "half.npz")
+    np.savez(tmp_path / "beyond.npz", bits=np.full((2, 2), 2**64 - 1, np.uint64))
+    with pytest.raises(Rejected, match="no code"):
+        load_codes(tmp_path / "beyond.npz")
     with pytest.raises(Rejected, match="NS0805"):
         load_codes(tmp_path / "none.mat")
 
@@ -152,13 +155,47 @@ def test_require_is_respected() -> None:
         (a, b) for a in range(12) for b in range(a + 1, 13) if (b - a) % 3 == 0
     }
     encoder = make_encoder(spec, "random", seed=2)
-    encoder.legal = torch.as_tensor(legal, dtype=torch.float64)
+    encoder.restrict(legal)
     codes = encoder.codes()
     assert ((codes["stop"] - codes["start"]) % 3 == 0).all()
     assert (encoder.hard().numpy() == shutters_of("d", 12, codes)).all()
     compiled(program_of(encoder, chip), chip)
     encoder().sum().backward()
     assert torch.isfinite(encoder.start.grad).all()
+
+
+def test_random_codes_are_uniform_over_those_that_are_required() -> None:
+    spec = ShutterSpec("b", 64, (40, 40))
+    legal = legal_codes(spec, Chip(require="stop <= 4"))
+    encoder = make_encoder(spec, "random", seed=2)
+    encoder.restrict(legal, np.random.default_rng(2))
+    counts = np.bincount(encoder.codes()["stop"].ravel(), minlength=5)
+    assert counts.sum() == counts[1:5].sum() == 1600
+    assert np.abs(counts[1:5] - 400).max() < 5 * 400**0.5
+
+
+@pytest.mark.parametrize("start", ["uniform", "quad", "random"])
+def test_what_is_required_holds_from_the_start_and_is_where_gradients_live(start: str) -> None:
+    """A parameter far from the legal codes would change nothing for thousands of steps."""
+    spec = ShutterSpec("d", 16, (4, 4))
+    encoder = make_encoder(spec, start, seed=2)
+    encoder.restrict(legal_codes(spec, Chip(require="stop <= 4 and start >= 1")))
+    codes = encoder.codes()
+    for name, parameter in encoder.named_parameters():
+        assert (parameter.detach().numpy() == codes[name]).all()
+    with torch.no_grad():
+        encoder.stop.add_(9.0)
+    encoder.project()
+    assert encoder.stop.max() <= 4
+
+
+def test_codes_that_require_forbids_are_not_loaded() -> None:
+    spec = ShutterSpec("d", 12, (1, 2))
+    encoder = make_encoder(spec)
+    encoder.restrict(legal_codes(spec, Chip(require="(stop - start) % 3 == 0")))
+    encoder.load_codes({"start": np.array([[0, 1]]), "stop": np.array([[3, 7]])})
+    with pytest.raises(ValueError, match="require"):
+        encoder.load_codes({"start": np.array([[0, 1]]), "stop": np.array([[3, 6]])})
 
 
 def test_random_codes_are_uniform_over_the_legal_ones() -> None:

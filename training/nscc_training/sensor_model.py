@@ -15,6 +15,7 @@ from torch.autograd import Function
 
 from nscc.target.model import Target
 from nscc_runtime.sensor import Sensor
+from nscc_training.draws import normal
 from nscc_training.encoders.base import Encoder
 from nscc_training.gradients import rounded, saturated
 
@@ -80,7 +81,10 @@ class _Masked(Function):
         to_light = grad.unsqueeze(1) * shutters if ctx.needs_input_grad[0] else None
         if not ctx.needs_input_grad[1]:
             return to_light, None
-        return to_light, torch.einsum("brc,bnrc->nrc", grad, light).to(shutters.dtype)
+        to_shutters = torch.zeros_like(shutters, dtype=light.dtype)
+        for lit, slope in zip(light, grad, strict=True):
+            to_shutters.addcmul_(lit, slope)
+        return to_light, to_shutters.to(shutters.dtype)
 
 
 class Captured(NamedTuple):
@@ -106,12 +110,29 @@ def capture(
     `light` is (batch, N, rows, cols), electrons of each slot, or (batch, rows, cols), a still's
     electrons over the whole frame, of which slot n has the part `slot_share[n]` (default: 1 / N).
     A tile of shutters is repeated over the array from its top left corner. With a `generator` the
-    sensor's noise is drawn from it, and the encoder's; without, there is none.
+    sensor's noise is drawn from it, and the encoder's; without, there is none. Light that is not
+    finite gives a frame that is not. ValueError for arrays of other shapes.
     """
     with torch.autocast(light.device.type, enabled=False):
         shutters = codes(generator) if isinstance(codes, Encoder) else codes
+        _check_shapes(light, shutters, slot_share)
         exposure = exposed(light.float(), shutters.to(light.device), slot_share)
         return Captured(exposure, read_out(exposure, sensor, generator))
+
+
+def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:
+    """ValueError for what would be broadcast into some other capture than the one meant."""
+    if shutters.ndim != 3 or 0 in shutters.shape:
+        raise ValueError(f"shutters are (N, rows, cols), and not {tuple(shutters.shape)}")
+    if light.ndim not in (3, 4):
+        wanted = "(batch, N, rows, cols), or of stills (batch, rows, cols)"
+        raise ValueError(f"light is {wanted}, and not {tuple(light.shape)}")
+    if slot_share is None:
+        return
+    if light.ndim == 4:
+        raise ValueError("light of every slot already has its share of the frame: no slot_share")
+    if slot_share.shape != shutters.shape[:1]:
+        raise ValueError(f"shares of {tuple(slot_share.shape)}, shutters of {len(shutters)} slots")
 
 
 def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
@@ -151,7 +172,7 @@ def read_out(
     """
     charge = exposure
     if generator is not None and sensor.shot_noise:
-        drawn = _normal(charge, generator)
+        drawn = normal(charge, generator, torch.float32)
         # Without the detour of the gradient through the noise, which is infinite in the dark.
         photons = torch.sqrt(charge.detach().clamp(min=0))
         charge = charge + sensor.noise_factor * photons * drawn
@@ -159,7 +180,7 @@ def read_out(
     codes = charge / sensor.electrons_per_lsb
     if generator is not None and sensor.adc_noise_lsb:
         readout = sensor.noise_factor * sensor.adc_noise_lsb
-        codes = codes + readout * _normal(codes, generator)
+        codes = codes + readout * normal(codes, generator, torch.float32)
     codes = rounded(codes) + sensor.adc_offset_lsb
     return saturated(codes, 0.0, float(sensor.top_code), sensor.slope).float()
 
@@ -177,8 +198,3 @@ def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:
     mean = torch.where(valid, exposure, torch.zeros_like(exposure))
     mean = mean / torch.where(valid, count, torch.ones_like(count))
     return mean.unsqueeze(1) * shutters.unsqueeze(0), valid
-
-
-def _normal(like: Tensor, generator: torch.Generator) -> Tensor:
-    """Standard normal numbers, drawn on the CPU so that every device has the same."""
-    return torch.randn(like.shape, generator=generator, dtype=torch.float32).to(like)

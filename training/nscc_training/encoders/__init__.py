@@ -4,5 +4,6 @@ from __future__ import annotations
 
 from nscc_training.encoders.base import RELAXATIONS, Encoder, ShutterSpec
 from nscc_training.encoders.make import CLASSES, make_encoder
+from nscc_training.encoders.trial import Trial
 
-__all__ = ["CLASSES", "RELAXATIONS", "Encoder", "ShutterSpec", "make_encoder"]
+__all__ = ["CLASSES", "RELAXATIONS", "Encoder", "ShutterSpec", "Trial", "make_encoder"]

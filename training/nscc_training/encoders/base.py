@@ -11,13 +11,16 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
+from nscc_training.draws import normal
+from nscc_training.encoders.trial import Over, Trial
+
 RELAXATIONS = ("straight-through", "sigmoid", "gumbel", "tried")
 """How gradients get past the quantisation.
 
 `straight-through`: hard shutters forward, a stand-in slope backward. `sigmoid`: soft shutters
 forward, whose temperature a schedule takes down. `gumbel` (codebooks; elsewhere as `sigmoid`): soft
-shapes and a random soft choice of them. `tried` (bumps): hard shutters without any gradient; the
-loop tries others around them (`nscc_training.loop.trials`).
+shapes and a random soft choice of them. `tried`: hard shutters without any gradient; the loop tries
+others around them (`nscc_training.loop.trials`).
 """
 
 Codes = dict[str, NDArray[np.int64]]
@@ -63,6 +66,8 @@ class Encoder(nn.Module, ABC):
         self.temperature = 1.0
         self.noise = 0.0
         """Standard deviation of the noise on parameters while training, in their own unit."""
+        self.tried_share = 1.0
+        """The part of the pixels that a trial moves."""
 
     @abstractmethod
     def codes(self) -> Codes:
@@ -87,6 +92,10 @@ class Encoder(nn.Module, ABC):
     @abstractmethod
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
         """Shutters (N, rows, cols): for training where `soft`, else the hard ones."""
+
+    @abstractmethod
+    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+        """Shutters to either side of the codes, every pixel of the patch with draws of its own."""
 
     def forward(self, generator: torch.Generator | None = None) -> Tensor:
         """The shutters of this step; noise on parameters comes from `generator`, if given."""
@@ -126,8 +135,7 @@ class Encoder(nn.Module, ABC):
         """The parameter with the noise of training, if there is a generator."""
         if generator is None or self.noise == 0:
             return parameter
-        drawn = torch.randn(parameter.shape, generator=generator, dtype=parameter.dtype)
-        return parameter + self.noise * drawn.to(parameter.device)
+        return parameter + self.noise * normal(parameter, generator)
 
     def checked(
         self, codes: Mapping[str, NDArray[np.int64]], limits: Mapping[str, tuple[int, int]]

@@ -10,11 +10,14 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
+from nscc_training.encoders.trial import Over, Trial, drawn
 from nscc_training.gradients import opened, replaced, rounded
 
 _FAR = 1e6
 """Slots before the frame: an edge there never matters."""
 _MOST_DISTANCES = 1 << 24
+_REACH = 2
+"""Pixels around a trial whose losses are credited to it."""
 
 
 class AlwaysOpen(Encoder):
@@ -35,6 +38,9 @@ class AlwaysOpen(Encoder):
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
         return torch.ones(self.spec.slots, *self.spec.tile)
+
+    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+        raise ValueError("class a has nothing to try")
 
 
 class Bump(Encoder):
@@ -62,6 +68,23 @@ class Bump(Encoder):
             start = torch.full(spec.tile, float(low), dtype=torch.float64)
             self.register_parameter(name, nn.Parameter(start))
 
+    def restrict(
+        self, legal: NDArray[np.int64], generator: np.random.Generator | None = None
+    ) -> None:
+        """Allow only these codes (codes, fields): parameters snap to the nearest, and stay between
+        the least and the greatest value of each field.
+
+        With a generator the codes are drawn again, uniform over the legal ones.
+        """
+        self.legal = torch.as_tensor(legal, dtype=torch.float64)
+        if generator is None:
+            self.fill(*self.codes().values())
+        else:
+            drawn = legal[generator.integers(len(legal), size=self.spec.tile)]
+            self.fill(*np.moveaxis(drawn, -1, 0))
+        for name, values in zip(self.limits, legal.T, strict=True):
+            self.limits[name] = (int(values.min()), int(values.max()))
+
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
         """Opening and closing boundaries (rows, cols) of field values (fields, rows, cols)."""
         raise NotImplementedError
@@ -83,6 +106,14 @@ class Bump(Encoder):
             return (torch.sigmoid(after * scale) * torch.sigmoid(before * scale)).float()
         return (opened(after, self.width) * opened(before, self.width)).float()
 
+    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+        fields = over(self.fields(None))
+        with torch.no_grad():
+            spread = self.tried(fields)
+            moved = spread * drawn(fields, generator, self.tried_share)
+            first, second = (self.opened_by(self.within(fields + sign * moved)) for sign in (1, -1))
+        return Trial(fields, moved, spread, (first, second), _REACH, self.tried_share)
+
     def tried(self, fields: Tensor) -> Tensor:
         """The standard deviation, in slots, of trials around fields (fields, rows, cols)."""
         return torch.full_like(fields, max(self.noise, self.least_tried))
@@ -90,7 +121,7 @@ class Bump(Encoder):
     @property
     def least_tried(self) -> float:
         """The least noise of trials, in slots: with less of it codes round to what they are."""
-        return max(0.5, self.spec.slots / 256)
+        return max(0.25, self.spec.slots / 256)
 
     def fields(self, generator: torch.Generator | None) -> Tensor:
         """The fields (fields, rows, cols), real, within their limits; gradient 1 there."""
@@ -127,6 +158,12 @@ class Bump(Encoder):
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
         self.fill(*(values.numpy() for values in self.checked(codes, self.limits)))
+        self.check_legal(codes)
+
+    def check_legal(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        """ValueError where codes that were just loaded are not the legal ones they snap to."""
+        if any((values != codes[name]).any() for name, values in self.codes().items()):
+            raise ValueError("some of its codes are not allowed by `require`")
 
     def fill(self, *fields: NDArray[np.float64] | NDArray[np.int64]) -> None:
         """Set the fields, in their order."""
@@ -199,6 +236,7 @@ class StartStop(Bump):
         if not bool((start < stop).all()):
             raise ValueError("a bump stops before it has begun")
         self.fill(start.numpy(), stop.numpy())
+        self.check_legal(codes)
 
     def start_random(self, generator: np.random.Generator) -> None:
         first, last = np.triu_indices(self.spec.slots)

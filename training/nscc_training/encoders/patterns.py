@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 import numpy as np
@@ -11,10 +12,16 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
+from nscc_training.encoders.trial import Over, Trial, decided
 from nscc_training.gradients import replaced, signed
 
 MOST_BITS = 62
 """Class e's code is one number of so many bits at most, as in the language."""
+_LEAST_TRIED = 0.25
+"""The least noise of trials: with less of it digits that are half-way certain never change."""
+_REACH = 1
+"""Pixels around a trial whose losses are credited to it: with N digits tried in each of them, more
+pixels only add what others try (for clips of 16 slots nothing was found farther away)."""
 
 
 class _Digits(Encoder):
@@ -24,6 +31,10 @@ class _Digits(Encoder):
         """0 or 1 for every logit, or something between them if `soft`."""
         noisy = self.noisy(logits, generator)
         return torch.sigmoid(noisy / self.temperature) if soft else signed(noisy)
+
+    def tried(self, logits: Tensor) -> Tensor:
+        """The standard deviation of trials around logits, of the same shape."""
+        return torch.full_like(logits, max(self.noise, _LEAST_TRIED))
 
     def set_digits(self, logits: Tensor, digits: NDArray[np.bool_]) -> None:
         """Half-way between undecided and certain."""
@@ -40,6 +51,14 @@ class Bits(_Digits):
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
         return self.digits(self.logits, generator, soft)
+
+    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+        fields = over(self.logits)
+        with torch.no_grad():
+            spread = self.tried(fields)
+            first, second, moved = decided(fields, spread, generator, self.tried_share)
+        sides = (first.float(), second.float())
+        return Trial(fields, moved, spread, sides, _REACH, self.tried_share)
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
         return [(self.logits, (-1.0, 1.0))]
@@ -97,6 +116,34 @@ class Codebook(_Digits):
             return likely
         hard = functional.one_hot(self.choice.argmax(dim=-1), self.rows).to(likely.dtype)
         return replaced(likely, hard)
+
+    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+        """Every pixel tries other digits of its shape, and one other shape, as it is.
+
+        The last field is by how much a pixel prefers its shape to the other, which is drawn evenly.
+        """
+        scores = over(self.choice.movedim(-1, 0))
+        with torch.no_grad():
+            own = scores.argmax(dim=0, keepdim=True)
+            steps = torch.randint(1, max(2, self.rows), own.shape, generator=generator)
+            other = (own + steps.to(own.device)) % self.rows
+        fields = torch.cat([
+            self.shown(self.shapes, own), scores.gather(0, own) - scores.gather(0, other)
+        ])  # fmt: skip
+        with torch.no_grad():
+            spread = self.tried(fields)
+            # two scores differ by the noise of both
+            spread[-1] *= math.sqrt(2)
+            *sides, moved = decided(fields, spread, generator, self.tried_share)
+            others = self.shown(self.shapes, other) > 0
+            first, second = (torch.where(side[-1:], side[:-1], others).float() for side in sides)
+        return Trial(fields, moved, spread, (first, second), _REACH, self.tried_share)
+
+    def shown(self, shapes: Tensor, choice: Tensor) -> Tensor:
+        """The rows (N, rows, cols) of `shapes` (K, N) that pixels choose, (1, rows, cols)."""
+        # as a product, whose gradient is added up in the same order every time
+        weights = functional.one_hot(choice[0], self.rows).to(shapes.dtype)
+        return torch.einsum("rck,kn->nrc", weights, shapes)
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
         return [(self.shapes, (-1.0, 1.0))]
