@@ -9,7 +9,7 @@ import pytest
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.model import Rejected  # noqa: E402
-from nscc_training.decoders.blocks import BlockNet  # noqa: E402
+from nscc_training.decoders.blocks import BlockNet, put, taken  # noqa: E402
 from nscc_training.decoders.make import (  # noqa: E402
     Task,
     flops,
@@ -108,6 +108,41 @@ def test_blocks_overlap_and_are_averaged() -> None:
     assert torch.allclose(found[0], (total / holders), atol=1e-6)
 
 
+BLOCKS = [
+    ((4, 6), (2, 3), (10, 12)), ((4, 6), (4, 3), (8, 9)), ((4, 6), (2, 6), (4, 18)),
+    ((4, 6), (4, 6), (12, 6)), ((2, 2), (1, 1), (5, 7)),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("block", "step", "size"), BLOCKS)
+def test_blocks_are_taken_and_put_as_torch_does(
+    block: tuple[int, int], step: tuple[int, int], size: tuple[int, int]
+) -> None:
+    pictures = torch.rand(2, 3, *size, dtype=torch.float64)
+    wanted = torch.nn.functional.unfold(pictures, block, stride=step)
+    found = taken(pictures, block, step)
+    assert torch.equal(found, wanted.transpose(1, 2))
+    back = torch.nn.functional.fold(wanted, size, block, stride=step)
+    assert torch.allclose(put(found, (3, *size), block, step), back, rtol=1e-12)
+
+
+@pytest.mark.parametrize("overlapping", [(True, True), (False, True), (False, False)])
+def test_blocks_have_true_gradients(overlapping: tuple[bool, bool]) -> None:
+    """Of the frame and of the layers: sizes that whole blocks do not fill."""
+    net = BlockNet(3, 2, (2, 1)).double()
+    net.layers[1] = net.layers[3] = net.layers[5] = torch.nn.Tanh()
+    net.overlapping = overlapping
+    frame = torch.rand(2, 5, 4, dtype=torch.float64, requires_grad=True)
+    weight = net.layers[6].weight
+    unread = torch.ones(2, 5, 4)
+
+    def made(frame: torch.Tensor, weight: torch.Tensor) -> torch.Tensor:
+        return torch.func.functional_call(net, {"layers.6.weight": weight}, (frame, unread))
+
+    # the network's result is float32 by contract, its gradients no better than that
+    assert torch.autograd.gradcheck(made, (frame, weight), eps=1e-2, atol=1e-3, rtol=1e-3)
+
+
 def test_what_a_decoder_cannot_be() -> None:
     for name, task, words in (
         ("unet3d", STILL, "clips"),
@@ -121,6 +156,16 @@ def test_what_a_decoder_cannot_be() -> None:
     ):
         with pytest.raises(ValueError, match=words):
             make_decoder(name, "small", task)
+
+
+@pytest.mark.parametrize("name", ["unet2d", "unet3d", "fcnet", "unrolled"])
+def test_narrower_decoders(name: str) -> None:
+    counts = [parameter_count(make_decoder(name, "small", CLIP, w)) for w in (1.0, 0.5, 0.01)]
+    assert counts[0] == parameter_count(make_decoder(name, "small", CLIP))
+    # Layers between layers shrink by both of their sides, the first and the last by one.
+    assert counts[0] / 4.2 < counts[1] < counts[0] / 1.8
+    made = make_decoder(name, "small", CLIP, 0.01)(torch.rand(1, 32, 32), torch.ones(16, 32, 32))
+    assert made.shape == (1, 16, 32, 32)
 
 
 def test_ones_own_decoder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -144,3 +189,21 @@ def test_ones_own_decoder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> No
             make_decoder(name, "small", STILL)
     with pytest.raises(ValueError, match="not a torch module"):
         make_decoder("mine_of_tests:wrong", "small", STILL)
+    with pytest.raises(ValueError, match="width is for nscc's own"):
+        make_decoder("mine_of_tests:Mine", "small", STILL, 0.5)
+
+
+@pytest.mark.parametrize("kind", ["still", "clip"])
+@pytest.mark.parametrize("name", DECODERS)
+def test_codes_below_the_offset_of_the_adc_stay_finite(name: str, kind: str) -> None:
+    """A pedestal of some codes and readout noise make the frame negative where it is dark."""
+    if kind == "still" and name != "unet2d":
+        return
+    decoder = make_decoder(name, "small", Task(kind, 8, (2, 2)))
+    shutters = torch.ones(8, 2, 2)
+    shutters[1:, 0, 0], shutters[:, 1, 1] = 0, 0
+    frame = torch.full((1, 16, 16), -8 / 255, requires_grad=True)
+    made = decoder(frame, shutters)
+    made.square().sum().backward()
+    assert torch.isfinite(made).all()
+    assert torch.isfinite(frame.grad).all()

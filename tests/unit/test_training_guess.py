@@ -203,6 +203,20 @@ def test_small_decoders_of_clips_begin_with_the_guess(name: str) -> None:
     assert torch.equal(decoder(frame, shutters), wanted)
 
 
+@pytest.mark.parametrize("name", ["unet2d", "unet3d"])
+def test_a_gate_says_how_much_of_the_guess_stays(name: str) -> None:
+    decoder = make_decoder(name, "small", Task("clip", 5, (4, 4)))
+    shutters, frame = random_shutters(5, 13, 10), noisy_frame(13, 10)
+    guess = clip_guess(lifted(5 * frame, shutters)[0], shutters)
+    bias = decoder.network.last.bias
+    with torch.no_grad():
+        for added, more in ((0.25, 0.0), (0.25, -1.0), (0.0, 0.5)):
+            half = len(bias) // 2
+            bias.copy_(torch.cat([torch.full((half,), added), torch.full((half,), more)]))
+            wanted = added + guess * (1 + more)
+            torch.testing.assert_close(decoder(frame, shutters), wanted, rtol=1e-6, atol=1e-6)
+
+
 def test_a_guess_does_not_round_with_the_network() -> None:
     """bf16 is of the network: light comes back from its first guess as exactly as before."""
     decoder = make_decoder("unet2d", "small", Task("still", 16, (4, 4)))

@@ -2,9 +2,67 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import torch
 from torch import Tensor, nn
+from torch.autograd import Function
 from torch.nn import functional
+
+Size = tuple[int, int]
+
+
+def taken(pictures: Tensor, block: Size, step: Size) -> Tensor:
+    """Blocks (batch, blocks, pictures * pixels) of pictures (batch, pictures, rows, cols).
+
+    Blocks are in order of their rows; so many of them as lie in the pictures, `step` apart.
+    """
+    parts = pictures.unfold(2, block[0], step[0]).unfold(3, block[1], step[1])
+    batch, count, down, across = parts.shape[:4]
+    return parts.permute(0, 2, 3, 1, 4, 5).reshape(
+        batch, down * across, count * block[0] * block[1]
+    )
+
+
+def put(blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size) -> Tensor:
+    """Sums of blocks where they lie in pictures (batch, *size): the adjoint of `taken`.
+
+    A step is a block or a whole part of one, and the blocks fill the pictures.
+    """
+    batch, (count, rows, cols) = len(blocks), size
+    down, across = ((n - b) // s + 1 for n, b, s in zip((rows, cols), block, step, strict=True))
+    again = block[0] // step[0], block[1] // step[1]
+    parts = blocks.reshape(batch, down, across, count, again[0], step[0], again[1], step[1])
+    parts = parts.permute(0, 3, 4, 6, 1, 5, 2, 7)
+    total = blocks.new_zeros(batch, count, rows // step[0], step[0], cols // step[1], step[1])
+    for row in range(again[0]):
+        for col in range(again[1]):
+            total[:, :, row : row + down, :, col : col + across] += parts[:, :, row, col]
+    return total.reshape(batch, *size)
+
+
+class _Taken(Function):
+    @staticmethod
+    def forward(ctx: Any, pictures: Tensor, block: Size, step: Size) -> Tensor:
+        ctx.how = tuple(pictures.shape[1:]), block, step
+        return taken(pictures, block, step)
+
+    @staticmethod
+    def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None]:
+        return _Put.apply(grad, *ctx.how), None, None  # type: ignore[no-untyped-call]
+
+
+class _Put(Function):
+    @staticmethod
+    def forward(
+        ctx: Any, blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size
+    ) -> Tensor:
+        ctx.how = block, step
+        return put(blocks, size, block, step)
+
+    @staticmethod
+    def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None, None]:
+        return _Taken.apply(grad, *ctx.how), None, None, None  # type: ignore[no-untyped-call]
 
 
 class BlockNet(nn.Module):
@@ -35,17 +93,11 @@ class BlockNet(nn.Module):
         padded = functional.pad(
             frame.unsqueeze(1), (0, across - cols, 0, down - rows), mode="replicate"
         )
-        blocks = functional.unfold(padded, self.block, stride=step).transpose(1, 2)
-        made = self.layers(blocks).float()
-        # (batch, blocks, slots * pixels) to one picture a slot
-        batch, count, _ = made.shape
-        made = made.reshape(batch, count, self.slots, -1).permute(0, 2, 3, 1)
-        made = made.reshape(batch * self.slots, -1, count)
-        total = functional.fold(made, (down, across), self.block, stride=step)
-        ones = torch.ones((1, made.shape[1], count), device=made.device)
-        holders = functional.fold(ones, (down, across), self.block, stride=step)
-        found = (total / holders).reshape(batch, self.slots, down, across)
-        return found[..., :rows, :cols]
+        made = self.layers(_Taken.apply(padded, self.block, step)).float()  # type: ignore[no-untyped-call]
+        total: Tensor = _Put.apply(made, (self.slots, down, across), self.block, step)  # type: ignore[no-untyped-call]
+        ones = torch.ones((1, made.shape[1], self.block[0] * self.block[1]), device=made.device)
+        holders = put(ones, (1, down, across), self.block, step)
+        return (total / holders)[..., :rows, :cols]
 
     @property
     def step(self) -> tuple[int, int]:

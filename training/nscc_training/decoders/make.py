@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 import torch
-from torch import nn
+from torch import Tensor, nn
 
 from nscc_training.decoders.blocks import BlockNet
 from nscc_training.decoders.names import DECODERS, SIZES
 from nscc_training.decoders.unet import ClipUNet, StillUNet
 from nscc_training.decoders.unrolled import Unrolled
-from nscc_training.import_paths import imported, is_import_path
+from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 
 _WIDTHS = {
     ("unet2d", "paper"): (32, 64, 128, 256, 512, 1024),
@@ -25,6 +28,11 @@ _WIDTHS = {
 _STAGES = {"paper": 9, "small": 3}
 _TV_ITERATIONS = 20
 _HIDDEN = {"paper": 4096, "small": 96}
+SMALL = 600_000
+"""Parameters that a small decoder has at most."""
+_PARTS = 24
+"""Where slots or a tile are so large that more would come of it, widths are fewer 24ths of these.
+"""
 
 
 @dataclass(frozen=True)
@@ -37,40 +45,98 @@ class Task:
     sees_code: bool = True
 
 
-def make_decoder(name: str, size: str, task: Task) -> nn.Module:
+def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Module:
     """A decoder of `DECODERS` in a size of `SIZES`, or one of the user's own, `module:name`.
 
-    The user's is called as name(size=.., kind=.., slots=.., tile=.., sees_code=..). ValueError for
-    what a decoder cannot be.
+    `width`, up to 1, makes all layers of the size narrower. The user's is called as name(size=..,
+    kind=.., slots=.., tile=.., sees_code=..); Rejected (NS0822), here and whenever it decodes,
+    where it fails. ValueError for what a decoder cannot be, and where slots and tile leave none of
+    that size.
     """
     if is_import_path(name):
-        made = imported(name, "decoder")(
-            size=size, kind=task.kind, slots=task.slots, tile=task.tile, sees_code=task.sees_code
-        )
-        if not isinstance(made, nn.Module):
-            raise ValueError(f"'{name}' gave a {type(made).__name__}, not a torch module")
-        return made
+        if width != 1:
+            raise ValueError(f"a width is for nscc's own decoders, and '{name}' is none of them")
+        return _own_decoder(name, size, task)
     if name not in DECODERS or size not in SIZES:
         raise ValueError(f"{name!r} {size!r} is none of {DECODERS} in the sizes {SIZES}")
     still = task.kind == "still"
+    if still and name != "unet2d":
+        raise ValueError(f"{name} reconstructs clips, not stills")
+    if name == "unet3d" and not task.sees_code:
+        raise ValueError("unet3d is fed with S^T E, which holds the code: it cannot do without")
+    if name in ("unrolled", "refined") and not task.sees_code:
+        raise ValueError(f"{name} projects with the code: it cannot do without")
+    if size != "small":
+        return _built(name, size, task, width)
+    count = 0
+    for part in range(_PARTS, 0, -1):
+        narrowed = width * part / _PARTS
+        with torch.device("meta"):
+            count = parameter_count(_built(name, size, task, narrowed))
+        if count <= SMALL:
+            return _built(name, size, task, narrowed)
+    rows, cols = task.tile
+    raise ValueError(
+        f"a small {name} has at most {SMALL:,} parameters, and {count:,} at its narrowest for "
+        f"{task.slots} slots and a tile of {rows} x {cols}: take fewer slots, a smaller tile, "
+        "another decoder or the size paper"
+    )
+
+
+def _built(name: str, size: str, task: Task, width: float) -> nn.Module:
+    """A decoder whose layers have that part of the table's channels, one at least."""
+    still = task.kind == "still"
     # The paper's networks begin with nothing; the small ones have no time for that.
     guesses = size == "small"
+    if name == "fcnet":
+        return BlockNet(_narrowed(_HIDDEN[size], width), task.slots, task.tile)
+    full = _WIDTHS["unrolled" if name == "refined" else name, size]
+    widths = tuple(_narrowed(channels, width) for channels in full)
     if name == "unet2d":
-        return StillUNet(
-            _WIDTHS[name, size], None if still else task.slots, task.sees_code, guesses
-        )
-    if still:
-        raise ValueError(f"{name} reconstructs clips, not stills")
+        return StillUNet(widths, None if still else task.slots, task.sees_code, guesses)
     if name == "unet3d":
-        if not task.sees_code:
-            raise ValueError("unet3d is fed with S^T E, which holds the code: it cannot do without")
-        return ClipUNet(_WIDTHS[name, size], task.slots, guesses)
-    if name in ("unrolled", "refined"):
-        if not task.sees_code:
-            raise ValueError(f"{name} projects with the code: it cannot do without")
-        iterations = _TV_ITERATIONS if name == "refined" else 0
-        return Unrolled(_WIDTHS["unrolled", size], task.slots, _STAGES[size], iterations)
-    return BlockNet(_HIDDEN[size], task.slots, task.tile)
+        return ClipUNet(widths, task.slots, guesses)
+    iterations = _TV_ITERATIONS if name == "refined" else 0
+    return Unrolled(widths, task.slots, _STAGES[size], iterations)
+
+
+def _narrowed(channels: int, width: float) -> int:
+    # rounded first: 24ths of whole numbers are to come out whole
+    return max(1, int(round(channels * width, 6)))
+
+
+def _own_decoder(name: str, size: str, task: Task) -> nn.Module:
+    make = imported(name, "decoder")
+    with own_code(name, "decoder"):
+        made = make(
+            size=size, kind=task.kind, slots=task.slots, tile=task.tile, sees_code=task.sees_code
+        )
+    if not isinstance(made, nn.Module):
+        raise ValueError(f"'{name}' gave a {type(made).__name__}, not a torch module")
+    # Not a module around it: weights keep the names that they have in the user's own.
+    made.forward = partial(_called, made, made.forward, name, task)
+    return made
+
+
+def _called(
+    module: nn.Module, forward: Callable[..., Any], name: str, task: Task,
+    frame: Tensor, shutters: Tensor,
+) -> Tensor:  # fmt: skip
+    """What the user's decoder gives; NS0822 where later steps would misunderstand it."""
+    with own_code(name, "decoder"):
+        found = forward(frame, shutters)
+    wanted = tuple(frame.shape)
+    if task.kind != "still":
+        wanted = (wanted[0], task.slots, *wanted[1:])
+    if not isinstance(found, Tensor):
+        raise own_failed(name, "decoder", f"it gives a {type(found).__name__}, not a tensor")
+    if tuple(found.shape) != wanted or not found.is_floating_point():
+        reason = f"it gives {tuple(found.shape)} {found.dtype}, and should real numbers {wanted}"
+        raise own_failed(name, "decoder", reason)
+    learns = any(p.requires_grad for p in module.parameters())
+    if module.training and torch.is_grad_enabled() and learns and not found.requires_grad:
+        raise own_failed(name, "decoder", "what it gives has no gradient: it cannot learn")
+    return found
 
 
 def parameter_count(module: nn.Module) -> int:
@@ -82,7 +148,8 @@ def flops(module: nn.Module, slots: int, rows: int, cols: int) -> int:
     """Floating-point operations, multiplications and additions each, for one frame of that size."""
     from torch.utils.flop_counter import FlopCounterMode
 
-    device = next(module.parameters()).device
+    first = next(module.parameters(), None)
+    device = torch.device("cpu") if first is None else first.device
     with FlopCounterMode(display=False) as counter, torch.no_grad():
         module(
             torch.zeros(1, rows, cols, device=device),

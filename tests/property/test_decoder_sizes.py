@@ -1,0 +1,97 @@
+"""A small decoder is small whatever it is for, and as wide as the table says where it can be."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+torch = pytest.importorskip("torch")
+
+from nscc_training.decoders.blocks import BlockNet  # noqa: E402
+from nscc_training.decoders.make import Task, make_decoder  # noqa: E402
+from nscc_training.decoders.names import DECODERS  # noqa: E402
+from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
+from nscc_training.decoders.unrolled import Unrolled  # noqa: E402
+
+MOST = 600_000
+
+
+def numbers(module: torch.nn.Module) -> int:
+    return sum(parameter.numel() for parameter in module.parameters())
+
+
+@settings(deadline=None, max_examples=60)
+@given(
+    st.sampled_from(DECODERS),
+    st.one_of(st.integers(1, 40), st.integers(1, 3000)),
+    st.tuples(st.integers(1, 24), st.integers(1, 24)),
+)
+def test_small_decoders_of_clips_are_small(name: str, slots: int, tile: tuple[int, int]) -> None:
+    task = Task("clip", slots, tile)
+    # Four neurons between two tiles a side and slots times as many outputs.
+    pixels = 4 * tile[0] * tile[1]
+    least = 4 * pixels + 2 * 4 * 4 + 3 * 4 + (4 + 1) * slots * pixels
+    with torch.device("meta"):
+        if name != "fcnet" or least <= MOST:
+            assert numbers(make_decoder(name, "small", task)) <= MOST
+        else:
+            with pytest.raises(ValueError, match=f"{least:,} at its narrowest for {slots} slots"):
+                make_decoder(name, "small", task)
+
+
+@settings(deadline=None, max_examples=30)
+@given(st.integers(1, 4096), st.booleans())
+def test_small_decoders_of_stills_are_small(slots: int, sees_code: bool) -> None:
+    with torch.device("meta"):
+        made = make_decoder("unet2d", "small", Task("still", slots, (8, 8), sees_code))
+    assert numbers(made) <= MOST
+
+
+@pytest.mark.parametrize("slots", [1, 13, 16])
+def test_common_sizes_are_those_that_runs_were_made_with(slots: int) -> None:
+    """By shape and by value: what was trained loads, and what is trained begins the same."""
+    widths = (16, 32, 64, 128)
+    makers = {
+        "unet2d": lambda: StillUNet(widths, slots, True, True),
+        "unet3d": lambda: ClipUNet((8, 16, 32, 64), slots, True),
+        "fcnet": lambda: BlockNet(96, slots, (8, 8)),
+        "unrolled": lambda: Unrolled((24, 48, 64), slots, 3),
+        "refined": lambda: Unrolled((24, 48, 64), slots, 3, 20),
+    }
+    assert set(makers) == set(DECODERS)
+    for name, maker in makers.items():
+        torch.manual_seed(5)
+        wanted = maker().state_dict()
+        torch.manual_seed(5)
+        found = make_decoder(name, "small", Task("clip", slots, (8, 8))).state_dict()
+        assert found.keys() == wanted.keys()
+        assert all(torch.equal(found[key], wanted[key]) for key in wanted), name
+
+
+@pytest.mark.parametrize(
+    ("name", "slots", "tile"),
+    [("unrolled", 20, (8, 8)), ("refined", 64, (8, 8)), ("fcnet", 23, (8, 8)),
+     ("fcnet", 4, (24, 24)), ("unet2d", 500, (8, 8))],
+)  # fmt: skip
+def test_where_it_would_be_more_it_is_narrower_and_not_much(
+    name: str, slots: int, tile: tuple[int, int]
+) -> None:
+    with torch.device("meta"):
+        made = make_decoder(name, "small", Task("clip", slots, tile))
+    assert 0.9 * MOST < numbers(made) <= MOST
+    cut = torch.rand(1, 50, 50)
+    with torch.no_grad():
+        real = make_decoder(name, "small", Task("clip", slots, tile))
+        assert real(cut, torch.ones(slots, *tile)).shape == (1, slots, 50, 50)
+
+
+def test_the_papers_size_is_not_narrowed() -> None:
+    with torch.device("meta"):
+        assert numbers(make_decoder("fcnet", "paper", Task("clip", 32, (8, 8)))) > 51e6
+
+
+@pytest.mark.parametrize("tile", [(64, 64), (256, 256)])
+def test_what_cannot_be_small_says_so_and_takes_no_memory(tile: tuple[int, int]) -> None:
+    with pytest.raises(ValueError, match=r"fcnet has at most 600,000 parameters.*another decoder"):
+        make_decoder("fcnet", "small", Task("clip", 16, tile))
