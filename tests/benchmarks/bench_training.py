@@ -10,12 +10,14 @@ from __future__ import annotations
 
 import argparse
 import tempfile
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 
 import torch
 
 from nscc_training.config import settings_of
+from nscc_training.data import Ahead
 from nscc_training.loop import train as loop
 from nscc_training.loop.ranks import Ranks
 
@@ -63,15 +65,19 @@ def main() -> None:
             bare.step()
 
         spent = [0.0, 0.0]
-        for step in range(-2, arguments.steps):
+        with Ahead(partial(loop.batch_of, run), arguments.steps + 2) as ahead:
+            for step in range(-2, arguments.steps):
 
-            def own_step(run=run, step=step) -> None:
-                loop._update(run, step + 2)
+                def own_step(run=run, step=step, ahead=ahead) -> None:
+                    loop._update(run, step + 2, ahead)
+                    # The batch that it has begun is its own work, not the bare loop's.
+                    if ahead._begun:
+                        ahead._begun[1].result()
 
-            for which, action in enumerate((own_step, bare_step)):
-                begin = perf_counter()
-                action()
-                spent[which] += perf_counter() - begin if step >= 0 else 0.0
+                for which, action in enumerate((own_step, bare_step)):
+                    begin = perf_counter()
+                    action()
+                    spent[which] += perf_counter() - begin if step >= 0 else 0.0
         ours, theirs = (1e3 * total / arguments.steps for total in spent)
         print(f"  {name:<18} {ours:8.1f} ms a step   bare {theirs:8.1f} ms   x{theirs / ours:5.2f}")
 

@@ -248,7 +248,7 @@ def test_a_turning_camera_moves_what_nothing_covers() -> None:
         assert np.array_equal(found, turned(light, np.random.default_rng(seed), 7, 96))
         draws = np.random.default_rng(seed)
         yaw, pitch = np.radians(draws.uniform(0, 360)), np.radians(draws.uniform(-15, 15))
-        size, angle = np.exp(draws.uniform(*np.log((0.05, 1.5)))), draws.uniform(0, 2 * np.pi)
+        size, angle = np.exp(draws.uniform(*np.log((0.1, 4.0)))), draws.uniform(0, 2 * np.pi)
         along, across = np.radians(size * np.array([np.sin(angle), np.cos(angle)]) * (0.3, 1.0))
         first = view(light, yaw, pitch, 96)
         shown = [found[k] == view(light, yaw + across * k, pitch + along * k, 96) for k in range(7)]

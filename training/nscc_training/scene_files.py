@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections import Counter
+from collections.abc import Collection, Iterable
 from pathlib import Path
 
 from nscc_runtime.scenes import clips
@@ -16,3 +17,11 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
     if not folder.is_dir():
         return []
     return sorted(path for path in folder.iterdir() if path.suffix.lower() in endings)
+
+
+def labels(files: Iterable[Path]) -> dict[str, str]:
+    """What products of each file are called, by its name: as it is but for the ending, if that is
+    enough to tell them apart."""
+    paths = list(files)
+    alike = Counter(path.stem for path in paths)
+    return {p.name: p.stem if alike[p.stem] == 1 else p.name.replace(".", "_") for p in paths}

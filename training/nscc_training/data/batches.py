@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 import torch
@@ -44,6 +45,27 @@ class Batch:
         """The same on a device."""
         return Batch(self.light.to(device), self.truth.to(device), self.peak.to(device), self.names)
 
+    def prepared(self) -> Batch:
+        """Itself, with everything calculated that takes no prediction."""
+        _ = self.goal, self.most
+        return self
+
+    @cached_property
+    def goal(self) -> Tensor:
+        """The truth over the peak, at most 1."""
+        return self._relative.clamp(max=1)
+
+    @cached_property
+    def most(self) -> Tensor | None:
+        """What predictions over the peak count as at most: 1 wherever the truth reaches the peak,
+        nothing elsewhere. None where it does so nowhere."""
+        high = self._relative >= 1
+        return torch.where(high, 1.0, torch.inf) if bool(high.any()) else None
+
+    @cached_property
+    def _relative(self) -> Tensor:
+        return self.truth / self.peak.reshape(-1, *([1] * (self.truth.ndim - 1)))
+
 
 class Batches:
     """The batches of a run: `train(step)` and `val()`, each the same whenever it is asked for."""
@@ -58,7 +80,7 @@ class Batches:
 
     def train(self, step: int) -> Batch:
         """The batch of a step."""
-        drawn: list[Batch] = []
+        drawn: list[_Patch] = []
         for place in range(0, self.batch, self.settings.together):
             generator = np.random.default_rng([self.seed, 4, step, place])
             scene = self.scenes.train[int(generator.integers(len(self.scenes.train)))]
@@ -77,7 +99,7 @@ class Batches:
 
     def _patches(
         self, scene: Scene, count: int, generator: np.random.Generator, augment: bool
-    ) -> list[Batch]:
+    ) -> list[_Patch]:
         """Patches of one exposure."""
         for _ in range(_TRIES):
             exposed = _Exposed.still if scene.light.ndim == 2 else _Exposed.clip
@@ -89,33 +111,41 @@ class Batches:
         found = []
         for _ in range(count):
             row, col = _corner(around.light, self.settings.patch, generator)
-            found.append(self._batch(around, row, col))
+            found.append(self._patch(around, row, col))
         return found
 
-    def _batch(self, around: _Exposed, row: int, col: int) -> Batch:
+    def _patch(self, around: _Exposed, row: int, col: int) -> _Patch:
         """The patch of an exposure at that corner."""
-        side = self.settings.patch
-        values = around.light[..., row : row + side, col : col + side]
+        values = around.part(row, col, self.settings.patch)
         # What has no light is dark at any exposure.
         scale = self.full_well_e / around.level if around.level > 0 else 0.0
-        light = torch.from_numpy(np.ascontiguousarray(values * np.float32(scale)))
+        light = np.multiply(values, np.float32(scale), order="C")
         slots = 1 if values.ndim == 2 else self.slots
-        truth = light * (slots / self.full_well_e)
+        truth = light * np.float32(slots / self.full_well_e)
         peak = max(around.white * scale * slots / self.full_well_e, 1e-6)
-        return Batch(
-            light[None], truth[None], torch.tensor([peak]), (f"{around.name}+{row},{col}",)
-        )
+        return _Patch(light, truth, peak, f"{around.name}+{row},{col}")
+
+
+@dataclass(frozen=True, eq=False)
+class _Patch:
+    """One patch of a batch."""
+
+    light: NDArray[np.float32]
+    truth: NDArray[np.float32]
+    peak: float
+    name: str
 
 
 @dataclass(frozen=True, eq=False)
 class _Exposed:
     """What is exposed together: `level` is the light over the frame that fills a well, `white` the
-    one that counts as 1."""
+    one that counts as 1. `light` is yet to be raised to the power of `contrast`; they are not."""
 
     light: NDArray[np.float32]
     level: float
     white: float
     name: str
+    contrast: float = 1.0
 
     @classmethod
     def still(
@@ -154,11 +184,18 @@ class _Exposed:
         if light.ndim == 3:
             return replace(self, light=light[::-1] if generator.random() < 0.5 else light)
         contrast = float(generator.uniform(0.8, 1.25))
-        bent = np.maximum(light, np.float32(1e-20)) ** np.float32(contrast)
         return replace(
-            self, light=bent.astype(np.float32), level=self.level**contrast,
-            white=self.white**contrast,
+            self, light=light, level=self.level**contrast, white=self.white**contrast,
+            contrast=contrast,
         )  # fmt: skip
+
+    def part(self, row: int, col: int, side: int) -> NDArray[np.float32]:
+        """The light of a square part from that corner."""
+        light = self.light[..., row : row + side, col : col + side]
+        if self.contrast == 1:
+            return light
+        bent = np.maximum(light, np.float32(1e-20)) ** np.float32(self.contrast)
+        return bent.astype(np.float32)
 
 
 def _corner(
@@ -169,10 +206,14 @@ def _corner(
     return int(generator.integers(rows + 1)), int(generator.integers(cols + 1))
 
 
-def _joined(drawn: list[Batch]) -> Batch:
+def _joined(drawn: list[_Patch]) -> Batch:
+    # Put together by numpy: torch would start threads of its own for every thread that asks.
+    light, truth = (
+        np.stack(parts) for parts in zip(*((p.light, p.truth) for p in drawn), strict=True)
+    )
     return Batch(
-        torch.cat([b.light for b in drawn]),
-        torch.cat([b.truth for b in drawn]),
-        torch.cat([b.peak for b in drawn]),
-        tuple(name for b in drawn for name in b.names),
+        torch.from_numpy(light),
+        torch.from_numpy(truth),
+        torch.tensor([p.peak for p in drawn]),
+        tuple(p.name for p in drawn),
     )

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 Picture = NDArray[np.float32]
 FIELD_OF_VIEW = 90.0
 """Degrees: 256 pixels of a panorama of 1024."""
-_TURNS = (0.05, 1.5)
+_TURNS = (0.1, 4.0)
 """Degrees a frame, slowest and fastest: both are as likely, and all ratios between them."""
-_FLIGHTS = (0.1, 6.0)
+_FLIGHTS = (0.2, 16.0)
 """Pixels a frame of things that fly across."""
 
 

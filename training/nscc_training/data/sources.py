@@ -15,7 +15,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_training.curves import srgb
 from nscc_training.data import procedural
 from nscc_training.data.camera import turned
-from nscc_training.import_paths import imported, is_import_path
+from nscc_training.import_paths import imported, is_import_path, own_code
 from nscc_training.scene_files import CLIPS, files_in
 from nscc_training.settings import DataSettings
 
@@ -23,6 +23,8 @@ _MOST_SIDE = 512
 """Clips are cut to this from their centre: training takes patches."""
 _CAMERA_SIDE = 256
 """Rows and columns of the clips that a camera makes of a panorama, at least."""
+_MOST_LIGHT = 1e32
+"""Sums over all slots of more than that are infinite."""
 _VALIDATION = 5
 """Every so many files one is for validation, where no folder is named for it."""
 
@@ -97,9 +99,12 @@ def _load(where: str, kind: _Kind, part: str) -> list[Scene]:
     if where == "procedural":
         return _made(kind, part)
     if is_import_path(where):
-        name = "still" if kind.still else "clip"
-        found = imported(where, "data")(kind=name, part=part, slots=kind.slots, seed=kind.seed)
-        return [_scene(str(name), np.asarray(light), kind) for name, light in found]
+        call = imported(where, "data")
+        with own_code(where, "data"):
+            what = "still" if kind.still else "clip"
+            found = call(kind=what, part=part, slots=kind.slots, seed=kind.seed)
+            pairs = [(str(name), np.asarray(light)) for name, light in found]
+        return [_scene(name, light, kind) for name, light in pairs]
     return _folder(Path(where), kind, part)
 
 
@@ -196,14 +201,16 @@ def _centre(frame: NDArray[Any]) -> NDArray[Any]:
 def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> Scene:
     """The scene, if training can use it; else Rejected (NS0811)."""
     patch, reason = kind.settings.patch, ""
-    if light.ndim != (2 if kind.still else 3):
+    if light.dtype.kind not in "uifb":
+        reason = f"its light is {light.dtype}, not real numbers"
+    elif light.ndim != (2 if kind.still else 3):
         reason = f"its light is {light.shape}"
     elif min(light.shape[-2:]) < patch:
         reason = f"it is {light.shape[-2]} x {light.shape[-1]}, a patch {patch} x {patch}"
     elif not kind.still and len(light) < kind.slots:
         reason = f"it has {len(light)} frames, a window {kind.slots}"
-    elif not np.isfinite(light).all() or float(light.min()) < 0:
-        reason = "its light is negative or not finite somewhere"
+    elif not (light.min() >= 0 and light.max() <= _MOST_LIGHT):
+        reason = f"its light is negative, no number, or above {_MOST_LIGHT:g} somewhere"
     if reason:
         raise rejected(
             "NS0811",
@@ -211,5 +218,8 @@ def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = Non
             notes=(reason,),
             helps=("take it out of the folder, or change [data] patch or [shutter] slots",),
         )
+    if kind.still and not _MOST_LIGHT**-0.25 < light.max() < _MOST_LIGHT**0.25:
+        # Stills have no unit, and far from 1 their powers and sums leave float32.
+        light = light.astype(np.float64) / (float(light.max()) or 1.0)
     values = np.ascontiguousarray(light, np.float32)
     return Scene(name, digest or sha256(values.tobytes()).hexdigest(), values)
