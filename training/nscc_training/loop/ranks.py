@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 from collections.abc import Iterable
 from datetime import timedelta
@@ -21,6 +22,9 @@ class Ranks:
         self.rank = int(os.environ.get("RANK", "0"))
         self._ours = self.count > 1 and not distributed.is_initialized()
         if self._ours:
+            # Functions there have the group of their import as a default argument: a module first
+            # imported later (by an optimiser) would keep ours, and with it gloo's threads, alive.
+            importlib.import_module("torch.distributed.nn.functional")
             backend = "nccl" if torch.cuda.is_available() else "gloo"
             distributed.init_process_group(backend, timeout=LONGEST_WAIT)
 
@@ -42,15 +46,15 @@ class Ranks:
             distributed.all_reduce(gradient)
 
     def meet(self) -> None:
-        """Wait until all are here.
-
-        Before a process ends: gloo's threads may still hold gradients of the last `average`, and
-        an interpreter that ends under them aborts. A meeting holds none.
-        """
+        """Wait until all are here: the one that writes is done, too."""
         if self.count > 1:
             distributed.barrier()
 
     def close(self) -> None:
-        """Leave the group, if it was entered here."""
+        """Leave the group, if it was entered here.
+
+        Gloo's threads end with it. They may still hold gradients of the last `average`, and an
+        interpreter that ends under them aborts.
+        """
         if self._ours:
             distributed.destroy_process_group()
