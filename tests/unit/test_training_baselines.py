@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -131,8 +132,25 @@ def folder(tmp_path: Path) -> Path:
     savemat(tmp_path / "wrong.mat", {"orig": orig, "mask": opened, "meas": meas + 9})
     savemat(tmp_path / "short.mat", {"orig": orig[..., :4], "mask": opened, "meas": meas})
     savemat(tmp_path / "other.mat", {"light": orig})
+    for name, values in (
+        ("fractions", orig / 255),
+        ("negative", orig - 300.0),
+        ("bright", orig * 3.0),
+    ):
+        sums = (values * opened).sum(axis=2)
+        savemat(tmp_path / f"{name}.mat", {"orig": values, "mask": opened, "meas": sums})
+    closed = {"orig": orig, "mask": 0 * opened, "meas": 0 * meas}
+    savemat(tmp_path / "closed.mat", closed)
+    corner = {"orig": orig, "mask": opened, "meas": meas}
+    savemat(tmp_path / "corner.mat", {key: part[:10, :16] for key, part in corner.items()})
     (tmp_path / "broken.mat").write_bytes(b"MATLAB 5.0 but no more")
     return tmp_path
+
+
+def test_a_clip_counts_once(folder: Path) -> None:
+    outcome = invoke(["evaluate", "sci8", "square.mat", "./square.mat", "--json"], folder)
+    assert outcome.status == 2
+    assert "square.mat" in outcome.err
 
 
 def test_evaluate_sci8(folder: Path) -> None:
@@ -237,7 +255,9 @@ def test_items_of_one_seed_are_compared_with_those_of_the_same(tmp_path: Path) -
     assert (found["items"], found["infinite"], found["scenes"]) == (3, 1, 1)
     # b of A0 alone; c of B0 and the second of B1 alone
     assert (found["only_first"], found["only_second"]) == (1, 2)
-    assert found["ci95"] == pytest.approx([2.5, 2.5])
+    # one scene says nothing of others
+    assert found["ci95"] is None
+    assert "2.500 dB, one scene" in invoke(["evaluate", "compare", *names], tmp_path).out
 
 
 def test_one_pair_is_what_it_was(tmp_path: Path) -> None:
@@ -291,9 +311,16 @@ def test_what_does_not_pair_is_refused(tmp_path: Path) -> None:
         (["sci8", "other.mat"], "NS0809"),
         (["sci8", "broken.mat"], "NS0809"),
         (["sci8", "none.mat"], "NS0809"),
+        *(
+            (["sci8", f"{name}.mat"], "NS0809")
+            for name in ("fractions", "negative", "bright", "closed", "corner")
+        ),
         (["sci8", "square.mat", "--iterations", "0"], "NS0783"),
         (["sci8"], "NS0780"),
         (["tables"], "NS0780"),
+        (["tables", "--data", "none"], "NS0811"),
+        (["tables", "--data", ".", "--runs", "none"], "NS0818"),
+        (["tables", "--data", ".", "--results", "none"], "NS0807"),
         (["ldr"], "NS0780"),
         (["ldr", "--data", ".", "--protocol", "hdr"], "NS0806"),
         (["ldr", "--data", ".", "--protocol", "hdr-v1"], "NS0811"),
@@ -305,6 +332,21 @@ def test_what_does_not_pair_is_refused(tmp_path: Path) -> None:
 def test_evaluate_refuses(folder: Path, arguments: list[str], code: str) -> None:
     outcome = invoke(["evaluate", *arguments], folder)
     assert (outcome.status, outcome.codes) == (2, [code])
+
+
+@pytest.mark.parametrize(
+    "change", [{"mean": "high"}, {"data": [3]}, {"items": [{"psnr_db": "nan"}]}]
+)
+def test_results_with_numbers_that_are_none_are_refused(
+    tmp_path: Path, change: dict[str, Any]
+) -> None:
+    item = {"file": "a", "crop": None, "frame": 0, "psnr_db": 20.0}
+    good = {"schema": "nscc-result-1", "protocol": "sci8", "mean": 20.0, "items": [item]}
+    (tmp_path / "A.json").write_text(json.dumps(good))
+    items = [{**item, **other} for other in change.get("items", [{}])]
+    (tmp_path / "B.json").write_text(json.dumps({**good, **change, "items": items}))
+    outcome = invoke(["evaluate", "compare", "A.json", "B.json"], tmp_path)
+    assert (outcome.status, outcome.codes) == (2, ["NS0807"])
 
 
 def radiance(path: Path, *, seed: int = 1) -> None:

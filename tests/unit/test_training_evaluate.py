@@ -19,6 +19,7 @@ from training_oracle import small_target
 torch = pytest.importorskip("torch")
 
 from nscc.cli.support import write_together  # noqa: E402
+from nscc.diagnostics.model import Rejected  # noqa: E402
 from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.evaluation import hdr_baselines  # noqa: E402
@@ -122,6 +123,10 @@ def test_a_run_with_the_mask_of_the_file(name: str, tmp_path: Path) -> None:
     assert outcome.status == 0, outcome.err
     found = json.loads(outcome.out)
     assert (len(found["items"]), found["data_range"]) == (8, 255)
+    (tmp_path / "empty").mkdir()
+    for where in ("empty", "none.mat"):
+        refused = invoke(["evaluate", "r", "--data", where, "--protocol", "sci8"], tmp_path)
+        assert (refused.status, refused.codes) == (2, ["NS0811"])
 
 
 def test_what_was_seen_is_not_scored(tmp_path: Path) -> None:
@@ -164,7 +169,7 @@ def test_tables_have_every_row_and_say_what_was_not_run(
     assert outcome.status == 0, outcome.err
     rows = json.loads(outcome.out)
     assert rows == json.loads((tmp_path / "t.json").read_text())
-    assert [sum(row["table"] == k for row in rows) for k in (2, 3, 4)] == [8, 15, 6]
+    assert [sum(row["table"] == k for row in rows) for k in (2, 3, 4)] == [8, 16, 6]
     paper = {(row["table"], row["row"]): (row["paper_psnr_db"], row["paper_ssim"]) for row in rows}
     assert paper[2, "learned code, U-Net"] == (35.42, 0.9464)
     assert paper[3, "3D U-Net, e learned"] == (33.56, 0.9374)
@@ -195,6 +200,7 @@ def test_tables_have_every_row_and_say_what_was_not_run(
         ("unet2d", {"class": "d", "learn": False, "init": "random"}, "2D U-Net, d random"),
         ("unet2d", {"class": "d"}, "2D U-Net, d learned"),
         ("unet2d", {"class": "d", "learn": False}, "2D U-Net, d, 2 x 2 pattern"),
+        ("unet3d", {"class": "d"}, "3D U-Net, d learned"),
         ("unet3d", {"class": "codebook"}, "3D U-Net, codebook learned"),
         ("unet3d", {"class": "codebook", "words_weight": 0.1},
          "3D U-Net, codebook, words in the loss"),
@@ -207,6 +213,8 @@ def test_rows_of_our_own(decoder: str, shutter: dict[str, Any], name: str | None
     found = [row for row in ROWS if row.table == 3 and row.key == key]
     assert [row.name for row in found] == ([name] if name else [])
     assert all(row.paper is None for row in found)
+    narrow = key_of(settings_of({"decoder": {"name": decoder, "width": 0.5}, "shutter": shutter}))
+    assert narrow not in {row.key for row in ROWS}
 
 
 def one_crop(path: Path) -> np.ndarray:
@@ -339,6 +347,81 @@ def test_a_run_keeps_a_chip_and_a_sensor_of_ones_own(tmp_path: Path) -> None:
         refused = invoke(["reconstruct", "../r", name, "-o", "p.npz"], here)
         assert refused.codes == ["NS0819"]
         assert words in refused.err
+
+
+def own_files(folder: Path) -> dict[str, str]:
+    """A chip and a sensor of one's own, in a folder."""
+    chip = invoke(["targets", "scamp5", "--toml"], folder).out
+    (folder / "t.toml").write_text(small_target(chip, 64, 48))
+    (folder / "s.toml").write_text("full_well_e = 20000.0\nelectrons_per_lsb = 70.0\n")
+    return {name: (folder / name).read_text() for name in ("t.toml", "s.toml")}
+
+
+OWN: dict[str, dict[str, Any]] = {
+    "shutter": {"class": "b", "slots": 16, "tile": [2, 2], "target": "t.toml"},
+    "sensor": {"file": "s.toml"},
+    "data": {"patch": 16, "scenes": 2, "val_items": 1},
+    "train": {"steps": 4, "batch": 1, "validate_every": 2},
+}
+KEPT = {"t.toml": "target.toml", "s.toml": "sensor.toml"}
+
+
+def test_a_run_is_for_the_files_that_it_began_with(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Whatever becomes of them while it runs: broken, or gone."""
+    monkeypatch.chdir(tmp_path)
+    given = own_files(tmp_path)
+    train(settings_of(OWN), tmp_path / "whole", write=write_together)
+
+    def spoiling(steps: Any, _label: str, _total: int) -> Any:
+        for step in steps:
+            if step == 1:
+                (tmp_path / "t.toml").write_text("rows = nonsense")
+                (tmp_path / "s.toml").unlink()
+            yield step
+
+    train(settings_of(OWN), tmp_path / "r", write=write_together, track=spoiling)
+    for path in (tmp_path / "whole").iterdir():
+        assert (tmp_path / "r" / path.name).read_bytes() == path.read_bytes(), path.name
+    for name, text in given.items():
+        assert (tmp_path / "r" / KEPT[name]).read_text() == text
+    assert load_run(tmp_path / "r").parts.target.rows == 64
+
+
+@pytest.mark.parametrize("which", ["t.toml", "s.toml"])
+def test_no_run_goes_on_with_other_files(
+    which: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    given = own_files(tmp_path)
+    settings, out = settings_of(OWN), tmp_path / "r"
+    train(settings, out, write=write_together, stop_after=2)
+    assert all((out / KEPT[name]).read_text() == text for name, text in given.items())
+    (tmp_path / which).write_text(given[which] + "# changed\n")
+    with pytest.raises(Rejected, match="NS0816") as refused:
+        train(settings, out, write=write_together)
+    assert KEPT[which] in refused.value.diagnostics[0].notes[0]
+    assert (out / KEPT[which]).read_text() == given[which]
+    # put back, it goes on; begun anew, it is a run of the others
+    (tmp_path / which).write_bytes((out / KEPT[which]).read_bytes())
+    train(settings, out, write=write_together)
+    assert (out / "result.json").is_file()
+    (tmp_path / which).write_text(given[which] + "# changed\n")
+    train(settings, out, write=write_together, resume="never", stop_after=1)
+    assert (out / KEPT[which]).read_text() == given[which] + "# changed\n"
+
+
+def test_files_of_an_earlier_run_in_the_folder_are_not_the_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    own_files(tmp_path)
+    train(settings_of(OWN), tmp_path / "r", write=write_together, stop_after=1)
+    plain = {**OWN, "shutter": {**OWN["shutter"], "target": "scamp5"}, "sensor": {}}
+    train(settings_of(plain), tmp_path / "r", write=write_together, resume="never")
+    parts = load_run(tmp_path / "r").parts
+    assert (parts.target.rows, parts.model.full_well_e) == (256, 30000)
 
 
 def test_bilinear_sees_one_slot_of_each_pixel(tmp_path: Path) -> None:
@@ -478,3 +561,20 @@ def test_a_run_of_two_rows_is_evaluated_once(
     assert [row["psnr_db"] for row in rows if row["row"] == "FC-net, c learned"] == [20.0, 20.0]
     assert asked.count(str(run)) == 1
     assert len(asked) == len(set(asked))
+
+
+def test_products_of_files_that_differ_in_their_ending(tmp_path: Path) -> None:
+    """`one.mat` and `one.mat` of another case: neither is lost. Others keep their short names."""
+    (tmp_path / "d").mkdir()
+    rng = np.random.default_rng(2)
+    clips = {name: rng.integers(1, 256, (256, 256, 16), np.uint8) for name in "abc"}
+    for name, file in (("a", "one.mat"), ("b", "one.MAT"), ("c", "two.mat")):
+        savemat(tmp_path / "d" / file, {"orig": clips[name]}, appendmat=False)
+    arguments = ["evaluate", "thin-out", "--data", "d", "--protocol", "video-v1", "--save", "s"]
+    assert invoke(arguments, tmp_path).status == 0
+    saved = {path.name for path in (tmp_path / "s").glob("*_truth.npy")}
+    assert saved == {"one_mat_0_truth.npy", "one_MAT_0_truth.npy", "two_0_truth.npy"}
+    truths = {name: np.load(tmp_path / f"s/{name}_0_truth.npy") for name in ("one_mat", "one_MAT")}
+    for name, clip in (("one_mat", "a"), ("one_MAT", "b")):
+        frames = np.moveaxis(clips[clip].astype(float), 2, 0)
+        np.testing.assert_allclose(truths[name] / truths[name].max(), frames / 255, atol=1e-6)

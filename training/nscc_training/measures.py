@@ -15,6 +15,9 @@ from nscc_training.metrics.ssim import WINDOW
 
 NITS = 1000.0
 """The luminance in cd/m2 that the data range stands for in PU21-PSNR, unless stated."""
+LARGEST = 1e60
+"""Data ranges and values beyond that, and data ranges below its inverse, are refused: squares of
+squares of them leave float64."""
 
 
 def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
@@ -33,15 +36,28 @@ def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
             f"{truth.shape[-2]} x {truth.shape[-1]} is too small: SSIM needs {WINDOW} x {WINDOW}",
             helps=("give larger pictures",),
         )
+    for array in (truth, result):
+        most = np.max(np.abs(array.astype(np.longdouble)))
+        if most > LARGEST:
+            raise rejected(
+                "NS0804",
+                f"a value of {most:.3g} is too large: squares of such errors are not finite",
+                notes=(f"values may be up to {LARGEST:g}",),
+                helps=("store them in another unit, and scale the data range with them",),
+            )
 
 
 def check_data_range(data_range: float) -> None:
-    """Raises Rejected (NS0803) for a data range that is not a finite number above 0."""
-    if not (0 < data_range < math.inf):
+    """Raises Rejected (NS0803) for a data range that is no number above 0, or one so small or
+    large that its squares are not."""
+    if not 1 / LARGEST <= data_range <= LARGEST:
         raise rejected(
             "NS0803",
             f"{data_range:g} is no data range",
-            notes=("the data range is the peak that PSNR and SSIM count errors against",),
+            notes=(
+                "the data range is the peak that PSNR and SSIM count errors against, a number "
+                f"above 0, from {1 / LARGEST:g} to {LARGEST:g}",
+            ),
             helps=("255 for 8-bit values, 1 for values on [0, 1], a full well for electrons",),
         )
 

@@ -45,12 +45,15 @@ def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> di
     """`mean`, `sd`, `ci95` of scores; infinite ones are left out and counted in `infinite`.
 
     `groups` names the scene of each value: the interval is a bootstrap over scenes, because
-    crops of one scene are no independent draws. None where there is no finite value.
+    crops of one scene are no independent draws, and there is none for a single scene. None where
+    there is no finite value.
     """
     finite = [(v, g) for v, g in zip(values, groups, strict=True) if np.isfinite(v)]
     moments = Moments()
     moments.add([v for v, _ in finite])
-    interval = bootstrap([v for v, _ in finite], [g for _, g in finite], seed) if finite else None
+    interval = None
+    if len({g for _, g in finite}) > 1:
+        interval = bootstrap([v for v, _ in finite], [g for _, g in finite], seed)
     return {
         "mean": moments.mean if finite else None,
         "sd": moments.variance**0.5 if finite else None,

@@ -23,6 +23,7 @@ from nscc_training.evaluation.hdr import (
 from nscc_training.evaluation.results import Item, Subject, result
 from nscc_training.measures import number
 from nscc_training.protocols import Protocol, load_protocol
+from nscc_training.scene_files import labels
 from nscc_training.sensor_model import SensorModel, capture
 
 BASELINES = ("ldr", "best-uniform", "best-uniform-mu", "quad", "random", "sparse-coding")
@@ -102,6 +103,7 @@ def _decoded(
     encoder.load_codes({"stop": stops})
     shutters = encoder.hard()
     items, arrays = [], {}
+    called = labels({crop.file for crop in usable})
     for index, crop in enumerate(usable):
         # A crop's noise is its own, whatever else is evaluated.
         generator = torch.Generator().manual_seed(1000 * seed + index)
@@ -117,7 +119,7 @@ def _decoded(
             made = coded_still(
                 frame, share, made, sensor.electrons_per_lsb, sensor.top_code, sensor.full_well_e
             )
-        name = f"{crop.file.stem}_{crop.corner[0]}_{crop.corner[1]}"
+        name = f"{called[crop.file.name]}_{crop.corner[0]}_{crop.corner[1]}"
         arrays[f"{name}_image"] = made.astype(np.float32)
         arrays[f"{name}_truth"] = crop.light_e.astype(np.float32)
         items.append(

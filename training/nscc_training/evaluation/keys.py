@@ -16,4 +16,7 @@ def key_of(settings: Settings) -> Key:
         codes = shutter.init if shutter.init in ("random", "quad") else "fixed"
     elif shutter.words_weight > 0:
         codes = "words"
-    return settings.decoder.name, shutter.kind, codes
+    decoder = settings.decoder
+    # Narrower decoders are none of the tables' rows.
+    name = decoder.name if decoder.width == 1 else f"{decoder.name} x {decoder.width:g}"
+    return name, shutter.kind, codes

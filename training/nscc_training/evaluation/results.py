@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from hashlib import sha256
@@ -89,8 +90,12 @@ def read_result(path: Path) -> dict[str, Any]:
         found = json.loads(path.read_text(encoding="utf-8"))
         good = isinstance(found, dict) and found.get("schema") == SCHEMA
         if good:
+            if not isinstance(found.get("mean"), int | float | None):
+                raise ValueError("its mean is no number")
+            _ = [str(entry["sha256"]) for entry in found.get("data", ())]
             for item in found["items"]:
-                number(item["psnr_db"])
+                if math.isnan(number(item["psnr_db"])):
+                    raise ValueError("an item's PSNR is no number")
                 _ = item["file"], item["crop"], item["frame"]
             return dict(found)
         reason = f"it has no schema {SCHEMA}"

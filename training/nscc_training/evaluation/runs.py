@@ -18,11 +18,12 @@ from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.evaluation import hdr, video
 from nscc_training.evaluation.keys import key_of
 from nscc_training.evaluation.results import Item, Subject, result
-from nscc_training.evaluation.sci8 import read_sci_clip
+from nscc_training.evaluation.sci8 import read_sci_clip, sci_clips
 from nscc_training.measures import decibels
 from nscc_training.metrics import psnr, ssim
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
+from nscc_training.scene_files import labels
 from nscc_training.sensor_model import exposed, laid, read_out
 
 Scored = tuple[Item, NDArray[Any], NDArray[Any], float]
@@ -44,17 +45,18 @@ def evaluate_run(
     elif protocol.name == "video-v1":
         files = video.clips_of(data)
     else:
-        files = sorted(data.glob("*.mat")) if data.is_dir() else [data]
+        files = sci_clips(data)
     check_unseen(folder, files)
     left_out: list[dict[str, Any]] = []
     items: list[Item] = []
     arrays: dict[str, NDArray[Any]] = {}
     spent: list[float] = []
+    called = labels(files)
     ways = {"hdr-v1": _stills, "video-v1": _clips, "sci8": _sci}
     for item, made, truth, seconds in ways[protocol.name](folder, files, protocol, seed, left_out):
         items.append(item)
         place = [item.frame] if item.crop is None else item.crop
-        label = "_".join([Path(item.file).stem, *map(str, place)])
+        label = "_".join([called[item.file], *map(str, place)])
         arrays[f"{label}_image" if parts.still else f"{label}_video"] = made.astype(np.float32)
         arrays[f"{label}_truth"] = truth.astype(np.float32)
         spent.append(seconds)
@@ -67,11 +69,11 @@ def evaluate_run(
         more["also_saturated"] = hdr.also_saturated(files, protocol, scored)
     size, settings = (256, 256), parts.settings
     subject = Subject(
-        f"{settings.decoder.name} ({settings.decoder.size})",
+        f"{settings.decoder.name} ({settings.decoder.sized})",
         {
             "run": folder.path.name,
             "row": list(key_of(settings)),
-            "size": settings.decoder.size,
+            "size": settings.decoder.sized,
             "steps": settings.train.steps,
             "train_seed": settings.train.seed,
             "program_sha256": sha256(folder.program.encode()).hexdigest(),

@@ -17,7 +17,9 @@ from nscc_training.baselines.sci import METHODS
 from nscc_training.baselines.tv import Clip
 from nscc_training.evaluation.results import Item, Subject, result
 from nscc_training.measures import decibels
+from nscc_training.metrics.ssim import WINDOW
 from nscc_training.protocols import Protocol, load_protocol
+from nscc_training.scene_files import files_in, labels
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +30,19 @@ class SciClip:
     orig: NDArray[np.uint8]
     mask: Clip
     measurement: NDArray[np.float32]
+
+
+def sci_clips(where: Path) -> list[Path]:
+    """The clips of a folder by name, or the one that is named; Rejected (NS0811) without any."""
+    found = files_in(where, (".mat",)) if where.is_dir() else [where]
+    if not found or not found[0].is_file():
+        raise rejected(
+            "NS0811",
+            f"'{where}' holds no data for protocol sci8",
+            notes=("clips end in .mat",),
+            helps=("name a folder of the benchmark's clips, or one of them",),
+        )
+    return found
 
 
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
@@ -56,6 +71,13 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     values = [np.moveaxis(a.astype(np.float64), 2, 0) for a in (orig, mask, meas)]
     if not all(np.isfinite(a).all() for a in values):
         raise _unusable(path, "its arrays are not finite")
+    if min(shape) < WINDOW:
+        raise _unusable(path, f"{shape[0]} x {shape[1]} is too small: SSIM needs {WINDOW} x "
+                        f"{WINDOW}")  # fmt: skip
+    if not np.array_equal(values[0], np.clip(np.rint(values[0]), 0, 255)):
+        raise _unusable(path, "`orig` has other values than whole numbers 0..255")
+    if values[1].min() < 0 or values[1].max() == 0:
+        raise _unusable(path, "`mask` is negative somewhere, or 0 everywhere")
     truth, opened, measured = values[0][:frames], values[1], values[2][0]
     if not np.allclose((truth * opened).sum(axis=0), measured, rtol=1e-4, atol=0.5):
         raise _unusable(path, "its first measurement is not sum(mask x orig) of its first frames")
@@ -91,6 +113,7 @@ def evaluate_sci8(
     arrays: dict[str, NDArray[Any]] = {}
     spent = 0.0
     top = float(protocol["data_range"])
+    called = labels(paths)
     for path in paths:
         clip = read_sci_clip(path, protocol)
         truth = clip.orig.astype(np.float32) / np.float32(top)
@@ -99,8 +122,8 @@ def evaluate_sci8(
         spent += perf_counter() - begin
         # Not rounded to whole numbers: the benchmark scores real values.
         scaled = np.clip(made.astype(np.float64), 0, 1) * top
-        arrays[f"{path.stem}_video"] = scaled.astype(np.float32)
-        arrays[f"{path.stem}_truth"] = clip.orig
+        arrays[f"{called[path.name]}_video"] = scaled.astype(np.float32)
+        arrays[f"{called[path.name]}_truth"] = clip.orig
         for k, (frame, wanted) in enumerate(zip(scaled, clip.orig, strict=True)):
             scores = {
                 "psnr_db": decibels(metrics.psnr(wanted, frame, top)),
@@ -120,7 +143,7 @@ def _unusable(path: Path, reason: str) -> Exception:
         f"'{path}' is no clip of the sci8 benchmark",
         notes=(reason,),
         helps=(
-            "such a .mat file holds `orig` (rows, cols, T >= 8), `mask` (rows, cols, 8) and "
-            "`meas` (rows, cols, n), where meas = sum(mask x orig)",
+            "such a .mat file holds `orig` (rows, cols, T >= 8) of 0..255, `mask` (rows, cols, 8) "
+            "and `meas` (rows, cols, n), where meas = sum(mask x orig)",
         ),
     )

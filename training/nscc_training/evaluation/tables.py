@@ -73,6 +73,7 @@ ROWS: tuple[Row, ...] = (
         remark="16 bits, more than its own chip has"),
     Row(3, "3D U-Net, codebook learned", None, key=("unet3d", "codebook", "learned")),
     Row(3, "3D U-Net, codebook, words in the loss", None, key=("unet3d", "codebook", "words")),
+    Row(3, "3D U-Net, d learned", None, key=("unet3d", "d", "learned")),
     Row(3, "2D U-Net, d random", None, key=("unet2d", "d", "random")),
     Row(3, "2D U-Net, d learned", None, key=("unet2d", "d", "learned")),
     Row(3, "2D U-Net, d, 2 x 2 pattern", None, key=("unet2d", "d", "quad")),
@@ -97,8 +98,15 @@ def tables(
     `data` holds panoramas and clips, or folders `hdr` and `video` of them; `runs` holds run
     folders. Runs of one row are its seeds. `results` holds what `nscc evaluate` wrote before: runs
     and baselines that are among them, on the same files, are not evaluated again. What was not run
-    has `psnr_db` None and says why.
+    has `psnr_db` None and says why. Rejected (NS0811, NS0818, NS0807) for folders that there are
+    not.
     """
+    if not data.is_dir():
+        raise rejected(
+            "NS0811",
+            f"'{data}' is no folder of data",
+            helps=("name a folder of panoramas and clips, or with folders hdr and video of them",),
+        )
     places = {
         protocol: _Place.of(data, protocol) for protocol in dict.fromkeys(r.protocol for r in ROWS)
     }
@@ -154,8 +162,14 @@ def _config(found: dict[str, Any]) -> object:
 
 
 def _runs(folder: Path | None) -> list[RunFolder]:
-    if folder is None or not folder.is_dir():
+    if folder is None:
         return []
+    if not folder.is_dir():
+        raise rejected(
+            "NS0818",
+            f"'{folder}' is no folder of runs",
+            helps=("name the folder in which the run folders of nscc train are",),
+        )
     places = sorted(p for p in folder.iterdir() if (p / "result.json").is_file())
     return [load_run(place) for place in places]
 

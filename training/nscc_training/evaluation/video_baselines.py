@@ -22,6 +22,7 @@ from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.evaluation.results import Item, Subject, result
 from nscc_training.evaluation.video import Passed, Window, clips_of, scores, windows
 from nscc_training.protocols import Protocol, load_protocol
+from nscc_training.scene_files import labels
 from nscc_training.sensor_model import SensorModel, capture, laid
 
 BASELINES = ("gap-tv", "admm-tv", "dictionary", "adjoint", "bilinear", "thin-out")
@@ -48,6 +49,7 @@ def evaluate_video_baseline(
     encoder = make_encoder(spec, "random", seed)
     items, arrays, spent = [], {}, 0.0
     left_out: list[dict[str, Any]] = []
+    called = labels(files)
     for index, window in enumerate(windows(files, protocol)):
         if isinstance(window, Passed):
             left_out.append(vars(window))
@@ -56,7 +58,7 @@ def evaluate_video_baseline(
         made = _made(name, window, encoder.hard(), sensor, protocol, 1000 * seed + index)
         spent += perf_counter() - begin
         items.append(Item(window.file.name, None, window.first, scores(window, made)))
-        label = f"{window.file.stem}_{window.first}"
+        label = f"{called[window.file.name]}_{window.first}"
         arrays[f"{label}_video"] = made.astype(np.float32)
         arrays[f"{label}_truth"] = window.light_e.astype(np.float32)
     settings: dict[str, Any] = {}
