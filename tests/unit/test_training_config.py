@@ -124,3 +124,21 @@ def test_nothing_is_learned_before_everything_fits(
     assert code in outcome.codes, outcome.err
     assert outcome.status == status
     assert not (tmp_path / "r" / "metrics.csv").exists()
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["panorama", 'a "b" \\ c', "tab\tline\nend", "\x00\x7f", "caf\xe9 \u4e2d", "\U0001f600\ufffd"],
+)
+def test_any_text_survives_the_file(text: str, tmp_path: Path) -> None:
+    settings = settings_of({"data": {"train": text}})
+    path = tmp_path / "c.toml"
+    path.write_text(config_toml(settings), encoding="utf-8")
+    assert load_config(path) == settings
+
+
+@pytest.mark.parametrize("change", ["data.train=\udcff", "train.steps=3\nbatch=5"])
+def test_changes_that_are_no_value_are_refused(change: str) -> None:
+    with pytest.raises(Rejected) as caught:
+        settings_of({}, [change])
+    assert [d.code for d in caught.value.diagnostics] == ["NS0815"]

@@ -22,6 +22,7 @@ from nscc.cli.support import write_together  # noqa: E402
 from nscc.diagnostics.model import Rejected  # noqa: E402
 from nscc_training.config import config_toml, settings_of  # noqa: E402
 from nscc_training.loop import artifacts  # noqa: E402
+from nscc_training.loop.ranks import Ranks  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.sensor_model import read_out  # noqa: E402
 
@@ -172,6 +173,116 @@ def put_back_checkpoint(values: dict[str, Any], out: Path) -> None:
     (out / "checkpoint.safetensors").write_bytes((other / "checkpoint.safetensors").read_bytes())
 
 
+@pytest.mark.parametrize("values", [STILL, CLIP], ids=["still", "clip"])
+def test_a_run_interrupted_before_its_products_ends_as_if_it_had_not(
+    values: dict[str, Any], tmp_path: Path
+) -> None:
+    relaxed = changed(values, "shutter", relaxation="sigmoid")
+    run(relaxed, tmp_path)
+    whole = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    for name in ("result.json", "model_card.md", "decoder.safetensors"):
+        (tmp_path / name).unlink()
+    run(relaxed, tmp_path)
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == whole
+
+
+@pytest.mark.parametrize("text", [b"", b"\xff\xfe", b"step\nfirst,1\n", b"step\n\n"])
+def test_a_damaged_log_is_said_to_be_one(text: bytes, tmp_path: Path) -> None:
+    run(STILL, tmp_path, stop_after=2)
+    (tmp_path / "metrics.csv").write_bytes(text)
+    with pytest.raises(Rejected) as caught:
+        run(STILL, tmp_path)
+    assert [d.code for d in caught.value.diagnostics] == ["NS0816"]
+
+
+@pytest.mark.parametrize("about", ["[]", "3", "{}", '{"step": 1}', None, "optimiser", "best"])
+def test_checkpoints_of_something_else_are_refused(about: str | None, tmp_path: Path) -> None:
+    from safetensors import safe_open
+    from safetensors.torch import save_file
+
+    run(STILL, tmp_path, stop_after=2)
+    path = tmp_path / "checkpoint.safetensors"
+    with safe_open(str(path), framework="pt") as file:
+        kept = file.metadata()
+    tensors = load_file(path)
+    if about in ("optimiser", "best"):
+        tensors.pop(next(name for name in tensors if name.startswith(about)))
+    else:
+        kept = None if about is None else {"nscc": about}
+    save_file(tensors, path, metadata=kept)
+    with pytest.raises(Rejected) as caught:
+        run(STILL, tmp_path)
+    assert [d.code for d in caught.value.diagnostics] == ["NS0816"]
+
+
+def test_a_run_does_not_go_on_with_other_scenes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Else split.json would forget what the first steps have seen, and evaluations accept it."""
+    (tmp_path / "shots.py").write_text(
+        "import numpy as np\n"
+        "from pathlib import Path\n"
+        "def scenes(kind, part, slots, seed):\n"
+        "    first = int(Path('first.txt').read_text()) + (part == 'val')\n"
+        "    return [(part, np.random.default_rng(first).random((20, 20)))]\n"
+    )
+    (tmp_path / "first.txt").write_text("1")
+    monkeypatch.chdir(tmp_path)
+    values = changed(STILL, "data", train="shots:scenes", val="shots:scenes")
+    run(values, tmp_path / "run", stop_after=2)
+    split = (tmp_path / "run" / "split.json").read_bytes()
+    (tmp_path / "first.txt").write_text("3")
+    with pytest.raises(Rejected) as caught:
+        run(values, tmp_path / "run")
+    assert [d.code for d in caught.value.diagnostics] == ["NS0816"]
+    assert (tmp_path / "run" / "split.json").read_bytes() == split
+
+
+def test_files_of_two_runs_are_no_run(tmp_path: Path) -> None:
+    from nscc_training.run_folder import load_run
+
+    run(STILL, tmp_path / "r")
+    assert load_run(tmp_path / "r").result["protocol"] == "hdr-v1"
+    another = changed(STILL, "train", seed=1)
+    run(another, tmp_path / "other", stop_after=2)
+    run(another, tmp_path / "r", resume="never", stop_after=2)
+    for folder in ("r", "other"):
+        with pytest.raises(Rejected) as caught:
+            load_run(tmp_path / folder)
+        assert [d.code for d in caught.value.diagnostics] == ["NS0818"]
+
+
+@pytest.mark.parametrize("name", ["codes.npz", "shutter.nsl", "split.json", "decoder.safetensors"])
+def test_a_run_of_which_a_file_is_missing_or_another_is_none(name: str, tmp_path: Path) -> None:
+    """Without its codes a run would decode with others."""
+    from nscc_training.run_folder import load_run
+
+    run(STILL, tmp_path / "r")
+    run(changed(STILL, "train", seed=1), tmp_path / "other")
+    (tmp_path / "other" / name).replace(tmp_path / "r" / name)
+    for folder in ("r", "other"):
+        with pytest.raises(Rejected) as caught:
+            load_run(tmp_path / folder)
+        assert [d.code for d in caught.value.diagnostics] == ["NS0818"]
+
+
+def test_a_run_that_was_made_on_cuda_is_loaded_without(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from hashlib import sha256
+
+    from nscc_training.run_folder import load_run
+
+    run(changed(STILL, "train", device="cpu"), tmp_path)
+    config = tmp_path / "config.resolved.toml"
+    config.write_text(config.read_text().replace('device = "cpu"', 'device = "cuda"'))
+    result = json.loads((tmp_path / "result.json").read_text())
+    result["config_sha256"] = sha256(config.read_bytes()).hexdigest()
+    (tmp_path / "result.json").write_text(json.dumps(result))
+    monkeypatch.setattr(torch.cuda, "is_available", lambda: False)
+    assert load_run(tmp_path).parts.device == torch.device("cpu")
+
+
 def test_the_same_seed_gives_the_same_bytes(tmp_path: Path) -> None:
     for name in ("a", "b"):
         run(STILL, tmp_path / name)
@@ -193,6 +304,14 @@ def test_never_begins_anew_and_another_configuration_is_refused(tmp_path: Path) 
     (tmp_path / "r" / "checkpoint.safetensors").write_bytes(b"\x00" * 40)
     with pytest.raises(Rejected, match="NS0816"):
         run(STILL, tmp_path / "r")
+
+
+def test_patches_larger_than_the_array_are_emulated_as_far_as_it_reaches(tmp_path: Path) -> None:
+    values = changed(STILL, "data", patch=272, scenes=2, val_items=1, augment=False)
+    values = changed(values, "train", steps=1, batch=1)
+    run(changed(values, "decoder", name="unet2d", sees_code=False), tmp_path)
+    stages = json.loads((tmp_path / "result.json").read_text())["stages"]
+    assert stages["emulated"] == pytest.approx(stages["hard"], abs=1.0)
 
 
 def test_codes_that_are_not_learned_stay(tmp_path: Path) -> None:
@@ -258,13 +377,24 @@ def test_bf16_leaves_the_sensor_alone(tmp_path: Path) -> None:
 
 
 def test_two_processes_learn_together(tmp_path: Path) -> None:
-    """Both hold the same parameters after every step, and only one writes."""
+    """Both hold the same parameters after every step, only one writes, and neither ends while
+    something still holds their group, whose threads an ending interpreter would abort under."""
     (tmp_path / "c.toml").write_text(config_toml(settings_of(STILL)))
     root = Path(__file__).resolve().parents[2]
     paths = os.pathsep.join(str(root / part) for part in (".", "runtime", "training"))
     code = (
-        "import sys; from nscc.cli.main import main; "
-        "status = main(['train', 'c.toml', '--out', 'r']); sys.exit(status)"
+        "import sys, weakref\n"
+        "from torch import distributed\n"
+        "from nscc.cli.main import main\n"
+        "from nscc_training.loop.ranks import Ranks\n"
+        "groups, close = [], Ranks.close\n"
+        "def watched(ranks):\n"
+        "    groups.append(weakref.ref(distributed.group.WORLD))\n"
+        "    close(ranks)\n"
+        "Ranks.close = watched\n"
+        "status = main(['train', 'c.toml', '--out', 'r'])\n"
+        "assert [group() for group in groups] == [None], 'the group outlives its end'\n"
+        "sys.exit(status)\n"
     )
     (tmp_path / "go.py").write_text(code)
     done = subprocess.run(
@@ -281,6 +411,20 @@ def test_two_processes_learn_together(tmp_path: Path) -> None:
     # the patches are the same; the noise of the second half of a batch is another
     for key in both:
         assert torch.allclose(both[key], alone[key], atol=0.02)
+
+
+def test_every_process_needs_a_patch(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A mean over no patch is not finite, which said nothing of why."""
+
+    class ThreeRanks(Ranks):
+        def __init__(self) -> None:
+            super().__init__()
+            self.count = 3
+
+    monkeypatch.setattr(f"{train.__module__}.Ranks", ThreeRanks)
+    with pytest.raises(Rejected, match="3 processes") as caught:
+        run(STILL, tmp_path / "r")
+    assert [d.code for d in caught.value.diagnostics] == ["NS0815"]
 
 
 def test_reconstruct_and_what_it_refuses(tmp_path: Path) -> None:
@@ -311,8 +455,14 @@ def test_reconstruct_and_what_it_refuses(tmp_path: Path) -> None:
     assert other.codes == ["NS0819"]
     assert "electrons_per_lsb" in other.err
     (tmp_path / "broken.npz").write_bytes(b"PK")
-    for name in ("broken.npz", "o.npz", "none.npz"):
-        assert "NS0819" in invoke(["reconstruct", "r", name, "-o", "q.npz"], tmp_path).codes
+    with np.load(tmp_path / "k.npz") as file:
+        whole = dict(file)
+    np.savez(tmp_path / "part.npz", **{**whole, "frame": whole["frame"][:, :30]})
+    np.savez(tmp_path / "empty.npz", **{**whole, "frame": whole["frame"][:, :0]})
+    np.savez(tmp_path / "flat.npz", **{**whole, "shutter": whole["shutter"][0]})
+    for name in ("broken.npz", "o.npz", "none.npz", "part.npz", "empty.npz", "flat.npz"):
+        refused = invoke(["reconstruct", "r", name, "-o", "q.npz", "--force"], tmp_path)
+        assert (refused.status, refused.codes) == (2, ["NS0819"])
     assert "NS0818" in invoke(["reconstruct", ".", "f.npz", "-o", "q.npz"], tmp_path).codes
     (tmp_path / "r" / "decoder.safetensors").write_bytes(b"\x00" * 9)
     assert "NS0818" in invoke(["reconstruct", "r", "f.npz", "-o", "q.npz"], tmp_path).codes
@@ -338,3 +488,16 @@ def test_settled_codes_stay_and_the_decoder_learns(relaxation: str, tmp_path: Pa
     shares = {row.split(",")[0]: row.split(",")[6] for row in rows[1:] if ",val," in row}
     assert shares["2"] != ""
     assert shares["4"] == shares["5"] == ""
+
+
+def test_codes_wait_for_the_decoder(tmp_path: Path) -> None:
+    values = changed(STILL, "shutter", warm_up=0.5, relaxation="tried")
+    found = []
+    for step in (1, 2, 4):
+        run(values, tmp_path / "r", stop_after=step)
+        found.append(dict(load_file(tmp_path / "r" / "checkpoint.safetensors")))
+    one, two, four = found
+    assert torch.equal(one["encoder.stop"], two["encoder.stop"])
+    assert not torch.equal(two["encoder.stop"], four["encoder.stop"])
+    key = "decoder.network.last.weight"
+    assert not torch.equal(one[key], two[key])

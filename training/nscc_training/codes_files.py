@@ -72,6 +72,8 @@ def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.
     if values.dtype.kind == "f":
         reals = values.astype(np.float64)
         whole = bool((np.abs(reals) < 2**53).all() and (np.rint(reals) == reals).all())
+    if values.dtype.kind == "u" and values.size and int(values.max()) > np.iinfo(np.int64).max:
+        whole = False
     if not whole or values.ndim != 2 or values.size == 0:
         raise rejected(
             "NS0805",

@@ -111,9 +111,10 @@ def _change(
         problems.append(_unknown(name, section, sections, None, "", section))
         return
     try:
-        value = tomllib.loads(f"value = {text.strip()}")["value"]
+        found = tomllib.loads(f"value = {text.strip()}")
     except (ValueError, RecursionError):
-        value = text.strip()
+        found = {}
+    value = found["value"] if found.keys() == {"value"} else text.strip()
     _section(section, {key: value}, given[section], problems, None)
 
 
@@ -133,8 +134,9 @@ def _scalar(value: Any, kind: type, about: Any) -> tuple[bool, Any]:
     if kind is bool or isinstance(value, bool):
         return kind is bool and isinstance(value, bool), value
     if kind is str:
-        good = isinstance(value, str) and (not about["choices"] or value in about["choices"])
-        return good, value
+        # Bytes of the command line that are no UTF-8 arrive as halves of characters.
+        whole = isinstance(value, str) and not any("\ud800" <= c <= "\udfff" for c in value)
+        return whole and (not about["choices"] or value in about["choices"]), value
     if not isinstance(value, (int,) if kind is int else (int, float)):
         return False, None
     if abs(value) > 1e300 or not isfinite(value):
@@ -176,7 +178,11 @@ def _key(entry: Field[Any]) -> str:
 def _written(value: Any) -> str:
     if isinstance(value, tuple):
         return f"[{', '.join(map(repr, value))}]"
-    return json.dumps(value, ensure_ascii=True) if isinstance(value, str | bool) else repr(value)
+    if isinstance(value, str):
+        # JSON writes characters beyond 16 bits as two, which TOML does not read.
+        parts = (json.dumps(c)[1:-1] if ord(c) < 1 << 16 else f"\\U{ord(c):08x}" for c in value)
+        return f'"{"".join(parts)}"'
+    return json.dumps(value) if isinstance(value, bool) else repr(value)
 
 
 def _unreadable(path: Path, reason: str) -> Rejected:

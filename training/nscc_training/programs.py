@@ -17,6 +17,7 @@ from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.target.load import load_target
+from nscc.target.model import Target
 from nscc_training.codes_files import Codes, codes_bytes
 
 if TYPE_CHECKING:
@@ -34,11 +35,15 @@ _MOST_DIGITS = 1 << 15
 
 @dataclass(frozen=True)
 class Chip:
-    """Where shutters are to run: a target's name or file, slots of `slot_us`, and a `require`."""
+    """Where shutters are to run: a target's name or file, slots of `slot_us`, and a `require`.
+
+    `table` is what was read from a file, and holds from then on, whatever becomes of the file.
+    """
 
     target: str = "scamp5"
     slot_us: float = 125.0
     require: str | None = None
+    table: Target | None = None
 
     @property
     def file(self) -> str | None:
@@ -100,7 +105,8 @@ def compiled(
     with tempfile.TemporaryDirectory() as folder:
         if files.codes:
             (Path(folder) / CODES_FILE).write_bytes(files.codes)
-        options = Options(level=level, codes="open" if every_code else "fixed", target=chip.file)
+        target = chip.table or chip.file
+        options = Options(level=level, codes="open" if every_code else "fixed", target=target)
         return compile_source(Source("shutter.nsl", files.text), Path(folder), options)
 
 
@@ -116,7 +122,7 @@ def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
     tree, wrong = parse(source)
     if any(found.severity is Severity.ERROR for found in wrong):
         raise Rejected(wrong)
-    target = load_target(chip.target, Path())
+    target = chip.table or load_target(chip.target, Path())
     return analyse(source, tree, base=Path(), codes="open", target=target).table.codes
 
 

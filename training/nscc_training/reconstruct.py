@@ -39,7 +39,7 @@ def reconstruct(run: Path, frame: Path, *, force: bool) -> tuple[bytes, tuple[Di
     """The .npz file of the reconstruction, and warnings.
 
     Raises Rejected: NS0818 for the run, NS0819 for a file that is no frame, or one of another
-    program or sensor (with `force` that is a warning, unless its size or slots differ).
+    program or sensor (with `force` that is a warning, unless its size differs).
     """
     folder = load_run(run)
     read = read_frame(frame)
@@ -47,6 +47,9 @@ def reconstruct(run: Path, frame: Path, *, force: bool) -> tuple[bytes, tuple[Di
     messages = tuple(_doubt(frame, text, warning=force) for text in doubts)
     if messages and not force:
         raise Rejected(messages, status=2)
+    size = (folder.parts.target.rows, folder.parts.target.cols)
+    if read.frame.shape != size:
+        raise _no_frame(frame, f"it is of {read.frame.shape} pixels, the run's chip has {size}")
     made = decoded_frame(folder, read.frame)
     stream = io.BytesIO()
     key = "image" if folder.parts.still else "video"
@@ -81,8 +84,10 @@ def read_frame(path: Path) -> FrameRead:
         raise _no_frame(path, reason) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA or found.dtype != np.uint8:
         raise _no_frame(path, f"its schema is not {SCHEMA}")
-    if found.ndim != 3 or found.shape[0] != 1:
+    if found.ndim != 3 or found.shape[0] != 1 or 0 in found.shape:
         raise _no_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
+    if kept is not None and kept.shape[:-1] != found.shape:
+        raise _no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
     shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
     return FrameRead(found[0], meta, shutter)
 

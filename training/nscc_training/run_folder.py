@@ -4,14 +4,20 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, replace
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
+
+import torch
 
 from nscc.diagnostics.rejection import rejected
 from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
 from nscc_training.loop.setup import Parts, make_parts
-from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE
+from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE, Chip
+
+_TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
+"""What a result has digests of, and reconstructions depend on."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,13 +42,20 @@ def load_run(path: Path) -> RunFolder:
     if missing:
         raise _no_run(path, f"it has no {', '.join(missing)}")
     settings = load_config(path / "config.resolved.toml")
-    # Codes, chip and sensor are the run's own, wherever they once came from.
+    # Codes, chip and sensor are the run's own, wherever they once came from. Such files may also
+    # be of another run that was in this folder before.
     shutter, sensor = replace(settings.shutter, init="uniform"), settings.sensor
-    if (path / TARGET_FILE).is_file():
+    where = settings.train.device
+    device = "auto" if where == "cuda" and not torch.cuda.is_available() else where
+    if Chip(shutter.target).file is not None and (path / TARGET_FILE).is_file():
         shutter = replace(shutter, target=str(path / TARGET_FILE))
-    if (path / SENSOR_FILE).is_file():
+    if sensor.file and (path / SENSOR_FILE).is_file():
         sensor = replace(sensor, file=str(path / SENSOR_FILE))
-    parts = make_parts(replace(settings, shutter=shutter, sensor=sensor))
+    parts = make_parts(
+        replace(
+            settings, shutter=shutter, sensor=sensor, train=replace(settings.train, device=device)
+        )
+    )
     parts = replace(parts, settings=settings)
     try:
         if (path / CODES_FILE).is_file():
@@ -51,6 +64,7 @@ def load_run(path: Path) -> RunFolder:
         split = json.loads((path / "split.json").read_text(encoding="utf-8"))
         seen = frozenset(str(s["sha256"]) for part in split.values() for s in part)
         result = dict(json.loads((path / "result.json").read_text(encoding="utf-8")))
+        _check_whole(path, result)
         program = (path / "shutter.nsl").read_text(encoding="utf-8")
     except (ValueError, KeyError, TypeError, AttributeError, RuntimeError, OSError) as error:
         raise _no_run(path, f"{type(error).__name__}: {' '.join(str(error).split())[:150]}") from (
@@ -62,6 +76,26 @@ def load_run(path: Path) -> RunFolder:
         raise _no_run(path, f"decoder.safetensors: {error}") from error
     parts.decoder.eval()
     return RunFolder(path, parts, program, seen, result)
+
+
+def _check_whole(path: Path, result: dict[str, Any]) -> None:
+    """ValueError where a file is not the one that the result was made with.
+
+    Such folders are left by runs that began anew in them and did not finish, or that were copied in
+    part: codes, weights and what was seen would be those of different runs.
+    """
+    named = {name: result["files"].get(name) for name in _TOLD}
+    named |= {
+        name: result[key]
+        for name, key in (("config.resolved.toml", "config_sha256"), ("split.json", "split_sha256"))
+        if key in result
+    }
+    for name, digest in named.items():
+        file = path / name
+        found = sha256(file.read_bytes()).hexdigest() if file.is_file() else None
+        if found != digest:
+            what = "is missing" if found is None else "is of another run"
+            raise ValueError(f"{name} {what}: result.json has another digest of it")
 
 
 def _no_run(path: Path, reason: str) -> Exception:

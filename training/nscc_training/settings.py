@@ -49,6 +49,10 @@ class ShutterSettings:
                                              count=2)  # fmt: skip
     noise: float = setting(0.0, "on parameters at the first step, in slots or for digits in their "
                            "own unit; 0 at the last", low=0, high=1e6)  # fmt: skip
+    tried_share: float = setting(1.0, "the part of the pixels that a trial moves, with `tried`",
+                                 low=1e-4, high=1)  # fmt: skip
+    warm_up: float = setting(0.0, "the first part of the steps, in which the codes stay as they "
+                             "start and the decoder learns them", low=0, high=1)  # fmt: skip
     settle: float = setting(0.0, "the last part of the steps, in which the codes stay as they are "
                             "and the decoder learns them", low=0, high=1)  # fmt: skip
     target: str = setting("scamp5", "the chip: a name or a file, as --target takes it")
@@ -66,7 +70,13 @@ class DecoderSettings:
     name: str = setting("unet2d", f"{', '.join(DECODERS)}, or one's own as module:name")
     size: str = setting("small", "as in the paper, or at most 0.6 million parameters",
                         choices=SIZES)  # fmt: skip
+    width: float = setting(1.0, "of its layers, as a part of the size's", low=0.01, high=1)
     sees_code: bool = setting(True, "whether the decoder knows the code of each pixel")
+
+    @property
+    def sized(self) -> str:
+        """The size in words: `small`, or `small x 0.5`."""
+        return self.size if self.width == 1 else f"{self.size} x {self.width:g}"
 
 
 @dataclass(frozen=True)

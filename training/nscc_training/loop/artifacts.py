@@ -6,7 +6,6 @@ import json
 import platform
 from dataclasses import replace
 from hashlib import sha256
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -30,13 +29,12 @@ from nscc_training.measures import decibels
 from nscc_training.metrics import psnr
 from nscc_training.programs import (
     CODES_FILE,
-    SENSOR_FILE,
-    TARGET_FILE,
     compiled,
     program_of,
     words_per_slot,
 )
 from nscc_training.sensor_model import laid, read_out
+from nscc_training.settings import Settings
 
 _CHANGES: tuple[tuple[str, dict[str, float]], ...] = (
     ("as trained", {}),
@@ -66,10 +64,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
     files = {"shutter.nsl": program.text.encode(), "decoder.safetensors": weights}
     if program.codes:
         files[CODES_FILE] = program.codes
-    if parts.chip.file is not None:
-        files[TARGET_FILE] = Path(parts.chip.file).read_bytes()
-    if parts.settings.sensor.file:
-        files[SENSOR_FILE] = Path(parts.settings.sensor.file).read_bytes()
+    files |= parts.files
     files["capture.toml"] = capture_toml(parts).encode()
     val = batches.val()
     stages = _stages(parts, batches, container_of.container)
@@ -78,7 +73,8 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
         "schema": "nscc-run-1",
         "protocol": parts.protocol.name,
         "protocol_sha256": parts.protocol.sha256,
-        "config_sha256": sha256(config_toml(parts.settings).encode()).hexdigest(),
+        "config_sha256": config_digest(parts.settings),
+        "split_sha256": split_digest(scenes),
         "step": step,
         "stages": stages,
         "stages_note": f"mean PSNR in dB of {count} validation patches of {side} x {side}, "
@@ -111,6 +107,16 @@ def environment(parts: Parts) -> dict[str, Any]:
 def lines_of(values: Any) -> bytes:
     """JSON as a file."""
     return (json.dumps(values, indent=2, allow_nan=False) + "\n").encode()
+
+
+def config_digest(settings: Settings) -> str:
+    """That of config.resolved.toml: everything that a run depends on."""
+    return sha256(config_toml(settings).encode()).hexdigest()
+
+
+def split_digest(scenes: Scenes) -> str:
+    """That of split.json: the scenes that a run learns from and is chosen by."""
+    return sha256(lines_of(scenes.split())).hexdigest()
 
 
 def capture_toml(parts: Parts) -> str:
@@ -163,26 +169,27 @@ def _stages(parts: Parts, batches: Batches, container: Container) -> dict[str, A
 
 @torch.no_grad()
 def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
-    """PSNR from frames that the emulator exposed: the words, on the whole array."""
+    """PSNR from frames that the emulator exposed: the words, on the whole array.
+
+    Of patches larger than the array the part that it holds.
+    """
     rows, cols = container.target.rows, container.target.cols
     values = []
     tile = parts.encoder.hard()
     patches = (batch.part(k, k + 1) for batch in batches.val() for k in range(len(batch.peak)))
     for batch in patches:
-        patch = batch.light[0].numpy()
-        side = patch.shape[-1]
-        if side > min(rows, cols):
-            continue
+        patch = batch.light[0, ..., :rows, :cols].numpy()
+        down, across = patch.shape[-2:]
         whole = np.zeros((*patch.shape[:-2], rows, cols), np.float32)
-        whole[..., :side, :side] = patch
+        whole[..., :down, :across] = patch
         if parts.still:
             light = Light.of_still(whole, np.full(parts.slots, 1.0 / parts.slots))
         else:
             light = Light.of_clip(whole)
-        exposure = torch.from_numpy(expose(container, light).exposure_e[:, :side, :side].copy())
-        prediction = _from_exposure(parts, exposure, tile[:, :side, :side])
-        peak = batch.peak.item()
-        pair = [np.clip(x.cpu().numpy() / peak, 0, 1) for x in (batch.truth[0], prediction[0])]
+        exposure = torch.from_numpy(expose(container, light).exposure_e[:, :down, :across].copy())
+        prediction = _from_exposure(parts, exposure, tile[:, :down, :across])
+        truth, peak = batch.truth[0, ..., :rows, :cols], batch.peak.item()
+        pair = [np.clip(x.cpu().numpy() / peak, 0, 1) for x in (truth, prediction[0])]
         values.append(psnr(pair[0], pair[1], 1.0))
     finite = [v for v in values if np.isfinite(v)]
     return float(np.mean(finite)) if finite else float("inf")
@@ -239,7 +246,7 @@ def _card(parts: Parts, scenes: Scenes, result: dict[str, Any]) -> str:
     rows = "\n".join(f"| {r['change']} | {db(r['psnr_db'])} |" for r in result["robustness"])
     return f"""# Model card
 
-A decoder `{settings.decoder.name}` ({settings.decoder.size}, {result["parameters"]} parameters)
+A decoder `{settings.decoder.name}` ({settings.decoder.sized}, {result["parameters"]} parameters)
 and shutters of class {settings.shutter.kind} for `{settings.shutter.target}`: \
 {settings.shutter.slots} slots of {settings.shutter.slot_us:g} us, \
 {result["codes"]["shutters"]} shutters.

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -10,17 +11,25 @@ import torch
 from torch import Tensor, nn
 
 from nscc.diagnostics.rejection import rejected
-from nscc.target.load import load_target
+from nscc.target.load import load_target, parse_target, read_target
 from nscc.target.model import Target
-from nscc_runtime.sensor import Sensor, default_sensor, load_sensor
+from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.make import Task, make_decoder
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.patterns import MOST_BITS
-from nscc_training.import_paths import imported, is_import_path
+from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
-from nscc_training.programs import Chip, compiled, legal_codes, program, program_of
+from nscc_training.programs import (
+    SENSOR_FILE,
+    TARGET_FILE,
+    Chip,
+    compiled,
+    legal_codes,
+    program,
+    program_of,
+)
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel
 from nscc_training.settings import SensorSettings, Settings, ShutterSettings
@@ -30,7 +39,11 @@ _STARTS = ("random", "uniform", "quad", "learned")
 
 @dataclass(frozen=True, eq=False)
 class Parts:
-    """Everything that a run is made of. `still` says whether scenes are stills or clips."""
+    """Everything that a run is made of. `still` says whether scenes are stills or clips.
+
+    `files` are a chip and a sensor of the user's own, as they were read: by the names that they
+    have in a run folder.
+    """
 
     settings: Settings
     protocol: Protocol
@@ -43,6 +56,7 @@ class Parts:
     decoder: nn.Module
     loss: Loss
     device: torch.device
+    files: Mapping[str, bytes]
 
     @property
     def slots(self) -> int:
@@ -58,13 +72,23 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     """
     seed = settings.train.seed if seed is None else seed
     chosen = settings.shutter
+    files: dict[str, bytes] = {}
     chip = Chip(chosen.target, chosen.slot_us, chosen.require or None)
-    target = load_target(chip.target, Path())
+    if chip.file is None:
+        target = load_target(chip.target, Path())
+    else:
+        files[TARGET_FILE] = read_target(chip.file, Path())
+        target = parse_target(files[TARGET_FILE], chip.file)
+        chip = replace(chip, table=target)
     protocol = load_protocol(settings.data.protocol)
     still = protocol.name == "hdr-v1"
     encoder = _encoder(chosen, chip, target, seed)
     check_shutters(encoder, chip, every_code=chosen.codes == "open")
-    sensor = _sensor(settings.sensor, target)
+    sensor = default_sensor(target)
+    if settings.sensor.file:
+        path = Path(settings.sensor.file)
+        files[SENSOR_FILE] = read_sensor(path)
+        sensor = parse_sensor(target, files[SENSOR_FILE], str(path))
     task = Task(
         "still" if still else "clip", chosen.slots, encoder.spec.tile, settings.decoder.sees_code
     )
@@ -72,14 +96,19 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
         try:
-            decoder = make_decoder(settings.decoder.name, settings.decoder.size, task)
+            made = settings.decoder
+            decoder = make_decoder(made.name, made.size, task, made.width)
         except ValueError as error:
             raise _wrong("decoder.name", error) from error
+    learns = any(p.requires_grad for p in decoder.parameters())
+    if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
+        raise _wrong("shutter.learn", "neither the decoder nor the shutters have anything to learn")
     device = _device(settings.train.device)
     return Parts(
         settings, protocol, still, chip, target, sensor,
         _model(settings.sensor, sensor, target, protocol), encoder.to(device),
         decoder.to(device), _loss(settings.loss.name), device,
+        files,
     )  # fmt: skip
 
 
@@ -104,12 +133,12 @@ def _encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> 
         encoder = make_encoder(spec, start, seed, chosen.relaxation)
     except ValueError as error:
         raise _wrong("shutter", error) from error
-    if chosen.words_weight and chosen.relaxation == "tried":
-        raise _wrong("shutter.words_weight", "words have no gradient where codes are tried")
+    encoder.tried_share = chosen.tried_share
     if chip.require is not None:
         if not isinstance(encoder, Bump):
             raise _wrong("shutter.require", "it is for the classes b, c and d")
-        encoder.legal = torch.as_tensor(legal_codes(spec, chip), dtype=torch.float64)
+        drawn = np.random.default_rng(seed) if start == "random" else None
+        encoder.restrict(legal_codes(spec, chip), drawn)
     if not named:
         try:
             encoder.load_codes(load_codes(Path(chosen.init)))
@@ -118,10 +147,6 @@ def _encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> 
                 error
             )
     return encoder
-
-
-def _sensor(chosen: SensorSettings, target: Target) -> Sensor:
-    return load_sensor(target, Path(chosen.file)) if chosen.file else default_sensor(target)
 
 
 def _model(
@@ -155,11 +180,26 @@ def _loss(name: str) -> Loss:
 
 def _one_loss(name: str) -> Loss:
     if is_import_path(name):
-        found: Loss = imported(name, "loss")
-        return found
+        return _own_loss(name)
     if name not in LOSSES:
         raise _wrong("loss.name", f"'{name[:60]}' is none of {', '.join(LOSSES)}")
     return LOSSES[name]
+
+
+def _own_loss(name: str) -> Loss:
+    call = imported(name, "loss")
+
+    def loss(prediction: Tensor, truth: Tensor) -> Tensor:
+        with own_code(name, "loss"):
+            found = call(prediction, truth)
+        if not isinstance(found, Tensor) or found.numel() != 1:
+            shape = tuple(found.shape) if isinstance(found, Tensor) else type(found).__name__
+            raise own_failed(name, "loss", f"it gives {shape}, not a tensor of one number")
+        if prediction.requires_grad and not found.requires_grad:
+            raise own_failed(name, "loss", "what it gives has no gradient: nothing can learn")
+        return found.reshape(())
+
+    return loss
 
 
 def _device(name: str) -> torch.device:

@@ -12,9 +12,9 @@ import torch
 from torch import Tensor
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training.config import config_toml
+from nscc_training.data import Scenes
+from nscc_training.loop.artifacts import config_digest, split_digest
 from nscc_training.loop.setup import Parts
-from nscc_training.settings import Settings
 
 CHECKPOINT = "checkpoint.safetensors"
 
@@ -32,9 +32,8 @@ class Progress:
     best: dict[str, Tensor] | None = None
 
 
-def config_digest(settings: Settings) -> str:
-    """A digest of everything that a run depends on."""
-    return sha256(config_toml(settings).encode()).hexdigest()
+def _file_digests(parts: Parts) -> dict[str, str]:
+    return {name: sha256(data).hexdigest() for name, data in sorted(parts.files.items())}
 
 
 def tensors_of(parts: Parts) -> dict[str, Tensor]:
@@ -55,7 +54,9 @@ def set_tensors(parts: Parts, tensors: dict[str, Tensor]) -> None:
         )
 
 
-def packed(parts: Parts, optimiser: torch.optim.Optimizer, progress: Progress) -> bytes:
+def packed(
+    parts: Parts, scenes: Scenes, optimiser: torch.optim.Optimizer, progress: Progress
+) -> bytes:
     """The checkpoint as bytes."""
     from safetensors.torch import save
 
@@ -69,29 +70,49 @@ def packed(parts: Parts, optimiser: torch.optim.Optimizer, progress: Progress) -
         "best_loss": repr(progress.best_loss),
         "best_step": progress.best_step,
         "config_sha256": config_digest(parts.settings),
+        "files": _file_digests(parts),
+        "split_sha256": split_digest(scenes),
     }
     # One entry: several would be written in an order of the moment.
     return save(tensors, metadata={"nscc": json.dumps(about)})
 
 
-def unpack(path: Path, parts: Parts, optimiser: torch.optim.Optimizer) -> Progress:
-    """Set everything to a checkpoint. Rejected (NS0816) if it is damaged or of another run."""
+def unpack(path: Path, parts: Parts, scenes: Scenes, optimiser: torch.optim.Optimizer) -> Progress:
+    """Set everything to a checkpoint.
+
+    Rejected (NS0816) if it is damaged, of another run, or one that has seen other scenes.
+    """
     from safetensors import safe_open
 
     try:
         with safe_open(str(path), framework="pt", device="cpu") as file:
-            about = json.loads(file.metadata()["nscc"])
+            about = dict(json.loads(file.metadata()["nscc"]))
             tensors = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118
+        found = Progress(int(about["step"]), float(about["best_loss"]), int(about["best_step"]))
     except Exception as error:  # safetensors raises its own type and several others
         raise _refused(path, f"it cannot be read: {' '.join(str(error).split())[:100]}") from error
-    if about["config_sha256"] != config_digest(parts.settings):
+    if about.get("config_sha256") != config_digest(parts.settings):
         raise _refused(path, "it was made with another configuration")
-    set_tensors(parts, tensors)
-    _set_optimiser(optimiser, tensors)
-    best = {k.removeprefix("best."): v for k, v in tensors.items() if k.startswith("best.")}
-    return Progress(
-        int(about["step"]), float(about["best_loss"]), int(about["best_step"]), best or None
-    )
+    changed = [name for name, digest in _file_digests(parts).items()
+               if about.get("files", {}).get(name) != digest]  # fmt: skip
+    if changed:
+        raise _refused(
+            path,
+            "the chip or the sensor has changed since: what the run began with is the "
+            f"{' and the '.join(changed)} in its folder",
+        )
+    if about.get("split_sha256") != split_digest(scenes):
+        raise _refused(path, "it was made with other scenes: the files of [data] have changed")
+    try:
+        best = {k.removeprefix("best."): v for k, v in tensors.items() if k.startswith("best.")}
+        if best:
+            set_tensors(parts, best)
+        set_tensors(parts, tensors)
+        _set_optimiser(optimiser, tensors)
+    except (KeyError, RuntimeError, ValueError) as error:
+        raise _refused(path, f"it lacks something: {' '.join(str(error).split())[:100]}") from error
+    found.best = best or None
+    return found
 
 
 def _set_optimiser(optimiser: torch.optim.Optimizer, tensors: dict[str, Tensor]) -> None:
@@ -101,7 +122,15 @@ def _set_optimiser(optimiser: torch.optim.Optimizer, tensors: dict[str, Tensor])
         if kind == "optimiser":
             index, _, key = rest.partition(".")
             state.setdefault(int(index), {})[key] = value
+    if any(set(entry) != {"step", "exp_avg", "exp_avg_sq"} for entry in state.values()):
+        raise ValueError("the moments of a parameter")
     optimiser.load_state_dict({**optimiser.state_dict(), "state": state})
+    # A checkpoint keeps values, not the order in memory that a parameter has; fused updates go
+    # through memory, parameter and state alike.
+    for parameter, held in optimiser.state.items():
+        for key, value in held.items():
+            if value.shape == parameter.shape:
+                held[key] = torch.empty_like(parameter).copy_(value)
 
 
 def _refused(path: Path, reason: str) -> Exception:

@@ -61,9 +61,14 @@ def loss_of(parts: Parts, prediction: Tensor, batch: Batch, shutters: Tensor) ->
     """The loss, and the stand-in for words a slot: how many places change between slots."""
     found = parts.loss(*compared(prediction, batch))
     weight = parts.settings.shutter.words_weight
-    if weight and len(shutters) > 1:
-        found = found + weight * (shutters[1:] - shutters[:-1]).abs().mean()
+    if weight:
+        found = found + weight * changes_of(shutters).mean()
     return found
+
+
+def changes_of(shutters: Tensor) -> Tensor:
+    """In which part of the steps from slot to slot each place of (N, rows, cols) changes."""
+    return (shutters[1:] - shutters[:-1]).abs().sum(dim=0) / max(1, len(shutters) - 1)
 
 
 def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
@@ -71,29 +76,27 @@ def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
 
     As in metrics, light above the peak counts as the peak, wherever the truth is above it.
     """
-    peak = batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
-    truth, made = batch.truth / peak, prediction / peak
-    return torch.where(truth >= 1, made.clamp(max=1), made), truth.clamp(max=1)
+    made = prediction / batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
+    return made if batch.most is None else made.clamp(max=batch.most), batch.goal
 
 
-def check_finite(loss: Tensor, parts: Parts, batch: Batch, step: int) -> None:
-    """Rejected (NS0817, status 3) where the loss or a gradient is not finite; nothing was learned.
+def finite_norm(loss: Tensor, parts: Parts, batch: Batch, step: int) -> Tensor:
+    """The norm of the decoder's gradients, all taken together.
 
-    The batch is named, so that its scenes can be looked at.
+    Rejected (NS0817, status 3) where the loss or a gradient, the codes' included, is not finite;
+    nothing was learned. The batch is named, so that its scenes can be looked at.
     """
-    named = {
-        f"{name}.{key}": parameter.grad
-        for name, module in (("decoder", parts.decoder), ("codes", parts.encoder))
-        for key, parameter in module.named_parameters()
-        if parameter.grad is not None
-    }
-    grads = list(named.values())
-    by_kind = ([g for g in grads if g.dtype == kind] for kind in {g.dtype for g in grads})
-    norms = [torch.nn.utils.get_total_norm(part).item() for part in by_kind]
-    if math.isfinite(loss.item()) and all(map(math.isfinite, norms)):
-        return
+    decoder, codes = (
+        {key: p.grad for key, p in module.named_parameters() if p.grad is not None}
+        for module in (parts.decoder, parts.encoder)
+    )
+    norms = [torch.nn.utils.get_total_norm(grads.values()) for grads in (decoder, codes)]
+    if all(map(math.isfinite, (loss.item(), *(norm.item() for norm in norms)))):
+        return norms[0]
     wrong = "the loss"
     if math.isfinite(loss.item()):
+        named = {f"decoder.{k}": v for k, v in decoder.items()}
+        named |= {f"codes.{k}": v for k, v in codes.items()}
         bad = (name for name, grad in named.items() if not bool(torch.isfinite(grad).all()))
         wrong = f"the gradient of {next(bad, 'all parameters together')}"
     raise rejected(

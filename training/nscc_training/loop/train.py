@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 
 import torch
@@ -12,15 +13,14 @@ import torch
 from nscc.diagnostics.model import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_training.config import config_toml
-from nscc_training.data import Batch, Batches, Scenes, load_scenes
-from nscc_training.encoders.bumps import Bump
+from nscc_training.data import Ahead, Batch, Batches, Scenes, load_scenes
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
 from nscc_training.loop.ranks import Ranks
 from nscc_training.loop.setup import Parts, make_parts
 from nscc_training.loop.state import CHECKPOINT, Progress, packed, set_tensors, tensors_of, unpack
 from nscc_training.loop.steps import (
-    check_finite,
     decoded,
+    finite_norm,
     generator_of,
     loss_of,
     scored,
@@ -75,6 +75,13 @@ def train(
     """
     ranks = Ranks()
     try:
+        if settings.train.batch < ranks.count:
+            raise rejected(
+                "NS0815",
+                f"train.batch is {settings.train.batch}, and {ranks.count} processes share it",
+                notes=("every process takes its part of each batch, a patch at least",),
+                helps=("raise [train] batch, or start fewer processes",),
+            )
         run = _start(settings, out, resume, ranks)
         if ranks.first:
             _write_heads(run, out, write)
@@ -100,7 +107,7 @@ def _start(settings: Settings, out: Path, resume: str, ranks: Ranks) -> Run:
     run = Run(parts, batches, scenes, _optimiser(parts), ranks, Progress())
     checkpoint = _checkpoint(out, resume)
     if checkpoint is not None:
-        run.progress = unpack(checkpoint, parts, run.optimiser)
+        run.progress = unpack(checkpoint, parts, scenes, run.optimiser)
         rows = _rows(checkpoint.parent / METRICS, run.progress.step)
         run.rows = rows or run.rows
     return run
@@ -127,8 +134,16 @@ def _rows(path: Path, step: int) -> list[str]:
     """The lines of metrics.csv up to a step: what came after the checkpoint is done again."""
     if not path.is_file():
         return []
-    head, *rest = path.read_text().splitlines()
-    return [head, *(row for row in rest if int(row.partition(",")[0]) <= step)]
+    try:
+        head, *rest = path.read_text(encoding="utf-8").splitlines()
+        return [head, *(row for row in rest if int(row.partition(",")[0]) <= step)]
+    except ValueError:
+        raise rejected(
+            "NS0816",
+            f"training cannot go on from '{path.parent}'",
+            notes=(f"{path.name} is damaged: its lines do not begin with a step",),
+            helps=("without that file the run goes on, and its log begins there",),
+        ) from None
 
 
 def _optimiser(parts: Parts) -> torch.optim.Optimizer:
@@ -151,30 +166,37 @@ def _steps(
 ) -> None:  # fmt: skip
     total, every = run.parts.settings.train.steps, run.parts.settings.train.validate_every
     losses: list[float] = []
-    for step in track(range(run.progress.step, total), "training", total - run.progress.step):
-        losses.append(_update(run, step))
-        run.progress.step = step + 1
-        due = (step + 1) % every == 0 or step + 1 == total or step + 1 == stop_after
-        if due and run.ranks.first:
-            _validate(run, losses, report)
-            write({
-                out / METRICS: ("\n".join(run.rows) + "\n").encode(),
-                out / CHECKPOINT: packed(run.parts, run.optimiser, run.progress),
-            })  # fmt: skip
-        if due:
-            losses.clear()
-        if step + 1 == stop_after:
-            return
+    with Ahead(partial(batch_of, run), total) as ahead:
+        for step in track(range(run.progress.step, total), "training", total - run.progress.step):
+            losses.append(_update(run, step, ahead))
+            run.progress.step = step + 1
+            due = (step + 1) % every == 0 or step + 1 == total or step + 1 == stop_after
+            if due and run.ranks.first:
+                _validate(run, losses, report)
+                write({
+                    out / METRICS: ("\n".join(run.rows) + "\n").encode(),
+                    out / CHECKPOINT: packed(run.parts, run.scenes, run.optimiser, run.progress),
+                })  # fmt: skip
+            if due:
+                losses.clear()
+            if step + 1 == stop_after:
+                return
 
 
-def _update(run: Run, step: int) -> float:
+def batch_of(run: Run, step: int) -> Batch:
+    """This process's part of a step's batch, with what losses need of it."""
+    batch = run.batches.train(step).part(*run.ranks.part(run.batches.batch))
+    return batch.to(run.parts.device).prepared()
+
+
+def _update(run: Run, step: int, ahead: Ahead) -> float:
     """One step; returns its loss on this process's part of the batch."""
     parts, settings = run.parts, run.parts.settings
     anneal(parts, step)
     set_rates(run, step)
     seed, size = settings.train.seed, settings.train.batch
     first, last = run.ranks.part(size)
-    batch: Batch = run.batches.train(step).part(first, last).to(parts.device)
+    batch = ahead.take(step)
     parts.decoder.train()
     run.optimiser.zero_grad(set_to_none=True)
     rows, cols = batch.light.shape[-2:]
@@ -182,7 +204,6 @@ def _update(run: Run, step: int) -> float:
     trial = None
     learns = codes_learn(settings, step)
     if learns and parts.encoder.relaxation == "tried":
-        assert isinstance(parts.encoder, Bump)
         trial = trial_of(parts.encoder, rows, cols, (seed, 6, step, run.ranks.rank), place)
         shutters = trial.shutters[0]
     elif learns:
@@ -196,20 +217,24 @@ def _update(run: Run, step: int) -> float:
     loss = loss_of(parts, prediction, batch, shutters)
     if trial is not None:
         loss = loss + pull(parts, batch, trial, prediction, generator_of(*noise))
+    # Here and not before: nobody else needs the interpreter while gradients are computed.
+    ahead.begin(step + 1)
     loss.backward()  # type: ignore[no-untyped-call]
     learned = [p for group in run.optimiser.param_groups for p in group["params"]]
     run.ranks.average((p.grad for p in learned if p.grad is not None), (last - first) / size)
-    check_finite(loss, parts, batch, step)
-    if settings.train.clip:
-        torch.nn.utils.clip_grad_norm_(parts.decoder.parameters(), settings.train.clip)
+    norm = finite_norm(loss, parts, batch, step)
+    if 0 < settings.train.clip < norm:
+        torch.nn.utils.clip_grads_with_norm_(parts.decoder.parameters(), settings.train.clip, norm)
     run.optimiser.step()
     parts.encoder.project()
     return loss.item()
 
 
 def codes_learn(settings: Settings, step: int) -> bool:
-    """Whether the codes change in a step: at the end of a run they may be settled."""
-    return settings.shutter.learn and step < (1 - settings.shutter.settle) * settings.train.steps
+    """Whether the codes change in a step: first the decoder may have to know them, and last they
+    may be settled."""
+    shutter, steps = settings.shutter, settings.train.steps
+    return shutter.learn and shutter.warm_up * steps <= step < (1 - shutter.settle) * steps
 
 
 def anneal(parts: Parts, step: int) -> None:
@@ -272,12 +297,15 @@ def _write_heads(run: Run, out: Path, write: Write) -> None:
         out / "config.resolved.toml": config_toml(run.parts.settings).encode(),
         out / "split.json": lines_of(run.scenes.split()),
         out / "environment.json": lines_of(environment(run.parts)),
+        **{out / name: data for name, data in run.parts.files.items()},
     })  # fmt: skip
 
 
 def _finish(run: Run, out: Path, write: Write) -> None:
     """Take the best state and write what it is worth."""
     progress = run.progress
+    # A run that was interrupted after its last step makes no step that would do this.
+    anneal(run.parts, run.parts.settings.train.steps - 1)
     if progress.best is None:
         # Says why: the compiler's own error.
         compiled(program_of(run.parts.encoder, run.parts.chip), run.parts.chip)
