@@ -8,7 +8,7 @@ set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 data=$(cd "$1" && pwd)
 mkdir -p "$2" && cd "$2"
-mkdir -p data/{hdr_train,hdr_test,pano,mixed,clips,sci} runs results
+mkdir -p data/{hdr_train,hdr_test,pano,mixed,clips,sci} runs results/linear
 
 # Of five panoramas by name the second and the fourth are kept back.
 k=0
@@ -24,12 +24,14 @@ ln -sf "$data"/video/*.mp4 "$data"/sci/*.mat data/clips/
 ln -sf "$data"/sci/*.mat data/sci/
 cp "$here"/*.toml .
 
-# NAME PROTOCOL DATA CONFIG [--set K=V ...]: a run, and its result.
+# NAME PROTOCOL DATA CONFIG [--set K=V ...]: a run, and its result, in the folder $into: tables take
+# all results of a row for its seeds.
+into=results
 learn() {
     local name=$1 protocol=$2 scenes=$3 config=$4
     shift 4
     nscc train "$config" --out "runs/$name" "$@"
-    nscc evaluate "runs/$name" --data "$scenes" --protocol "$protocol" -o "results/$name.json"
+    nscc evaluate "runs/$name" --data "$scenes" --protocol "$protocol" -o "$into/$name.json"
 }
 
 # NAME PROTOCOL DATA: a baseline's result.
@@ -47,11 +49,13 @@ for seed in 0 1 2; do
     learn hdr_quad_$seed hdr-v1 data/hdr_test hdr.toml "${set_seed[@]}" "${fixed[@]}"
     learn hdr_random_$seed hdr-v1 data/hdr_test hdr.toml "${set_seed[@]}" "${fixed[@]}" \
         --set shutter.init=random
+    into=results/linear
     linear=("${set_seed[@]}" --set loss.name=psnr --set shutter.settle=0.2)
     learn lin_learned_$seed hdr-v1 data/hdr_test hdr.toml "${linear[@]}"
     learn lin_quad_$seed hdr-v1 data/hdr_test hdr.toml "${linear[@]}" "${fixed[@]}"
     learn lin_random_$seed hdr-v1 data/hdr_test hdr.toml "${linear[@]}" "${fixed[@]}" \
         --set shutter.init=random
+    into=results
     learn vid_learned_$seed video-v1 data/clips clip.toml "${set_seed[@]}"
     learn vid_quad_$seed video-v1 data/clips clip.toml "${set_seed[@]}" "${fixed[@]}"
     learn vid_random_$seed video-v1 data/clips clip.toml "${set_seed[@]}" "${fixed[@]}" \
@@ -61,29 +65,41 @@ done
 for name in bilinear thin-out dictionary gap-tv; do
     baseline "$name" video-v1 data/clips
 done
-rows=(--set decoder.name=fcnet --set train.steps=2000 --set train.code_rate=2e-3)
-bits=(--set shutter.relaxation=straight-through --set shutter.init=quad)
 kept=(--set shutter.learn=false)
+# Digits are many, and each says little.
+bits=(--set shutter.noise=0.35 --set shutter.tried_share=1.0 --set shutter.settle=0.4
+    --set train.code_rate=1e-2)
 wide=(--set shutter.class=e --set shutter.target=scamp7)
 clip() {
     local name=$1
     shift
     learn "$name" video-v1 data/clips clip.toml "${rows[@]}" "$@"
 }
+rows=(--set decoder.name=fcnet --set train.steps=3000 --set train.validate_every=1000)
 clip fc_c_quad --set shutter.class=c "${kept[@]}"
 clip fc_c_learned --set shutter.class=c
 clip fc_d_quad "${kept[@]}"
 clip fc_d_learned
-clip fc_e_random "${bits[@]}" "${wide[@]}" "${kept[@]}" --set shutter.init=random
-clip fc_e_learned "${bits[@]}" "${wide[@]}"
-rows=(--set decoder.name=unet3d --set train.steps=300 --set train.batch=2
-    --set train.validate_every=100 --set train.code_rate=2e-3)
-clip u3_codebook_learned "${bits[@]}" --set shutter.class=codebook
+clip fc_e_random "${wide[@]}" "${kept[@]}" --set shutter.init=random
+clip fc_e_learned "${wide[@]}" "${bits[@]}"
+rows=(--set decoder.name=unet3d --set train.steps=600 --set train.batch=2 --set data.together=2
+    --set train.dtype=bf16 --set train.validate_every=300)
+clip u3_codebook_learned --set shutter.class=codebook "${bits[@]}"
+clip u3_codebook_words --set shutter.class=codebook "${bits[@]}" --set shutter.words_weight=0.05
 clip u3_c_quad --set shutter.class=c "${kept[@]}"
 clip u3_c_learned --set shutter.class=c
-clip u3_codebook_words "${bits[@]}" --set shutter.class=codebook --set shutter.words_weight=0.05
-clip u3_e_random "${bits[@]}" "${wide[@]}" "${kept[@]}" --set shutter.init=random
-clip u3_e_learned "${bits[@]}" "${wide[@]}"
+clip u3_e_random "${wide[@]}" "${kept[@]}" --set shutter.init=random
+clip u3_e_learned "${wide[@]}" "${bits[@]}"
+rows=(--set decoder.name=unet3d --set train.steps=2500 --set train.dtype=bf16)
+clip u3_d_learned
+rows=("${kept[@]}")
+for width in 0.5 0.25; do
+    clip vid_quad_w${width/./} --set decoder.width=$width
+done
+
+# What accuracy costs in time: the 2 x 2 pattern's decoders on the same captures.
+nscc tradeoff decoder --data data/clips --scenes 7 --size 256 --budget 90 --run runs/vid_quad_0 --run runs/vid_quad_w05 \
+    --run runs/vid_quad_w025 --run runs/fc_d_quad --run runs/u3_c_quad -o results/decoders
 
 learn sci8 sci8 data/sci sci8.toml
 nscc evaluate sci8 data/sci/*.mat --method gap-tv -o results/gap-tv-sci8.json
@@ -92,14 +108,14 @@ nscc evaluate sci8 data/sci/*.mat --method gap-tv -o results/gap-tv-sci8.json
 against() {
     local pairs=()
     for seed in 0 1 2; do
-        pairs+=("results/$1_$2_$seed.json" "results/$1_learned_$seed.json")
+        pairs+=("$into/$1_$2_$seed.json" "$into/$1_learned_$seed.json")
     done
     nscc evaluate compare "${pairs[@]}" --metric "$3"
 }
 for other in random quad; do
     against hdr $other mu_psnr_db
     against hdr $other psnr_db
-    against lin $other psnr_db
+    into=results/linear against lin $other psnr_db
     against vid $other psnr_db
 done
 for seed in 0 1 2; do

@@ -1,0 +1,66 @@
+"""What is committed of learned shutters: files belong together, programs compile, decoders load."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from hashlib import sha256
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+torch = pytest.importorskip("torch")
+
+from nscc.pipeline import Options, compile_file  # noqa: E402
+from nscc.prove.replay import shutters as replayed  # noqa: E402
+from nscc.words.legality import decoded as decoded_words  # noqa: E402
+from nscc_training.codes_files import load_codes  # noqa: E402
+from nscc_training.config import load_config  # noqa: E402
+from nscc_training.loop.setup import make_parts  # noqa: E402
+from nscc_training.run_folder import load_run  # noqa: E402
+
+RESULTS = Path(__file__).parents[2] / "training" / "results"
+RUNS = sorted((RESULTS / "runs").iterdir())
+DECODERS = [run for run in RUNS if (run / "decoder.safetensors").is_file()]
+
+
+def named(run: Path) -> str:
+    return run.name
+
+
+def test_there_are_some() -> None:
+    assert len(DECODERS) >= 2
+
+
+@pytest.mark.parametrize("run", RUNS, ids=named)
+def test_a_run_is_of_one_piece(run: Path) -> None:
+    """Its files are those that were written; its program opens the pixels that its codes open."""
+    digests = json.loads((run / "result.json").read_text())["files"]
+    present = [name for name in digests if (run / name).is_file()]
+    assert {"shutter.nsl", "codes.npz"} <= set(present)
+    for name in present:
+        assert sha256((run / name).read_bytes()).hexdigest() == digests[name], name
+    settings = load_config(run / "config.resolved.toml")
+    shutter = replace(settings.shutter, init=str(run / "codes.npz"))
+    encoder = make_parts(replace(settings, shutter=shutter)).encoder
+    found = compile_file(run / "shutter.nsl", Options(target=settings.shutter.target, level=1))
+    container = found.container
+    assert container is not None
+    assert container.pixel_codes is not None
+    opened = replayed(container, decoded_words(container))
+    assert opened is not None
+    rows, cols = encoder.spec.tile
+    lanes = container.table.shutter_of_code[container.pixel_codes[:rows, :cols]]
+    assert np.array_equal(np.moveaxis(opened[:, 0][lanes], -1, 0), encoder.hard().numpy())
+
+
+@pytest.mark.parametrize("run", DECODERS, ids=named)
+def test_a_decoder_works(run: Path) -> None:
+    parts = load_run(run).parts
+    frame = torch.rand(1, 48, 48, generator=torch.Generator().manual_seed(1))
+    with torch.no_grad():
+        made = parts.decoder(frame, parts.encoder.hard())
+    assert made.shape[-2:] == (48, 48)
+    assert torch.isfinite(made).all()
+    assert load_codes(run / "codes.npz").keys() == parts.encoder.codes().keys()
