@@ -91,6 +91,8 @@ def test_the_schema_is_a_configuration(tmp_path: Path) -> None:
         (["shutter.target=scamp6"], 1, "NS0230"),
         (["shutter.class=e", "shutter.slots=8", "shutter.require=true"], 2, "NS0815"),
         (["shutter.class=c", "shutter.slots=4", "shutter.length=5"], 2, "NS0815"),
+        (["shutter.tile=[100, 50]"], 2, "NS0815"),
+        (["shutter.tile=[300, 300]"], 2, "NS0815"),
         (["shutter.init=none.npz"], 2, "NS0805"),
         (["loss.name=l3"], 2, "NS0815"),
         (["loss.name=no_such:loss"], 2, "NS0812"),

@@ -24,7 +24,7 @@ from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.evaluation import hdr_baselines  # noqa: E402
 from nscc_training.evaluation.hdr import Crop, Unusable, exposed_crop  # noqa: E402
-from nscc_training.evaluation.tables import ROWS, key_of, text_of  # noqa: E402
+from nscc_training.evaluation.tables import ROWS, key_of, tables, text_of  # noqa: E402
 from nscc_training.evaluation.video import encoded  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.protocols import load_protocol  # noqa: E402
@@ -555,12 +555,41 @@ def test_a_run_of_two_rows_is_evaluated_once(
         }, {}  # fmt: skip
 
     monkeypatch.setattr("nscc_training.evaluation.tables.evaluate", evaluated)
-    from nscc_training.evaluation.tables import tables
-
     rows = tables(tmp_path / "d", tmp_path / "runs")
     assert [row["psnr_db"] for row in rows if row["row"] == "FC-net, c learned"] == [20.0, 20.0]
     assert asked.count(str(run)) == 1
     assert len(asked) == len(set(asked))
+
+
+def test_tables_of_runs_whose_weights_were_not_kept(tmp_path: Path) -> None:
+    """Their rows say so, and results of them that were kept are taken; others are evaluated."""
+    sections = {"shutter": {"class": "c", "slots": 16, "tile": [4, 4]},
+                "decoder": {"name": "fcnet"}, "data": {"protocol": "video-v1"}}  # fmt: skip
+    whole = trained(tmp_path / "runs/whole", **sections)
+    bare = trained(tmp_path / "runs/bare", **sections, train={"seed": 5})
+    (tmp_path / "d/video").mkdir(parents=True)
+    clip(tmp_path / "d/video/c.mat", 16, 256)
+    (tmp_path / "kept").mkdir()
+    kept = invoke(["evaluate", str(bare), "--data", "d/video", "--protocol", "video-v1", "-o",
+                   "kept/bare.json"], tmp_path)  # fmt: skip
+    assert kept.status == 0, kept.err
+    (bare / "decoder.safetensors").unlink()
+
+    def row_of(results: Path | None) -> dict[str, Any]:
+        (row,) = (row for row in ROWS if row.name == "FC-net, c learned" and row.table == 3)
+        (found,) = tables(tmp_path / "d", tmp_path / "runs", results, lambda _: [row])
+        return found
+
+    partly = row_of(None)
+    assert partly["seeds"] == [0]
+    assert f"'{bare}' is no finished run" in partly["remark"]
+    assert "decoder.safetensors" in partly["remark"]
+    both = row_of(tmp_path / "kept")
+    assert (both["seeds"], both["remark"]) == ([0, 5], "")
+    (whole / "decoder.safetensors").unlink()
+    none = row_of(None)
+    assert none["psnr_db"] is None
+    assert none["remark"].startswith("not run: '")
 
 
 def test_products_of_files_that_differ_in_their_ending(tmp_path: Path) -> None:

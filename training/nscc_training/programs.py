@@ -27,7 +27,7 @@ CODES_FILE = "codes.npz"
 TARGET_FILE = "target.toml"
 SENSOR_FILE = "sensor.toml"
 """A chip and a sensor of one's own, beside the program that is for them."""
-_MOST_LISTED = 4096
+MOST_LISTED = 4096
 """A tile of more places than this goes into a file, which must hold the whole array."""
 _MOST_DIGITS = 1 << 15
 """A codebook of more digits than this goes into a file."""
@@ -159,7 +159,7 @@ def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:
 
 
 def _pixels(spec: ShutterSpec, codes: Codes, fields: list[str], packed: bytes) -> list[str]:
-    if spec.places > _MOST_LISTED:
+    if spec.places > MOST_LISTED:
         return [f'pixels from "{CODES_FILE}" sha256 "{sha256(packed).hexdigest()}"']
     lines = []
     for name in fields:

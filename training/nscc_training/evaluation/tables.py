@@ -16,6 +16,7 @@ import numpy as np
 
 from nscc.diagnostics.model import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc_training.config import load_config
 from nscc_training.evaluation.hdr import ENDINGS, panoramas
 from nscc_training.evaluation.keys import Key, key_of
 from nscc_training.evaluation.results import read_result
@@ -23,8 +24,8 @@ from nscc_training.evaluation.subjects import evaluate
 from nscc_training.evaluation.video import clips_of
 from nscc_training.measures import number
 from nscc_training.protocols import load_protocol
-from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.scene_files import CLIPS, files_in
+from nscc_training.settings import Settings
 
 
 @dataclass(frozen=True)
@@ -98,8 +99,8 @@ def tables(
     `data` holds panoramas and clips, or folders `hdr` and `video` of them; `runs` holds run
     folders. Runs of one row are its seeds. `results` holds what `nscc evaluate` wrote before: runs
     and baselines that are among them, on the same files, are not evaluated again. What was not run
-    has `psnr_db` None and says why. Rejected (NS0811, NS0818, NS0807) for folders that there are
-    not.
+    has `psnr_db` None and says why, such as a run whose weights were not kept. Rejected (NS0811,
+    NS0818, NS0807) for folders that there are not.
     """
     if not data.is_dir():
         raise rejected(
@@ -112,7 +113,7 @@ def tables(
     }
     held = _held(results, places)
     known = {_config(found) for found in held}
-    fresh = [run for run in _runs(runs) if run.result.get("config_sha256") not in known]
+    fresh = [run for run in _runs(runs) if run.config_sha256 not in known]
     return [_row(row, places[row.protocol], fresh, held) for row in track(ROWS)]
 
 
@@ -161,7 +162,21 @@ def _config(found: dict[str, Any]) -> object:
     return found.get("settings", {}).get("config_sha256")
 
 
-def _runs(folder: Path | None) -> list[RunFolder]:
+@dataclass(frozen=True)
+class _Run:
+    """A run folder that may be evaluated: its configuration and that file's digest."""
+
+    path: Path
+    settings: Settings
+    config_sha256: str
+
+    @classmethod
+    def of(cls, path: Path) -> _Run:
+        file = path / "config.resolved.toml"
+        return cls(path, load_config(file), sha256(file.read_bytes()).hexdigest())
+
+
+def _runs(folder: Path | None) -> list[_Run]:
     if folder is None:
         return []
     if not folder.is_dir():
@@ -171,12 +186,10 @@ def _runs(folder: Path | None) -> list[RunFolder]:
             helps=("name the folder in which the run folders of nscc train are",),
         )
     places = sorted(p for p in folder.iterdir() if (p / "result.json").is_file())
-    return [load_run(place) for place in places]
+    return [_Run.of(place) for place in places]
 
 
-def _row(
-    row: Row, place: _Place, fresh: list[RunFolder], held: list[dict[str, Any]]
-) -> dict[str, Any]:
+def _row(row: Row, place: _Place, fresh: list[_Run], held: list[dict[str, Any]]) -> dict[str, Any]:
     made: dict[str, Any] = {
         "table": row.table,
         "row": row.name,
@@ -185,15 +198,13 @@ def _row(
         "psnr_db": None, "ssim": None, "size": None, "steps": None, "seeds": [],
         "protocol": row.protocol, "data": [], "remark": row.remark,
     }  # fmt: skip
-    try:
-        results = _results(row, place, fresh, held)
-    except Rejected as refused:
-        made["remark"] = f"not run: {refused.diagnostics[0].message}"
-        return made
+    results, refused = _results(row, place, fresh, held)
     if not results:
-        reason = "not run: no data" if place.folder is None else "not run"
+        reasons = ["no data"] if place.folder is None else refused
+        reason = ": ".join(["not run", *reasons[:1]])
         made["remark"] = f"{reason}; {row.remark}" if row.remark else reason
         return made
+    made["remark"] = "; ".join([part for part in (row.remark, *refused) if part])
     means = [found["mean"] for found in results if found["mean"] is not None]
     similar = [np.mean([item["ssim"] for item in found["items"]]) for found in results]
     settings = [found["settings"] for found in results]
@@ -208,18 +219,33 @@ def _row(
 
 
 def _results(
-    row: Row, place: _Place, fresh: list[RunFolder], held: list[dict[str, Any]]
-) -> list[dict[str, Any]]:
-    """The results of a row. What is evaluated for it is held from then on, and no longer fresh."""
+    row: Row, place: _Place, fresh: list[_Run], held: list[dict[str, Any]]
+) -> tuple[list[dict[str, Any]], list[str]]:
+    """The results of a row, and why others of its subjects have none.
+
+    What is evaluated for it is held from then on, and no longer fresh.
+    """
     if place.folder is None:
-        return []
+        return [], []
     mine = [found for found in held if found["protocol"] == row.protocol and _is_of(found, row)]
-    runs = [run for run in fresh if belongs(run, row)]
-    subjects = [row.baseline] if row.baseline and not mine else [str(run.path) for run in runs]
-    made = [evaluate(subject, place.folder, row.protocol, 0)[0] for subject in subjects]
-    held += made
-    fresh[:] = [run for run in fresh if run not in runs]
-    return mine + made
+    runs = {str(run.path): run for run in fresh if _belongs(run.settings, row)}
+    refused = []
+    for subject in [row.baseline] if row.baseline and not mine else runs:
+        try:
+            found, _ = evaluate(subject, place.folder, row.protocol, 0)
+        except Rejected as refusal:
+            refused.append(_why(refusal))
+            continue
+        mine.append(found)
+        held.append(found)
+        if subject in runs:
+            fresh.remove(runs[subject])
+    return mine, refused
+
+
+def _why(refusal: Rejected) -> str:
+    found = refusal.diagnostics[0]
+    return ", ".join([found.message, *found.notes[:1]])
 
 
 def _is_of(found: dict[str, Any], row: Row) -> bool:
@@ -228,16 +254,15 @@ def _is_of(found: dict[str, Any], row: Row) -> bool:
     return tuple(found["settings"].get("row", ())) == row.key
 
 
-def belongs(run: RunFolder, row: Row) -> bool:
-    """Whether a run is one of a row: it has its key, and its protocol's number of slots."""
+def _belongs(settings: Settings, row: Row) -> bool:
+    """Whether a run is one of a row: it has its key, kind of scene and number of slots."""
     protocol = load_protocol(row.protocol)
     slots = protocol["slots" if row.protocol == "hdr-v1" else "frames"]
-    parts = run.parts
     return (
         row.key is not None
-        and key_of(parts.settings) == row.key
-        and parts.still == (row.protocol == "hdr-v1")
-        and parts.slots == slots
+        and key_of(settings) == row.key
+        and (settings.data.protocol == "hdr-v1") == (row.protocol == "hdr-v1")
+        and settings.shutter.slots == slots
     )
 
 

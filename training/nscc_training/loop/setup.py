@@ -22,6 +22,7 @@ from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
 from nscc_training.programs import (
+    MOST_LISTED,
     SENSOR_FILE,
     TARGET_FILE,
     Chip,
@@ -121,7 +122,11 @@ def check_shutters(encoder: Encoder, chip: Chip, *, every_code: bool) -> None:
 
 
 def _encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
-    tile = (target.rows, target.cols) if chosen.free else (chosen.tile[0], chosen.tile[1])
+    array = (target.rows, target.cols)
+    tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
+    if tile != array and tile[0] * tile[1] > MOST_LISTED:
+        raise _wrong("shutter.tile", f"{tile[0]} x {tile[1]} are more than {MOST_LISTED} places, "
+                     "which only `free`, a code for every pixel, may have")  # fmt: skip
     spec = ShutterSpec(
         chosen.kind, chosen.slots, (1, 1) if chosen.kind == "a" else tile,
         length=chosen.length if chosen.kind == "c" else None,
