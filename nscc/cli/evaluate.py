@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -209,6 +210,9 @@ def _lines(found: dict[str, Any]) -> str:
         mean = f"{sum(finite) / len(finite):.2f} dB" if finite else "inf"
         ssim = sum(item["ssim"] for item in items) / len(items)
         lines.append(f"  {file:32} {mean}, SSIM {ssim:.4f}, {len(items)} items")
+    passed = Counter(f"{entry['file']}: {entry['reason']}" for entry in found["left_out"])
+    for reason, count in passed.items():
+        lines.append(f"  left out: {reason}" + (f", {count} times" if count > 1 else ""))
     if found["mean"] is not None:
         interval = found["ci95"]
         between = "one scene" if interval is None else "95 % {:.2f} to {:.2f}".format(*interval)

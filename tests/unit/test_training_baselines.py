@@ -371,7 +371,7 @@ def test_fixed_codes_on_panoramas(tmp_path: Path) -> None:
         assert [item["crop"] for item in found[name]["items"]] == [
             [128, 256], [128, 512], [128, 768]
         ]  # fmt: skip
-        assert found[name]["crops_left_out"][0]["crop"] == [128, 0]
+        assert found[name]["left_out"][0]["crop"] == [128, 0]
         assert all(i["saturated_share"] == pytest.approx(0.3, abs=0.005)
                    for i in found[name]["items"])  # fmt: skip
     truth = np.load(tmp_path / "ldr.d" / "a_128_256_truth.npy").astype(float)

@@ -464,6 +464,7 @@ def test_baselines_of_clips(tmp_path: Path) -> None:
     (tmp_path / "d").mkdir()
     clip(tmp_path / "d/c.mat", 16, 256)
     clip(tmp_path / "d/small.mat", 16, 64)
+    clip(tmp_path / "d/short.mat", 15, 256)
     found = {}
     for name in ("adjoint", "gap-tv", "thin-out"):
         arguments = ["evaluate", name, "--data", "d", "--protocol", "video-v1", "--json"]
@@ -471,10 +472,34 @@ def test_baselines_of_clips(tmp_path: Path) -> None:
         assert outcome.status == 0, outcome.err
         found[name] = json.loads(outcome.out)
     assert found["gap-tv"]["mean"] > found["adjoint"]["mean"] + 5
-    assert [left["file"] for left in found["gap-tv"]["windows_left_out"]] == ["small.mat"]
+    passed = {left["file"]: left["reason"] for left in found["gap-tv"]["left_out"]}
+    assert passed == {
+        "small.mat": "64 x 64 is smaller than 256 x 256",
+        "short.mat": "it has 15 frames, a window 16",
+    }
+    human = invoke(["evaluate", "adjoint", "--data", "d", "--protocol", "video-v1"], tmp_path).out
+    assert "left out: short.mat: it has 15 frames" in human
     assert {k: v["sees"] for k, v in found.items()} == {
         "adjoint": "capture", "gap-tv": "capture", "thin-out": "truth"
     }  # fmt: skip
+
+
+def test_data_of_which_nothing_can_be_used(tmp_path: Path) -> None:
+    """Says why, instead of a result without an item."""
+    import cv2
+
+    (tmp_path / "d").mkdir()
+    cv2.imwrite(str(tmp_path / "d/flat.hdr"), np.ones((512, 1024, 3), "f4"))
+    cv2.imwrite(str(tmp_path / "d/small.hdr"), np.ones((100, 200, 3), "f4"))
+    clip(tmp_path / "d/short.mat", 9, 256)
+    for arguments, reasons in (
+        (["ldr", "--protocol", "hdr-v1"], ("flat.hdr: 100.0% saturate", "small.hdr: (100, 200)")),
+        (["thin-out", "--protocol", "video-v1"], ("short.mat: it has 9 frames",)),
+    ):
+        outcome = invoke(["evaluate", *arguments, "--data", "d", "-o", "r.json"], tmp_path)
+        assert (outcome.status, outcome.codes) == (2, ["NS0811"])
+        assert all(reason in outcome.err for reason in reasons)
+        assert not (tmp_path / "r.json").exists()
 
 
 def test_the_best_uniform_stops_are_the_best_of_what_they_are_named_for(tmp_path: Path) -> None:

@@ -62,8 +62,7 @@ def evaluate_hdr_baseline(
     """The result of a baseline on a folder of panoramas, and its pictures: arrays by name.
 
     The best uniform stop is the best in hindsight, of the powers of two, over all crops, in linear
-    or in mu-law PSNR: no single exposure of these scenes does better. `crops_left_out` lists crops
-    that cannot be used.
+    or in mu-law PSNR: no single exposure of these scenes does better.
     """
     protocol = load_protocol("hdr-v1")
     files = panoramas(folder)
@@ -87,11 +86,9 @@ def evaluate_hdr_baseline(
     spent = 1e3 * (perf_counter() - begin) / max(1, len(usable) * len(choices))
     settings = {"stops": stops.tolist(), "seed": seed}
     subject = Subject(name, settings, stage="hard", decoder_ms=spent)
-    more = {
-        "crops_left_out": [crop.as_json() for crop in left_out],
-        "also_saturated": also_saturated(files, protocol, scored),
-    }
-    return result(protocol, subject, files, best[1], **more), best[2]
+    others = also_saturated(files, protocol, scored)
+    passed = [crop.as_json() for crop in left_out]
+    return result(protocol, subject, files, best[1], passed, also_saturated=others), best[2]
 
 
 def _decoded(

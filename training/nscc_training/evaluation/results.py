@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
@@ -16,6 +16,7 @@ from nscc_training.protocols import Protocol
 from nscc_training.statistics import paired, summary
 
 SCHEMA = "nscc-result-1"
+_MOST_REASONS = 5
 STAGES = ("soft", "hard", "compiled", "emulated")
 
 
@@ -57,9 +58,22 @@ def result(
     subject: Subject,
     files: Sequence[Path],
     items: Sequence[Item],
+    left_out: Sequence[Mapping[str, Any]] = (),
     **more: Any,
 ) -> dict[str, Any]:
-    """The result of these items as JSON values; `more` are further keys."""
+    """The result of these items as JSON values; `more` are further keys.
+
+    `left_out` are items that the protocol cannot use, each with its `file` and the `reason`.
+    Rejected (NS0811) where there is no other.
+    """
+    if not items:
+        reasons = dict.fromkeys(f"{entry['file']}: {entry['reason']}" for entry in left_out)
+        raise rejected(
+            "NS0811",
+            f"protocol {protocol.name} can use nothing of this data",
+            notes=tuple(list(reasons)[:_MOST_REASONS]),
+            helps=("name a folder of other scenes, or bring these into the protocol's form",),
+        )
     values = [number(item.metrics["psnr_db"]) for item in items]
     return {
         "schema": SCHEMA,
@@ -80,6 +94,7 @@ def result(
         "device": subject.device,
         "parameters": subject.parameters,
         "flops": subject.flops,
+        "left_out": list(left_out),
         **more,
     }  # fmt: skip
 

@@ -86,8 +86,8 @@ def evaluate_run(
         parameters=parameter_count(parts.decoder),
         flops=flops(parts.decoder, parts.slots, *size),
     )  # fmt: skip
-    more |= {"left_out": left_out, "flops_size": list(size)}
-    return result(protocol, subject, files, items, **more), arrays
+    more["flops_size"] = list(size)
+    return result(protocol, subject, files, items, left_out, **more), arrays
 
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:

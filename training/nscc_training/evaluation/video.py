@@ -68,6 +68,7 @@ def windows(
         chosen = transfer or known.get(path.suffix.lower().lstrip("."), known["other"])
         srgb = chosen == "srgb"
         held: list[Clip] = []
+        number = -1
         for number, frame in enumerate(_stored(path)):
             rows, cols = frame.shape[:2]
             if min(rows, cols) < size:
@@ -79,6 +80,9 @@ def windows(
             if len(held) == count:
                 yield exposed_window(path, number + 1 - count, np.stack(held), srgb, protocol)
                 held = []
+        else:
+            if number + 1 < count:
+                yield Passed(path.name, 0, f"it has {number + 1} frames, a window {count}")
 
 
 def exposed_window(

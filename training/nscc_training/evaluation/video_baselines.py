@@ -68,7 +68,7 @@ def evaluate_video_baseline(
         name, settings, stage="hard", sees="truth" if name in _TRUTH else "capture",
         decoder_ms=1e3 * spent / max(1, len(items)),
     )  # fmt: skip
-    return result(protocol, subject, files, items, windows_left_out=left_out), arrays
+    return result(protocol, subject, files, items, left_out), arrays
 
 
 def _made(
