@@ -6,6 +6,7 @@ import csv
 import io
 from dataclasses import replace
 from decimal import Decimal
+from typing import Any
 
 import pytest
 from PIL import Image
@@ -153,6 +154,27 @@ def test_a_linear_diagram_of_anything(errors: tuple[float, ...]) -> None:
     data = diagram_png([Panel("p", (Line("one", marks),))], "t", "s", "dB", linear=True,
                        time=Axis("time, us", 1e6))  # fmt: skip
     Image.open(io.BytesIO(data)).load()
+
+
+@pytest.mark.parametrize(("count", "named"), [(2, "0 1"), (3, "0 1 2"), (4, "0 .. 3")])
+def test_marks_in_one_place_share_a_name(
+    count: int, named: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Of more than three the first and the last; marks elsewhere keep names of their own."""
+    from matplotlib.axes import Axes
+
+    texts = []
+    annotate = Axes.annotate
+
+    def noted(axes: Axes, text: str, *args: Any, **options: Any) -> Any:
+        texts.append(text)
+        return annotate(axes, text, *args, **options)
+
+    monkeypatch.setattr(Axes, "annotate", noted)
+    here = [Mark(t, t, t, 20.0, str(k), False) for k, t in enumerate([1e-3] * count)]
+    there = Mark(1.0, 1.0, 1.0, 30.0, "z", False)
+    diagram_png([Panel("p", (Line("one", (*here, there)),))], "t", "s", "dB", linear=True)
+    assert sorted(texts) == sorted([named, "z", "one"])
 
 
 def test_a_diagram_is_the_same_every_time() -> None:
