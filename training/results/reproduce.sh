@@ -1,5 +1,5 @@
 #!/bin/bash
-# Trains and evaluates everything in this folder again, on two cores in about three hours:
+# Trains and evaluates everything in this folder again, on two cores in about five hours:
 #   bash training/results/reproduce.sh DATA OUT
 # DATA holds hdr/*.hdr (24 panoramas, 512 x 1024), video/*.mp4 and sci/*.mat. OUT is made: links to
 # the data as they are split, run folders, results of `nscc evaluate`, comparisons.
@@ -90,8 +90,13 @@ clip u3_c_quad --set shutter.class=c "${kept[@]}"
 clip u3_c_learned --set shutter.class=c
 clip u3_e_random "${wide[@]}" "${kept[@]}" --set shutter.init=random
 clip u3_e_learned "${wide[@]}" "${bits[@]}"
-rows=(--set decoder.name=unet3d --set train.steps=2500 --set train.dtype=bf16)
-clip u3_d_learned
+for seed in 0 1 2; do
+    rows=(--set decoder.name=unet3d --set train.steps=2500 --set train.dtype=bf16
+        --set train.seed=$seed)
+    clip u3_d_learned_$seed
+    clip u3_d_quad_$seed "${kept[@]}"
+    clip u3_d_random_$seed "${kept[@]}" --set shutter.init=random
+done
 rows=("${kept[@]}")
 for width in 0.5 0.25; do
     clip vid_quad_w${width/./} --set decoder.width=$width
@@ -117,12 +122,19 @@ for other in random quad; do
     against hdr $other psnr_db
     into=results/linear against lin $other psnr_db
     against vid $other psnr_db
+    against u3_d $other psnr_db
 done
-for seed in 0 1 2; do
-    nscc evaluate compare results/best-uniform-mu.json results/hdr_learned_$seed.json \
-        --metric mu_psnr_db
-    nscc evaluate compare results/bilinear.json results/vid_learned_$seed.json
-done
+# BASELINE NAME METRIC: the same against a baseline, which has no seeds.
+over() {
+    local pairs=()
+    for seed in 0 1 2; do
+        pairs+=("results/$1.json" "results/$2_learned_$seed.json")
+    done
+    nscc evaluate compare "${pairs[@]}" --metric "$3"
+}
+over best-uniform-mu hdr mu_psnr_db
+over bilinear vid psnr_db
+over bilinear u3_d psnr_db
 mkdir -p tables/hdr tables/video
 ln -sf "$PWD"/data/hdr_test/* tables/hdr/
 ln -sf "$PWD"/data/clips/* tables/video/
