@@ -109,32 +109,24 @@ nscc tradeoff decoder --data data/clips --scenes 7 --size 256 --budget 90 --run 
 learn sci8 sci8 data/sci sci8.toml
 nscc evaluate sci8 data/sci/*.mat --method gap-tv -o results/gap-tv-sci8.json
 
-# NAME METRIC: the learned codes against the others, over all seeds.
-against() {
+# FIRST SECOND METRIC: how much better the second is, over all seeds, whose number @ stands for.
+over() {
     local pairs=()
     for seed in 0 1 2; do
-        pairs+=("$into/$1_$2_$seed.json" "$into/$1_learned_$seed.json")
+        pairs+=("$into/${1/@/$seed}.json" "$into/${2/@/$seed}.json")
     done
     nscc evaluate compare "${pairs[@]}" --metric "$3"
 }
 for other in random quad; do
-    against hdr $other mu_psnr_db
-    against hdr $other psnr_db
-    into=results/linear against lin $other psnr_db
-    against vid $other psnr_db
-    against u3_d $other psnr_db
+    over hdr_${other}_@ hdr_learned_@ mu_psnr_db
+    over hdr_${other}_@ hdr_learned_@ psnr_db
+    into=results/linear over lin_${other}_@ lin_learned_@ psnr_db
+    over vid_${other}_@ vid_learned_@ psnr_db
+    over u3_d_${other}_@ u3_d_learned_@ psnr_db
 done
-# BASELINE NAME METRIC: the same against a baseline, which has no seeds.
-over() {
-    local pairs=()
-    for seed in 0 1 2; do
-        pairs+=("results/$1.json" "results/$2_learned_$seed.json")
-    done
-    nscc evaluate compare "${pairs[@]}" --metric "$3"
-}
-over best-uniform-mu hdr mu_psnr_db
-over bilinear vid psnr_db
-over bilinear u3_d psnr_db
+over best-uniform-mu hdr_learned_@ mu_psnr_db
+over bilinear vid_learned_@ psnr_db
+over bilinear u3_d_learned_@ psnr_db
 mkdir -p tables/hdr tables/video
 ln -sf "$PWD"/data/hdr_test/* tables/hdr/
 ln -sf "$PWD"/data/clips/* tables/video/
