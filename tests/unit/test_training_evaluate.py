@@ -18,40 +18,17 @@ from training_oracle import small_target
 
 torch = pytest.importorskip("torch")
 
+from small_runs import SMALL, clip, one_crop, trained  # noqa: E402
+
 from nscc.cli.support import write_together  # noqa: E402
 from nscc.diagnostics.model import Rejected  # noqa: E402
 from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
-from nscc_training.evaluation import hdr_baselines  # noqa: E402
 from nscc_training.evaluation.hdr import Crop, Unusable, exposed_crop  # noqa: E402
-from nscc_training.evaluation.tables import ROWS, key_of, tables, text_of  # noqa: E402
 from nscc_training.evaluation.video import encoded  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.protocols import load_protocol  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
-
-SMALL: dict[str, dict[str, Any]] = {
-    "data": {"patch": 16, "scenes": 2, "val_items": 1},
-    "train": {"steps": 2, "batch": 1, "validate_every": 2},
-}
-
-
-def trained(out: Path, **sections: dict[str, Any]) -> Path:
-    values = {
-        name: {**SMALL.get(name, {}), **sections.get(name, {})} for name in {*SMALL, *sections}
-    }
-    train(settings_of(values), out, write=write_together)
-    return out
-
-
-def clip(path: Path, frames: int, side: int) -> np.ndarray:
-    rng = np.random.default_rng(3)
-    ground = np.kron(rng.integers(20, 230, (side // 8, side // 8)), np.ones((8, 8)))
-    orig = np.stack([np.roll(ground, k, axis=1) for k in range(frames)], axis=2).astype(np.uint8)
-    mask = (rng.random((side, side, 8)) < 0.5).astype(np.uint8)
-    meas = (orig[..., :8].astype(float) * mask).sum(axis=2)[..., None]
-    savemat(path, {"orig": orig, "mask": mask, "meas": meas})
-    return orig
 
 
 def test_a_still_run(tmp_path: Path) -> None:
@@ -144,90 +121,6 @@ def test_what_was_seen_is_not_scored(tmp_path: Path) -> None:
     refused = invoke(["evaluate", "r", "--data", "e", "--protocol", "hdr-v1"], tmp_path)
     assert (refused.status, refused.codes) == (2, ["NS0820"])
     assert "renamed.hdr" in refused.err
-
-
-def test_tables_have_every_row_and_say_what_was_not_run(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    (tmp_path / "d/hdr").mkdir(parents=True)
-    one_crop(tmp_path / "d/hdr/p.hdr")
-    # sparse coding takes seconds a crop, and has tests of its own
-    monkeypatch.setattr(hdr_baselines, "coded_still", lambda _frame, _share, made, *_: made)
-    (tmp_path / "runs").mkdir()
-    for seed in (0, 1):
-        shutter = {"slots": 256, "tile": [2, 2], "init": "quad", "learn": False}
-        trained(tmp_path / f"runs/{seed}", shutter=shutter,
-                train={**SMALL["train"], "seed": seed})  # fmt: skip
-    # of the same key, but not what the protocols expose: no seeds of these rows
-    trained(tmp_path / "runs/short", shutter={**shutter, "slots": 64},
-            train={**SMALL["train"], "seed": 7})  # fmt: skip
-    clips = {"class": "c", "slots": 8, "tile": [2, 2], "init": "quad", "learn": False}
-    trained(tmp_path / "runs/clips", shutter=clips, decoder={"name": "unet3d"},
-            data={**SMALL["data"], "protocol": "video-v1"})  # fmt: skip
-    arguments = ["evaluate", "tables", "--data", "d", "--runs", "runs"]
-    outcome = invoke([*arguments, "--json", "-o", "t.json"], tmp_path)
-    assert outcome.status == 0, outcome.err
-    rows = json.loads(outcome.out)
-    assert rows == json.loads((tmp_path / "t.json").read_text())
-    assert [sum(row["table"] == k for row in rows) for k in (2, 3, 4)] == [8, 18, 6]
-    paper = {(row["table"], row["row"]): (row["paper_psnr_db"], row["paper_ssim"]) for row in rows}
-    assert paper[2, "learned code, U-Net"] == (35.42, 0.9464)
-    assert paper[3, "3D U-Net, e learned"] == (33.56, 0.9374)
-    assert paper[4, "dictionary, e random"] == (26.22, 0.7258)
-    (eight,) = (row for row in rows if row["row"] == "3D U-Net, c fixed")
-    assert (eight["remark"], eight["seeds"]) == ("not run: no data; the 2 x 2 pattern", [])
-    ours = next(row for row in rows if row["row"] == "2 x 2 pattern, U-Net")
-    assert (ours["seeds"], ours["steps"], ours["size"]) == ([0, 1], 2, "small")
-    each = [
-        json.loads(
-            invoke(["evaluate", f"runs/{seed}", "--data", "d/hdr", "--protocol", "hdr-v1",
-                    "--json"], tmp_path).out
-        )["mean"]
-        for seed in (0, 1)
-    ]  # fmt: skip
-    assert ours["psnr_db"] == pytest.approx(sum(each) / 2)
-    for row in rows:
-        assert (row["psnr_db"] is None) == ("not run" in row["remark"])
-    assert text_of(rows).count("not run") == sum("not run" in row["remark"] for row in rows)
-    (tmp_path / "none").mkdir()
-    human = invoke(["evaluate", "tables", "--data", "none"], tmp_path).out
-    assert human.count("not run") == len(rows)
-
-
-@pytest.mark.parametrize(
-    ("decoder", "shutter", "name"),
-    [
-        ("unet2d", {"class": "d", "learn": False, "init": "random"}, "2D U-Net, d random"),
-        ("unet2d", {"class": "d"}, "2D U-Net, d learned"),
-        ("unet2d", {"class": "d", "learn": False}, "2D U-Net, d, 2 x 2 pattern"),
-        ("unet3d", {"class": "d", "learn": False, "init": "random"}, "3D U-Net, d random"),
-        ("unet3d", {"class": "d"}, "3D U-Net, d learned"),
-        ("unet3d", {"class": "d", "learn": False}, "3D U-Net, d, 2 x 2 pattern"),
-        ("unet3d", {"class": "codebook"}, "3D U-Net, codebook learned"),
-        ("unet3d", {"class": "codebook", "words_weight": 0.1},
-         "3D U-Net, codebook, words in the loss"),
-        ("unrolled", {"class": "d"}, None),
-        ("unet2d", {"class": "e", "learn": False, "init": "random"}, None),
-    ],
-)  # fmt: skip
-def test_rows_of_our_own(decoder: str, shutter: dict[str, Any], name: str | None) -> None:
-    key = key_of(settings_of({"decoder": {"name": decoder}, "shutter": shutter}))
-    found = [row for row in ROWS if row.table == 3 and row.key == key]
-    assert [row.name for row in found] == ([name] if name else [])
-    assert all(row.paper is None for row in found)
-    narrow = key_of(settings_of({"decoder": {"name": decoder, "width": 0.5}, "shutter": shutter}))
-    assert narrow not in {row.key for row in ROWS}
-
-
-def one_crop(path: Path) -> np.ndarray:
-    """Write a panorama of one crop that can be exposed as the protocol says; its light there."""
-    import cv2
-
-    light = cv2.resize(np.exp(np.random.default_rng(1).uniform(-4, 4, (64, 128))), (1024, 512))
-    light[:, 256:] = 1.0
-    cv2.imwrite(str(path), np.repeat(light[..., None], 3, 2).astype("f4"))
-    stored = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)[128:384, :256, 1]
-    return np.asarray(stored, float)
 
 
 def read_by_hand(truth: np.ndarray, share: np.ndarray, seed: int) -> np.ndarray:
@@ -560,65 +453,6 @@ def test_encoding_is_the_reverse_of_the_scenes() -> None:
     assert encoded(np.array([-1.0, 0.25, 7.0]), False).tolist() == [0.0, 0.25, 1.0]
 
 
-def test_a_run_of_two_rows_is_evaluated_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """FC-net with learned class c stands in Tables 3 and 4."""
-    run = trained(
-        tmp_path / "runs/c", shutter={"class": "c", "slots": 16, "tile": [4, 4]},
-        decoder={"name": "fcnet"}, data={**SMALL["data"], "protocol": "video-v1"},
-    )  # fmt: skip
-    (tmp_path / "d").mkdir()
-    clip(tmp_path / "d/c.mat", 16, 256)
-    asked = []
-
-    def evaluated(subject: str, data: Path, protocol: str, seed: int) -> tuple[dict[str, Any], Any]:
-        asked.append(subject)
-        settings = {"row": ["fcnet", "c", "learned"], "config_sha256": "1"}
-        return {
-            "protocol": protocol, "method": subject, "mean": 20.0, "items": [{"ssim": 0.5}],
-            "settings": settings if subject == str(run) else {}, "data": [{"file": "c.mat"}],
-            "protocol_sha256": "2",
-        }, {}  # fmt: skip
-
-    monkeypatch.setattr("nscc_training.evaluation.tables.evaluate", evaluated)
-    rows = tables(tmp_path / "d", tmp_path / "runs")
-    assert [row["psnr_db"] for row in rows if row["row"] == "FC-net, c learned"] == [20.0, 20.0]
-    assert asked.count(str(run)) == 1
-    assert len(asked) == len(set(asked))
-
-
-def test_tables_of_runs_whose_weights_were_not_kept(tmp_path: Path) -> None:
-    """Their rows say so, and results of them that were kept are taken; others are evaluated."""
-    sections = {"shutter": {"class": "c", "slots": 16, "tile": [4, 4]},
-                "decoder": {"name": "fcnet"}, "data": {"protocol": "video-v1"}}  # fmt: skip
-    whole = trained(tmp_path / "runs/whole", **sections)
-    bare = trained(tmp_path / "runs/bare", **sections, train={"seed": 5})
-    (tmp_path / "d/video").mkdir(parents=True)
-    clip(tmp_path / "d/video/c.mat", 16, 256)
-    (tmp_path / "kept").mkdir()
-    kept = invoke(["evaluate", str(bare), "--data", "d/video", "--protocol", "video-v1", "-o",
-                   "kept/bare.json"], tmp_path)  # fmt: skip
-    assert kept.status == 0, kept.err
-    (bare / "decoder.safetensors").unlink()
-
-    def row_of(results: Path | None) -> dict[str, Any]:
-        (row,) = (row for row in ROWS if row.name == "FC-net, c learned" and row.table == 3)
-        (found,) = tables(tmp_path / "d", tmp_path / "runs", results, lambda _: [row])
-        return found
-
-    partly = row_of(None)
-    assert partly["seeds"] == [0]
-    assert f"'{bare}' is no finished run" in partly["remark"]
-    assert "decoder.safetensors" in partly["remark"]
-    both = row_of(tmp_path / "kept")
-    assert (both["seeds"], both["remark"]) == ([0, 5], "")
-    (whole / "decoder.safetensors").unlink()
-    none = row_of(None)
-    assert none["psnr_db"] is None
-    assert none["remark"].startswith("not run: '")
-
-
 def test_products_of_files_that_differ_in_their_ending(tmp_path: Path) -> None:
     """`one.mat` and `one.mat` of another case: neither is lost. Others keep their short names."""
     (tmp_path / "d").mkdir()
@@ -631,6 +465,6 @@ def test_products_of_files_that_differ_in_their_ending(tmp_path: Path) -> None:
     saved = {path.name for path in (tmp_path / "s").glob("*_truth.npy")}
     assert saved == {"one_mat_0_truth.npy", "one_MAT_0_truth.npy", "two_0_truth.npy"}
     truths = {name: np.load(tmp_path / f"s/{name}_0_truth.npy") for name in ("one_mat", "one_MAT")}
-    for name, clip in (("one_mat", "a"), ("one_MAT", "b")):
-        frames = np.moveaxis(clips[clip].astype(float), 2, 0)
+    for name, key in (("one_mat", "a"), ("one_MAT", "b")):
+        frames = np.moveaxis(clips[key].astype(float), 2, 0)
         np.testing.assert_allclose(truths[name] / truths[name].max(), frames / 255, atol=1e-6)

@@ -1,0 +1,47 @@
+"""Runs of two steps, and the scenes that they are evaluated on."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from scipy.io import savemat
+
+from nscc.cli.support import write_together
+from nscc_training.config import settings_of
+from nscc_training.loop.train import train
+
+SMALL: dict[str, dict[str, Any]] = {
+    "data": {"patch": 16, "scenes": 2, "val_items": 1},
+    "train": {"steps": 2, "batch": 1, "validate_every": 2},
+}
+
+
+def trained(out: Path, **sections: dict[str, Any]) -> Path:
+    values = {
+        name: {**SMALL.get(name, {}), **sections.get(name, {})} for name in {*SMALL, *sections}
+    }
+    train(settings_of(values), out, write=write_together)
+    return out
+
+
+def clip(path: Path, frames: int, side: int) -> np.ndarray:
+    rng = np.random.default_rng(3)
+    ground = np.kron(rng.integers(20, 230, (side // 8, side // 8)), np.ones((8, 8)))
+    orig = np.stack([np.roll(ground, k, axis=1) for k in range(frames)], axis=2).astype(np.uint8)
+    mask = (rng.random((side, side, 8)) < 0.5).astype(np.uint8)
+    meas = (orig[..., :8].astype(float) * mask).sum(axis=2)[..., None]
+    savemat(path, {"orig": orig, "mask": mask, "meas": meas})
+    return orig
+
+
+def one_crop(path: Path) -> np.ndarray:
+    """Write a panorama of one crop that can be exposed as the protocol says; its light there."""
+    import cv2
+
+    light = cv2.resize(np.exp(np.random.default_rng(1).uniform(-4, 4, (64, 128))), (1024, 512))
+    light[:, 256:] = 1.0
+    cv2.imwrite(str(path), np.repeat(light[..., None], 3, 2).astype("f4"))
+    stored = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)[128:384, :256, 1]
+    return np.asarray(stored, float)

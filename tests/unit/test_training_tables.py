@@ -1,0 +1,150 @@
+"""The paper's tables: which rows there are, whose results stand in them, and what was not run."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from nscc_command import invoke
+
+torch = pytest.importorskip("torch")
+
+from small_runs import SMALL, clip, one_crop, trained  # noqa: E402
+
+from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.evaluation import hdr_baselines  # noqa: E402
+from nscc_training.evaluation.tables import ROWS, key_of, tables, text_of  # noqa: E402
+
+
+def test_tables_have_every_row_and_say_what_was_not_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "d/hdr").mkdir(parents=True)
+    one_crop(tmp_path / "d/hdr/p.hdr")
+    # sparse coding takes seconds a crop, and has tests of its own
+    monkeypatch.setattr(hdr_baselines, "coded_still", lambda _frame, _share, made, *_: made)
+    (tmp_path / "runs").mkdir()
+    for seed in (0, 1):
+        shutter = {"slots": 256, "tile": [2, 2], "init": "quad", "learn": False}
+        trained(tmp_path / f"runs/{seed}", shutter=shutter,
+                train={**SMALL["train"], "seed": seed})  # fmt: skip
+    # of the same key, but not what the protocols expose: no seeds of these rows
+    trained(tmp_path / "runs/short", shutter={**shutter, "slots": 64},
+            train={**SMALL["train"], "seed": 7})  # fmt: skip
+    clips = {"class": "c", "slots": 8, "tile": [2, 2], "init": "quad", "learn": False}
+    trained(tmp_path / "runs/clips", shutter=clips, decoder={"name": "unet3d"},
+            data={**SMALL["data"], "protocol": "video-v1"})  # fmt: skip
+    arguments = ["evaluate", "tables", "--data", "d", "--runs", "runs"]
+    outcome = invoke([*arguments, "--json", "-o", "t.json"], tmp_path)
+    assert outcome.status == 0, outcome.err
+    rows = json.loads(outcome.out)
+    assert rows == json.loads((tmp_path / "t.json").read_text())
+    assert [sum(row["table"] == k for row in rows) for k in (2, 3, 4)] == [8, 18, 6]
+    paper = {(row["table"], row["row"]): (row["paper_psnr_db"], row["paper_ssim"]) for row in rows}
+    assert paper[2, "learned code, U-Net"] == (35.42, 0.9464)
+    assert paper[3, "3D U-Net, e learned"] == (33.56, 0.9374)
+    assert paper[4, "dictionary, e random"] == (26.22, 0.7258)
+    (eight,) = (row for row in rows if row["row"] == "3D U-Net, c fixed")
+    assert (eight["remark"], eight["seeds"]) == ("not run: no data; the 2 x 2 pattern", [])
+    ours = next(row for row in rows if row["row"] == "2 x 2 pattern, U-Net")
+    assert (ours["seeds"], ours["steps"], ours["size"]) == ([0, 1], 2, "small")
+    each = [
+        json.loads(
+            invoke(["evaluate", f"runs/{seed}", "--data", "d/hdr", "--protocol", "hdr-v1",
+                    "--json"], tmp_path).out
+        )["mean"]
+        for seed in (0, 1)
+    ]  # fmt: skip
+    assert ours["psnr_db"] == pytest.approx(sum(each) / 2)
+    for row in rows:
+        assert (row["psnr_db"] is None) == ("not run" in row["remark"])
+    assert text_of(rows).count("not run") == sum("not run" in row["remark"] for row in rows)
+    (tmp_path / "none").mkdir()
+    human = invoke(["evaluate", "tables", "--data", "none"], tmp_path).out
+    assert human.count("not run") == len(rows)
+
+
+@pytest.mark.parametrize(
+    ("decoder", "shutter", "name"),
+    [
+        ("unet2d", {"class": "d", "learn": False, "init": "random"}, "2D U-Net, d random"),
+        ("unet2d", {"class": "d"}, "2D U-Net, d learned"),
+        ("unet2d", {"class": "d", "learn": False}, "2D U-Net, d, 2 x 2 pattern"),
+        ("unet3d", {"class": "d", "learn": False, "init": "random"}, "3D U-Net, d random"),
+        ("unet3d", {"class": "d"}, "3D U-Net, d learned"),
+        ("unet3d", {"class": "d", "learn": False}, "3D U-Net, d, 2 x 2 pattern"),
+        ("unet3d", {"class": "codebook"}, "3D U-Net, codebook learned"),
+        ("unet3d", {"class": "codebook", "words_weight": 0.1},
+         "3D U-Net, codebook, words in the loss"),
+        ("unrolled", {"class": "d"}, None),
+        ("unet2d", {"class": "e", "learn": False, "init": "random"}, None),
+    ],
+)  # fmt: skip
+def test_rows_of_our_own(decoder: str, shutter: dict[str, Any], name: str | None) -> None:
+    key = key_of(settings_of({"decoder": {"name": decoder}, "shutter": shutter}))
+    found = [row for row in ROWS if row.table == 3 and row.key == key]
+    assert [row.name for row in found] == ([name] if name else [])
+    assert all(row.paper is None for row in found)
+    narrow = key_of(settings_of({"decoder": {"name": decoder, "width": 0.5}, "shutter": shutter}))
+    assert narrow not in {row.key for row in ROWS}
+
+
+def test_a_run_of_two_rows_is_evaluated_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """FC-net with learned class c stands in Tables 3 and 4."""
+    run = trained(
+        tmp_path / "runs/c", shutter={"class": "c", "slots": 16, "tile": [4, 4]},
+        decoder={"name": "fcnet"}, data={**SMALL["data"], "protocol": "video-v1"},
+    )  # fmt: skip
+    (tmp_path / "d").mkdir()
+    clip(tmp_path / "d/c.mat", 16, 256)
+    asked = []
+
+    def evaluated(subject: str, data: Path, protocol: str, seed: int) -> tuple[dict[str, Any], Any]:
+        asked.append(subject)
+        settings = {"row": ["fcnet", "c", "learned"], "config_sha256": "1"}
+        return {
+            "protocol": protocol, "method": subject, "mean": 20.0, "items": [{"ssim": 0.5}],
+            "settings": settings if subject == str(run) else {}, "data": [{"file": "c.mat"}],
+            "protocol_sha256": "2",
+        }, {}  # fmt: skip
+
+    monkeypatch.setattr("nscc_training.evaluation.tables.evaluate", evaluated)
+    rows = tables(tmp_path / "d", tmp_path / "runs")
+    assert [row["psnr_db"] for row in rows if row["row"] == "FC-net, c learned"] == [20.0, 20.0]
+    assert asked.count(str(run)) == 1
+    assert len(asked) == len(set(asked))
+
+
+def test_tables_of_runs_whose_weights_were_not_kept(tmp_path: Path) -> None:
+    """Their rows say so, and results of them that were kept are taken; others are evaluated."""
+    sections = {"shutter": {"class": "c", "slots": 16, "tile": [4, 4]},
+                "decoder": {"name": "fcnet"}, "data": {"protocol": "video-v1"}}  # fmt: skip
+    whole = trained(tmp_path / "runs/whole", **sections)
+    bare = trained(tmp_path / "runs/bare", **sections, train={"seed": 5})
+    (tmp_path / "d/video").mkdir(parents=True)
+    clip(tmp_path / "d/video/c.mat", 16, 256)
+    (tmp_path / "kept").mkdir()
+    kept = invoke(["evaluate", str(bare), "--data", "d/video", "--protocol", "video-v1", "-o",
+                   "kept/bare.json"], tmp_path)  # fmt: skip
+    assert kept.status == 0, kept.err
+    (bare / "decoder.safetensors").unlink()
+
+    def row_of(results: Path | None) -> dict[str, Any]:
+        (row,) = (row for row in ROWS if row.name == "FC-net, c learned" and row.table == 3)
+        (found,) = tables(tmp_path / "d", tmp_path / "runs", results, lambda _: [row])
+        return found
+
+    partly = row_of(None)
+    assert partly["seeds"] == [0]
+    assert f"'{bare}' is no finished run" in partly["remark"]
+    assert "decoder.safetensors" in partly["remark"]
+    both = row_of(tmp_path / "kept")
+    assert (both["seeds"], both["remark"]) == ([0, 5], "")
+    (whole / "decoder.safetensors").unlink()
+    none = row_of(None)
+    assert none["psnr_db"] is None
+    assert none["remark"].startswith("not run: '")
