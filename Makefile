@@ -23,7 +23,7 @@ LOOPS := nscc_runtime.emulator.compiled nscc_runtime.noise.compiled nscc_runtime
   nscc_training.baselines.compiled
 EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
-SOURCES := $(shell find nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
+SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
 .PHONY: help demo test test-slow bench lint format types grammar clean
 
@@ -54,7 +54,7 @@ $(VENV)/.test-installed: $(VENV)/.installed
 $(VENV)/.compiled: $(VENV)/.installed $(wildcard runtime/nscc_runtime/*/*.py training/nscc_training/baselines/*.py)
 	@echo "compiling the emulator's loops"
 	for module in $(LOOPS); do $(BIN)/python -m $$module; done
-	$(BIN)/python -m compileall -q nscc runtime/nscc_runtime training/nscc_training
+	$(BIN)/python -m compileall -q nscc cli/nscc_cli runtime/nscc_runtime training/nscc_training
 	@touch $@
 
 $(OUT)/%.icw: examples/%.nsl $(VENV)/.compiled $(SOURCES)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from nscc.cache.results import Results, results_of_user
-from nscc.diagnostics.model import Diagnostic, Rejected, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower.assemble import assemble
 from nscc.lower.choose import Choice, LoweringOption, choose
 from nscc.lower.fit import (
@@ -22,13 +22,13 @@ from nscc.lower.fit import (
 from nscc.lower.lowered import Lowered
 from nscc.lower.ways_out import ways_out
 from nscc.program.analyse import analyse
-from nscc.program.model import Codes, Program
+from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, prove
 from nscc.source import Source
 from nscc.syntax.parse import parse, read_source
 from nscc.syntax.tree import File
 from nscc.target.load import load_target
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import Container
 
 PASSES = ("parse", "program", "lower", "plan", "gates", "schedule", "words", "prove")

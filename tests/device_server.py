@@ -42,7 +42,7 @@ def write_files(folder: Path) -> None:
 def start(arguments: list[str], folder: Path) -> subprocess.Popen[str]:
     """`nscc ARGUMENTS` as a process."""
     return subprocess.Popen(
-        [sys.executable, "-m", "nscc", *arguments],
+        [sys.executable, "-m", "nscc_cli", *arguments],
         cwd=folder,
         env=environment(),
         stdout=subprocess.PIPE,

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from emulator_programs import bumps, target_of
 
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import Container, Readout
 from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.board import EmulatedChip

@@ -18,7 +18,7 @@ import numpy as np
 import pytest
 from lowering_oracle import FadingChip
 
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import Container, Word
 from nscc.words.encoding import decode
 

@@ -9,13 +9,13 @@ from pathlib import Path
 
 import numpy as np
 
-import nscc.target.model
-from nscc.target.model import Target
+import nscc.target.target
+from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.encoding import encode
 from nscc.words.operations import Op, op, pair
 
-_TABLES = Path(nscc.target.model.__file__).parent / "tables"
+_TABLES = Path(nscc.target.target.__file__).parent / "tables"
 
 
 def target_of(shape: tuple[int, int], name: str = "scamp5", **changes: object) -> Target:

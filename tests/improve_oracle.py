@@ -16,7 +16,7 @@ import numpy as np
 from nscc.logic.problem import Demand, Gate, Machine, Problem, Solution
 from nscc.lower.allocate import allocate, words
 from nscc.target.load import load_target
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 REPLICAS = 5
 

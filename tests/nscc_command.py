@@ -28,7 +28,7 @@ class Outcome(NamedTuple):
 
 def invoke(arguments: Sequence[str], folder: Path, given: bytes = b"") -> Outcome:
     """Runs `nscc ARGUMENTS` in `folder`, with `given` on standard input."""
-    from nscc.cli.main import main
+    from nscc_cli.main import main
 
     with _process(folder, given) as (out, err):
         status = main([str(argument) for argument in arguments])

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from nscc.program.analyse import analyse
-from nscc.program.model import Codes, Program
+from nscc.program.program import Codes, Program
 from nscc.source import Source
 from nscc.syntax import tree as t
 from nscc.syntax.parse import parse

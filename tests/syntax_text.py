@@ -7,7 +7,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from nscc.diagnostics.model import Diagnostic
+from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.source import Source, Span
 from nscc.syntax import tree as t
 from nscc.syntax.parse import parse

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.render import PAGES, names
 from nscc.diagnostics.suggest import closest
 

@@ -8,7 +8,7 @@ from functools import cache
 from pathlib import Path
 from typing import Literal
 
-from nscc.diagnostics.model import Diagnostic, Label, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.source import Source
 
 Format = Literal["human", "short", "json"]

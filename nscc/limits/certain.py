@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from nscc.program.limits import MOST_SLOTS
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 Count = Callable[[int], int]
 """How many different shutters a class has at a size; it never falls as the size grows."""

@@ -6,14 +6,14 @@ from collections.abc import Generator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from nscc.diagnostics.model import Diagnostic, Rejected, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.limits.certain import bits_needed, impossible_from
 from nscc.limits.families import Family, families
 from nscc.limits.search import Trial, candidates, explore
 from nscc.pipeline import Compiled, Options, compile_source
 from nscc.program.limits import MOST_SLOTS
 from nscc.source import Source
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 BUDGET = 40
 """Most programs compiled for one class at one slot length."""

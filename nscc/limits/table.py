@@ -8,7 +8,7 @@ from typing import Any
 from nscc.limits.search import Trial
 from nscc.limits.survey import Limit
 from nscc.lower.resources import time_text
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 _HEAD = (
     "class",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from nscc.logic import encodings, events, fields, nested, spans, states, windows
+from nscc.logic import encodings, events, field_digits, nested, spans, states, windows
 from nscc.logic.cascade import cascade
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
@@ -69,7 +69,7 @@ FAMILIES: tuple[Family, ...] = (
     spans.stored_spans,
     spans.counted_spans,
     events.equalities,
-    fields.field_digits,
+    field_digits.field_digits,
 )
 
 

@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,7 +11,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from nscc.logic.problem import Gate, Segment, Solution
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.operations import Op, op, pair
 
 

@@ -9,7 +9,7 @@ from typing import Literal
 from nscc.cache.results import Results
 from nscc.lower.lowered import Lowered, analog_writes, lower
 from nscc.lower.plan import LOWERINGS, ExposurePlan, Lowering, Misfit, levels, plan_exposure
-from nscc.program.model import Program
+from nscc.program.program import Program
 
 LoweringOption = Lowering | Literal["auto"]
 

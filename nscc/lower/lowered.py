@@ -16,7 +16,7 @@ from nscc.logic.problem import Demand, Machine, Problem, Solution
 from nscc.lower.plan import ExposurePlan, Misfit, Step
 from nscc.lower.schedule import Schedule, schedule
 from nscc.lower.timeline import Before, Timeline, flag_actions, timeline
-from nscc.program.model import Program
+from nscc.program.program import Program
 from nscc.truth import members
 from nscc.words.container import DecodeTable
 from nscc.words.operations import Effect

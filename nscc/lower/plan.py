@@ -19,7 +19,7 @@ from typing import Literal, get_args
 
 import numpy as np
 
-from nscc.program.model import Program
+from nscc.program.program import Program
 from nscc.truth import columns
 from nscc.words.operations import Op, op
 

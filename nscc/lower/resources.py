@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import ceil, floor, log10
 
-from nscc.diagnostics.model import Label
-from nscc.program.model import Program
+from nscc.diagnostics.diagnostic import Label
+from nscc.program.program import Program
 
 
 def chip_label(program: Program, text: str) -> tuple[Label, ...]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from nscc.diagnostics.model import Diagnostic, Label
+from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.lower.choose import Choice
 from nscc.lower.lowered import Lowered
 from nscc.lower.resources import at_least, chip_label, chip_note, resource, time_text
 from nscc.program.problems import counted
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 
 def retention_fault(lowered: Lowered) -> Diagnostic:

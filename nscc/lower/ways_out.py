@@ -27,8 +27,8 @@ from nscc.limits.families import (
 )
 from nscc.limits.search import largest
 from nscc.lower.lowered import Lowered
-from nscc.program.model import Codes, Program
 from nscc.program.problems import counted
+from nscc.program.program import Codes, Program
 from nscc.source import Source
 
 MOST_SHOWN = 3

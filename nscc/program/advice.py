@@ -7,9 +7,9 @@ from collections.abc import Sequence
 from nscc.program.classes import Recognised
 from nscc.program.evaluate import Books
 from nscc.program.expressions import Checked
-from nscc.program.model import Field
 from nscc.program.names import Declarations, Rule
 from nscc.program.problems import Problems, counted
+from nscc.program.program import Field
 from nscc.source import Span
 from nscc.syntax.tree import Bucket
 from nscc.words.container import DecodeTable

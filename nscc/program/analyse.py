@@ -5,22 +5,22 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.program.books import make_books
 from nscc.program.complete import Completion
 from nscc.program.constants import resolve_constants
 from nscc.program.expressions import Checked, Meaning, check
 from nscc.program.fields import make_fields
 from nscc.program.frame import make_frame
-from nscc.program.model import Codes, Program
 from nscc.program.names import Declarations, gather
 from nscc.program.planes import make_planes
 from nscc.program.problems import Problems
+from nscc.program.program import Codes, Program
 from nscc.program.scopes import constants_scope, require_scope, rule_scope
 from nscc.program.table import Rules
 from nscc.source import Source
 from nscc.syntax.tree import File, TargetByName, TargetFromFile
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 
 def analyse(

@@ -5,16 +5,16 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Label, Rejected
+from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.advice import judge_bumps, judge_codes, judge_names, judge_rules
 from nscc.program.classes import Recognised, recognise
 from nscc.program.expressions import Checked, names_in
 from nscc.program.limits import SURVEY_LIMIT
-from nscc.program.model import BucketRule, Codes, Frame, Program
 from nscc.program.names import Declarations, Rule
 from nscc.program.pixels import codes_in_use, rows_of
 from nscc.program.planes import Plane, first_place, pixel_text
 from nscc.program.problems import Problems, counted
+from nscc.program.program import BucketRule, Codes, Frame, Program
 from nscc.program.table import (
     CodeArray,
     NoValue,
@@ -39,7 +39,7 @@ from nscc.syntax.tree import (
     TargetByName,
     TargetFromFile,
 )
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import DecodeTable
 
 

@@ -3,7 +3,7 @@ other, which need not be the order written."""
 
 from __future__ import annotations
 
-from nscc.diagnostics.model import Label
+from nscc.diagnostics.diagnostic import Label
 from nscc.program.evaluate import Fault, evaluate
 from nscc.program.expressions import FAILED, Meaning, Scope, check, names_in
 from nscc.program.limits import MOST_SLOTS
@@ -12,7 +12,7 @@ from nscc.program.problems import Problems, clipped
 from nscc.program.scopes import constants_scope
 from nscc.source import Span
 from nscc.syntax.tree import EqualSlots, Expr, ListedSlots
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 _MOST_CYCLES = 20
 

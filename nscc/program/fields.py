@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from nscc.program.constants import constant
 from nscc.program.expressions import Scope
 from nscc.program.limits import MOST_BITS
-from nscc.program.model import Field
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems
+from nscc.program.program import Field
 from nscc.source import Span
 from nscc.syntax.tree import CodeBits, CodeRange, CodeRow
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from fractions import Fraction
 
 from nscc.program.expressions import Meaning
-from nscc.program.model import Frame
 from nscc.program.problems import Problems
+from nscc.program.program import Frame
 from nscc.source import Span
 from nscc.syntax.tree import EqualSlots, ListedSlots, Time
 

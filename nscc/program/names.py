@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import assert_never
 
-from nscc.diagnostics.model import Label
+from nscc.diagnostics.diagnostic import Label
 from nscc.program.limits import MOST_FIELDS
 from nscc.program.problems import Problems
 from nscc.source import Span

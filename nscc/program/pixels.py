@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.program.arrays_file import ArraysFile, Unreadable
 from nscc.program.planes import Plane, first_place, pixel_text, stored_plane
 from nscc.program.problems import counted

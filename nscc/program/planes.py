@@ -9,19 +9,19 @@ from typing import assert_never
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Label
+from nscc.diagnostics.diagnostic import Label
 from nscc.program.arrays_file import ArraysFile, Unreadable
 from nscc.program.constants import constant
 from nscc.program.evaluate import Value, array, evaluate, fault_at
 from nscc.program.expressions import Checked, Meaning, check
 from nscc.program.limits import MOST_FIELDS, WORK_LIMIT, work
-from nscc.program.model import Field
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems, clipped, counted
+from nscc.program.program import Field
 from nscc.program.scopes import constants_scope, pixels_scope
 from nscc.source import Span
 from nscc.syntax.tree import Int, PixelsExpr, PixelsFromFile, PixelsTile
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 Plane = NDArray[np.int64]
 """The values of one field: int64 (rows, cols)."""

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from nscc.program.model import Field, Frame, Program
 from nscc.program.problems import counted
+from nscc.program.program import Field, Frame, Program
 
 _MOST_SHUTTERS = 64
 _MOST_SLOTS = 256

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any
 
-from nscc.diagnostics.model import Diagnostic, Fix, Label, Rejected, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected, Severity
 from nscc.diagnostics.suggest import closest
 from nscc.source import Source, Span
 

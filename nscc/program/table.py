@@ -25,8 +25,8 @@ from nscc.program.limits import (
     WORK_LIMIT,
     total_work,
 )
-from nscc.program.model import Field
 from nscc.program.problems import counted
+from nscc.program.program import Field
 from nscc.words.container import DecodeTable
 
 CodeArray = NDArray[np.int64]

@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.prove.noise import Noise
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.truth import columns, members
 from nscc.words.container import Container
 from nscc.words.operations import Effect, Op, Phase

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from nscc.diagnostics.model import Diagnostic, Fix, Label
+from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
 from nscc.source import Span
 from nscc.syntax.automaton import MOST_DEPTH, Stuck
 from nscc.syntax.lexer import MALFORMED, STRAY, UNCLOSED, Tokens

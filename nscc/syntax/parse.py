@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from itertools import pairwise
 
-from nscc.diagnostics.model import Diagnostic, Fix, Label
+from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
 from nscc.source import Source, Span
 from nscc.syntax import tree
 from nscc.syntax.automaton import Stuck, TooDeep, run

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.source import Source
 
 MOST_BYTES = 256 * 1024

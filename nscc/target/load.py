@@ -14,11 +14,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from nscc.diagnostics.model import Diagnostic, Label, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.diagnostics.suggest import closest
 from nscc.source import Source, Span
-from nscc.target.model import Target
 from nscc.target.schema import KEYS, SECTIONS
+from nscc.target.target import Target
 from nscc.target.values import Problem, read_values, target_values
 from nscc.toml_text import LARGEST_FILE, NotToml, parsed, span_of
 

@@ -13,8 +13,8 @@ from math import isfinite
 from typing import Any
 
 from nscc.diagnostics.suggest import closest
-from nscc.target.model import Target
 from nscc.target.schema import CHOICES, KEYS, SECTIONS, Key
+from nscc.target.target import Target
 from nscc.toml_text import shown
 from nscc.words.operations import ANALOG_WRITE, DIGITAL_WRITE
 

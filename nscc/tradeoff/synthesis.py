@@ -11,11 +11,11 @@ from typing import Literal
 
 import numpy as np
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.report import report
 from nscc.lower.plan import Lowering
 from nscc.pipeline import Compiled, Options, compile_source
-from nscc.program.model import Codes
+from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.tradeoff.points import Point
 

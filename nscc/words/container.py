@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 Word = tuple[int, int, int, int, int]
 """One ICW: five 32-bit words as the chip takes them."""

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import fsum
 
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.operations import Op, Phase
 

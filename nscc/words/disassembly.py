@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.target.load import builtin_names, builtin_target, target_toml
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.cost import frame_cost, kernel_cost
 from nscc.words.encoding import matching, word_text

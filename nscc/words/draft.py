@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from nscc.diagnostics.model import Diagnostic, Label, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.source import Source, Span
 from nscc.words.container import Word
 from nscc.words.operations import Op

@@ -25,7 +25,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.target.load import target_dict, target_from_dict
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.soundness import faults

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nscc.diagnostics.model import Diagnostic, Rejected
-from nscc.target.model import Target
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.encoding import matching, no_operation
 from nscc.words.operations import Effect, Op, Phase

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Label, Rejected
+from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.suggest import closest
 from nscc.source import Span
 from nscc.target.load import DEFAULT_NAME, load_target, parse_target
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.draft import Draft, Faults, Token, shown
 from nscc.words.legality import target_fault

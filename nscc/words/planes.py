@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.suggest import closest
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.draft import Faults, PlaneDraft, shown
 
 _LARGEST_FILE = 1 << 28

@@ -27,11 +27,11 @@ from nscc_runtime.frame_file import Frame, check_adc, read_out, stacked
 from nscc_runtime.light import Light
 from nscc_runtime.plan.capture import prepared
 from nscc_runtime.plan.choose import plan_for
-from nscc_runtime.plan.model import Plan
+from nscc_runtime.plan.plan import Plan
 from nscc_runtime.plan.pool import processors
 from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.tolerance import tolerance_e
-from nscc_runtime.sensor.model import Sensor
+from nscc_runtime.sensor.sensor import Sensor
 from nscc_runtime.sensor.values import default_sensor
 
 _programs: WeakKeyDictionary[Container, dict[Sensor, Program]] = WeakKeyDictionary()

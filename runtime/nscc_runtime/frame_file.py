@@ -24,8 +24,8 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Diagnostic, Rejected
-from nscc.target.model import Target
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc_runtime.effects import EFFECTS, Effect, Selection
 from nscc_runtime.effects.timing import MOTION

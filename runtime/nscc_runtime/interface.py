@@ -33,6 +33,6 @@ class Exposer(Protocol):
         """Expose one frame of `container`.
 
         `light` is the scene on the array; a device that looks at the world takes None. Raises
-        `nscc.diagnostics.model.Rejected` where the program cannot run here.
+        `nscc.diagnostics.diagnostic.Rejected` where the program cannot run here.
         """
         ...

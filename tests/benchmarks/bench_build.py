@@ -45,10 +45,10 @@ def main() -> int:
 
 def measured(arguments: list[str], folder: str) -> tuple[float, float]:
     """Seconds and peak MB of one `nscc`, which must succeed."""
-    path = os.pathsep.join(str(ROOT / part) for part in (".", "runtime", "training"))
+    path = os.pathsep.join(str(ROOT / part) for part in (".", "cli", "runtime", "training"))
     environment = {**os.environ, "PYTHONPATH": path, "NSCC_CACHE": "off"}
     quiet = [(os.POSIX_SPAWN_OPEN, n, os.devnull, os.O_WRONLY, 0) for n in (1, 2)]
-    command = [sys.executable, "-m", "nscc", *arguments]
+    command = [sys.executable, "-m", "nscc_cli", *arguments]
     begin = perf_counter()
     process = os.posix_spawn(sys.executable, command, environment, file_actions=quiet)
     _, status, usage = os.wait4(process, 0)

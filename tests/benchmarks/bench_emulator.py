@@ -18,7 +18,7 @@ from time import perf_counter
 
 import numpy as np
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.pipeline import Options, compile_file
 from nscc.words.container import Container
 from nscc_runtime.emulator import expose

@@ -24,7 +24,7 @@ def peak_mb(arguments: list[str]) -> float:
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, folders))}
     quiet = (os.POSIX_SPAWN_OPEN, 2, os.devnull, os.O_WRONLY, 0)
     quiet_out = (os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0)
-    command = [sys.executable, "-m", "nscc", *arguments]
+    command = [sys.executable, "-m", "nscc_cli", *arguments]
     process = os.posix_spawn(sys.executable, command, environment, file_actions=[quiet, quiet_out])
     _, status, usage = os.wait4(process, 0)
     if status:

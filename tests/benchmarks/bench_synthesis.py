@@ -22,12 +22,12 @@ from time import perf_counter
 
 import numpy as np
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.emit.report import report
 from nscc.pipeline import Options, compile_source
 from nscc.source import Source
 from nscc.target.load import builtin_target
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 SLOT = "100us"
 ROOM = {2: 1.05, 3: 1.0}

@@ -62,7 +62,7 @@ def run(arguments: list[str], folder: Path, hash_seed: str) -> None:
     """`nscc` in a process of its own."""
     paths = os.pathsep.join(os.path.abspath(path) for path in sys.path if path)
     outcome = subprocess.run(
-        [sys.executable, "-m", "nscc", *arguments],
+        [sys.executable, "-m", "nscc_cli", *arguments],
         cwd=folder,
         env={**os.environ, "PYTHONHASHSEED": hash_seed, "PYTHONPATH": paths},
         capture_output=True,

@@ -123,7 +123,7 @@ def test_links_lead_somewhere(page: str) -> None:
 
 
 def test_every_command_is_in_the_readme() -> None:
-    from nscc.cli.table import COMMANDS
+    from nscc_cli.table import COMMANDS
 
     text = (ROOT / "README.md").read_text()
     assert [entry.name for entry in COMMANDS if f"`nscc {entry.name}" not in text] == []

@@ -19,7 +19,7 @@ ORDER = (
         "runtime/nscc_runtime",
         (
             "nscc_training",
-            "nscc.cli",
+            "nscc_cli",
             "nscc.pipeline",
             "nscc.emit",
             "nscc.prove",
@@ -29,18 +29,18 @@ ORDER = (
             "nscc.syntax",
         ),
     ),
-    ("nscc/diagnostics", ("nscc.syntax", "nscc.program", "nscc.cli", "nscc.pipeline")),
-    ("nscc/syntax", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc.cli")),
-    ("nscc/target", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc.cli")),
+    ("nscc/diagnostics", ("nscc.syntax", "nscc.program", "nscc_cli", "nscc.pipeline")),
+    ("nscc/syntax", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc_cli")),
+    ("nscc/target", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc_cli")),
     (
         "nscc/cache",
-        ("nscc.syntax", "nscc.program", "nscc.lower", "nscc.prove", "nscc.pipeline", "nscc.cli"),
+        ("nscc.syntax", "nscc.program", "nscc.lower", "nscc.prove", "nscc.pipeline", "nscc_cli"),
     ),
-    ("nscc/words", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc.cli")),
-    ("nscc/program", ("nscc.lower", "nscc.logic", "nscc.prove", "nscc.pipeline", "nscc.cli")),
-    ("nscc/logic", ("nscc.syntax", "nscc.program", "nscc.prove", "nscc.pipeline", "nscc.cli")),
-    ("nscc/lower", ("nscc.syntax", "nscc.prove", "nscc.pipeline", "nscc.cli")),
-    ("nscc/prove", ("nscc.syntax", "nscc.program", "nscc.logic", "nscc.lower", "nscc.cli")),
+    ("nscc/words", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc_cli")),
+    ("nscc/program", ("nscc.lower", "nscc.logic", "nscc.prove", "nscc.pipeline", "nscc_cli")),
+    ("nscc/logic", ("nscc.syntax", "nscc.program", "nscc.prove", "nscc.pipeline", "nscc_cli")),
+    ("nscc/lower", ("nscc.syntax", "nscc.prove", "nscc.pipeline", "nscc_cli")),
+    ("nscc/prove", ("nscc.syntax", "nscc.program", "nscc.logic", "nscc.lower", "nscc_cli")),
 )
 
 
@@ -79,7 +79,7 @@ def test_only_the_command_line_knows_the_others(package: str, root: Path) -> Non
 )
 def test_start_up_imports_nothing_heavy(arguments: list[str], root: Path) -> None:
     code = (
-        "import sys; from nscc.cli.main import main; main(sys.argv[1:]); "
+        "import sys; from nscc_cli.main import main; main(sys.argv[1:]); "
         f"print([name for name in {HEAVY!r} if name in sys.modules])"
     )
     outcome = subprocess.run(

@@ -18,7 +18,7 @@ from nscc_command import Outcome, invoke
 ROOT = Path(__file__).resolve().parent.parent.parent
 PAGES = sorted((ROOT / "nscc/diagnostics/pages").glob("*.md"))
 SOURCES = sorted(
-    path for part in ("nscc", "runtime", "training") for path in ROOT.glob(f"{part}/**/*.py")
+    path for part in ("cli", "nscc", "runtime", "training") for path in ROOT.glob(f"{part}/**/*.py")
 )
 HEADINGS = ["What it means", "Bad", "Good", "What to do"]
 
@@ -95,7 +95,7 @@ def _run(line: str, folder: Path, tools: Path) -> Outcome:
     if line.startswith("nscc ") and not _SHELL.search(line):
         return invoke(shlex.split(line)[1:], folder)
     path = os.pathsep.join([str(tools), os.environ["PATH"]])
-    python_path = os.pathsep.join(str(ROOT / part) for part in (".", "runtime", "training"))
+    python_path = os.pathsep.join(str(ROOT / part) for part in (".", "cli", "runtime", "training"))
     done = subprocess.run(
         ["/bin/sh", "-c", line],
         cwd=folder,

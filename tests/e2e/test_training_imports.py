@@ -11,7 +11,7 @@ import pytest
 
 CODE = (
     "import sys; sys.modules['torch'] = None; "
-    "from nscc.cli.main import main; sys.exit(main(sys.argv[1:]))"
+    "from nscc_cli.main import main; sys.exit(main(sys.argv[1:]))"
 )
 
 

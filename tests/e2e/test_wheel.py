@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 from packaging.requirements import Requirement
 
-OWN = {"nscc", "nscc_runtime", "nscc_training"}
+OWN = {"nscc", "nscc_cli", "nscc_runtime", "nscc_training"}
 
 pytestmark = pytest.mark.xdist_group("wheel")
 

@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 from nscc_command import invoke
 from reference_programs import program, sensor_of
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out

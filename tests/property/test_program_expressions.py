@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from program_oracle import NoNumber, program_of, shutters, statements, table_of, value
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.syntax import tree as t
 from nscc.target.load import load_target
 

@@ -22,7 +22,7 @@ from reference_programs import (
 )
 
 import nscc_runtime.reference.capture
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
 from nscc.words.operations import op
 from nscc_runtime.effects import BY_NAME, OPTIONAL, selected

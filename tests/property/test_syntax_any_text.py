@@ -10,7 +10,7 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 from syntax_text import PROGRAMS, RESERVED, nodes, read, statement_text
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.render import render
 from nscc.syntax.parse import MOST_ERRORS, parse, read_source
 

@@ -7,9 +7,9 @@ from dataclasses import replace
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target, parse_target, target_dict, target_toml
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.target.values import read_values
 
 WHOLE = target_toml(builtin_target("scamp5"))

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.source import Source
 from nscc.words.assembly import assemble, assemble_words
 from nscc.words.directives import DIRECTIVES

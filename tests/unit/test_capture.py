@@ -9,13 +9,13 @@ import pytest
 from plan_cases import case, moving_light, plan_of
 from reference_programs import exposures, sensor_of
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.capture import capture, captures
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.plan.model import Plan
+from nscc_runtime.plan.plan import Plan
 from nscc_runtime.reference import frames
 from nscc_runtime.sensor import Sensor, default_sensor
 

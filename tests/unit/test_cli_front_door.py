@@ -13,7 +13,7 @@ import pytest
 from nscc_command import invoke
 
 from nscc import __version__
-from nscc.cli.table import COMMANDS
+from nscc_cli.table import COMMANDS
 
 GOOD = (
     "nsl 1\nframe 4 slots of 1ms\ncode stop : 1..4\nopen when n < stop\npixels stop = 1 + x % 4\n"

@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from nscc.cli.support import bar_line, progress, write_together, write_whole
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
+from nscc_cli.support import bar_line, progress, write_together, write_whole
 
 
 def test_writes_and_replaces(tmp_path: Path) -> None:

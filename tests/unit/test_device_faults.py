@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device.faults import EXAMPLE, Accidents, Faults, Spoiler, parse_faults
 
 

@@ -13,7 +13,7 @@ import pytest
 import serial
 from device_sessions import TARGET, examples, new_host, python_loader
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device import tasks
 from nscc_runtime.device.chip import Chip, channels_of, frame_of
 from nscc_runtime.device.host import Refused, Silent, Stalled
@@ -103,7 +103,7 @@ def test_a_port_that_goes_away_says_so() -> None:
 
 
 def test_the_options_have_the_links_defaults() -> None:
-    from nscc.cli import link_options
+    from nscc_cli import link_options
     from nscc_runtime.device import link, port
 
     assert link_options.DEFAULT_BAUD == port.DEFAULT_BAUD

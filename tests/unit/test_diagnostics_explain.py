@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 from nscc_command import invoke
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.explain import index, page
-from nscc.diagnostics.model import Rejected
 from nscc.diagnostics.render import PAGES, names
 from nscc.diagnostics.suggest import closest
 
@@ -47,7 +47,7 @@ def test_the_command_prints_pages_and_index(tmp_path: Path) -> None:
 def test_explaining_needs_no_arrays() -> None:
     from subprocess import run
 
-    code = "import sys, nscc.cli.explain as e; e.page('NS0107'); print('numpy' in sys.modules)"
+    code = "import sys, nscc_cli.explain as e; e.page('NS0107'); print('numpy' in sys.modules)"
     assert run([sys.executable, "-c", code], capture_output=True, text=True).stdout == "False\n"
 
 

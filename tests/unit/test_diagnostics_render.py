@@ -8,7 +8,7 @@ import unicodedata
 
 import pytest
 
-from nscc.diagnostics.model import Diagnostic, Fix, Label, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Severity
 from nscc.diagnostics.render import names, render
 from nscc.source import Source, Span
 

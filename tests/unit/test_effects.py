@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from nscc_command import invoke
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
 from nscc_runtime.effects import BY_NAME, EFFECTS, OPTIONAL, Statistics, selected
 from nscc_runtime.effects.crosstalk import smeared

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from emulator_programs import container_of, target_of
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Kernel, Readout
 from nscc.words.operations import op, pair
 from nscc_runtime.emulator import Emulator, expose

@@ -11,7 +11,7 @@ import pytest
 from lowering_oracle import lowered_as, program_from
 from nscc_command import invoke
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.logic.problem import Machine, Problem
 from nscc.lower import lowered
 from nscc.pipeline import LEVELS, Options, compile_file, compile_source

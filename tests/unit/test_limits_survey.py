@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from nscc_command import invoke
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.limits.families import families
 from nscc.limits.survey import survey
 from nscc.limits.table import limits_json, limits_text

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nscc.diagnostics.model import Rejected, Severity
+from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.pipeline import Options, compile_source
 from nscc.source import Source
 from nscc.target.load import load_target

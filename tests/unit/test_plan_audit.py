@@ -16,7 +16,7 @@ from nscc_runtime.plan import audit as module
 from nscc_runtime.plan.audit import audit
 from nscc_runtime.plan.capture import prepared
 from nscc_runtime.plan.choose import plan_for
-from nscc_runtime.plan.model import Plan
+from nscc_runtime.plan.plan import Plan
 from nscc_runtime.plan.program import Program
 from nscc_runtime.sensor import Sensor
 

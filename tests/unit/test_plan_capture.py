@@ -9,12 +9,12 @@ import pytest
 from plan_cases import CASES, case, moving_light, plan_of
 from reference_programs import exposures, sensor_of
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
 from nscc_runtime.effects import OPTIONAL
 from nscc_runtime.light import Light
 from nscc_runtime.plan.capture import Planned, prepared
-from nscc_runtime.plan.model import Plan
+from nscc_runtime.plan.plan import Plan
 from nscc_runtime.plan.program import Program
 from nscc_runtime.sensor import Sensor
 

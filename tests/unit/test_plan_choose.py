@@ -15,7 +15,7 @@ from nscc.words.container import Container
 from nscc_runtime.effects import EFFECTS, OPTIONAL, selected
 from nscc_runtime.light import Light
 from nscc_runtime.plan.choose import plan_for, predicted_for
-from nscc_runtime.plan.model import Decision, Plan
+from nscc_runtime.plan.plan import Decision, Plan
 from nscc_runtime.plan.program import Program
 from nscc_runtime.sensor import Sensor
 

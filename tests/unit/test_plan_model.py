@@ -13,10 +13,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 from plan_cases import plan_of
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
 from nscc_runtime.effects import EFFECTS, OPTIONAL
-from nscc_runtime.plan.model import Approximation, Plan
+from nscc_runtime.plan.plan import Approximation, Plan
 from nscc_runtime.plan.tolerance import tolerance_e
 from nscc_runtime.sensor import default_sensor
 

@@ -10,7 +10,7 @@ import pytest
 from program_oracle import program_of
 
 import nscc.diagnostics
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.program.analyse import analyse
 from nscc.source import Source, Span
 from nscc.syntax import tree as t

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 from program_oracle import program_of
 
-from nscc.diagnostics.model import Rejected
-from nscc.program.model import Program
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.program.pixels import codes_from_file
+from nscc.program.program import Program
 
 FRAME = "nsl 1 frame 8 slots of 1ms "
 PIXELS = FRAME + "code a : 0..7 code b : 0..8 open when a <= n < b "

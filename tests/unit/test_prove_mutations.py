@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from lowering_oracle import container_of, does_as_told, lowered_as, program_from
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.prove.proof import prove
 from nscc.target.load import load_target
 from nscc.words.container import Kernel

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nscc.cli.main import main
+from nscc_cli.main import main
 
 PROGRAM = """nsl 1
 target "small.toml"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import Exposure, load_scene, parse_crop, parse_exposure
 

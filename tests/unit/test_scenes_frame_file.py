@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
 from nscc.words.container import Container, DecodeTable
 from nscc_runtime.chart import shutters_of, view_png

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nscc.diagnostics.model import Diagnostic
+from nscc.diagnostics.diagnostic import Diagnostic
 from nscc_runtime.scenes import Exposure, load_scene
 
 DATA = Path(os.environ.get("NSCC_DATA") or Path(__file__).resolve().parents[3] / "shared" / "data")

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_names, builtin_target
 from nscc_runtime.sensor import (
     PARAMETERS,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from syntax_text import codes, read
 
-from nscc.diagnostics.model import Diagnostic
+from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.source import Source
 from nscc.syntax.parse import MOST_ERRORS, parse
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.syntax.parse import MOST_BYTES, parse, read_source
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.target.load import (
     builtin_names,
     builtin_target,
@@ -16,8 +16,8 @@ from nscc.target.load import (
     target_from_dict,
     target_toml,
 )
-from nscc.target.model import Target
 from nscc.target.schema import KEYS
+from nscc.target.target import Target
 
 MINIMAL = """\
 name = "mine"

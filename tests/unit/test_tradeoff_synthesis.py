@@ -11,7 +11,7 @@ import pytest
 from nscc_command import invoke
 from PIL import Image
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.lower.plan import LOWERINGS
 from nscc.pipeline import Options, compile_source
 from nscc.source import Source

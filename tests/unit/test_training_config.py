@@ -10,7 +10,7 @@ from nscc_command import invoke
 
 pytest.importorskip("torch")
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc_training.config import config_toml, load_config, settings_of
 from nscc_training.decoders.names import DECODERS
 from nscc_training.settings import Settings

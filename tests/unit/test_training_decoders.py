@@ -8,7 +8,7 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
-from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet, put, taken  # noqa: E402
 from nscc_training.decoders.make import (  # noqa: E402
     Task,

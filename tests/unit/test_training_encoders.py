@@ -11,7 +11,7 @@ from training_oracle import shutters_of, small_target
 
 torch = pytest.importorskip("torch")
 
-from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.codes_files import codes_bytes, load_codes, save_codes  # noqa: E402
 from nscc_training.encoders import RELAXATIONS, Encoder, ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.programs import Chip, compiled, legal_codes, program_of  # noqa: E402

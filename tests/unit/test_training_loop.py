@@ -18,8 +18,8 @@ torch = pytest.importorskip("torch")
 
 from safetensors.torch import load_file  # noqa: E402
 
-from nscc.cli.support import write_together  # noqa: E402
-from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
+from nscc_cli.support import write_together  # noqa: E402
 from nscc_training.config import config_toml, settings_of  # noqa: E402
 from nscc_training.loop import artifacts  # noqa: E402
 from nscc_training.loop.ranks import Ranks  # noqa: E402
@@ -381,11 +381,11 @@ def test_two_processes_learn_together(tmp_path: Path) -> None:
     something still holds their group, whose threads an ending interpreter would abort under."""
     (tmp_path / "c.toml").write_text(config_toml(settings_of(STILL)))
     root = Path(__file__).resolve().parents[2]
-    paths = os.pathsep.join(str(root / part) for part in (".", "runtime", "training"))
+    paths = os.pathsep.join(str(root / part) for part in (".", "cli", "runtime", "training"))
     code = (
         "import sys, weakref\n"
         "from torch import distributed\n"
-        "from nscc.cli.main import main\n"
+        "from nscc_cli.main import main\n"
         "from nscc_training.loop.ranks import Ranks\n"
         "groups, close = [], Ranks.close\n"
         "def watched(ranks):\n"

@@ -9,7 +9,7 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
-from nscc.diagnostics.model import Rejected  # noqa: E402
+from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training import metrics  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.source import Source
 from nscc.target.load import builtin_target, target_toml
 from nscc.words.assembly import assemble, assemble_words

@@ -7,9 +7,9 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
-from nscc.cli import asm, diff, disasm, targets
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target, load_target
+from nscc_cli import asm, diff, disasm, targets
 
 PROGRAM = ".wait 1ms x4\n.kernel k\nrespix A\n.slot 0..4 k\n.readout A frame\n"
 

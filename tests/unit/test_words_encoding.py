@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
 from nscc.words.encoding import decode, encode, matching, word_lines, word_text
 from nscc.words.legality import split_pairs, target_fault

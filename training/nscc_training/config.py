@@ -11,7 +11,7 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from nscc.diagnostics.model import Diagnostic, Label, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.diagnostics.suggest import closest
 from nscc.source import Source
 from nscc.toml_text import LARGEST_FILE, NotToml, parsed, shown, span_of

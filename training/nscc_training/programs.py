@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Rejected, Severity
+from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.pipeline import Compiled, Options, compile_source
 from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.target.load import load_target
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc_training.codes_files import Codes, codes_bytes
 
 if TYPE_CHECKING:

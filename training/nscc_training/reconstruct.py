@@ -14,7 +14,7 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Diagnostic, Rejected, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import LEVELS, Options, compile_source
 from nscc.source import Source

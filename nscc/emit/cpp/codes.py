@@ -19,7 +19,7 @@ from nscc.emit.cpp.kernels import calls_words
 from nscc.emit.cpp.patterns import Match, Patterns, patterns_of
 from nscc.emit.cpp.text import Call, comment, literal, section
 from nscc.lower.timeline import RETENTION_SHARE
-from nscc.target.model import Target
+from nscc.target.target import Target
 
 _ROWS_BETWEEN_REFRESHES = 16
 _REFRESHES_IN_A_LIFE = 4

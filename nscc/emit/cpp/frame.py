@@ -15,7 +15,7 @@ from itertools import accumulate
 from math import ceil
 
 from nscc.emit.cpp.text import remarked
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import Container, Kernel
 from nscc.words.encoding import decode
 from nscc.words.operations import Effect

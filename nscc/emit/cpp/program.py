@@ -11,7 +11,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import PurePath
 
-from nscc.diagnostics.model import Diagnostic, Label, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.emit.cpp.bitmap import bitmap
 from nscc.emit.cpp.codes import Loading, loading_lines, loading_of, loading_rate
 from nscc.emit.cpp.frame import (
@@ -27,10 +27,10 @@ from nscc.emit.cpp.kernels import DEVKIT_ANALOG, DEVKIT_DIGITAL, calls, kernel_l
 from nscc.emit.cpp.patterns import ADDRESS_BITS
 from nscc.emit.cpp.text import Call, comment, entry, literal, safe, section
 from nscc.lower.lowered import Lowered
-from nscc.program.model import Program
+from nscc.program.program import Program
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.encoding import decode
 from nscc.words.text import number_text, ranges_text

@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping
 from typing import Any
 
-from nscc.diagnostics.model import Diagnostic, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc_runtime.calibrate.errors import NOT_A_LINE, UNDETERMINED
 from nscc_runtime.calibrate.estimate import Calibration
 from nscc_runtime.calibrate.levels import Moments

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import Literal
 
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc_runtime.calibrate.chain import Chain
 from nscc_runtime.calibrate.estimate import Calibration, Quantity
-from nscc_runtime.sensor.model import Sensor
 from nscc_runtime.sensor.schema import BY_NAME
+from nscc_runtime.sensor.sensor import Sensor
 from nscc_runtime.sensor.values import completed
 
 Status = Literal["measured", "bound", "given", "contained", "default"]

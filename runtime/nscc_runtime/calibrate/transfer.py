@@ -14,7 +14,7 @@ from math import sqrt
 
 import numpy as np
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.calibrate.errors import NOT_TRANSFER, TOO_FEW
 from nscc_runtime.calibrate.fit import Line, Vector, line

@@ -12,7 +12,7 @@ import numpy as np
 from nscc_runtime.device.messages import Channel
 
 if TYPE_CHECKING:
-    from nscc.target.model import Target
+    from nscc.target.target import Target
     from nscc.words.container import Container
     from nscc_runtime.device.parsing import Held
     from nscc_runtime.frame_file import Frame

@@ -8,7 +8,7 @@ from math import log
 from random import Random
 from typing import Any
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.suggest import closest
 
 _TIME = re.compile(r"(\d+(?:\.\d+)?)(us|ms|s)")

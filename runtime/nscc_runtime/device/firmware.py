@@ -28,7 +28,7 @@ from nscc_runtime.device.parsing import container_of
 from nscc_runtime.device.target_header import target_header
 
 if TYPE_CHECKING:
-    from nscc.target.model import Target
+    from nscc.target.target import Target
     from nscc.words.container import Container
     from nscc_runtime.device.board import EmulatedChip
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from typing import Protocol
 
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc_runtime.device.intake import Intake
 from nscc_runtime.device.messages import (
     FRAME,

@@ -23,9 +23,9 @@ from struct import Struct
 
 import numpy as np
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.target.load import target_dict
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc_runtime.device.messages import Begin, Entry
 

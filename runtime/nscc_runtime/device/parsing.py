@@ -13,7 +13,7 @@ from math import isfinite
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout, Word
 from nscc.words.encoding import matching
 from nscc.words.legality import split_pairs, target_fault

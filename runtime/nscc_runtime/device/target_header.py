@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from nscc.target.load import load_target
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.words.container import Word
 from nscc.words.encoding import encode, masks
 from nscc.words.operations import (

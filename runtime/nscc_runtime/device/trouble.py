@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from nscc.diagnostics.model import Diagnostic, Rejected
-from nscc.target.model import Target
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.target.target import Target
 from nscc_runtime.device.host import Refused, Silent, Stalled
 from nscc_runtime.device.messages import Capability, Fault, Info
 from nscc_runtime.device.objects import Upload, target_digest

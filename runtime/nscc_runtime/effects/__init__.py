@@ -10,7 +10,7 @@ leaving one out changes no draw.
 
 from __future__ import annotations
 
-from nscc_runtime.effects.model import Contribution, Effect, Statistics
+from nscc_runtime.effects.effect import Contribution, Effect, Statistics
 from nscc_runtime.effects.registry import (
     BY_NAME,
     EFFECTS,

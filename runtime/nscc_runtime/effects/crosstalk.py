@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.model import Contribution, Effect
+from nscc_runtime.effects.effect import Contribution, Effect
 
 CROSSTALK = Effect(
     name="crosstalk",

@@ -7,9 +7,9 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.model import Contribution, Effect, Statistics, quadrature
+from nscc_runtime.effects.effect import Contribution, Effect, Statistics, quadrature
 from nscc_runtime.noise import key, normals
-from nscc_runtime.sensor.model import Sensor
+from nscc_runtime.sensor.sensor import Sensor
 
 
 def _predict(scene: Statistics, sensor: Sensor) -> Contribution:

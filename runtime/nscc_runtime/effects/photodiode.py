@@ -7,7 +7,7 @@ from math import sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.model import Contribution, Effect
+from nscc_runtime.effects.effect import Contribution, Effect
 
 READ = Effect(
     name="read",

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.model import Contribution, Effect
+from nscc_runtime.effects.effect import Contribution, Effect
 from nscc_runtime.noise import key, normals
-from nscc_runtime.sensor.model import Sensor
+from nscc_runtime.sensor.sensor import Sensor
 
 ADC_NOISE = Effect(
     name="adc_noise",

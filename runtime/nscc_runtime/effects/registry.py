@@ -5,18 +5,18 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.suggest import closest
 from nscc_runtime.effects.crosstalk import CROSSTALK
 from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.model import Effect
+from nscc_runtime.effects.effect import Effect
 from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
 from nscc_runtime.effects.photons import PRNU, SHOT
 from nscc_runtime.effects.readout import ADC, ADC_NOISE
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
-from nscc_runtime.sensor.model import Sensor
 from nscc_runtime.sensor.schema import BY_NAME as PARAMETER
+from nscc_runtime.sensor.sensor import Sensor
 
 EFFECTS: tuple[Effect, ...] = (
     SHOT, PRNU, DARK, LAG, MOTION, CROSSTALK, FULL_WELL, RESET, READ, DEAD_TIME, ANALOG, REGISTER,

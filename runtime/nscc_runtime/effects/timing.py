@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.model import Contribution, Effect
+from nscc_runtime.effects.effect import Contribution, Effect
 
 MOTION = Effect(
     name="motion",

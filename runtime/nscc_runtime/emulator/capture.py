@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.words.soundness import faults
 from nscc_runtime.emulator.steps import Layout, steps_of
 from nscc_runtime.interface import Exposure

@@ -20,7 +20,7 @@ from nscc.words.legality import decoded
 from nscc.words.operations import Effect, Op, Phase
 
 if TYPE_CHECKING:
-    from nscc.target.model import Target
+    from nscc.target.target import Target
     from nscc.words.container import Container
 
 

@@ -28,7 +28,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, poisson
 from nscc_runtime.plan import leak_nodes
 from nscc_runtime.plan.fused import Fused
-from nscc_runtime.plan.model import Plan
+from nscc_runtime.plan.plan import Plan
 from nscc_runtime.plan.pool import processors
 from nscc_runtime.plan.program import Device, Program
 from nscc_runtime.plan.sums import smeared_frames, sums_by_slot, weighted_sums

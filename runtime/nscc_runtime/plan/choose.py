@@ -13,14 +13,14 @@ import numpy as np
 from nscc_runtime.effects import EFFECTS, Effect, Selection, selected
 from nscc_runtime.effects.crosstalk import CROSSTALK
 from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.model import Statistics
+from nscc_runtime.effects.effect import Statistics
 from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
 from nscc_runtime.effects.photons import PRNU, SHOT
 from nscc_runtime.effects.readout import ADC_NOISE
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
 from nscc_runtime.light import Light
-from nscc_runtime.plan.model import Approximation, Choice, Decision, Plan
+from nscc_runtime.plan.plan import Approximation, Choice, Decision, Plan
 from nscc_runtime.plan.predict import SATURATION, Forecast
 from nscc_runtime.plan.program import Program
 

@@ -28,7 +28,7 @@ from nscc_runtime.plan.pool import in_parts
 from nscc_runtime.reference.capture import DESTINATIONS, START, Reference
 from nscc_runtime.reference.noise import PART, SUM
 from nscc_runtime.reference.trace import AnalogWord
-from nscc_runtime.sensor.model import Sensor
+from nscc_runtime.sensor.sensor import Sensor
 
 _DRAWN = (READ, RESET, ANALOG)
 _SITES = 5

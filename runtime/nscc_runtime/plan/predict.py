@@ -24,8 +24,8 @@ from nscc_runtime.effects.timing import DEAD_TIME
 from nscc_runtime.light import Light
 from nscc_runtime.plan import leak_nodes
 from nscc_runtime.plan.capture import Planned
-from nscc_runtime.plan.fields import BOTH, FORCED, Fields, fields_of
-from nscc_runtime.plan.model import Decision, Plan
+from nscc_runtime.plan.effect_fields import BOTH, FORCED, Fields, fields_of
+from nscc_runtime.plan.plan import Decision, Plan
 from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.sample import sample_of
 

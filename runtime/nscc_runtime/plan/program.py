@@ -22,7 +22,7 @@ from nscc_runtime.plan.pixels import Pixels
 from nscc_runtime.plan.reach import Reach, reach_of
 from nscc_runtime.plan.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
-from nscc_runtime.sensor.model import Sensor
+from nscc_runtime.sensor.sensor import Sensor
 
 Values = NDArray[np.float64]
 

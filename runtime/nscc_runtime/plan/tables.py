@@ -18,7 +18,7 @@ from nscc.words.container import Container
 from nscc_runtime.reference.capture import DESTINATIONS, Reference
 from nscc_runtime.reference.trace import AnalogWord, analog_words
 from nscc_runtime.reference.weights import Backward, backward
-from nscc_runtime.sensor.model import Sensor
+from nscc_runtime.sensor.sensor import Sensor
 
 Weights = NDArray[np.float64]
 T = TypeVar("T")

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 import re
 
-from nscc.diagnostics.model import Diagnostic, Rejected
-from nscc_runtime.sensor.model import Sensor
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc_runtime.sensor.sensor import Sensor
 
 _TOLERANCE = re.compile(r"\s*([0-9.]+(?:[eE][+-]?[0-9]+)?)\s*(e|lsb)\s*")
 

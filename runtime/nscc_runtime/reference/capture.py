@@ -27,7 +27,7 @@ from nscc_runtime.reference.charge import Groups, Scene, charge_of_rows
 from nscc_runtime.reference.noise import SpreadNoise
 from nscc_runtime.reference.trace import AnalogWord, analog_words
 from nscc_runtime.reference.weights import Weights, backward, error_sign, orthonormal
-from nscc_runtime.sensor.model import Sensor
+from nscc_runtime.sensor.sensor import Sensor
 
 Values = NDArray[np.float64]
 

@@ -24,7 +24,7 @@ from nscc_runtime.effects.photons import (
 from nscc_runtime.effects.timing import LAG, MOTION
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, poisson, thin
-from nscc_runtime.sensor.model import Sensor
+from nscc_runtime.sensor.sensor import Sensor
 
 Charge = NDArray[np.float64]
 

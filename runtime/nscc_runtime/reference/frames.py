@@ -14,7 +14,7 @@ from nscc_runtime.emulator.capture import check
 from nscc_runtime.frame_file import Frame, read_out
 from nscc_runtime.light import Light
 from nscc_runtime.reference.capture import Reference, scene_of
-from nscc_runtime.sensor.model import Sensor
+from nscc_runtime.sensor.sensor import Sensor
 
 
 def frames(

@@ -13,7 +13,7 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.words.container import Container
 from nscc.words.legality import decoded
 from nscc.words.operations import Effect, Op, Phase

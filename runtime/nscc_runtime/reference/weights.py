@@ -15,7 +15,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.words.container import Container
 from nscc_runtime.reference.trace import AnalogWord
 

@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.model import Diagnostic, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen

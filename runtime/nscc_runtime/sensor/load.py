@@ -11,12 +11,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from nscc.diagnostics.model import Diagnostic, Label, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.source import Source
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.toml_text import LARGEST_FILE, NotToml, parsed, span_of
-from nscc_runtime.sensor.model import Sensor
 from nscc_runtime.sensor.schema import GROUPS, PARAMETERS
+from nscc_runtime.sensor.sensor import Sensor
 from nscc_runtime.sensor.values import Problem, checked, completed
 
 _START = "`nscc effects --toml > sensor.toml` writes a complete file to start from"

@@ -1,7 +1,7 @@
 """The parameters of a sensor: names, defaults, units, ranges and where each default comes from.
 
 One row a parameter: reading a file, writing one, overriding a value and `nscc effects` all follow
-from it. A parameter is an attribute of `nscc_runtime.sensor.model.Sensor` of the same name.
+from it. A parameter is an attribute of `nscc_runtime.sensor.sensor.Sensor` of the same name.
 """
 
 from __future__ import annotations

@@ -10,10 +10,10 @@ from math import isfinite
 from typing import Any
 
 from nscc.diagnostics.suggest import closest
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.toml_text import shown
-from nscc_runtime.sensor.model import Sensor
 from nscc_runtime.sensor.schema import BY_NAME, PARAMETERS, Parameter
+from nscc_runtime.sensor.sensor import Sensor
 
 UNKNOWN, WRONG = "NS0753", "NS0754"
 

@@ -16,7 +16,7 @@ from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.plan.choose import plan_for
-from nscc_runtime.plan.model import Plan
+from nscc_runtime.plan.plan import Plan
 from nscc_runtime.plan.program import Program
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import scene_of

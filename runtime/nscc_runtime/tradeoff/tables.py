@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nscc.tradeoff.points import Point, dominated
-from nscc_runtime.plan.model import Decision, Plan
+from nscc_runtime.plan.plan import Decision, Plan
 from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, REFERENCE, WITH_PLANNING, Asked, Study
 
 SLACK = 1.1

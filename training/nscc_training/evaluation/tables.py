@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from nscc.diagnostics.model import Rejected
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_training.config import load_config
 from nscc_training.evaluation.hdr import ENDINGS, panoramas

@@ -12,7 +12,7 @@ from torch import Tensor, nn
 
 from nscc.diagnostics.rejection import rejected
 from nscc.target.load import load_target, parse_target, read_target
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.make import Task, make_decoder

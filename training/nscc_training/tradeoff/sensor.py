@@ -12,13 +12,13 @@ from pathlib import Path
 
 import numpy as np
 
-from nscc.diagnostics.model import Diagnostic
+from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.lower.plan import Lowering
 from nscc.pipeline import Compiled
-from nscc.program.model import Codes
+from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.target.load import load_target
-from nscc.target.model import Target
+from nscc.target.target import Target
 from nscc.tradeoff.points import Point, Refused
 from nscc.tradeoff.synthesis import Case, Way, compiled_or_not
 from nscc.words.container import Container

@@ -1,0 +1,131 @@
+"""`nscc calibrate`: a sensor file from flat and dark frames."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from nscc.target.load import DEFAULT_NAME, load_target
+from nscc_cli.programs import BuildChoice, load_program
+from nscc_cli.support import CommonCommand, NumberRange, done, progress, say, write_whole
+
+if TYPE_CHECKING:
+    from nscc_runtime.calibrate import Chain
+
+_DARK = "--dark"
+
+
+class _Calibrate(CommonCommand):
+    """Takes several files after one `--dark`, up to the next option."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """Parse after writing `--dark a b` as `--dark a --dark b`."""
+        return super().parse_args(ctx, _spread(args))
+
+
+def _spread(args: list[str]) -> list[str]:
+    found: list[str] = []
+    taking, first = False, False
+    for arg in args:
+        if arg.startswith("-") and arg != "-":
+            # A `--dark` at the very end stays, for click to complain about.
+            if taking and first:
+                found.append(_DARK)
+            taking = first = arg == _DARK
+            if not taking:
+                found.append(arg)
+                taking = arg.startswith(_DARK + "=")
+            continue
+        found += [_DARK, arg] if taking else [arg]
+        first = False
+    return [*found, _DARK] if taking and first else found
+
+
+@click.command(name="calibrate", cls=_Calibrate)
+@click.argument("flats", nargs=-1, required=True, metavar="FLATS..")
+@click.option(
+    _DARK,
+    "darks",
+    multiple=True,
+    required=True,
+    metavar="DARKS..",
+    help="Frames without light: every file up to the next option.",
+)
+@click.option(
+    "-o",
+    "out",
+    type=click.Path(path_type=Path),
+    required=True,
+    metavar="sensor.toml",
+    help="The sensor file to write.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print everything found for programs.")
+@click.option(
+    "--program",
+    type=click.Path(path_type=Path),
+    metavar="FILE.nsl|FILE.icw",
+    help="What the frames were taken with: its reads and words are counted.",
+)
+@click.option(
+    "--crosstalk",
+    type=NumberRange(0, 0.2),
+    metavar="C",
+    help="Take crosstalk as known (0: as EMVA 1288 does) instead of measuring it.",
+)
+@click.option(
+    "--target", metavar="NAME|FILE.toml", default=DEFAULT_NAME, show_default=True,
+    help="The chip: the bits of its ADC, and the defaults.",
+)  # fmt: skip
+def command(
+    flats: tuple[str, ...],
+    darks: tuple[str, ...],
+    out: Path,
+    as_json: bool,
+    program: Path | None,
+    crosstalk: float | None,
+    target: str,
+) -> None:
+    """Measure a sensor by photon transfer, from flat and dark frames of several exposures.
+
+    Each of FLATS and DARKS is one level: frames of the same light and exposure time, two or more.
+    It is a frame file (nscc run --repeat K), an array of codes (rows, cols) or (K, rows, cols) in
+    .npz, .npy or .mat, a picture or a folder of pictures. PATH@TIME, such as flats/3@2ms, says how
+    long its pixels were open; frame files know.
+    """
+    from nscc_runtime.calibrate import (
+        as_json as json_text,
+    )
+    from nscc_runtime.calibrate import (
+        as_table,
+        as_toml,
+        calibrated,
+        grouped,
+        load_stack,
+        messages,
+        parameters,
+    )
+
+    chip = load_target(target, Path())
+    chain = _chain(program)
+    top = (1 << chip.adc_bits) - 1
+    named = [*flats, *darks]
+    stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]
+    found = calibrated(grouped(stacks[: len(flats)]), grouped(stacks[len(flats) :]), top, crosstalk)
+    chosen = parameters(found, chip, chain)
+    text = as_toml(found, chosen)
+    say(messages(found))
+    write_whole(out, text.encode())
+    click.echo(json_text(found, chosen) if as_json else as_table(found))
+    done(f"wrote {out}")
+
+
+def _chain(program: Path | None) -> Chain:
+    from nscc_runtime.calibrate import Chain
+
+    if program is None:
+        return Chain()
+    container, said = load_program(program, BuildChoice())
+    say(said)
+    return Chain.of(container)

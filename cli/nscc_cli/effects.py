@@ -1,0 +1,91 @@
+"""`nscc effects`: what the sensor model knows, and a sensor file to start from."""
+
+from __future__ import annotations
+
+import json
+import textwrap
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from nscc.target.load import DEFAULT_NAME, load_target
+from nscc_cli.support import CommonCommand
+
+if TYPE_CHECKING:
+    from nscc_runtime.sensor import Sensor
+
+_WIDTH = 98
+
+
+@click.command(name="effects", cls=CommonCommand)
+@click.argument("name", required=False, metavar="[EFFECT]")
+@click.option("--json", "as_json", is_flag=True, help="Print every effect for programs.")
+@click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")
+@click.option(
+    "--target", metavar="NAME|FILE.toml", default=DEFAULT_NAME, show_default=True,
+    help="The chip whose figures are the defaults.",
+)  # fmt: skip
+@click.option(
+    "--sensor", type=click.Path(path_type=Path), help="Show this file's values, not the defaults."
+)
+@click.option("--sensor-set", "changes", multiple=True, metavar="K=V", help="Change one value.")
+def command(
+    name: str | None,
+    as_json: bool,
+    toml: bool,
+    target: str,
+    sensor: Path | None,
+    changes: tuple[str, ...],
+) -> None:
+    """List the effects of the sensor, or show all about one (EFFECT)."""
+    from nscc_runtime.effects import effects_json
+    from nscc_runtime.sensor import load_sensor, sensor_toml
+
+    if as_json + toml + (name is not None) > 1:
+        raise click.UsageError("EFFECT, --json and --toml print different things: give one of them")
+    found = load_sensor(load_target(target, Path()), sensor, changes)
+    if toml:
+        click.echo(sensor_toml(found), nl=False)
+    elif as_json:
+        click.echo(json.dumps({"effects": effects_json(found)}, indent=2))
+    else:
+        click.echo(listing() if name is None else details(name, found))
+
+
+def listing() -> str:
+    """One line an effect."""
+    from nscc_runtime.effects import EFFECTS
+
+    width = max(len(effect.name) for effect in EFFECTS)
+    lines = [f"{e.name:<{width}}  {e.kind:<6}  {e.title}" for e in EFFECTS]
+    return "\n".join(
+        [
+            *lines,
+            "",
+            "fixed: the same in every frame; random: new in every frame; after: in the readout",
+            "`nscc effects NAME` shows one, --toml prints a sensor file",
+        ]
+    )
+
+
+def details(name: str, sensor: Sensor) -> str:
+    """Everything about one effect, with its parameters; NS0756 for one that there is not."""
+    from nscc_runtime.effects.registry import named
+    from nscc_runtime.sensor.schema import BY_NAME as PARAMETER
+
+    effect = named(name)
+    lines = [f"{effect.name}: {effect.title} ({effect.kind})"]
+    for heading, text in (
+        ("model", effect.model),
+        ("predicted", effect.contribution),
+        ("cost", effect.cost),
+        ("applied", effect.applied),
+    ):
+        lines += textwrap.wrap(
+            text, _WIDTH, initial_indent=f"  {heading:<11}", subsequent_indent=" " * 13
+        )
+    for row in map(PARAMETER.__getitem__, effect.parameters):
+        value = f"{getattr(sensor, row.name):.10g} {row.unit}"
+        lines.append(f"  {row.name} = {value}, {row.allowed}: {row.meaning} ({row.source})")
+    return "\n".join(lines)

@@ -1,0 +1,225 @@
+"""`nscc evaluate`: scores under a protocol, and comparisons of them."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nscc_cli.support import CommonCommand, NumberRange, Product, done, progress, write_together
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+class _Evaluations(CommonCommand, click.Group):
+    """What can be evaluated; any other name is a run folder or a baseline."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The evaluation named first in `args`, and what follows it."""
+        name = args[0]
+        if name in self.commands or name.startswith("-"):
+            return super().resolve_command(ctx, args)
+        return "of", self.commands["of"], args
+
+
+@click.group("evaluate", cls=_Evaluations)
+def command() -> None:
+    """Score reconstructions under a frozen protocol, whose digest stands beside every number.
+
+    `nscc evaluate NAME --data DIR --protocol P` is short for `nscc evaluate of NAME ..`.
+    """
+
+
+def _outputs(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Adds `--json` and `-o`."""
+    options = (
+        click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
+        click.option("-o", "out", type=click.Path(path_type=Path), help="Write it to a file."),
+    )
+    for option in reversed(options):
+        function = option(function)
+    return function
+
+
+@command.command("sci8", cls=CommonCommand)
+@click.argument(
+    "clips", metavar="CLIP.mat...", nargs=-1, required=True, type=click.Path(path_type=Path)
+)
+@click.option("--method", default="gap-tv", show_default=True, metavar="M",
+              help="gap-tv, admm-tv, dictionary, adjoint; or a yardstick: bilinear, "
+              "thin-out.")  # fmt: skip
+@click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
+@click.option("--weight", type=NumberRange(0, 10, min_open=True), default=0.1,
+              show_default=True, help="Of total variation, for values on [0, 1].")  # fmt: skip
+@click.option("--save", type=click.Path(path_type=Path), metavar="DIR",
+              help="Write reconstructions and truth into this folder.")  # fmt: skip
+@_outputs
+def sci8(
+    clips: tuple[Path, ...], method: str, iterations: int, weight: float, save: Path | None,
+    as_json: bool, out: Path | None,
+) -> None:  # fmt: skip
+    """The benchmark of snapshot compressive imaging: eight frames from one measurement.
+
+    The yardsticks see the truth, not the measurement, and say so in the result ("sees").
+    """
+    from nscc_training.baselines.compiled import is_compiled
+    from nscc_training.evaluation.sci8 import evaluate_sci8
+
+    names = [path.name for path in clips]
+    if twice := sorted({name for name in names if names.count(name) > 1}):
+        raise click.UsageError(f"a clip counts once, and results know it by its name: {twice[0]}")
+    if method.endswith("-tv") and not is_compiled():
+        done("compiling the loop of total variation for this processor: once, some seconds")
+    found, arrays = evaluate_sci8(list(clips), method, iterations, weight)
+    _finish(found, arrays, save, as_json, out)
+
+
+@command.command("of", cls=CommonCommand)
+@click.argument("subject", metavar="RUN|BASELINE")
+@click.option("--data", required=True, type=click.Path(path_type=Path), metavar="DIR",
+              help="The folder of scenes.")  # fmt: skip
+@click.option("--protocol", required=True, metavar="P", help="hdr-v1, video-v1 or sci8.")
+@click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
+@click.option("--save", type=click.Path(path_type=Path), metavar="DIR",
+              help="Write reconstructions and truth into this folder.")  # fmt: skip
+@_outputs
+def of(
+    subject: str, data: Path, protocol: str, seed: int, save: Path | None, as_json: bool,
+    out: Path | None,
+) -> None:  # fmt: skip
+    """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
+
+    A run that has seen one of the files is refused. Baselines of hdr-v1: ldr (always open),
+    best-uniform (the single stop that is best in hindsight, in linear PSNR), best-uniform-mu (the
+    same in mu-law PSNR), quad (2 x 2 geometric exposures), random, all decoded by merging
+    neighbours; sparse-coding (random, by convolutional sparse coding). Of video-v1: gap-tv,
+    admm-tv, dictionary, adjoint on random bits, and the yardsticks bilinear and thin-out.
+    """
+    from nscc_training.evaluation.subjects import evaluate
+
+    found, arrays = evaluate(subject, data, protocol, seed)
+    _finish(found, arrays, save, as_json, out)
+
+
+@command.command("tables", cls=CommonCommand)
+@click.option("--data", required=True, type=click.Path(path_type=Path), metavar="DIR",
+              help="Panoramas and clips, or folders hdr and video of them.")  # fmt: skip
+@click.option("--runs", type=click.Path(path_type=Path), metavar="DIR",
+              help="A folder of run folders; runs of one row are its seeds.")  # fmt: skip
+@click.option("--results", type=click.Path(path_type=Path), metavar="DIR",
+              help="What `nscc evaluate -o` wrote before: it is not done again.")  # fmt: skip
+@_outputs
+def tables(
+    data: Path, runs: Path | None, results: Path | None, as_json: bool, out: Path | None
+) -> None:
+    """The paper's Tables 2, 3 and 4: its rows and ours, what was measured here beside them.
+
+    Baselines are evaluated on the data, which takes minutes; rows of decoders need runs of `nscc
+    train`. Rows that were not run say so.
+    """
+    from nscc_training.evaluation.tables import tables as filled
+    from nscc_training.evaluation.tables import text_of
+
+    rows = filled(data, runs, results, lambda rows: progress(rows, "evaluating"))
+    text = json.dumps(rows, indent=2, allow_nan=False) + "\n"
+    if out is not None:
+        write_together({out: text.encode()})
+    click.echo(text if as_json else text_of(rows), nl=False)
+
+
+@command.command("compare", cls=CommonCommand)
+@click.argument("results", metavar="A.json B.json [A.json B.json ...]", nargs=-1, required=True,
+                type=click.Path(path_type=Path))  # fmt: skip
+@click.option("--metric", default="psnr_db", show_default=True, metavar="NAME_db",
+              help="Which metric of the items; hdr-v1 has mu_psnr_db, too.")  # fmt: skip
+@_outputs
+def compare(results: tuple[Path, ...], metric: str, as_json: bool, out: Path | None) -> None:
+    """How much better B is than A, in pairs: the same items of the same scenes.
+
+    More pairs are more seeds of the same two: the interval is over scenes, with all seeds.
+    """
+    if len(results) % 2:
+        raise click.UsageError("results are compared in pairs: A.json B.json, for each seed")
+    from nscc_training.evaluation.results import compare as compared
+    from nscc_training.evaluation.results import read_result
+
+    read = [read_result(path) for path in results]
+    found = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
+    text = json.dumps(found, indent=2, allow_nan=False) + "\n"
+    if out is not None:
+        write_together({out: text.encode()})
+    if as_json:
+        click.echo(text, nl=False)
+        return
+    gain, interval = found["gain_db"], found["ci95"]
+    if gain is None:
+        click.echo("no pair of items has finite scores")
+        return
+    unit = " dB" if metric.endswith("_db") else ""
+    between = "one scene" if interval is None else f"95 % {interval[0]:+.3f} to {interval[1]:+.3f}"
+    click.echo(
+        f"{found['second']['method']} over {found['first']['method']}: {gain:+.3f}{unit}, "
+        f"{between} ({metric}, {found['items']} items of {found['scenes']} scenes"
+        f"{_seeds(found['pairs'])}, "
+        f"protocol {found['protocol']})"
+    )
+
+
+def _seeds(count: int) -> str:
+    return f" with {count} seeds" if count > 1 else ""
+
+
+def _finish(
+    found: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, as_json: bool,
+    out: Path | None,
+) -> None:  # fmt: skip
+    """Write and print a result."""
+    import numpy as np
+
+    text = json.dumps(found, indent=2, allow_nan=False) + "\n"
+    products: dict[Path, Product] = {}
+    if out is not None:
+        products[out] = text.encode()
+    if save is not None:
+        save.mkdir(parents=True, exist_ok=True)
+        for name, values in arrays.items():
+            stream = io.BytesIO()
+            np.save(stream, values)
+            products[save / f"{name}.npy"] = stream.getvalue()
+    write_together(products)
+    click.echo(text if as_json else _lines(found), nl=False)
+
+
+def _lines(found: dict[str, Any]) -> str:
+    """A result as a few lines."""
+    lines = [f"{found['method']}, protocol {found['protocol']} ({found['protocol_sha256'][:12]})"]
+    if found["sees"] == "truth":
+        lines.append("  a yardstick: it sees the truth, not the capture")
+    files = list(dict.fromkeys(item["file"] for item in found["items"]))
+    for file in files:
+        items = [item for item in found["items"] if item["file"] == file]
+        finite = [item["psnr_db"] for item in items if item["psnr_db"] != "inf"]
+        mean = f"{sum(finite) / len(finite):.2f} dB" if finite else "inf"
+        ssim = sum(item["ssim"] for item in items) / len(items)
+        lines.append(f"  {file:32} {mean}, SSIM {ssim:.4f}, {len(items)} items")
+    passed = Counter(f"{entry['file']}: {entry['reason']}" for entry in found["left_out"])
+    for reason, count in passed.items():
+        lines.append(f"  left out: {reason}" + (f", {count} times" if count > 1 else ""))
+    if found["mean"] is not None:
+        interval = found["ci95"]
+        between = "one scene" if interval is None else "95 % {:.2f} to {:.2f}".format(*interval)
+        lines.append(
+            f"  mean {found['mean']:.2f} dB, sd {found['sd']:.2f}, {between}"
+            f", {found['infinite']} infinite"
+        )
+    if found["decoder_ms"] is not None:
+        lines.append(f"  {found['decoder_ms']:.0f} ms a scene on {found['device']}")
+    return "\n".join(lines) + "\n"

@@ -1,0 +1,158 @@
+"""Exceptions that no command meant to raise: trouble with files or memory, and faults of nscc."""
+
+from __future__ import annotations
+
+import io
+import os
+import platform
+import re
+import sys
+import traceback
+import zipfile
+from collections.abc import Sequence
+from hashlib import sha256
+from pathlib import Path
+
+from nscc import __version__
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+
+REJECTED = 1
+WRONG_USAGE = 2
+FAILED = 3
+FAULT = 70
+
+_MOST_BYTES = 4 << 20
+"""Inputs above this size are named in a reproducer, not copied into it."""
+
+
+def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagnostic, int]:
+    """The diagnostic and exit status of an exception that no command expects.
+
+    NS0784 (status 2) where a file or stream fails, NS0902 (3) where memory runs out, NS0903 (1)
+    where the input is nested too deeply, NS0904 (2) where a package is missing, else NS0901 (70)
+    with a reproducer.
+    """
+    if isinstance(error, MemoryError):
+        return _out_of_memory(error), FAILED
+    if isinstance(error, RecursionError):
+        return _too_deep(), REJECTED
+    if isinstance(error, ModuleNotFoundError) and not (error.name or "nscc").startswith("nscc"):
+        return _missing_package(error), WRONG_USAGE
+    if isinstance(error, OSError) and error.errno is not None and not _of_nscc(error.filename):
+        where = f" '{error.filename}'" if error.filename else ""
+        reason = error.strerror or str(error)
+        return Diagnostic("NS0784", f"cannot read or write{where}: {reason}"), WRONG_USAGE
+    return _fault(error, arguments), FAULT
+
+
+def _missing_package(error: ModuleNotFoundError) -> Diagnostic:
+    extra = "'nscc[train]'" if error.name in ("safetensors", "torch") else "nscc"
+    return Diagnostic(
+        "NS0904",
+        f"the Python package '{error.name}', which this needs, is not installed",
+        helps=(
+            f"install nscc with its dependencies: pip install {extra}",
+            "`nscc doctor` lists them",
+        ),
+    )
+
+
+def _out_of_memory(error: MemoryError) -> Diagnostic:
+    said = " ".join(str(error).split())
+    return Diagnostic(
+        "NS0902",
+        "there is not enough memory for this",
+        notes=(said,) if said else (),
+        helps=("use fewer slots, codes or repeats, a smaller array, or leave `--keep` out",),
+    )
+
+
+def _too_deep() -> Diagnostic:
+    return Diagnostic(
+        "NS0903",
+        "this input is nested more deeply than nscc can follow",
+        helps=("use fewer parentheses, or name parts of an expression with `let`",),
+    )
+
+
+def _of_nscc(filename: object) -> bool:
+    """A file of nscc's own that fails is a broken installation, not the user's file."""
+    root = os.path.realpath(Path(__file__).parents[1]) + os.sep
+    return isinstance(filename, str) and os.path.realpath(filename).startswith(root)
+
+
+def _fault(error: Exception, arguments: Sequence[str]) -> Diagnostic:
+    trace = "".join(traceback.format_exception(error))
+    said = " ".join(str(error).split())[:200]
+    saved = _save(_packed(trace, arguments))
+    notes: tuple[str, ...]
+    if saved is None:
+        notes = ("no reproducer could be saved: neither here nor in the temporary folder", trace)
+        helps = ("please report it with the text above and your input",)
+    else:
+        notes = (f"this is a fault of nscc, not of your input; a reproducer saved as '{saved}'",)
+        helps = ("please report it with the reproducer (it holds the input files)",)
+    return Diagnostic(
+        "NS0901", f"nscc itself failed: {type(error).__name__}: {said}", notes=notes, helps=helps
+    )
+
+
+def _save(data: bytes) -> str | None:
+    """Writes the reproducer into the current or the temporary folder; where, None where neither."""
+    import tempfile
+
+    from nscc_cli.support import write_whole
+
+    name = f"nscc-fault-{sha256(data).hexdigest()[:12]}.zip"
+    for path in (Path(name), Path(tempfile.gettempdir()) / name):
+        try:
+            write_whole(path, data)
+        except Rejected:
+            continue
+        return str(path)
+    return None
+
+
+def _packed(trace: str, arguments: Sequence[str]) -> bytes:
+    """Command line, versions, traceback and input files, as a zip."""
+    versions = f"nscc {__version__}\nPython {sys.version}\n{platform.platform()}\n"
+    members = {
+        "command.txt": "\n".join(["nscc", *arguments, ""]).encode(errors="replace"),
+        "traceback.txt": trace.encode(errors="replace"),
+        "versions.txt": versions.encode(),
+    }
+    for number, path in enumerate(_inputs(arguments)):
+        members[f"inputs/{number}-{path.name}"] = _content(path)
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in members.items():
+            archive.writestr(zipfile.ZipInfo(name, (1980, 1, 1, 0, 0, 0)), content)
+    return packed.getvalue()
+
+
+def _inputs(arguments: Sequence[str]) -> list[Path]:
+    """The files that the command line names, and those that programs among them read."""
+    named = [Path(argument) for argument in arguments if _is_file(Path(argument))]
+    found = list(named)
+    for program in named:
+        if program.suffix == ".nsl":
+            quoted = re.findall(r'"([^"\n]{1,255})"', _content(program).decode(errors="replace"))
+            found.extend(path for name in quoted if _is_file(path := program.parent / name))
+    return list(dict.fromkeys(found))
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def _content(path: Path) -> bytes:
+    try:
+        size = path.stat().st_size
+        if size > _MOST_BYTES:
+            return f"{path}: {size} bytes, not copied\n".encode(errors="replace")
+        return path.read_bytes()
+    except OSError as error:
+        return f"{path}: {error}\n".encode(errors="replace")

@@ -1,0 +1,106 @@
+"""The front door: runs a command and turns whatever happens into an exit status.
+
+0 done; 1 the program is rejected; 2 wrong usage or configuration; 3 device or emulator
+failure; 70 a fault of nscc itself; 130 interrupted.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from nscc import __version__
+
+if TYPE_CHECKING:
+    from nscc_cli.support import Session
+
+DONE = 0
+WRONG_USAGE = 2
+INTERRUPTED = 130
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run `nscc` with these arguments (default: the process's) and return the exit status."""
+    arguments = list(sys.argv[1:] if argv is None else argv)
+    if arguments == ["--version"]:
+        print(f"nscc {__version__}")
+        return DONE
+    try:
+        return _run(arguments)
+    except KeyboardInterrupt:
+        sys.stderr.write("\ninterrupted\n")
+        return INTERRUPTED
+    except BrokenPipeError:
+        # The reader of our output has seen enough (`nscc disasm x.icw | head`): no fault, and
+        # no second complaint when the interpreter flushes what is left.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        return DONE
+
+
+def _run(arguments: list[str]) -> int:
+    import click
+
+    from nscc.diagnostics.diagnostic import Rejected
+    from nscc_cli.support import Session, show
+
+    session = Session()
+    _preset_format(arguments, session)
+    try:
+        try:
+            return _invoke(arguments, session)
+        finally:
+            sys.stdout.flush()
+    except Rejected as rejected:
+        diagnostics, status = rejected.diagnostics, rejected.status
+    except click.ClickException as error:
+        from nscc_cli.usage import usage_diagnostic
+
+        diagnostics, status = (usage_diagnostic(error),), WRONG_USAGE
+    except BrokenPipeError:
+        raise
+    except click.Abort as error:
+        raise KeyboardInterrupt from error
+    except Exception as error:
+        from nscc_cli.fault import explain_exception
+
+        diagnostic, status = explain_exception(error, arguments)
+        diagnostics = (diagnostic,)
+    show(diagnostics, session.message_format)
+    return status
+
+
+def _invoke(arguments: list[str], session: Session) -> int:
+    """Run the command; it may return its exit status, or nothing for 0."""
+    import click
+
+    from nscc_cli.group import group
+
+    if "_NSCC_COMPLETE" in os.environ:  # set by the shell's completion script
+        from click.shell_completion import shell_complete
+
+        return shell_complete(group, {}, "nscc", "_NSCC_COMPLETE", os.environ["_NSCC_COMPLETE"])
+    try:
+        with group.make_context("nscc", list(arguments), obj=session) as context:
+            result = group.invoke(context)
+    except click.exceptions.Exit as leave:
+        return leave.exit_code
+    return result if isinstance(result, int) and not isinstance(result, bool) else DONE
+
+
+def _preset_format(arguments: list[str], session: Session) -> None:
+    """Learn `--message-format` before parsing: wrong usage is reported in that format, too."""
+    from nscc_cli.support import FORMATS
+
+    for position, argument in enumerate(arguments):
+        name, _, value = argument.partition("=")
+        if argument == "--":
+            return
+        if name != "--message-format":
+            continue
+        if argument == name and position + 1 < len(arguments):
+            value = arguments[position + 1]
+        for known in FORMATS:
+            if value == known:
+                session.message_format = known

@@ -1,0 +1,247 @@
+"""What every command shares: the common options, messages, whole files and progress."""
+
+from __future__ import annotations
+
+import os
+import stat
+import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Sized
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import monotonic
+from typing import Any, BinaryIO, Literal, TypeVar
+
+import click
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+
+Item = TypeVar("Item")
+MessageFormat = Literal["human", "short", "json"]
+FORMATS: tuple[MessageFormat, ...] = ("human", "short", "json")
+
+_BAR_DELAY_S = 1.0
+_BAR_REFRESH_S = 0.1
+_BAR_WIDTH = 30
+
+
+@dataclass
+class Session:
+    """How one invocation of nscc talks to its user."""
+
+    message_format: MessageFormat = "human"
+    deny_warnings: bool = False
+
+
+class NumberRange(click.FloatRange):
+    """A number within limits. Comparing tells nothing about NaN, which click lets pass."""
+
+    def convert(
+        self, value: Any, param: click.Parameter | None, ctx: click.Context | None
+    ) -> float:
+        """The number; BadParameter for what is none."""
+        found = float(super().convert(value, param, ctx))
+        if found != found:
+            self.fail(f"{value!r} is no number.", param, ctx)
+        return found
+
+
+def session() -> Session:
+    """The running invocation's session; a fresh one outside of any command."""
+    context = click.get_current_context(silent=True)
+    return context.find_root().ensure_object(Session) if context else Session()
+
+
+def use_color() -> bool:
+    """Colour only on a terminal that can show it, and never with NO_COLOR."""
+    return (
+        sys.stderr.isatty()
+        and not os.environ.get("NO_COLOR")
+        and os.environ.get("TERM", "") != "dumb"
+    )
+
+
+def show(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> None:
+    """Render diagnostics to standard error."""
+    if not diagnostics:
+        return
+    from nscc.diagnostics.render import render
+
+    text = render(diagnostics, message_format, use_color())
+    sys.stderr.write(text if text.endswith("\n") else text + "\n")
+    sys.stderr.flush()
+
+
+def say(diagnostics: Sequence[Diagnostic]) -> None:
+    """Show warnings and notes now.
+
+    Call this before writing products. With `--deny-warnings` a warning among them raises
+    Rejected (status 1) with the warnings turned into errors, so that nothing gets written.
+    """
+    now = session()
+    if now.deny_warnings and any(d.severity is Severity.WARNING for d in diagnostics):
+        raise Rejected(tuple(_denied(d) for d in diagnostics))
+    show(diagnostics, now.message_format)
+
+
+def done(text: str) -> None:
+    """Tell the user what was done, on standard error; programs (json) read the files instead."""
+    if session().message_format != "json":
+        click.echo(text, err=True)
+
+
+def _denied(diagnostic: Diagnostic) -> Diagnostic:
+    if diagnostic.severity is not Severity.WARNING:
+        return diagnostic
+    notes = (*diagnostic.notes, "a warning, made an error by --deny-warnings")
+    return replace(diagnostic, severity=Severity.ERROR, notes=notes)
+
+
+class CommonCommand(click.Command):
+    """A command with the options that all commands share: `--message-format`, `--deny-warnings`.
+
+    Both end up in the session; the command's function does not see them.
+    """
+
+    def __init__(self, *arguments: Any, **settings: Any) -> None:
+        super().__init__(*arguments, **settings)
+        self.params.append(
+            click.Option(
+                ["--message-format"],
+                type=click.Choice(FORMATS),
+                default=None,
+                expose_value=False,
+                callback=_set_format,
+                help="How messages are written to standard error (default: human).",
+            )
+        )
+        self.params.append(
+            click.Option(
+                ["--deny-warnings"],
+                is_flag=True,
+                expose_value=False,
+                callback=_set_deny,
+                help="Treat warnings as errors.",
+            )
+        )
+
+
+def _set_format(context: click.Context, _option: click.Parameter, value: Any) -> None:
+    if value is not None:
+        context.find_root().ensure_object(Session).message_format = value
+
+
+def _set_deny(context: click.Context, _option: click.Parameter, value: Any) -> None:
+    if value:
+        context.find_root().ensure_object(Session).deny_warnings = True
+
+
+Product = bytes | Callable[[BinaryIO], object]
+"""What goes into a file: its bytes, or a function that writes them to the open file."""
+
+
+def write_whole(path: Path, data: Product) -> None:
+    """Write a file whole or not at all; raises Rejected (NS0784, status 2) where it cannot be."""
+    write_together({path: data})
+
+
+def write_together(products: Mapping[Path, Product]) -> None:
+    """Write several files, none of them before the bytes of all are on the disk.
+
+    Raises Rejected (NS0784, status 2) where one cannot be written, and leaves no partial file.
+    """
+    waiting: list[tuple[Path, Path]] = []
+    try:
+        for path, data in products.items():
+            try:
+                waiting.extend(_put_beside(path, data))
+            except OSError as error:
+                raise _cannot_write(path, error) from error
+        while waiting:
+            temporary, final = waiting[0]
+            try:
+                os.replace(temporary, final)
+            except OSError as error:
+                raise _cannot_write(final, error) from error
+            waiting.pop(0)
+    finally:
+        for temporary, _ in waiting:
+            temporary.unlink(missing_ok=True)
+
+
+def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
+    """Write to a temporary neighbour of `path`; a pipe or device is written directly."""
+    final = Path(os.path.realpath(path))
+    if final.is_dir():
+        raise IsADirectoryError(21, "Is a directory", str(path))
+    if final.exists() and not stat.S_ISREG(final.stat().st_mode):
+        with open(final, "wb") as file:
+            _fill(file, data)
+        return []
+    temporary = final.with_name(f".{final.name[:200]}.{os.getpid()}.part")
+    # Left by a process that was killed while it wrote; in containers numbers soon come again.
+    temporary.unlink(missing_ok=True)
+    try:
+        with open(temporary, "xb") as file:
+            _fill(file, data)
+    except BaseException:
+        temporary.unlink(missing_ok=True)
+        raise
+    return [(temporary, final)]
+
+
+def _fill(file: BinaryIO, data: Product) -> None:
+    if isinstance(data, bytes):
+        file.write(data)
+    else:
+        data(file)
+
+
+def _cannot_write(path: Path, error: OSError) -> Rejected:
+    reason = error.strerror or str(error)
+    folder = path.parent
+    if not folder.is_dir():
+        help_text = f"make the folder '{folder}' first, or name another file"
+    else:
+        help_text = "name a file that you may write, in a folder with room"
+    return Rejected(
+        Diagnostic("NS0784", f"cannot write '{path}': {reason}", helps=(help_text,)), status=2
+    )
+
+
+def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> Iterator[Item]:
+    """Hand on the items; draw a bar on standard error if that is a terminal and it takes long.
+
+    `total` is the number of items where it is known and `iterable` has no length. Nothing
+    is drawn in the first second, nor with a message format other than human.
+    """
+    if not sys.stderr.isatty() or session().message_format != "human":
+        yield from iterable
+        return
+    if total is None and isinstance(iterable, Sized):
+        total = len(iterable)
+    begin = monotonic()
+    next_draw = begin + _BAR_DELAY_S
+    drawn = False
+    try:
+        for done, item in enumerate(iterable):
+            now = monotonic()
+            if now >= next_draw:
+                sys.stderr.write("\r\x1b[2K" + bar_line(label, done, total, now - begin))
+                sys.stderr.flush()
+                drawn = True
+                next_draw = now + _BAR_REFRESH_S
+            yield item
+    finally:
+        if drawn:
+            sys.stderr.write("\r\x1b[2K")
+            sys.stderr.flush()
+
+
+def bar_line(label: str, done: int, total: int | None, elapsed_s: float) -> str:
+    """One line of progress: a bar and the time left if `total` is known, else a count."""
+    if not total:
+        return f"{label}: {done}, {elapsed_s:.0f} s"
+    share = min(done / total, 1.0)
+    filled = round(share * _BAR_WIDTH)
+    left = f", {elapsed_s / share - elapsed_s:.0f} s left" if share > 0 else ""
+    return f"{label} [{'#' * filled}{'.' * (_BAR_WIDTH - filled)}] {share:4.0%}{left}"

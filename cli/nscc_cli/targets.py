@@ -1,0 +1,152 @@
+"""`nscc targets`: the chips that nscc knows, and everything it knows of one."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import click
+
+from nscc.target.load import DEFAULT_NAME, builtin_names, builtin_target, load_target, target_toml
+from nscc.target.schema import KEYS
+from nscc.target.target import Target
+from nscc_cli.support import CommonCommand, progress
+
+DEFAULT_SLOTS = ("1ms", "10us")
+"""Slot lengths that limits are found for: one that leaves room for any words, one that does not."""
+
+_TIME = re.compile(r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)")
+
+
+def _checked_times(
+    _context: click.Context, _option: click.Parameter, values: tuple[str, ...]
+) -> tuple[str, ...]:
+    """The times as given, each once."""
+    for value in values:
+        if not _TIME.fullmatch(value):
+            raise click.BadParameter(f"'{value}' is no time: write 10us, 1.5ms, 800ns or 2s")
+        if not float(value.rstrip("nums")):
+            raise click.BadParameter("a slot lasts longer than nothing")
+    return tuple(dict.fromkeys(values))
+
+
+@click.command(name="targets", cls=CommonCommand)
+@click.argument("name", required=False, metavar="[NAME|FILE.toml]")
+@click.option("--toml", is_flag=True, help="Print a complete file that --target accepts.")
+@click.option(
+    "--limits",
+    is_flag=True,
+    help="Compile every class at growing sizes: what fits, what cannot, what is unknown.",
+)
+@click.option("--json", "as_json", is_flag=True, help="Print the limits for programs.")
+@click.option(
+    "--slot",
+    "slots",
+    multiple=True,
+    metavar="TIME",
+    callback=_checked_times,
+    help="Length of the slots that limits are found for; may be repeated (default: 1ms and 10us).",
+)
+@click.option(
+    "-O", "level", type=click.IntRange(0, 3), default=1, show_default=True,
+    help="How hard the compiler tries while limits are found.",
+)  # fmt: skip
+def command(
+    name: str | None, toml: bool, limits: bool, as_json: bool, slots: tuple[str, ...], level: int
+) -> None:
+    """List the chips that nscc knows, or show all about one (NAME or FILE.toml)."""
+    if limits and toml:
+        raise click.UsageError("--limits and --toml print different things: give one of them")
+    if not limits and (as_json or slots):
+        raise click.UsageError(f"{'--json' if as_json else '--slot'} goes with --limits")
+    if name is None and not toml and not limits:
+        click.echo(listing())
+        return
+    target = load_target(name or DEFAULT_NAME, Path())
+    if limits:
+        click.echo(_limits(target, level, slots or DEFAULT_SLOTS, as_json=as_json))
+    else:
+        click.echo(target_toml(target) if toml else details(target), nl=not toml)
+
+
+def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool) -> str:
+    """The limits of a chip, found now by compiling."""
+    from nscc.limits.survey import Limit, survey
+    from nscc.limits.table import limits_json, limits_text
+    from nscc.pipeline import Options
+
+    found: list[Limit] = []
+
+    def trials() -> Iterator[object]:
+        found.extend((yield from survey(target, Options(level=level), slots)))
+
+    for _ in progress(trials(), "compiling programs"):
+        pass
+    if as_json:
+        return json.dumps(limits_json(target, level, found), indent=2)
+    return limits_text(target, level, found)
+
+
+def listing() -> str:
+    """One line a builtin target."""
+    rows = [("name", "array", "digital", "analog", "")]
+    for name in builtin_names():
+        target = builtin_target(name)
+        rows.append(
+            (
+                name,
+                f"{target.rows} x {target.cols}",
+                str(len(target.digital_registers)),
+                str(len(target.analog_registers)),
+                target.description,
+            )
+        )
+    widths = [max(len(row[i]) for row in rows) for i in range(5)]
+    lines = ["  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True))
+             for row in rows]  # fmt: skip
+    return "\n".join(line.rstrip() for line in lines)
+
+
+def details(target: Target) -> str:
+    """Every key of a target, by section, with what is not public about it."""
+    lines = [f"{target.name}: {target.description}" if target.description else target.name]
+    width = max(len(_value(target, key.attribute)) for key in KEYS if key.section)
+    section = ""
+    for key in KEYS:
+        if not key.section:
+            continue
+        if key.section != section:
+            section = key.section
+            lines += ["", section]
+        mark = "" if key.public else " (not public)"
+        lines.append(
+            f"  {key.key:<22} {_value(target, key.attribute):<{width}}  {key.comment}{mark}"
+        )
+    lines += [
+        "",
+        f"electrons a code of the readout: {target.electrons_per_lsb:.6g}",
+        "(not public): this project's default; a file of your own may say otherwise "
+        f"(`nscc targets {target.name} --toml`)",
+    ]
+    return "\n".join(lines)
+
+
+def _value(target: Target, attribute: str) -> str:
+    value = getattr(target, attribute)
+    if value is None:
+        return "any" if attribute.endswith("_sources") else "none"
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, tuple):
+        return _names(value)
+    return f"{value:.10g}" if isinstance(value, float) else str(value)
+
+
+def _names(names: tuple[str, ...]) -> str:
+    """Register names, a run such as R0, R1, .. R12 shortened."""
+    run = [name for i, name in enumerate(names) if name == f"R{i}"]
+    if len(run) > 3 and names[: len(run)] == tuple(run):
+        return " ".join((f"R0..{run[-1]}", *names[len(run) :]))
+    return " ".join(names) or "none"

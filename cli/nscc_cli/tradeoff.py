@@ -1,0 +1,165 @@
+"""`nscc tradeoff`: what more time buys, measured on this machine."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import groupby
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import click
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.lower.plan import LOWERINGS, Lowering
+from nscc.pipeline import LEVELS
+from nscc.tradeoff.device import processor_name
+from nscc.tradeoff.points import Point, csv_text, dominated, table_text
+from nscc.tradeoff.synthesis import Case, Count, Way, builtin_cases, every_way, measure
+from nscc_cli.support import CommonCommand, progress
+from nscc_cli.tradeoff_decoder import command as decoder
+from nscc_cli.tradeoff_emulator import command as emulator
+from nscc_cli.tradeoff_files import output_files, output_options, some, write_files
+from nscc_cli.tradeoff_sensor import command as sensor
+
+if TYPE_CHECKING:
+    from nscc_runtime.diagram import Line
+
+_LEVELS = [str(level) for level in LEVELS]
+_WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a frame"}
+
+
+class _Tradeoffs(CommonCommand, click.Group):
+    """The tradeoffs that there are; another name is rejected with their list."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The tradeoff named first in `args`, and what follows it."""
+        name = args[0]
+        if name in self.commands or name.startswith("-"):
+            return super().resolve_command(ctx, args)
+        known = ", ".join(self.commands)
+        wrong = Diagnostic(
+            "NS0781", f"nscc has no tradeoff '{name}'", helps=(f"there is: {known}",)
+        )
+        raise Rejected(wrong, status=2)
+
+
+@click.group("tradeoff", cls=_Tradeoffs)
+def command() -> None:
+    """Measure what more time buys: a table, a CSV file, a diagram."""
+
+
+for each in (emulator, sensor, decoder):
+    command.add_command(each)
+
+
+@command.command("synthesis", cls=CommonCommand)
+@click.argument("files", nargs=-1, metavar="[FILE.nsl]...", type=click.Path(path_type=Path))
+@output_options
+@click.option(
+    "--levels", callback=some(_LEVELS), metavar="0,1,..",
+    default=",".join(_LEVELS), show_default=True, help="Levels of -O.",
+)  # fmt: skip
+@click.option(
+    "--lowerings", callback=some(LOWERINGS), metavar="NAME,..", default=",".join(LOWERINGS),
+    show_default=True, help="Lowerings.",
+)  # fmt: skip
+@click.option(
+    "--repeats", type=click.IntRange(1, 1000), default=3, show_default=True,
+    help="How often everything is compiled: the median counts.",
+)  # fmt: skip
+@click.option(
+    "--count", type=click.Choice(["all", "logic"]), default="all", show_default=True,
+    help="All words of a frame, or those that decode codes.",
+)  # fmt: skip
+def synthesis(
+    files: tuple[Path, ...],
+    out: Path | None,
+    csv_path: Path | None,
+    png_path: Path | None,
+    levels: list[str],
+    lowerings: list[Lowering],
+    repeats: int,
+    count: Count,
+) -> int:
+    """Measure what compile time buys: words a frame against time, at each level and lowering.
+
+    Compiles FILEs, or else programs of all classes, from text to proof and without the cache. A
+    point is dominated if another of the same program has neither more words nor more time. Ends
+    with status 1 where nothing fits.
+    """
+    places = output_files(out, csv_path, png_path)
+    cases = _cases(files) or builtin_cases()
+    ways = list(every_way(cases, lowerings, [int(level) for level in levels]))
+    found = measure(ways, repeats, count, lambda turns: progress(turns, "compiling"))
+    click.echo(table_text(found.points, ("lowering", "level", _WORDS[count])))
+    for line in _refusals(found.refused):
+        click.echo(line)
+    if not found.points:
+        return 1
+    points = found.points
+    write_files(
+        places,
+        lambda: csv_text(points, processor_name()),
+        lambda: _png(points, _WORDS[count], repeats),
+    )
+    return 0
+
+
+def _cases(files: Sequence[Path]) -> tuple[Case, ...]:
+    """The programs in these files, by the shortest names that tell them apart."""
+    from nscc.syntax.parse import read_source
+
+    paths = list(dict.fromkeys(files))
+    short = len({path.stem for path in paths}) == len(paths)
+    return tuple(
+        Case(path.stem if short else path.as_posix(), read_source(path), path.parent, "fixed")
+        for path in paths
+    )
+
+
+def _refusals(refused: Sequence[tuple[Way, str]]) -> list[str]:
+    """Why a case has no point in some lowering, once for all levels with the same reason."""
+    levels: dict[tuple[str, str, str], list[str]] = {}
+    for way, reason in refused:
+        key = (way.case.name, way.lowering, reason)
+        levels.setdefault(key, []).append(f"-O{way.level}")
+    return [
+        f"{case}, {lowering}, {' '.join(at)}: {reason}"
+        for (case, lowering, reason), at in levels.items()
+    ]
+
+
+def _png(points: Sequence[Point], words: str, repeats: int) -> bytes:
+    from nscc_runtime.diagram import Line, Mark, Panel, diagram_png
+
+    beaten = dict(zip(map(id, points), dominated(points), strict=True))
+
+    def line(method: str, part: Sequence[Point]) -> Line:
+        marks = tuple(
+            Mark(
+                point.time_ms / 1e3, min(point.times_ms) / 1e3, max(point.times_ms) / 1e3,
+                point.error, point.setting.removeprefix("-O"), beaten[id(point)],
+            )
+            for point in part
+        )  # fmt: skip
+        return Line(method, marks, part[0].bound)
+
+    panels = [
+        Panel(
+            case,
+            tuple(
+                line(method, list(part)) for method, part in groupby(group, key=lambda p: p.method)
+            ),
+        )
+        for case, group in groupby(points, key=lambda point: point.case)
+    ]
+    times = "one compilation" if repeats == 1 else f"median and range of {repeats} compilations"
+    return diagram_png(
+        panels,
+        "What compile time buys",
+        f"{words} at -O0 to -O3 (numbers; hollow: dominated) against {times}, from text to proof, "
+        f"on {processor_name()}",
+        words,
+    )

@@ -1,0 +1,185 @@
+"""`nscc tradeoff emulator`: error against time of one frame, and whether promises are kept."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc_cli.programs import BuildChoice, build_options, compile_options, load_program
+from nscc_cli.scene_options import scene_options, sensor_options
+from nscc_cli.support import CommonCommand, Product, done, progress, say, write_together
+
+if TYPE_CHECKING:
+    from nscc.words.container import Container
+    from nscc_runtime.sensor import Sensor
+    from nscc_runtime.tradeoff.study import Scene, Settings, Study
+
+_SEEDS = click.IntRange(0, 2**63 - 1)
+
+
+@click.command("emulator", cls=CommonCommand)
+@click.argument(
+    "program", required=False, metavar="[FILE.nsl|FILE.icw]", type=click.Path(path_type=Path)
+)
+@click.option(
+    "--scene", "scenes", multiple=True, metavar="SCENE",
+    help="As in nscc run; more than once for several (default: three builtin ones).",
+)  # fmt: skip
+@click.option(
+    "-o", "out", type=click.Path(path_type=Path), metavar="OUT",
+    help="Write OUT.csv, OUT.png, OUT_calibration.png and OUT_budget.png.",
+)  # fmt: skip
+@click.option("--csv", "csv_path", type=click.Path(path_type=Path), help="Write the CSV file here.")
+@click.option("--png", "png_path", type=click.Path(path_type=Path), help="Write the diagram here.")
+@click.option(
+    "--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e", show_default=True,
+    help="Tolerances to plan for: electrons (5e) or codes (0.1lsb).",
+)  # fmt: skip
+@click.option(
+    "--budget", metavar="T", default="5e", show_default=True,
+    help="The tolerance whose plans are shown effect by effect.",
+)  # fmt: skip
+@click.option(
+    "--frames", type=click.IntRange(2, 1000), default=2, show_default=True,
+    help="Frames of which errors are measured; more where they have few pixels.",
+)  # fmt: skip
+@click.option(
+    "--repeats", type=click.IntRange(1, 1000), default=5, show_default=True,
+    help="How often everything is timed, in turn: the median counts.",
+)  # fmt: skip
+@click.option("--seed", type=_SEEDS, default=0, help="Seed of the frames' noise.")
+@click.option("--device-seed", type=_SEEDS, default=0, help="Seed of fixed patterns.")
+@click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
+@scene_options
+@sensor_options
+@build_options
+def command(program: Path | None, **options: Any) -> int:
+    """Measure what the emulator's time buys: error against the reference and time of one frame.
+
+    Lines: the reference; the light summed in float32 without effects; Poisson drawn slot by slot in
+    numpy; plans for several tolerances, with and without the time to make them. A second diagram
+    holds the error measured against the tolerance asked, a third says what each effect does and
+    which are left out. Ends with status 1 where a plan broke its promise.
+    """
+    from nscc_runtime.plan.program import Program
+    from nscc_runtime.sensor import load_sensor
+    from nscc_runtime.tradeoff.naive import copy_gb_per_s
+    from nscc_runtime.tradeoff.study import measure
+    from nscc_runtime.tradeoff.tables import kept, studies_text
+
+    files = _files(options["out"], options["csv_path"], options["png_path"])
+    container, messages = _container(program, options)
+    sensor = load_sensor(container.target, options["sensor"], options["sensor_set"])
+    settings = _settings(options, sensor)
+    scenes = _scenes(container, options, messages)
+    made = Program.of(container, sensor)
+    gb_per_s = copy_gb_per_s()
+    studies = measure(made, scenes, settings, gb_per_s, lambda work: progress(work, "measuring"))
+    click.echo(studies_text(studies, gb_per_s))
+    products = _products(studies, files, options["repeats"])
+    write_together(products)
+    if products:
+        done("wrote " + ", ".join(path.as_posix() for path in products))
+    return 0 if all(kept(each) for study in studies for each in study.asked) else 1
+
+
+def _container(
+    path: Path | None, options: dict[str, Any]
+) -> tuple[Container, tuple[Diagnostic, ...]]:
+    """The program given, or else one of 16 slots."""
+    from nscc_cli.run import with_pixels
+
+    messages: tuple[Diagnostic, ...] = ()
+    if path is not None:
+        container, messages = load_program(path, BuildChoice.of(options))
+    else:
+        from nscc.pipeline import compile_source
+        from nscc.source import Source
+        from nscc_runtime.tradeoff.study import PROGRAM
+
+        path, choice = Path("default.nsl"), compile_options(BuildChoice.of(options))
+        compiled = compile_source(Source(path.name, PROGRAM), Path(), choice).container
+        assert compiled is not None  # what does not fit is rejected
+        container = compiled
+    return with_pixels(container, path, options["pixels"]), messages
+
+
+def _settings(options: dict[str, Any], sensor: Sensor) -> Settings:
+    from nscc_runtime.plan.tolerance import tolerance_e
+    from nscc_runtime.tradeoff.study import Settings
+
+    asked = {tolerance_e(part, sensor) for part in options["tolerances"].split(",")}
+    return Settings(
+        tuple(sorted(asked)),
+        tolerance_e(options["budget"], sensor),
+        options["frames"],
+        options["repeats"],
+        options["seed"],
+        options["device_seed"],
+    )
+
+
+def _scenes(
+    container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
+) -> list[Scene]:
+    """The scenes, by the shortest names that tell them apart."""
+    from nscc_cli.run import scene_light
+    from nscc_runtime.tradeoff.study import SCENES, Scene
+
+    specs = list(dict.fromkeys(options["scenes"] or SCENES))
+    names = [spec if spec.startswith("builtin:") else Path(spec).stem for spec in specs]
+    if len(set(names)) < len(names):
+        names = specs
+    say(messages)
+    return [
+        Scene(name, scene_light(container, {**options, "scene": spec}, ()))
+        for name, spec in zip(names, specs, strict=True)
+    ]
+
+
+def _files(out: Path | None, csv_path: Path | None, png_path: Path | None) -> dict[str, Path]:
+    """What goes where; NS0745 where two products would be one file."""
+    found = {}
+    if out is not None:
+        csv_path = csv_path or out.with_name(out.name + ".csv")
+        png_path = png_path or out.with_name(out.name + ".png")
+        found["calibration"] = out.with_name(out.name + "_calibration.png")
+        found["budget"] = out.with_name(out.name + "_budget.png")
+    given = {"csv": csv_path, "png": png_path}
+    found = {name: path for name, path in given.items() if path is not None} | found
+    if len({path.absolute() for path in found.values()}) < len(found):
+        names = ", ".join(map(str, found.values()))
+        raise Rejected(
+            Diagnostic(
+                "NS0745",
+                f"two products would be written to one file: {names}",
+                helps=("give --csv and --png different names",),
+            ),
+            status=2,
+        )
+    return found
+
+
+def _products(
+    studies: tuple[Study, ...], files: dict[str, Path], repeats: int
+) -> dict[Path, Product]:
+    from nscc.tradeoff.device import processor_name
+    from nscc.tradeoff.points import csv_text
+
+    products: dict[Path, Product] = {}
+    if "csv" in files:
+        points = [point for study in studies for point in study.points]
+        products[files["csv"]] = csv_text(points, processor_name()).encode()
+    if not files.keys() - {"csv"}:
+        return products
+    from nscc_runtime.tradeoff.pictures import budgets, calibration, precision
+
+    if "png" in files:
+        products[files["png"]] = precision(studies, repeats, processor_name())
+    if "calibration" in files:
+        products[files["calibration"]] = calibration(studies)
+        products[files["budget"]] = budgets(studies)
+    return products

@@ -1,0 +1,167 @@
+"""`nscc tradeoff sensor`: PSNR against the shortest slot, for shutters that one memory holds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import groupby
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from nscc.lower.plan import LOWERINGS
+from nscc.tradeoff.points import Point, Refused, csv_text, dominated, table_text
+from nscc_cli.support import CommonCommand, NumberRange, done, progress
+from nscc_cli.tradeoff_files import output_files, output_options, some, write_files
+
+if TYPE_CHECKING:
+    from nscc_training.tradeoff.sensor import Measured
+
+_CLASSES = ("b", "c", "d", "e", "codebook")
+_CODES = ("fixed", "open")
+_MOST_SLOTS = 4096
+
+
+def _counts(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
+    """Numbers of slots, separated by commas, from few to many."""
+    parts = [part.strip() for part in value.split(",")]
+    wrong = [p for p in parts if not (p.isdecimal() and 2 <= int(p) <= _MOST_SLOTS)]
+    if wrong:
+        raise click.BadParameter(
+            f"{wrong[0][:40]!r} is no number of slots, 2 to {_MOST_SLOTS}", context, option
+        )
+    return tuple(sorted({int(part) for part in parts}))
+
+
+def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
+    """The same; each must divide the most, which is the number of a clip's frames."""
+    found = _counts(context, option, value)
+    odd = [count for count in found if found[-1] % count]
+    if odd:
+        raise click.BadParameter(
+            f"{odd[0]} does not divide {found[-1]}: all are slots of the same clips",
+            context, option,
+        )  # fmt: skip
+    return found
+
+
+@click.command("sensor", cls=CommonCommand)
+@click.option("--classes", callback=some(_CLASSES), metavar="CLASS,..", default=",".join(_CLASSES),
+              show_default=True, help="Classes of shutters for clips.")  # fmt: skip
+@click.option("--slots", callback=_divisors, metavar="N,..", default="8,16", show_default=True,
+              help="Slots of a frame, for clips.")  # fmt: skip
+@click.option("--stop-slots", callback=_counts, metavar="N,..", default="16,64", show_default=True,
+              help="Slots of a frame for stills, which class b exposes.")  # fmt: skip
+@click.option("--codes", callback=some(_CODES), metavar="MODE,..", default=",".join(_CODES),
+              show_default=True,
+              help="Compile for the codes in use, for every legal one.")  # fmt: skip
+@click.option("--lowerings", callback=some(LOWERINGS), metavar="NAME,..",
+              default=",".join(LOWERINGS), show_default=True, help="Lowerings.")  # fmt: skip
+@click.option("--target", default="scamp5", show_default=True, metavar="NAME|FILE.toml",
+              help="The chip.")  # fmt: skip
+@click.option("-O", "level", type=click.IntRange(0, 3), default=1, show_default=True,
+              help="How long to search for fewer words.")  # fmt: skip
+@click.option("--slot-us", type=NumberRange(0.01, 1e6), metavar="T",
+              help="Capture with slots of this length instead of each configuration's "
+              "shortest.")  # fmt: skip
+@click.option("--effects", default="auto", show_default=True, metavar="E",
+              help="The sensor's effects, as nscc run takes them.")  # fmt: skip
+@click.option("--data", type=click.Path(path_type=Path), metavar="DIR",
+              help="A folder of clips, panoramas or both, instead of made scenes.")  # fmt: skip
+@click.option("--scenes", type=click.IntRange(1, 1000), default=1, show_default=True,
+              help="How many scenes of a kind.")  # fmt: skip
+@click.option("--seed", type=click.IntRange(0, 2**31 - 1), default=0,
+              help="Of made scenes, random codes and noise.")  # fmt: skip
+@output_options
+def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **options: Any) -> int:
+    """Measure what slots buy: PSNR against the shortest slot of each shutter, on one chip.
+
+    Every class in every number of slots, for codes in use and open ones, is compiled in each
+    lowering; its words say how short a slot can be. The emulated chip captures the scenes with
+    them. Clips are decoded by GAP-TV, stills by merging neighbours: nothing is trained. What does
+    not fit the chip is a row that says so. Ends with status 1 where nothing fits.
+    """
+    from nscc_training.baselines.compiled import is_compiled
+    from nscc_training.tradeoff.sensor import Settings, measure
+
+    files = output_files(out, csv_path, png_path)
+    settings = Settings(
+        tuple(options["classes"]), options["slots"], options["stop_slots"],
+        tuple(options["codes"]), tuple(options["lowerings"]), options["target"],
+        options["level"], options["effects"], options["slot_us"], options["data"],
+        options["scenes"], options["seed"],
+    )  # fmt: skip
+    if not is_compiled():
+        done("compiling the loop of total variation for this processor: once, some seconds")
+    found = measure(settings, lambda todo: progress(todo, "capturing"))
+    if found.points:
+        click.echo(table_text(found.points, ("shutters", "slots", "PSNR, dB"), ("slot, us", 1e3)))
+    for line in _refusals(found.refused):
+        click.echo(line)
+    if not found.points:
+        return 1
+    write_files(
+        files,
+        lambda: csv_text(found.points, found.target, found.refused),
+        lambda: _png(found, settings.slot_us),
+    )
+    return 0
+
+
+def _refusals(refused: Sequence[Refused]) -> list[str]:
+    """What does not fit, those together that have one reason."""
+    together: dict[tuple[str, str], list[str]] = {}
+    for each in refused:
+        name = f"{each.case}, {each.method}, {each.setting}"
+        together.setdefault((each.code, each.reason), []).append(name)
+    lines = []
+    for (code, reason), names in together.items():
+        lines += ["", f"does not fit: {reason} ({code})", *(f"  {name}" for name in names)]
+    return lines
+
+
+def _png(found: Measured, slot_us: float | None) -> bytes:
+    from nscc_runtime.diagram import Axis, Line, Mark, Panel, diagram_png
+
+    beaten = dict(zip(map(id, found.points), dominated(found.points), strict=True))
+
+    def panel(point: Point) -> str:
+        """Stills have one class; clips have a panel for each way to compile."""
+        shutters, codes, lowering = point.method.split(", ")
+        return f"stills, class {shutters}" if point.case == "stills" else f"{codes}, {lowering}"
+
+    def mark(point: Point) -> Mark:
+        slot_s = point.time_ms / 1e3
+        text = point.setting.split()[0]
+        return Mark(slot_s, slot_s, slot_s, point.error, text, beaten[id(point)])
+
+    def line(point: Point) -> str:
+        shutters, codes, lowering = point.method.split(", ")
+        return f"{codes}, {lowering}" if point.case == "stills" else shutters
+
+    panels = []
+    drawn = sorted((p for p in found.points if p.error < float("inf")), key=panel)
+    for title, group in groupby(drawn, key=panel):
+        held = sorted(group, key=line)
+        panels.append(
+            Panel(
+                title,
+                tuple(
+                    Line(
+                        name,
+                        tuple(
+                            mark(p)
+                            for p in part
+                        ),
+                    )
+                    for name, part in groupby(held, key=line)
+                ),
+            )
+        )  # fmt: skip
+    slots = "shortest slots" if slot_us is None else f"slots of {slot_us:g} us"
+    return diagram_png(
+        panels, "What the shortest slot costs",
+        f"captured by the emulated {found.target} at {slots} (numbers: slots of a frame; hollow: "
+        "dominated), decoded without training",
+        "PSNR, dB", linear=True, time=Axis("shortest slot, us", 1e6),
+    )  # fmt: skip

@@ -1,0 +1,42 @@
+"""`nscc train`: learn shutters and a decoder, into a run folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from nscc_cli.support import CommonCommand, done, progress, write_together
+
+
+def _print_schema(context: click.Context, _option: click.Parameter, value: bool) -> None:
+    if value and not context.resilient_parsing:
+        from nscc_training.config import config_toml
+        from nscc_training.settings import Settings
+
+        click.echo(config_toml(Settings(), remarks=True), nl=False)
+        context.exit()
+
+
+@click.command("train", cls=CommonCommand)
+@click.argument("config", metavar="CONFIG.toml", type=click.Path(path_type=Path))
+@click.option("--out", required=True, metavar="RUN", type=click.Path(path_type=Path),
+              help="The run folder.")  # fmt: skip
+@click.option("--set", "changes", multiple=True, metavar="K=V",
+              help="Change a setting: train.steps=100.")  # fmt: skip
+@click.option("--resume", default="auto", show_default=True, metavar="auto|never|PATH",
+              help="Go on from RUN's checkpoint, begin anew, or go on from another's.")  # fmt: skip
+@click.option("--schema", is_flag=True, is_eager=True, expose_value=False, callback=_print_schema,
+              help="Print a complete configuration with every default, and exit.")  # fmt: skip
+def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> None:
+    """Learn shutters end to end with a decoder, under the limits of the chip.
+
+    The configuration is checked, and its shutters are compiled, before the first step. An
+    interrupted run goes on when the same command is given again.
+    """
+    from nscc_training.config import load_config
+
+    settings = load_config(config, changes)
+    from nscc_training.loop.train import train
+
+    train(settings, out, write=write_together, resume=resume, track=progress, report=done)

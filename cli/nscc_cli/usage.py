@@ -1,0 +1,59 @@
+"""Wrong usage as a diagnostic: what was typed, what the command takes."""
+
+from __future__ import annotations
+
+import click
+
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.suggest import closest
+
+
+def usage_diagnostic(error: click.ClickException) -> Diagnostic:
+    """What click found wrong, in the form of every other message.
+
+    NS0780 for an argument missing or too many, NS0782 for an option that does not exist, NS0783 for
+    a value that an option does not take, NS0784 for a file that click opened.
+    """
+    context = getattr(error, "ctx", None)
+    name = context.command_path if context is not None else "nscc"
+    helps: tuple[str, ...] = (f"`{name} --help` lists what it takes",)
+    notes = (context.get_usage(),) if context is not None else ()
+    if isinstance(error, click.exceptions.NoArgsIsHelpError):
+        code, message = "NS0780", f"`{name}` needs a command"
+    elif isinstance(error, click.NoSuchOption):
+        code, message = "NS0782", f"`{name}` has no option {error.option_name}"
+        guess = closest(error.option_name, _options(context))
+        helps = (f"did you mean {guess}?", *helps) if guess else helps
+    elif isinstance(error, click.MissingParameter):
+        code, message = "NS0780", f"`{name}` needs {_parameter(error) or 'one more argument'}"
+    elif isinstance(error, click.BadParameter):
+        parameter = _parameter(error)
+        code = "NS0783"
+        message = f"{parameter}: {_said(error.message)}" if parameter else _said(error.message)
+    elif isinstance(error, click.FileError):
+        code, message = "NS0784", _said(error.format_message())
+    else:
+        code, message = "NS0780", _said(error.format_message())
+    return Diagnostic(code, message, notes=notes, helps=helps)
+
+
+def _options(context: click.Context | None) -> list[str]:
+    if context is None:
+        return []
+    known = context.command.get_params(context)
+    return [text for parameter in known for text in parameter.opts if text.startswith("-")]
+
+
+def _parameter(error: click.BadParameter) -> str:
+    """The option or argument that is wrong, as the usage line writes it."""
+    if isinstance(error.param, click.Option):
+        return error.param.opts[-1]
+    if error.param is not None and error.ctx is not None:
+        return error.param.make_metavar(error.ctx).strip("[]. ")
+    return ""
+
+
+def _said(text: str) -> str:
+    """Click's own words as the rest of a line: no capital at the start, no full stop."""
+    text = " ".join(text.split()).rstrip(".")
+    return text[:1].lower() + text[1:]
