@@ -1,0 +1,51 @@
+"""What other distributions add to nscc: entry points, read only when somebody asks for them.
+
+A distribution adds by its metadata alone, for example
+
+    [project.entry-points."nscc.effects"]
+    columns = "my_package.columns:COLUMNS"
+
+and the table that holds nscc's own things of that kind takes what it finds as it takes its own:
+whole, or refused by name.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any, Literal
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+
+Group = Literal["nscc.commands", "nscc.decoders", "nscc.effects", "nscc.encodings", "nscc.targets"]
+
+
+@cache
+def added(group: Group) -> dict[str, Any]:
+    """The objects that other distributions add to `group`, by name, in the order of their names.
+
+    Raises Rejected (NS0905) where one cannot be imported, or two have one name.
+    """
+    # A fiftieth of a second, which commands that need no more than nscc's own do not spend.
+    from importlib.metadata import entry_points
+
+    found: dict[str, Any] = {}
+    for entry in sorted(entry_points(group=group), key=lambda each: (each.name, each.value)):
+        if entry.name in found:
+            raise _wrong(group, entry.name, "another distribution adds one of that name")
+        try:
+            found[entry.name] = entry.load()
+        except Exception as error:  # whatever a module of somebody else's raises
+            reason = " ".join(str(error).split())[:200]
+            raise _wrong(group, entry.name, f"{type(error).__name__}: {reason}") from error
+    return found
+
+
+def _wrong(group: Group, name: str, reason: str) -> Rejected:
+    kind = group.removeprefix("nscc.").removesuffix("s")
+    return rejected(
+        "NS0905",
+        f"the {kind} {name[:60]!a} that an installed package adds cannot be used",
+        notes=(reason, f"it is an entry point of the group {group}"),
+        helps=("mend or uninstall the package that adds it",),
+    )
