@@ -1,9 +1,12 @@
-"""The way through the compiler: one visible list of passes, and the proof at its end."""
+"""The way through the compiler: one visible list of passes, and the proof at its end.
+
+`nscc.compiler` stands above it, and offers ways out where a program does not fit.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -15,17 +18,15 @@ from nscc.lower.fit import (
     as_note,
     capacity_fault,
     faults,
-    has_ways_out,
     misfit_fault,
     only_search_can_tell,
 )
 from nscc.lower.lowered import Lowered
-from nscc.lower.ways_out import ways_out
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, prove
 from nscc.source import Source
-from nscc.syntax.parse import parse, read_source
+from nscc.syntax.parse import parse
 from nscc.syntax.tree import File
 from nscc.target.load import load_target
 from nscc.target.target import Target
@@ -37,9 +38,6 @@ PASSES = ("parse", "program", "lower", "plan", "gates", "schedule", "words", "pr
 LEVELS = (0, 1, 2, 3)
 """How many steps the search for gates may take: the same level always takes the same ones."""
 
-QUICK_LEVEL = 1
-"""Several programs are compiled for one error message: with no more effort than this each."""
-
 
 @dataclass(frozen=True)
 class Options:
@@ -47,9 +45,8 @@ class Options:
 
     `level` is one of LEVELS. `target` (a value, or a name or file as `--target` takes it) overrides
     the program's own. `price_all` lowers in every way, for the report's alternatives. Without
-    `unproved_is_error`, what only a search can tell is a note. With `suggest`, nearby programs
-    that fit are looked for when one does not. Without `cache`, no search result is read or kept.
-    `max_words_per_slot` limits the words, digital and analog, of every boundary.
+    `unproved_is_error`, what only a search can tell is a note. Without `cache`, no search result is
+    read or kept. `max_words_per_slot` limits the words, digital and analog, of every boundary.
     """
 
     level: int = 2
@@ -58,7 +55,6 @@ class Options:
     target: Target | str | None = None
     price_all: bool = False
     unproved_is_error: bool = True
-    suggest: bool = True
     cache: bool = True
     max_words_per_slot: int | None = None
 
@@ -88,17 +84,21 @@ Observer = Callable[[str, Any], None]
 """Sees (pass name, value) after each pass."""
 
 
-def compile_file(
-    path: Path, options: Options | None = None, see: Observer | None = None
-) -> Compiled:
-    """Compiles a `.nsl` file. Raises Rejected with everything that is wrong with it."""
-    return compile_source(read_source(path), path.parent, options or Options(), see)
+class Unfit(Rejected):
+    """A program without faults of its own that does not fit its target."""
+
+    def __init__(self, program: Program, diagnostics: Sequence[Diagnostic]) -> None:
+        super().__init__(diagnostics)
+        self.program = program
 
 
-def compile_source(
+def run_passes(
     source: Source, base: Path, options: Options, see: Observer | None = None
 ) -> Compiled:
-    """Compiles a program's text; `base` is the folder that its paths are relative to."""
+    """Compiles a program's text; `base` is the folder that its paths are relative to.
+
+    Raises Rejected with everything that is wrong with it: Unfit if it is only too large.
+    """
     if options.level not in LEVELS:
         raise ValueError(f"level {options.level} is none of {LEVELS}")
     see = see or (lambda _name, _value: None)
@@ -128,19 +128,19 @@ def _compile(
     messages = [*found, *program.messages]
     fault = capacity_fault(program)
     if fault is not None:
-        raise Rejected([*messages, *_with_ways_out([fault], program, base, options)])
+        raise Unfit(program, [*messages, fault])
     choice = _choose(program, options, results)
     see("lower", choice)
     lowered = choice.best
     if lowered is None:
         fault = misfit_fault(program, choice, level=options.level)
-        return _unfit(tree, program, choice, [fault], messages, base, options)
+        return _unfit(tree, program, choice, [fault], messages, options)
     see("plan", lowered.plan)
     see("gates", lowered)
     see("schedule", lowered)
     wrong = faults(choice, lowered, level=options.level)
     if wrong:
-        return _unfit(tree, program, choice, wrong, messages, base, options)
+        return _unfit(tree, program, choice, wrong, messages, options)
     container = assemble(lowered, options.level)
     see("words", container)
     proof = prove(container, lowered.schedule.kernels)
@@ -176,39 +176,13 @@ def _unfit(
     choice: Choice,
     wrong: list[Diagnostic],
     messages: list[Diagnostic],
-    base: Path,
     options: Options,
 ) -> Compiled:
     """Rejects what does not fit; what only a search can tell may pass as a note."""
     if options.unproved_is_error or not all(only_search_can_tell(d) for d in wrong):
-        raise Rejected([*messages, *_with_ways_out(wrong, program, base, options)])
+        raise Unfit(program, [*messages, *wrong])
     notes = [as_note(d) for d in wrong]
     return Compiled(tree, program, choice, None, None, None, (*messages, *notes))
-
-
-def _with_ways_out(
-    wrong: list[Diagnostic], program: Program, base: Path, options: Options
-) -> list[Diagnostic]:
-    """The same diagnostics; nearby programs are compiled for those that ask for less."""
-    if not options.suggest or not any(has_ways_out(d) for d in wrong):
-        return wrong
-    alike = replace(
-        options, target=program.target, suggest=False, price_all=False, unproved_is_error=True
-    )
-
-    def attempt(source: Source, codes: Codes, *, patient: bool = False) -> Lowered | None:
-        level = options.level if patient else min(options.level, QUICK_LEVEL)
-        try:
-            return compile_source(source, base, replace(alike, codes=codes, level=level)).lowered
-        except Rejected:
-            return None
-
-    found = ways_out(program, attempt)
-    texts = tuple(way.text for way in found)
-    data = {key: value for way in found for key, value in way.data.items()}
-    return [
-        replace(d, ways_out=texts, data={**d.data, **data}) if has_ways_out(d) else d for d in wrong
-    ]
 
 
 def _stop_on_errors(found: tuple[Diagnostic, ...]) -> None:

@@ -92,7 +92,7 @@ def compile_program(path: Path, choice: BuildChoice, **more: Any) -> Compiled:
 
     `more` are further fields of `nscc.pipeline.Options`, and `see`, an observer of its passes.
     """
-    from nscc.pipeline import compile_file
+    from nscc.compiler import compile_file
 
     see = more.pop("see", None)
     return compile_file(path, compile_options(choice, **more), see)

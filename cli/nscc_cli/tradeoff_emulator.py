@@ -96,7 +96,7 @@ def _container(
     if path is not None:
         container, messages = load_program(path, BuildChoice.of(options))
     else:
-        from nscc.pipeline import compile_source
+        from nscc.compiler import compile_source
         from nscc.source import Source
         from nscc_runtime.tradeoff.study import PROGRAM
 

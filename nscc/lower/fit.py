@@ -7,13 +7,13 @@ seen; gates that this compiler did not find prove nothing, so `nscc check` only 
 from __future__ import annotations
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
-from nscc.limits.certain import bits_needed, capacity_note
 from nscc.lower.choose import Choice
 from nscc.lower.ledger import ledger
 from nscc.lower.lowered import Lowered
 from nscc.lower.plan import Misfit
 from nscc.lower.resources import chip_label, chip_note, resource
 from nscc.lower.slot_faults import late_fault, overfull_fault, retention_fault
+from nscc.program.capacity import bits_needed, capacity_note
 from nscc.program.program import Program
 from nscc.source import Span
 

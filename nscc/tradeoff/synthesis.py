@@ -14,7 +14,7 @@ import numpy as np
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.report import report
 from nscc.lower.plan import Lowering
-from nscc.pipeline import Compiled, Options, compile_source
+from nscc.pipeline import Compiled, Options, run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.tradeoff.points import Point
@@ -129,10 +129,10 @@ def compiled_or_not(way: Way) -> Compiled | Diagnostic:
     case = way.case
     options = Options(
         level=way.level, codes=case.codes, lowering=way.lowering, target=case.target,
-        suggest=False, cache=False,
+        cache=False,
     )  # fmt: skip
     try:
-        return compile_source(case.source, case.base, options)
+        return run_passes(case.source, case.base, options)
     except Rejected as rejected:
         last = rejected.diagnostics[-1]
         if not last.code.startswith(_DOES_NOT_FIT):

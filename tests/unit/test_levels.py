@@ -11,10 +11,11 @@ import pytest
 from lowering_oracle import lowered_as, program_from
 from nscc_command import invoke
 
+from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.logic.problem import Machine, Problem
 from nscc.lower import lowered
-from nscc.pipeline import LEVELS, Options, compile_file, compile_source
+from nscc.pipeline import LEVELS, Options
 from nscc.source import Source
 from nscc.target.load import builtin_target
 
@@ -102,7 +103,7 @@ def test_what_a_command_takes(
         taken.append(options.level)
         return compile_file(path, options, see)
 
-    monkeypatch.setattr("nscc.pipeline.compile_file", compiled)
+    monkeypatch.setattr("nscc.compiler.compile_file", compiled)
     command, *more = arguments
     assert invoke([command, "p.nsl", *more], tmp_path).status == 0
     assert taken == [level]
