@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from scipy.io import savemat
 
-from nscc_cli.support import write_together
+from nscc.files import write_together
 from nscc_training.config import settings_of
 from nscc_training.loop.train import train
 

@@ -12,8 +12,9 @@ from time import monotonic, sleep
 from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.files import write_whole
 from nscc_cli.programs import BuildChoice, load_program
-from nscc_cli.support import done, progress, say, write_whole
+from nscc_cli.support import done, progress, say
 
 if TYPE_CHECKING:
     from nscc.target.target import Target

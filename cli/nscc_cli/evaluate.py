@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc_cli.support import CommonCommand, NumberRange, Product, done, progress, write_together
+from nscc.files import Product, write_together
+from nscc_cli.support import CommonCommand, NumberRange, done, progress
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

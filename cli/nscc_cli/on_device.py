@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.files import Product, write_together
 from nscc_cli.programs import BuildChoice, load_program
-from nscc_cli.support import Product, done, progress, say, write_together
+from nscc_cli.support import done, progress, say
 
 if TYPE_CHECKING:
     from nscc.words.container import Container

@@ -8,8 +8,9 @@ from typing import BinaryIO
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.files import write_whole
 from nscc_cli.programs import BuildChoice, build_options, load_program
-from nscc_cli.support import CommonCommand, say, write_whole
+from nscc_cli.support import CommonCommand, say
 
 
 @click.command("shutters", cls=CommonCommand)

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.files import Product, write_together
 from nscc_cli.programs import BuildChoice, build_options, compile_options, load_program
 from nscc_cli.scene_options import scene_options, sensor_options
-from nscc_cli.support import CommonCommand, Product, done, progress, say, write_together
+from nscc_cli.support import CommonCommand, done, progress, say
 
 if TYPE_CHECKING:
     from nscc.words.container import Container

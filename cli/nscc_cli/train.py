@@ -6,7 +6,8 @@ from pathlib import Path
 
 import click
 
-from nscc_cli.support import CommonCommand, done, progress, write_together
+from nscc.files import write_together
+from nscc_cli.support import CommonCommand, done, progress
 
 
 def _print_schema(context: click.Context, _option: click.Parameter, value: bool) -> None:

@@ -11,7 +11,7 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
-from nscc_cli.support import write_together  # noqa: E402
+from nscc.files import write_together  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Ahead, Batch, Batches  # noqa: E402
 from nscc_training.loop.steps import compared  # noqa: E402

@@ -21,7 +21,7 @@ torch = pytest.importorskip("torch")
 from small_runs import SMALL, clip, one_crop, trained  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_cli.support import write_together  # noqa: E402
+from nscc.files import write_together  # noqa: E402
 from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.evaluation.hdr import Crop, Unusable, exposed_crop  # noqa: E402

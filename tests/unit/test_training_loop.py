@@ -19,7 +19,7 @@ torch = pytest.importorskip("torch")
 from safetensors.torch import load_file  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_cli.support import write_together  # noqa: E402
+from nscc.files import write_together  # noqa: E402
 from nscc_training.config import config_toml, settings_of  # noqa: E402
 from nscc_training.loop import artifacts  # noqa: E402
 from nscc_training.loop.ranks import Ranks  # noqa: E402

@@ -11,7 +11,7 @@ import pytest
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_cli.support import write_together  # noqa: E402
+from nscc.files import write_together  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data.sources import load_scenes  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402

@@ -27,7 +27,7 @@ from trial_problems import (  # noqa: E402
 )
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_cli.support import write_together  # noqa: E402
+from nscc.files import write_together  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Batch  # noqa: E402
 from nscc_training.loop.setup import Parts  # noqa: E402
