@@ -17,7 +17,7 @@ from time import perf_counter
 from device_sessions import TARGET, Example, chip_of, examples, new_host, python_loader, session
 from emulator_programs import container_of, target_of
 
-from nscc.words.operations import op
+from nscc.operations import op
 from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.host import Silent, Stalled

@@ -8,9 +8,6 @@ from pathlib import Path
 
 import networkx as nx
 
-FLOORS = ("nscc", "nscc_runtime", "nscc_training", "nscc_cli")
-"""The packages, from the ground up: each may import those before it."""
-
 
 def modules(folder: Path) -> dict[str, Path]:
     """The files below a package's folder by their dotted names; `a/__init__.py` is `a`."""

@@ -15,13 +15,13 @@ from emulator_oracle import Chip
 from nscc.lower.assemble import assemble
 from nscc.lower.lowered import Lowered, analog_writes, lower
 from nscc.lower.plan import Misfit, levels, plan_exposure
+from nscc.operations import Op
 from nscc.program.program import BucketRule, Frame, Program
 from nscc.source import Source, Span
 from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable
 from nscc.words.legality import decoded
-from nscc.words.operations import Op
 
 FRAMES = 2
 REPLICAS = 6

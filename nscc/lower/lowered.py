@@ -16,10 +16,10 @@ from nscc.logic.problem import Demand, Machine, Problem, Solution
 from nscc.lower.plan import ExposurePlan, Misfit, Step
 from nscc.lower.schedule import Schedule, schedule
 from nscc.lower.timeline import Before, Timeline, flag_actions, timeline
+from nscc.operations import Effect
 from nscc.program.program import Program
 from nscc.truth import members
 from nscc.words.container import DecodeTable
-from nscc.words.operations import Effect
 
 # Solutions, the best of each encoding, that are worth steps of improvement at each level.
 MOST_IMPROVED = {0: 1, 1: 1, 2: 6, 3: 16}

@@ -19,9 +19,9 @@ from typing import Literal, get_args
 
 import numpy as np
 
+from nscc.operations import Op, op
 from nscc.program.program import Program
 from nscc.truth import columns
-from nscc.words.operations import Op, op
 
 Lowering = Literal["accumulate", "latch", "edges"]
 LOWERINGS: tuple[Lowering, ...] = get_args(Lowering)

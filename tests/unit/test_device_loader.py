@@ -11,8 +11,8 @@ from struct import pack
 import pytest
 from device_sessions import BOTH, TARGET, chip_of, examples, python_loader, sanitized
 
+from nscc.operations import Op, op, pair
 from nscc.words.encoding import encode
-from nscc.words.operations import Op, op, pair
 from nscc_runtime.device.firmware import Lockstep
 from nscc_runtime.device.messages import (
     DATA,

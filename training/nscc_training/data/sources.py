@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc_training import made_scenes
 from nscc_training.curves import srgb
 from nscc_training.data.camera import turned
 from nscc_training.import_paths import imported, is_import_path, own_code

@@ -10,6 +10,7 @@ from typing import Any, Literal
 import numpy as np
 
 from nscc.diagnostics.rejection import rejected
+from nscc_training import made_scenes
 from nscc_training.evaluation import hdr, video
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.scene_files import CLIPS
