@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.target.target import Target
-from nscc.words.container import Container
+from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc_runtime.effects import EFFECTS, Effect, Selection
 from nscc_runtime.effects.timing import MOTION
 from nscc_runtime.interface import Exposure
@@ -207,22 +207,6 @@ def open_us(container: Container) -> list[float] | None:
     return [float(time) for time in times[0]] if same else None
 
 
-def packed_shutters(
-    container: Container, shutters: NDArray[np.bool_]
-) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:
-    """`shutter` and `shutter_shape` of a container with pixels.
-
-    `shutters` bool (distinct shutters, buckets, N), the order of `container.table`.
-    """
-    if container.pixel_codes is None:
-        raise ValueError("a container without pixels has no shutters on the array")
-    packed = np.packbits(shutters, axis=-1, bitorder="little")
-    at_pixel = container.table.shutter_of_code[container.pixel_codes]
-    laid = np.stack([packed[:, b][at_pixel] for b in range(shutters.shape[1])])
-    shape = (*laid.shape[:3], shutters.shape[2])
-    return laid, np.array(shape, np.int64)
-
-
 @dataclass(frozen=True, eq=False)
 class FrameFile:
     """Everything that goes into one file: `kept` arrays and `slots` of light, by key."""
@@ -292,8 +276,6 @@ def kept_arrays(
             slots["truth_e"] = light
     if "shutter" in keep and shutters is not None:
         arrays["shutter"], arrays["shutter_shape"] = packed_shutters(container, shutters)
-    if "codes" in keep and container.pixel_codes is not None:
-        values = container.table.codes[container.pixel_codes]
-        for column, name in enumerate(container.table.fields):
-            arrays[f"codes_{name}"] = values[..., column]
+    if "codes" in keep:
+        arrays |= fields_at_pixels(container)
     return arrays, slots
