@@ -104,6 +104,26 @@ def repeated(frame: Frame, count: int) -> Frame:
     return Frame(stack(frame.frame), stack(frame.exposure_e), stack(frame.valid))
 
 
+def frame_lines(container: Container, frame: Frame) -> list[str]:
+    """What a person wants to know first, a line a bucket; of the first frame where there are K."""
+    top = 2**container.target.adc_bits - 1
+    width = max(len(name) for name in container.buckets)
+    lines = []
+    for b, name in enumerate(container.buckets):
+        place = (0, b) if frame.frame.ndim == 4 else (b,)
+        codes, valid = frame.frame[place], frame.valid[place]
+        values = frame.exposure_e[place][valid]
+        invalid = valid.size - values.size
+        full = int((codes == top).sum())
+        text = f"{name:<{width}}  {full} of {codes.size} pixels saturated"
+        if values.size:
+            text += (
+                f", electrons {values.min():.6g} to {values.max():.6g}, mean {values.mean():.6g}"
+            )
+        lines.append(text + (f", {invalid} invalid" if invalid else ""))
+    return lines
+
+
 @dataclass(frozen=True)
 class Provenance:
     """Where a frame came from, as far as arrays do not tell.
@@ -217,6 +237,36 @@ class FrameFile:
     slots: Mapping[str, Light]
     progress: Progress = unseen
 
+    @classmethod
+    def of(
+        cls,
+        container: Container,
+        light: Light | None,
+        frame: Frame,
+        meta: Mapping[str, Any],
+        keep: Sequence[str] = (),
+        shutters: NDArray[np.bool_] | None = None,
+        progress: Progress = unseen,
+    ) -> FrameFile:
+        """The file of a frame, with what of KEEP is named in `keep`; without light none is kept.
+
+        `shutters` as in `packed_shutters`, needed where `keep` names them.
+        """
+        kept: dict[str, NDArray[Any]] = {}
+        slots: dict[str, Light] = {}
+        if light is not None and "light" in keep:
+            slots["light"] = light
+        if light is not None and "truth" in keep:
+            if light.kind == "still":
+                kept["truth_e"] = light.total_e()
+            else:
+                slots["truth_e"] = light
+        if "shutter" in keep and shutters is not None:
+            kept["shutter"], kept["shutter_shape"] = packed_shutters(container, shutters)
+        if "codes" in keep:
+            kept |= fields_at_pixels(container)
+        return cls(frame, meta, kept, slots, progress)
+
     def write(self, file: IO[bytes]) -> None:
         """Write the archive; light goes slot by slot and repeats block by block, never whole."""
         with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
@@ -253,29 +303,3 @@ def _put(
         np.lib.format.write_array_header_1_0(out, header)
         for block in blocks:
             out.write(np.ascontiguousarray(block, little).tobytes())
-
-
-def kept_arrays(
-    container: Container,
-    light: Light | None,
-    keep: tuple[str, ...],
-    shutters: NDArray[np.bool_] | None,
-) -> tuple[dict[str, NDArray[Any]], dict[str, Light]]:
-    """What `--keep` adds: arrays, and light that is written slot by slot.
-
-    `shutters` as in `packed_shutters`, needed where `keep` names them. Without light none is kept.
-    """
-    arrays: dict[str, NDArray[Any]] = {}
-    slots: dict[str, Light] = {}
-    if light is not None and "light" in keep:
-        slots["light"] = light
-    if light is not None and "truth" in keep:
-        if light.kind == "still":
-            arrays["truth_e"] = light.total_e()
-        else:
-            slots["truth_e"] = light
-    if "shutter" in keep and shutters is not None:
-        arrays["shutter"], arrays["shutter_shape"] = packed_shutters(container, shutters)
-    if "codes" in keep:
-        arrays |= fields_at_pixels(container)
-    return arrays, slots

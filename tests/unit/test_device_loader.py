@@ -39,7 +39,7 @@ from nscc_runtime.device.objects import (
     upload_of,
 )
 from nscc_runtime.device.packets import REPLY, Kind, Packet, Unpacker
-from nscc_runtime.device.simulation import Loaded
+from nscc_runtime.device.serving import Loaded
 
 pytestmark = pytest.mark.xdist_group("firmware")
 EXAMPLE = examples()[0]
