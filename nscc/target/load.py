@@ -20,7 +20,7 @@ from nscc.source import Source, Span
 from nscc.target.schema import KEYS, SECTIONS
 from nscc.target.target import Target
 from nscc.target.values import Problem, read_values, target_values
-from nscc.toml_text import LARGEST_FILE, NotToml, parsed, span_of
+from nscc.toml.text import LARGEST_FILE, NotToml, parsed, span_of
 
 DEFAULT_NAME = "scamp5"
 _TABLES = Path(__file__).with_name("tables")

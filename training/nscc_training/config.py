@@ -14,7 +14,7 @@ from typing import Any
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.diagnostics.suggest import closest
 from nscc.source import Source
-from nscc.toml_text import LARGEST_FILE, NotToml, parsed, shown, span_of
+from nscc.toml.text import LARGEST_FILE, NotToml, parsed, shown, span_of
 from nscc_training.settings import Settings
 
 _WIDTH = 100

@@ -1,0 +1,234 @@
+"""A kind of TOML file as rows, one a key: what reading, changing and listing one follow from."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, Generic, TypeVar
+
+from nscc.diagnostics.diagnostic import Diagnostic, Label
+from nscc.diagnostics.suggest import closest
+from nscc.source import Source
+from nscc.toml.kinds import Kind, Text
+from nscc.toml.text import shown, span_of, spelled_value
+
+_FEW = 10
+"""So many keys are told one by one where none of them is like an unknown one."""
+
+Found = dict[str, Any]
+"""Values by the paths of their keys, as Python keeps them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """The key `name` of the table `section` ("" for the top of the file).
+
+    `meaning` is half a sentence, `source` says where the default comes from (empty: it is public).
+    A file lists the key under `heading`, which is its section's name where none is given. Python
+    knows it as `attribute`, by default its name. A file must have `required` keys.
+    """
+
+    section: str
+    name: str
+    kind: Kind
+    meaning: str
+    default: Any = None
+    source: str = ""
+    required: bool = False
+    heading: str = ""
+    attribute: str = ""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "heading", self.heading or self.section)
+        object.__setattr__(self, "attribute", self.attribute or self.name)
+
+    @property
+    def path(self) -> str:
+        """The key with its table, as messages and changes name it."""
+        return f"{self.section}.{self.name}" if self.section else self.name
+
+
+@dataclass(frozen=True, slots=True)
+class Codes:
+    """The codes of what can be wrong; `change` is that of a change that is not KEY=VALUE."""
+
+    unreadable: str
+    not_toml: str
+    unknown: str
+    wrong: str
+    missing: str = ""
+    change: str = ""
+
+
+Row = TypeVar("Row", bound=Key)
+
+
+@dataclass(frozen=True)
+class Schema(Generic[Row]):
+    """A kind of file.
+
+    `what` it describes ("a target") and what messages call it (`file`), its `keys` in the order of
+    a file, each `heading` with a remark, and the help that says how to get one to `start` from.
+    `noun` is what a key is called, `option` the option that changes one, `example` a change.
+    ValueError if two keys have one path, or a key has a heading that is none.
+    """
+
+    what: str
+    file: str
+    keys: tuple[Row, ...]
+    headings: Mapping[str, str]
+    codes: Codes
+    start: str
+    noun: str = "key"
+    option: str = ""
+    example: str = ""
+
+    def __post_init__(self) -> None:
+        for index, key in enumerate(self.keys):
+            if key.path in (other.path for other in self.keys[:index]):
+                raise ValueError(f"{self.what} has two keys {key.path}")
+            if key.heading not in self.headings:
+                raise ValueError(f"{key.path} has the unknown heading {key.heading!a}")
+
+    @cached_property
+    def by_path(self) -> dict[str, Row]:
+        """The keys by their paths."""
+        return {key.path: key for key in self.keys}
+
+    @cached_property
+    def sections(self) -> dict[str, tuple[str, ...]]:
+        """The names of the keys of each table, the top's first, with those of the tables."""
+        found: dict[str, list[str]] = {"": []}
+        for key in self.keys:
+            found.setdefault(key.section, []).append(key.name)
+        tables = [name for name in found if name]
+        return {name: tuple(names) if name else (*names, *tables) for name, names in found.items()}
+
+    def read(
+        self, values: Mapping[str, Any], source: Source | None = None, *, complete: bool = False
+    ) -> tuple[Found, list[Diagnostic]]:
+        """The values that are right, and everything that is wrong with a parsed file.
+
+        `source` is its text, for places. A key may be missing if it is not required; in `complete`
+        values none may.
+        """
+        found: Found = {}
+        problems: list[Diagnostic] = []
+        for name, value in values.items():
+            if not name or name not in self.sections:
+                self._take("", name, value, found, problems, source)
+            elif isinstance(value, Mapping):
+                for inner, each in value.items():
+                    self._take(name, inner, each, found, problems, source)
+            else:
+                message = f"{name} must be a table of keys (a line `[{name}]`), not {shown(value)}"
+                problems.append(self._problem(self.codes.wrong, message, "", name, source))
+        problems += self._missing(values, source, complete=complete)
+        return found, problems
+
+    def changed(self, changes: Sequence[str]) -> tuple[Found, list[Diagnostic]]:
+        """The values of changes, each KEY=VALUE, the last of a key, and what is wrong with them.
+
+        VALUE is written as in a file; the quotes of a text may be left out.
+        """
+        found: Found = {}
+        problems: list[Diagnostic] = []
+        for change in changes:
+            path, equals, spelled = (part.strip() for part in change.partition("="))
+            section, _, name = path.rpartition(".")
+            key = self.by_path.get(path)
+            empty = not spelled and not (key and isinstance(key.kind, Text))
+            if not name or not equals or empty:
+                form = (
+                    "NAME=VALUE"
+                    if "" in (key.section for key in self.keys)
+                    else "SECTION.KEY=VALUE"
+                )
+                problems.append(Diagnostic(
+                    self.codes.change, f"{self.option} takes {form}, not {change[:60]!a}",
+                    helps=(f"for instance {self.option} {self.example}",),
+                ))  # fmt: skip
+            else:
+                wrong: list[Diagnostic] = []
+                self._take(section, name, spelled_value(spelled), found, wrong, None)
+                problems += (
+                    dataclasses.replace(each, message=f"{self.option}: {each.message}")
+                    for each in wrong
+                )
+        return found, problems
+
+    def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """What a file holds: tables of keys, every key present, in the order of a file."""
+        tables: dict[str, Any] = {}
+        for key in self.keys:
+            place = tables.setdefault(key.section, {}) if key.section else tables
+            place[key.name] = key.kind.plain(values[key.path])
+        return tables
+
+    def _take(
+        self, section: str, name: str, value: Any, found: Found, problems: list[Diagnostic],
+        source: Source | None,
+    ) -> None:  # fmt: skip
+        key = self.by_path.get(f"{section}.{name}" if section else name)
+        if key is None or key.section != section:
+            problems.append(self._unknown(section, name, source))
+            return
+        try:
+            found[key.path] = key.kind.read(value)
+        except ValueError:
+            message = f"{key.path} must be {key.kind.allowed}, not {shown(value)}"
+            note = f"{key.path}: {key.meaning}"
+            problems.append(
+                self._problem(self.codes.wrong, message, section, name, source, note=note)
+            )
+
+    def _missing(
+        self, values: Mapping[str, Any], source: Source | None, *, complete: bool
+    ) -> Iterable[Diagnostic]:
+        for key in self.keys:
+            place = values.get(key.section, {}) if key.section else values
+            if (key.required or complete) and isinstance(place, Mapping) and key.name not in place:
+                message = f"the key {key.path} is missing: {key.meaning}"
+                yield self._problem(
+                    self.codes.missing, message, key.section, key.name, source, self.start
+                )
+
+    def _unknown(self, section: str, name: str, source: Source | None) -> Diagnostic:
+        where = f"[{section}] of {self.what}" if section else self.what
+        message = f"{where} has no {self.noun} {shown(name)}"
+        known = self.sections.get(section, ())
+        homes = [key.section for key in self.keys if key.name == name]
+        near = closest(name, known)
+        elsewhere = closest(name, [key.name for key in self.keys])
+        if section not in self.sections:
+            tables = [each for each in self.sections if each]
+            near = closest(section, tables)
+            message = f"{self.what} has no table {shown(section)}"
+            help_text = f"did you mean `{near}`?" if near else self.start
+        elif homes:
+            help_text = f"`{name}` belongs " + (f"under [{homes[0]}]" if homes[0] else "at the top")
+        elif near:
+            help_text = f"did you mean `{near}`?"
+        elif elsewhere:
+            home = next(key.section for key in self.keys if key.name == elsewhere)
+            help_text = f"did you mean `{elsewhere}` under [{home}]?"
+        else:
+            few = len(known) <= _FEW
+            help_text = f"the {self.noun}s here are {', '.join(known)}" if few else self.start
+        return self._problem(self.codes.unknown, message, section, name, source, help_text)
+
+    def _problem(
+        self, code: str, message: str, section: str, name: str, source: Source | None,
+        help_text: str = "", note: str = "",
+    ) -> Diagnostic:  # fmt: skip
+        return Diagnostic(
+            code,
+            message,
+            source=source,
+            label=Label(span_of(source.text, section, name)) if source else None,
+            notes=(note,) if note else (),
+            helps=(help_text,) if help_text else (),
+            data={self.noun: name[:60]},
+        )
