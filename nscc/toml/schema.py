@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import MISSING, dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, Generic, TypeVar
 
@@ -34,7 +33,7 @@ class Key:
     name: str
     kind: Kind
     meaning: str
-    default: Any = None
+    default: Any = MISSING
     source: str = ""
     required: bool = False
     heading: str = ""
@@ -60,6 +59,30 @@ class Codes:
     wrong: str
     missing: str = ""
     change: str = ""
+
+
+def setting(
+    kind: Kind, meaning: str, *, default: Any = MISSING, path: str = "", source: str = "",
+    required: bool = False,
+) -> Any:  # fmt: skip
+    """A field of a dataclass that is a key of a file, at `path` where that is not its own name."""
+    section, _, name = path.rpartition(".")
+    key = Key(section, name, kind, meaning, default, source, required)
+    return field(default=default, metadata={"key": key})
+
+
+def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
+    """The keys that the fields of a dataclass are, in its order; those in no table in `section`."""
+    return tuple(
+        replace(
+            key := each.metadata["key"],
+            section=key.section or section,
+            name=key.name or each.name,
+            heading=key.section or section,
+            attribute=each.name,
+        )
+        for each in fields(settings)
+    )
 
 
 Row = TypeVar("Row", bound=Key)
@@ -124,7 +147,7 @@ class Schema(Generic[Row]):
                     self._take(name, inner, each, found, problems, source)
             else:
                 message = f"{name} must be a table of keys (a line `[{name}]`), not {shown(value)}"
-                problems.append(self._problem(self.codes.wrong, message, "", name, source))
+                problems.append(self.problem(self.codes.wrong, message, "", name, source))
         problems += self._missing(values, source, complete=complete)
         return found, problems
 
@@ -154,8 +177,7 @@ class Schema(Generic[Row]):
                 wrong: list[Diagnostic] = []
                 self._take(section, name, spelled_value(spelled), found, wrong, None)
                 problems += (
-                    dataclasses.replace(each, message=f"{self.option}: {each.message}")
-                    for each in wrong
+                    replace(each, message=f"{self.option}: {each.message}") for each in wrong
                 )
         return found, problems
 
@@ -181,7 +203,7 @@ class Schema(Generic[Row]):
             message = f"{key.path} must be {key.kind.allowed}, not {shown(value)}"
             note = f"{key.path}: {key.meaning}"
             problems.append(
-                self._problem(self.codes.wrong, message, section, name, source, note=note)
+                self.problem(self.codes.wrong, message, section, name, source, note=note)
             )
 
     def _missing(
@@ -191,7 +213,7 @@ class Schema(Generic[Row]):
             place = values.get(key.section, {}) if key.section else values
             if (key.required or complete) and isinstance(place, Mapping) and key.name not in place:
                 message = f"the key {key.path} is missing: {key.meaning}"
-                yield self._problem(
+                yield self.problem(
                     self.codes.missing, message, key.section, key.name, source, self.start
                 )
 
@@ -217,12 +239,13 @@ class Schema(Generic[Row]):
         else:
             few = len(known) <= _FEW
             help_text = f"the {self.noun}s here are {', '.join(known)}" if few else self.start
-        return self._problem(self.codes.unknown, message, section, name, source, help_text)
+        return self.problem(self.codes.unknown, message, section, name, source, help_text)
 
-    def _problem(
+    def problem(
         self, code: str, message: str, section: str, name: str, source: Source | None,
         help_text: str = "", note: str = "",
     ) -> Diagnostic:  # fmt: skip
+        """What is wrong at a key of a file ("" and a table's name: the table)."""
         return Diagnostic(
             code,
             message,
