@@ -57,7 +57,7 @@ def file_values(
 def file_text(
     schema: Schema[Row],
     values: Mapping[str, Any],
-    remark: Callable[[Row], str] | None = None,
+    remark: Callable[[Row], str],
     head: Sequence[str] = (),
     *,
     beside: bool = False,
@@ -76,7 +76,7 @@ def file_text(
             lines.append(_beside(title, said if rows[0].section and beside else ""))
         for key in rows:
             line = f"{key.name} = {written(key.kind.plain(values[key.path]))}"
-            text = remark(key) if remark else ""
+            text = remark(key)
             if beside and len(line) <= 60:
                 lines.append(_beside(line, text))
             else:

@@ -102,7 +102,7 @@ def test_an_unknown_name_gets_a_suggestion(tmp_path: Path) -> None:
         ("rows = 4", "rosw = 4", "NS0233", "no key 'rosw'"),
         ("rows = 4", "launch_us = 4.0", "NS0233", "no key 'launch_us'"),
         ("[array]", "time = 3\n[array]", "NS0235", "time must be a table"),
-        ("[array]", "[arrays]", "NS0233", "no key 'arrays'"),
+        ("[array]", "[arrays]", "NS0233", "no table 'arrays'"),
         ('"B"', '"A"', "NS0236", "lists 'A' twice"),
         ('"B"', '"Q"', "NS0236", "lists 'Q'"),
         ('"B"', "3", "NS0235", "list of register names"),
