@@ -7,14 +7,19 @@ in a container all follow from them.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 from typing import Literal
 
-from nscc.toml.kinds import Flag, Integer, Name, Number, Register, Registers, Text
-from nscc.toml.schema import Codes, Schema, keys_of, setting
+from nscc.toml.kinds import LINE, NAME, Flag, Integer, Number, Several, Text
+from nscc.toml.schema import Codes, Schema, key, keys_of
 
 _SIDE = Integer(1, 8192)
+_REGISTER = Text(said="the name of a register", optional=True)
+_REGISTERS = Several(Text(), said="a list of register names")
 _SOURCES = Integer(2, 1000, unlimited=True)
-_NOT_PUBLIC = "not public"
+_WORD_US = Number(0, 1e6, low_excluded=True)
+_ABOVE_0 = Number(0, 1e15, low_excluded=True)
+_ours = partial(key, source="not public")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -25,99 +30,79 @@ class Target:
     scamp5's value where a file leaves it out.
     """
 
-    name: str = setting(Name(), "what messages and reports call it", required=True)
-    description: str = setting(Text(longest=400), "one line for `nscc targets`", default="")
+    name: str = key(NAME, "what messages and reports call it", required=True)
+    description: str = key(LINE, "one line for `nscc targets`", default="")
 
-    rows: int = setting(_SIDE, "pixels from top to bottom", path="array.rows", required=True)
-    cols: int = setting(_SIDE, "pixels from left to right", path="array.cols", required=True)
+    rows: int = key(_SIDE, "pixels from top to bottom", section="array", required=True)
+    cols: int = key(_SIDE, "pixels from left to right", section="array", required=True)
 
-    analog_registers: tuple[str, ...] = setting(
-        Registers(), "analog registers of one pixel", path="registers.analog", required=True
+    analog_registers: tuple[str, ...] = key(
+        _REGISTERS, "analog registers of one pixel", section="registers", name="analog",
+        required=True,
+    )  # fmt: skip
+    analog_scratch: str = key(
+        _REGISTER, "every analog sequence passes through it", section="registers", required=True
     )
-    analog_scratch: str = setting(
-        Register(), "every analog sequence passes through it",
-        path="registers.analog_scratch", required=True,
+    digital_registers: tuple[str, ...] = key(
+        _REGISTERS, "one-bit registers of one pixel", section="registers", name="digital",
+        required=True,
     )  # fmt: skip
-    digital_registers: tuple[str, ...] = setting(
-        Registers(), "one-bit registers of one pixel", path="registers.digital", required=True
-    )
-    mask_register: str | None = setting(
-        Register(), "a write to `masked` takes place only where it is 1",
-        path="registers.mask", default=None,
+    mask_register: str | None = key(
+        _REGISTER, "a write to `masked` takes place only where it is 1", section="registers",
+        name="mask", default=None,
     )  # fmt: skip
-    masked_register: str | None = setting(
-        Register(), 'the register that `mask` guards; both are "none" on a chip without this',
-        path="registers.masked", default=None,
+    masked_register: str | None = key(
+        _REGISTER, 'the register that `mask` guards; both are "none" on a chip without this',
+        section="registers", name="masked", default=None,
     )  # fmt: skip
 
-    reset_honours_flag: Literal["no", "yes", "unknown"] = setting(
+    reset_honours_flag: Literal["no", "yes", "unknown"] = _ours(
         Text(("no", "yes", "unknown")),
-        'does rpix reset only where FLAG is 1? "no", "yes" or "unknown"',
-        path="behaviour.reset_honours_flag", source=_NOT_PUBLIC,
+        'does rpix reset only where FLAG is 1? "no", "yes" or "unknown"', section="behaviour",
     )  # fmt: skip
-    where_reads_flag: bool = setting(
-        Flag(), "may WHERE read FLAG, which it also writes?",
-        path="behaviour.where_reads_flag", source=_NOT_PUBLIC,
-    )  # fmt: skip
-    where_obeys_flag: bool = setting(
-        Flag(), "does the analog `where` itself act only where FLAG is 1?",
-        path="behaviour.where_obeys_flag", source=_NOT_PUBLIC,
-    )  # fmt: skip
-    or_sources: int | None = setting(
-        _SOURCES, 'most sources of an OR or NOR word: "any" or a number',
-        path="behaviour.or_sources", source=_NOT_PUBLIC,
-    )  # fmt: skip
-    where_sources: int | None = setting(
-        _SOURCES, 'most sources of a WHERE word: "any" or a number',
-        path="behaviour.where_sources", source=_NOT_PUBLIC,
-    )  # fmt: skip
-
-    store_words: int = setting(
-        Integer(1, 1 << 18), "ICWs that all stored kernels may have", path="store.words"
+    where_reads_flag: bool = _ours(
+        Flag(), "may WHERE read FLAG, which it also writes?", section="behaviour"
     )
-    tables_count_against_store: bool = setting(
-        Flag(), "do constant kernel tables count against the store?",
-        path="store.tables_count", source=_NOT_PUBLIC,
-    )  # fmt: skip
-
-    analog_word_us: float = setting(
-        Number(0, 1e6, low_excluded=True), "one analog word",
-        path="time.analog_word_us", source=_NOT_PUBLIC,
-    )  # fmt: skip
-    digital_word_us: float = setting(
-        Number(0, 1e6, low_excluded=True), "one digital word",
-        path="time.digital_word_us", source=_NOT_PUBLIC,
-    )  # fmt: skip
-    launch_us: float = setting(
-        Number(0, 1e9), "overhead of one kernel launch", path="time.launch_us", source=_NOT_PUBLIC
+    where_obeys_flag: bool = _ours(
+        Flag(), "does the analog `where` itself act only where FLAG is 1?", section="behaviour"
     )
-    readout_us: float = setting(
-        Number(0, 1e12), "reading one analog register of the whole array out",
-        path="time.readout_us", source=_NOT_PUBLIC,
-    )  # fmt: skip
-    digital_retention_us: float = setting(
-        Number(0, 1e15, low_excluded=True),
-        "an untouched digital register keeps its bit for so long",
-        path="time.digital_retention_us",
+    or_sources: int | None = _ours(
+        _SOURCES, 'most sources of an OR or NOR word: "any" or a number', section="behaviour"
+    )
+    where_sources: int | None = _ours(
+        _SOURCES, 'most sources of a WHERE word: "any" or a number', section="behaviour"
+    )
+
+    store_words: int = key(
+        Integer(1, 1 << 18), "ICWs that all stored kernels may have", section="store", name="words"
+    )
+    tables_count_against_store: bool = _ours(
+        Flag(), "do constant kernel tables count against the store?", section="store",
+        name="tables_count",
     )  # fmt: skip
 
-    full_well_e: float = setting(
-        Number(0, 1e15, low_excluded=True), "electrons that PIX can hold",
-        path="range.full_well_e", source=_NOT_PUBLIC,
-    )  # fmt: skip
-    register_min_e: float = setting(
+    analog_word_us: float = _ours(_WORD_US, "one analog word", section="time")
+    digital_word_us: float = _ours(_WORD_US, "one digital word", section="time")
+    launch_us: float = _ours(Number(0, 1e9), "overhead of one kernel launch", section="time")
+    readout_us: float = _ours(
+        Number(0, 1e12), "reading one analog register of the whole array out", section="time"
+    )
+    digital_retention_us: float = key(
+        _ABOVE_0, "an untouched digital register keeps its bit for so long", section="time"
+    )
+
+    full_well_e: float = _ours(_ABOVE_0, "electrons that PIX can hold", section="range")
+    register_min_e: float = _ours(
         Number(-1e15, 0, high_excluded=True), "least value of an analog register, below 0",
-        path="range.register_min_e", source=_NOT_PUBLIC,
+        section="range",
     )  # fmt: skip
-    register_max_e: float = setting(
-        Number(0, 1e15, low_excluded=True), "largest value of an analog register, above 0",
-        path="range.register_max_e", source=_NOT_PUBLIC,
-    )  # fmt: skip
-    adc_bits: int = setting(Integer(1, 16), "bits of the readout", path="range.adc_bits")
-    adc_offset_lsb: float = setting(
-        Number(-65536, 65536), "code of a register that holds nothing",
-        path="range.adc_offset_lsb", source=_NOT_PUBLIC,
-    )  # fmt: skip
+    register_max_e: float = _ours(
+        _ABOVE_0, "largest value of an analog register, above 0", section="range"
+    )
+    adc_bits: int = key(Integer(1, 16), "bits of the readout", section="range")
+    adc_offset_lsb: float = _ours(
+        Number(-65536, 65536), "code of a register that holds nothing", section="range"
+    )
 
     @property
     def electrons_per_lsb(self) -> float:

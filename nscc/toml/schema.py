@@ -61,24 +61,23 @@ class Codes:
     change: str = ""
 
 
-def setting(
-    kind: Kind, meaning: str, default: Any = MISSING, *, path: str = "", source: str = "",
-    required: bool = False,
+def key(
+    kind: Kind, meaning: str, default: Any = MISSING, *, section: str = "", name: str = "",
+    source: str = "", required: bool = False,
 ) -> Any:  # fmt: skip
-    """A field of a dataclass that is a key of a file, at `path` where that is not its own name."""
-    section, _, name = path.rpartition(".")
-    key = Key(section, name, kind, meaning, default, source, required)
-    return field(default=default, metadata={"key": key})
+    """A field of a dataclass that is a key of a file, called `name` where that is not its own."""
+    row = Key(section, name, kind, meaning, default, source, required)
+    return field(default=default, metadata={"key": row})
 
 
 def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
     """The keys that the fields of a dataclass are, in its order; those in no table in `section`."""
     return tuple(
         replace(
-            key := each.metadata["key"],
-            section=key.section or section,
-            name=key.name or each.name,
-            heading=key.section or section,
+            row := each.metadata["key"],
+            section=row.section or section,
+            name=row.name or each.name,
+            heading=row.section or section,
             attribute=each.name,
         )
         for each in fields(settings)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from nscc.toml.kinds import Flag, Integer, Number, Several, Text
-from nscc.toml.schema import Codes, Schema, keys_of, setting
+from nscc.toml.schema import Codes, Schema, key, keys_of
 from nscc_training.decoders.declared import DECODERS, SIZES
 from nscc_training.protocols import NAMES
 
@@ -14,76 +14,66 @@ from nscc_training.protocols import NAMES
 class ShutterSettings:
     """[shutter]: what is learned on the sensor's side."""
 
-    kind: str = setting(
-        Text(("a", "b", "c", "d", "e", "codebook")), "the class of shutters", "b", path="class"
+    kind: str = key(
+        Text(("a", "b", "c", "d", "e", "codebook")), "the class of shutters", "b", name="class"
     )
-    slots: int = setting(Integer(1, 65536), "slots in a frame", 256)
-    slot_us: float = setting(Number(1e-3, 1e9), "length of a slot in microseconds", 125.0)
-    tile: tuple[int, ...] = setting(
-        Several(2, Integer(1, 4096)), "rows and columns of the tile of codes", (8, 8)
+    slots: int = key(Integer(1, 65536), "slots in a frame", 256)
+    slot_us: float = key(Number(1e-3, 1e9), "length of a slot in microseconds", 125.0)
+    tile: tuple[int, ...] = key(
+        Several(Integer(1, 4096), 2), "rows and columns of the tile of codes", (8, 8)
     )
-    free: bool = setting(Flag(), "a code for every pixel of the array instead of a tile", False)
-    length: int = setting(Integer(1, 65536), "slots of a bump of class c", 4)
-    rows: int = setting(Integer(1, 4096), "shapes of a codebook", 64)
-    init: str = setting(
+    free: bool = key(Flag(), "a code for every pixel of the array instead of a tile", False)
+    length: int = key(Integer(1, 65536), "slots of a bump of class c", 4)
+    rows: int = key(Integer(1, 4096), "shapes of a codebook", 64)
+    init: str = key(
         Text(),
         "random, uniform, quad (2 x 2 geometric), learned (as quad), or a file of codes, .npz "
-        "or .mat",
-        "quad",
-    )
-    learn: bool = setting(Flag(), "false keeps the codes as they start", True)
-    relaxation: str = setting(
+        "or .mat", "quad",
+    )  # fmt: skip
+    learn: bool = key(Flag(), "false keeps the codes as they start", True)
+    relaxation: str = key(
         Text(("straight-through", "sigmoid", "gumbel", "tried")),
-        "how gradients pass the quantisation",
-        "straight-through",
-    )
-    temperature: tuple[float, ...] = setting(
-        Several(2, Number(1e-6, 1e6)),
-        "of a relaxation, at the first step and at the last",
+        "how gradients pass the quantisation", "straight-through",
+    )  # fmt: skip
+    temperature: tuple[float, ...] = key(
+        Several(Number(1e-6, 1e6), 2), "of a relaxation, at the first step and at the last",
         (1.0, 0.05),
-    )
-    noise: float = setting(
+    )  # fmt: skip
+    noise: float = key(
         Number(0, 1e6),
         "on parameters at the first step, in slots or for digits in their own unit; 0 at the last",
         0.0,
     )
-    tried_share: float = setting(
+    tried_share: float = key(
         Number(1e-4, 1), "the part of the pixels that a trial moves, with `tried`", 1.0
     )
-    warm_up: float = setting(
+    warm_up: float = key(
         Number(0, 1),
         "the first part of the steps, in which the codes stay as they start and the decoder "
-        "learns them",
-        0.0,
-    )
-    settle: float = setting(
+        "learns them", 0.0,
+    )  # fmt: skip
+    settle: float = key(
         Number(0, 1),
         "the last part of the steps, in which the codes stay as they are and the decoder "
-        "learns them",
-        0.0,
-    )
-    target: str = setting(Text(), "the chip: a name or a file, as --target takes it", "scamp5")
-    require: str = setting(
-        Text(), "a condition that legal codes fulfil, as in a program (b, c, d)", ""
-    )
-    codes: str = setting(
-        Text(("fixed", "open")),
-        "open: every legal code must compile, not only those learned",
+        "learns them", 0.0,
+    )  # fmt: skip
+    target: str = key(Text(), "the chip: a name or a file, as --target takes it", "scamp5")
+    require: str = key(Text(), "a condition that legal codes fulfil, as in a program (b, c, d)", "")
+    codes: str = key(
+        Text(("fixed", "open")), "open: every legal code must compile, not only those learned",
         "fixed",
-    )
-    words_weight: float = setting(
-        Number(0, 1e6), "of the stand-in for words a slot in the loss", 0.0
-    )
+    )  # fmt: skip
+    words_weight: float = key(Number(0, 1e6), "of the stand-in for words a slot in the loss", 0.0)
 
 
 @dataclass(frozen=True)
 class DecoderSettings:
     """[decoder]: what makes pictures of frames."""
 
-    name: str = setting(Text(), f"{', '.join(DECODERS)}, or one's own as module:name", "unet2d")
-    size: str = setting(Text(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
-    width: float = setting(Number(0.01, 1), "of its layers, as a part of the size's", 1.0)
-    sees_code: bool = setting(Flag(), "whether the decoder knows the code of each pixel", True)
+    name: str = key(Text(), f"{', '.join(DECODERS)}, or one's own as module:name", "unet2d")
+    size: str = key(Text(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
+    width: float = key(Number(0.01, 1), "of its layers, as a part of the size's", 1.0)
+    sees_code: bool = key(Flag(), "whether the decoder knows the code of each pixel", True)
 
     @property
     def sized(self) -> str:
@@ -95,81 +85,72 @@ class DecoderSettings:
 class SensorSettings:
     """[sensor]: what becomes of the light."""
 
-    file: str = setting(
-        Text(), "a sensor's numbers (nscc effects --toml); empty: the protocol's", ""
-    )
-    noise: bool = setting(Flag(), "photon noise and readout noise", True)
-    slope: float = setting(Number(0, 1), "stand-in slope of saturated pixels", 0.1)
+    file: str = key(Text(), "a sensor's numbers (nscc effects --toml); empty: the protocol's", "")
+    noise: bool = key(Flag(), "photon noise and readout noise", True)
+    slope: float = key(Number(0, 1), "stand-in slope of saturated pixels", 0.1)
 
 
 @dataclass(frozen=True)
 class DataSettings:
     """[data]: scenes. Training and validation never share one."""
 
-    train: str = setting(Text(), "a folder, procedural, or one's own as module:name", "procedural")
-    val: str = setting(Text(), "the same; empty: every fifth file of `train`", "procedural")
-    protocol: str = setting(Text(NAMES), "stills (hdr-v1) or clips", "hdr-v1")
-    transfer: str = setting(
-        Text(("", "linear", "srgb")),
-        "curve of clips: linear or srgb; empty: as the protocol says",
+    train: str = key(Text(), "a folder, procedural, or one's own as module:name", "procedural")
+    val: str = key(Text(), "the same; empty: every fifth file of `train`", "procedural")
+    protocol: str = key(Text(NAMES), "stills (hdr-v1) or clips", "hdr-v1")
+    transfer: str = key(
+        Text(("", "linear", "srgb")), "curve of clips: linear or srgb; empty: as the protocol says",
         "",
-    )
-    patch: int = setting(Integer(11, 4096), "rows and columns of a training patch", 64)
-    together: int = setting(
+    )  # fmt: skip
+    patch: int = key(Integer(11, 4096), "rows and columns of a training patch", 64)
+    together: int = key(
         Integer(1, 100000), "patches of a batch that are cut from one exposure of a scene", 1
     )
-    scenes: int = setting(
+    scenes: int = key(
         Integer(1, 100000), "procedural scenes for training; a quarter as many to validate", 16
     )
-    frames: int = setting(Integer(1, 100000), "frames read of a clip", 128)
-    paths: int = setting(
+    frames: int = key(Integer(1, 100000), "frames read of a clip", 128)
+    paths: int = key(
         Integer(1, 100000), "clips that a camera makes of a panorama, turning inside it", 4
     )
-    val_items: int = setting(
-        Integer(1, 100000), "exposures in a validation, of `together` patches", 8
-    )
-    augment: bool = setting(
+    val_items: int = key(Integer(1, 100000), "exposures in a validation, of `together` patches", 8)
+    augment: bool = key(
         Flag(), "turn and mirror; contrast of stills; time of clips backwards", True
     )
-    saturated: tuple[float, ...] = setting(
-        Several(2, Number(0.001, 0.9)),
-        "the part of a still's pixels that saturate when always open, from and to",
-        (0.3, 0.3),
-    )
+    saturated: tuple[float, ...] = key(
+        Several(Number(0.001, 0.9), 2),
+        "the part of a still's pixels that saturate when always open, from and to", (0.3, 0.3),
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
 class LossSettings:
     """[loss]: what is minimised."""
 
-    name: str = setting(
+    name: str = key(
         Text(),
         "l1 (linear), display (sRGB), log, mu-law, pu21, psnr, psnr-mu, psnr-display, one's "
-        "own as module:name, or several, joined by + and added",
-        "mu-law",
-    )
+        "own as module:name, or several, joined by + and added", "mu-law",
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
 class TrainSettings:
     """[train]: the loop."""
 
-    steps: int = setting(Integer(1, 10**9), "updates", 1000)
-    batch: int = setting(Integer(1, 100000), "patches an update", 4)
-    seed: int = setting(Integer(0, 2**31 - 1), "of everything random", 0)
-    device: str = setting(Text(("auto", "cpu", "cuda")), "auto: cuda where there is one", "auto")
-    dtype: str = setting(
+    steps: int = key(Integer(1, 10**9), "updates", 1000)
+    batch: int = key(Integer(1, 100000), "patches an update", 4)
+    seed: int = key(Integer(0, 2**31 - 1), "of everything random", 0)
+    device: str = key(Text(("auto", "cpu", "cuda")), "auto: cuda where there is one", "auto")
+    dtype: str = key(
         Text(("f32", "bf16")), "of the decoder; the sensor's physics stays what it is", "f32"
     )
-    rate: float = setting(Number(0, 10), "learning rate of the decoder (Adam)", 1e-3)
-    code_rate: float = setting(
+    rate: float = key(Number(0, 10), "learning rate of the decoder (Adam)", 1e-3)
+    code_rate: float = key(
         Number(0, 10), "learning rate of the codes, as a part of their range", 1e-3
     )
-    schedule: str = setting(Text(("cosine", "constant")), "of both rates over the steps", "cosine")
-    clip: float = setting(Number(0, 1e9), "largest norm of the decoder's gradient; 0: any", 1.0)
-    validate_every: int = setting(
-        Integer(1, 10**9), "steps between validations and checkpoints", 100
-    )
+    schedule: str = key(Text(("cosine", "constant")), "of both rates over the steps", "cosine")
+    clip: float = key(Number(0, 1e9), "largest norm of the decoder's gradient; 0: any", 1.0)
+    validate_every: int = key(Integer(1, 10**9), "steps between validations and checkpoints", 100)
 
 
 @dataclass(frozen=True)
