@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 _ROOT = Path(__file__).resolve().parents[1]
-_DECIDES = (".py", ".toml", ".json")
+_DECIDES = (".py", ".toml")
 
 
 def digest(value: Any) -> str:
