@@ -3,7 +3,6 @@
 # make test-slow  the tests that take minutes
 # make bench      measure: speed beside numpy, words of logic beside the best known; minutes
 # make lint       ruff; make types: mypy; make format: put right what ruff can
-# make grammar    the parser's tables, from grammars/nsl.lark
 # make clean      remove what was built; the environment stays
 #
 # PYTHON=python3.12 chooses the interpreter (3.11 or newer), VENV=.. and OUT=.. the folders.
@@ -25,7 +24,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test test-slow bench lint format types grammar clean
+.PHONY: help demo test test-slow bench lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -97,9 +96,6 @@ bench: $(VENV)/.test-installed $(VENV)/.compiled
 	$(PIP) --no-build-isolation --editable '.[bench,device,test,train]'
 	@status=0; for file in tests/benchmarks/bench_*.py; do \
 	  echo "$$file"; $(BIN)/python $$file || status=1; done; exit $$status
-
-grammar: $(VENV)/.test-installed
-	$(BIN)/python -m nscc.syntax.generate
 
 clean:
 	rm -rf $(OUT) dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

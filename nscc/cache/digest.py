@@ -17,7 +17,7 @@ import numpy as np
 from nscc.plugins import sources
 
 _ROOT = Path(__file__).resolve().parents[1]
-_DECIDES = (".py", ".toml", ".json")
+_DECIDES = (".py", ".toml")
 
 
 def digest(value: Any) -> str:
