@@ -273,6 +273,9 @@ def _may_pass(wrong: Found, options: Options) -> bool:
     return not options.unproved_is_error and all(only_search_can_tell(d) for d in wrong)
 
 
+_LAST = ("schedule", "words", "prove")
+
+
 def _compiled(made: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
-    last = (made["schedule"], made["words"], made["prove"]) if fits else (None, None, None)
-    return Compiled(made["parse"].tree, made["program"], *last, tuple(messages))
+    choice, container, proof = map(made.get if fits else lambda _: None, _LAST)
+    return Compiled(made["parse"].tree, made["program"], choice, container, proof, tuple(messages))
