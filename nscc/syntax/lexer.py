@@ -52,7 +52,7 @@ def lex(source: Source) -> Tokens:
     target_name = re.compile(parser().get_terminal("TARGET_NAME").pattern.value)
     tokens = Tokens(source, [], [])
     taken = 0
-    for token in parser().parse_interactive(source.text, start=START).lexer_thread.lex(None):
+    for token in parser().parse_interactive(source.text, start=START).lexer_thread.lex(None):  # type: ignore[no-untyped-call]
         start = span_of(token).start
         if start < taken:
             continue
