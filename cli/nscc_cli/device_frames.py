@@ -93,12 +93,12 @@ def capture_frames(port: str, program: Path | None, options: dict[str, Any]) -> 
 
 def _target(chip: Chip, named: str | None) -> Target:
     """The chip behind the port: the table of its own name, or the one that the user names."""
-    from nscc.target.load import builtin_names, load_target
+    from nscc.target.load import load_target, target_names
     from nscc_runtime.device.objects import target_digest
     from nscc_runtime.device.trouble import wrong_target
 
     info = chip.info()
-    name = named or (info.target_name if info.target_name in builtin_names() else "scamp5")
+    name = named or (info.target_name if info.target_name in target_names() else "scamp5")
     target = load_target(name, Path())
     if target_digest(target) != info.target:
         raise wrong_target(chip.link.path, target, info)
