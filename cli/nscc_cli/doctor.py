@@ -81,10 +81,10 @@ def _targets() -> Finding:
     from pathlib import Path
 
     from nscc.diagnostics.diagnostic import Rejected
-    from nscc.target.load import builtin_names, load_target
+    from nscc.target.load import load_target, target_names
 
     try:
-        names = [load_target(name, Path()).name for name in builtin_names()]
+        names = [load_target(name, Path()).name for name in target_names()]
     except Rejected as rejected:
         return WRONG, f"targets: {rejected}"
     return GOOD, f"targets: {', '.join(names)}"

@@ -116,8 +116,7 @@ class Target:
 
 
 SCHEMA = Schema(
-    "a target",
-    "target file",
+    "target",
     keys_of(Target),
     {
         "": "",
