@@ -18,6 +18,9 @@ from pathlib import Path
 import pytest
 from packaging.requirements import Requirement
 
+LARGEST_BASE = 120_000_000
+"""Bytes that `pip install nscc` may bring, those that Python compiles at once included."""
+
 OWN = {"nscc", "nscc_cli", "nscc_runtime", "nscc_training"}
 
 pytestmark = pytest.mark.xdist_group("wheel")
@@ -110,7 +113,11 @@ def test_pip_installs_all_that_is_needed(dist: Path, root: Path, tmp_path: Path)
     constraints = root / "constraints.txt"
     done([python, "-m", "pip", "install", "--quiet", "-c", constraints, wheel], tmp_path)
     done([tmp_path / "venv" / "bin" / "nscc", "doctor"], tmp_path)
-    assert not (site_packages(tmp_path / "venv") / "torch").exists()
+    site = site_packages(tmp_path / "venv")
+    tools = {"pip", "setuptools", "pkg_resources", "_distutils_hack"}
+    own = (path for path in site.iterdir() if path.name.partition("-")[0] not in tools)
+    files = (file for each in own for file in (each, *each.rglob("*")) if file.is_file())
+    assert sum(file.stat().st_size for file in files) < LARGEST_BASE
 
 
 def done(command: Sequence[str | Path], folder: Path, *paths: Path) -> str:
