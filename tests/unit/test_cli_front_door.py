@@ -141,7 +141,7 @@ def test_a_fault_leaves_a_reproducer(folder: Path, monkeypatch: pytest.MonkeyPat
 
 
 def test_output_may_be_cut_off(folder: Path) -> None:
-    command = f"{sys.executable} -m nscc explain | head -n 1"
+    command = f"{sys.executable} -m nscc_cli explain | head -n 1"
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     outcome = subprocess.run(
         ["bash", "-o", "pipefail", "-c", command],

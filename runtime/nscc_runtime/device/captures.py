@@ -10,7 +10,7 @@ from time import monotonic, sleep
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
-from nscc.target.load import load_target
+from nscc.target.load import load_target, target_names
 from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc_runtime.device.chip import Chip
