@@ -274,5 +274,7 @@ def _may_pass(wrong: Found, options: Options) -> bool:
 
 
 def _compiled(made: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
-    last = (made["schedule"], made["words"], made["prove"]) if fits else (None, None, None)
-    return Compiled(made["parse"].tree, made["program"], *last, tuple(messages))
+    names = ("schedule", "words", "prove")
+    choice, container, proved = (made[name] if fits else None for name in names)
+    tree, program = made["parse"].tree, made["program"]
+    return Compiled(tree, program, choice, container, proved, tuple(messages))

@@ -164,9 +164,13 @@ def _product(kind: str, compiled: Compiled) -> bytes:
 
     match kind:
         case "ast":
-            return listing.print_tree(compiled.tree, compiled.program.source).encode()
+            from nscc.syntax.printing import print_tree
+
+            return print_tree(compiled.tree, compiled.program.source).encode()
         case "ir":
-            return listing.print_program(compiled.program).encode()
+            from nscc.program.printing import print_program
+
+            return print_program(compiled.program).encode()
         case "gates":
             return listing.gates_text(lowered.decoding, lowered.program.target).encode()
         case "schedule":
