@@ -42,12 +42,12 @@ $(VENV)/.made:
 $(VENV)/.installed: $(VENV)/.made pyproject.toml constraints.txt
 	@echo "installing nscc"
 	$(PIP) hatchling
-	$(PIP) --no-build-isolation --editable .
+	$(PIP) --no-build-isolation --editable '.[run,view]'
 	@touch $@
 
 $(VENV)/.test-installed: $(VENV)/.installed
 	@echo "installing the test environment, torch included: this takes some minutes, once"
-	$(PIP) --no-build-isolation --editable '.[device,test,train]'
+	$(PIP) --no-build-isolation --editable '.[test]'
 	@touch $@
 
 # Compiled ahead, so that no command has to wait for a compiler, even where Python may not cache.
@@ -94,7 +94,7 @@ test-slow: $(VENV)/.test-installed $(VENV)/.compiled
 	$(BIN)/pytest --numprocesses auto --dist loadgroup -m slow
 
 bench: $(VENV)/.test-installed $(VENV)/.compiled
-	$(PIP) --no-build-isolation --editable '.[bench,device,test,train]'
+	$(PIP) --no-build-isolation --editable '.[bench,test]'
 	@status=0; for file in tests/benchmarks/bench_*.py; do \
 	  echo "$$file"; $(BIN)/python $$file || status=1; done; exit $$status
 

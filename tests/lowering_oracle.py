@@ -17,13 +17,13 @@ from nscc.lower.assemble import assemble
 from nscc.lower.gates import find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
 from nscc.lower.plan import Misfit, plan_exposures
+from nscc.operations import Op
 from nscc.program.program import BucketRule, Frame, Program
 from nscc.source import Source, Span
 from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable
 from nscc.words.legality import decoded
-from nscc.words.operations import Op
 
 FRAMES = 2
 REPLICAS = 6

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.files import write_together
 from nscc_cli.programs import BuildChoice, build_options, compile_program
-from nscc_cli.support import CommonCommand, done, say, write_together
+from nscc_cli.support import CommonCommand, done, say
 
 if TYPE_CHECKING:
     from nscc.pipeline import Compiled

@@ -9,9 +9,9 @@ from typing import Any
 
 from nscc.logic.bound import ASSUMES, level_bound
 from nscc.lower.lowered import Choice, Lowered
+from nscc.operations import Effect, Op, Phase
 from nscc.prove.proof import Proof
 from nscc.words.cost import refresh_count
-from nscc.words.operations import Effect, Op, Phase
 
 
 def report(choice: Choice, proof: Proof) -> dict[str, Any]:

@@ -23,9 +23,9 @@ from typing import Literal, NamedTuple, get_args
 import numpy as np
 
 from nscc.lower.timeline import Timeline, timeline
+from nscc.operations import Effect, Op, op
 from nscc.program.program import Program
 from nscc.truth import columns, members
-from nscc.words.operations import Effect, Op, op
 
 Lowering = Literal["accumulate", "latch", "edges"]
 LOWERINGS: tuple[Lowering, ...] = get_args(Lowering)

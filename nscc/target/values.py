@@ -13,10 +13,10 @@ from math import isfinite
 from typing import Any
 
 from nscc.diagnostics.suggest import closest
+from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE
 from nscc.target.schema import CHOICES, KEYS, SECTIONS, Key
 from nscc.target.target import Target
 from nscc.toml_text import shown
-from nscc.words.operations import ANALOG_WRITE, DIGITAL_WRITE
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.+-]{0,63}")
 _LONGEST_TEXT = 400

@@ -17,6 +17,7 @@ from nscc.lower.plan import Lowering
 from nscc.pipeline import Compiled, Options, run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
+from nscc.syntax.parse import read_source
 from nscc.tradeoff.points import Point
 
 Count = Literal["all", "logic"]
@@ -88,6 +89,16 @@ def builtin_cases() -> tuple[Case, ...]:
     )
 
 
+def cases_of(files: Sequence[Path]) -> tuple[Case, ...]:
+    """The programs in these files, by the shortest names that tell them apart."""
+    paths = list(dict.fromkeys(files))
+    short = len({path.stem for path in paths}) == len(paths)
+    return tuple(
+        Case(path.stem if short else path.as_posix(), read_source(path), path.parent, "fixed")
+        for path in paths
+    )
+
+
 def _frame(slots: int) -> str:
     return f"frame {slots} slots of 1ms "
 
@@ -115,6 +126,18 @@ def measure(ways: Sequence[Way], repeats: int, count: Count, progress: Progress 
         else:
             points.append(_point(way, found, tuple(times_ms[way]), count))
     return Measured(tuple(points), tuple(refused))
+
+
+def refusals_text(refused: Sequence[tuple[Way, str]]) -> list[str]:
+    """Why a case has no point in some lowering, a line for all levels with the same reason."""
+    levels: dict[tuple[str, str, str], list[str]] = {}
+    for way, reason in refused:
+        key = (way.case.name, way.lowering, reason)
+        levels.setdefault(key, []).append(f"-O{way.level}")
+    return [
+        f"{case}, {lowering}, {' '.join(at)}: {reason}"
+        for (case, lowering, reason), at in levels.items()
+    ]
 
 
 def every_way(

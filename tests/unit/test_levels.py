@@ -103,7 +103,8 @@ def test_what_a_command_takes(
         taken.append(options.level)
         return compile_file(path, options, see)
 
-    monkeypatch.setattr("nscc.compiler.compile_file", compiled)
+    for module in ("compiler", "containers"):
+        monkeypatch.setattr(f"nscc.{module}.compile_file", compiled)
     command, *more = arguments
     assert invoke([command, "p.nsl", *more], tmp_path).status == 0
     assert taken == [level]
