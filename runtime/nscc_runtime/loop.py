@@ -200,7 +200,6 @@ class _Interface(ctypes.Structure):
     )
 
 
-_IN_ONE_PIECE, _WRITEABLE = 0x101, 0x400
 _pointer = ctypes.PYFUNCTYPE(ctypes.c_void_p, ctypes.py_object, ctypes.c_char_p)(
     ("PyCapsule_GetPointer", ctypes.pythonapi)
 )
@@ -251,11 +250,10 @@ class Parameter:
             return ctypes.addressof(value)
         if not isinstance(value, np.ndarray) or value.dtype != self.kind:
             raise TypeError(f"{self.name} is {_kind(value)}, not an array of {self.kind}")
-        capsule = value.__array_struct__
-        array = _Interface.from_address(_pointer(capsule, None))
-        if array.flags & _IN_ONE_PIECE != _IN_ONE_PIECE:
+        flags = value.flags
+        if not (flags.c_contiguous and flags.aligned):
             raise TypeError(f"{self.name} does not lie in one piece, row after row")
-        if self.written and not array.flags & _WRITEABLE:
+        if self.written and not flags.writeable:
             raise TypeError(f"{self.name} is to be written, and is read-only")
         if self.axes is not None:
             shape = value.shape
@@ -264,7 +262,8 @@ class Parameter:
             for length, (axis, more) in zip(shape, self.axes, strict=True):
                 if axes.setdefault(axis, length - more) != length - more:
                     raise self._unequal(axis, length - more, axes)
-        return cast(int, array.data)
+        capsule = value.__array_struct__
+        return cast(int, _Interface.from_address(_pointer(capsule, None)).data)
 
     def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
         return TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")
