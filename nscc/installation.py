@@ -14,7 +14,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.requirements import extras, install_line
 from nscc.source import Source
 from nscc.syntax.parse import parse
-from nscc.target.load import target_names, load_target
+from nscc.target.load import load_target, target_names
 
 GOOD, ABSENT, WRONG = "ok", "absent", "WRONG"
 
