@@ -56,11 +56,12 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     with timings.part("write_s"):
         products = _products(container, light, frame, keep, out, meta)
         if options["png"]:
-            from nscc_runtime.pictures import frame_png, readouts
+            from nscc_runtime.pictures.frames import frame_sheet, readouts
+            from nscc_runtime.pictures.sheet import png_of
 
             first = frame.frame[0] if repeat else frame.frame
             title = f"{program.name}  ·  on the device"
-            products[options["png"]] = frame_png(readouts(container, first), title)
+            products[options["png"]] = png_of(frame_sheet, readouts(container, first), title)
         write_together(products)
     if options["timings"]:
         write_together({options["timings"]: timings.json()})

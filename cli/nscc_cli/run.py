@@ -269,11 +269,12 @@ def _products(
         out: frame_file.FrameFile(frame, meta, kept, slots, progress).write,
     }
     if options["png"]:
-        from nscc_runtime.pictures import frame_png, readouts
+        from nscc_runtime.pictures.frames import frame_sheet, readouts
+        from nscc_runtime.pictures.sheet import png_of
 
         first = frame.frame[0] if options["repeat"] else frame.frame
         title = f"{program.name}  ·  {options['scene'].rstrip('/').rsplit('/', 1)[-1]}"
-        products[options["png"]] = frame_png(readouts(container, first), title)
+        products[options["png"]] = png_of(frame_sheet, readouts(container, first), title)
     return products
 
 

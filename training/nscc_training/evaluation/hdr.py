@@ -62,7 +62,7 @@ def crops(
 ) -> Iterator[Crop | Unusable]:
     """The crops of panoramas, in order; those that cannot be used as `Unusable`."""
     from nscc_runtime.scenes.colour import linear
-    from nscc_runtime.scenes.pictures import read_picture
+    from nscc_runtime.scenes.picture_files import read_picture
 
     rows, cols = protocol["panorama"]
     top, bottom = protocol["crop_rows"]
