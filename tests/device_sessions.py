@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from device_simulation import Simulation
 from emulator_programs import bumps, target_of
 
 from nscc.target.target import Target
@@ -18,9 +19,8 @@ from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.host import Host, Task
-from nscc_runtime.device.loader import Loader
+from nscc_runtime.device.loader import Loaded, Loader
 from nscc_runtime.device.objects import Upload, upload_of
-from nscc_runtime.device.simulation import Loaded, Simulation
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 

@@ -17,7 +17,7 @@ from nscc_cli.support import done, session, show
 if TYPE_CHECKING:
     from nscc.target.target import Target
     from nscc_runtime.device.board import EmulatedChip
-    from nscc_runtime.device.simulation import Loaded
+    from nscc_runtime.device.loader import Loaded
     from nscc_runtime.light import Light
 
 

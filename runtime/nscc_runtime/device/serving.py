@@ -12,7 +12,7 @@ from contextlib import suppress
 from time import monotonic, sleep
 
 from nscc_runtime.device.faults import Accidents, Faults, Spoiler
-from nscc_runtime.device.simulation import Loaded
+from nscc_runtime.device.loader import Loaded
 
 _MOST_READ = 4096
 _ROOM = 4096
