@@ -19,8 +19,9 @@ from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.host import Host, Task
-from nscc_runtime.device.loader import Loaded, Loader
+from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.objects import Upload, upload_of
+from nscc_runtime.device.serving import Loaded
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 

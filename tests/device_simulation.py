@@ -12,8 +12,8 @@ from dataclasses import dataclass
 
 from nscc_runtime.device.faults import Accidents, Faults, Spoiler
 from nscc_runtime.device.host import Host
-from nscc_runtime.device.loader import Loaded
 from nscc_runtime.device.packets import Packet
+from nscc_runtime.device.serving import Loaded
 
 _PIECE = 256
 _BOOT_S = 0.1

@@ -18,7 +18,7 @@ from device_sessions import (
 from device_simulation import Simulation
 from emulator_programs import container_of, target_of
 
-from nscc.words.operations import op
+from nscc.operations import op
 from nscc_runtime.device import tasks
 from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.host import Refused, Silent, Stalled
