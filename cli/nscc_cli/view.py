@@ -25,8 +25,9 @@ def command(program: Path, out: Path | None, **options: Any) -> None:
     """Draw the shutters of a program as a time chart, and the map of its codes, as a PNG."""
     container, messages = load_program(program, BuildChoice.of(options))
     say(messages)
-    from nscc_runtime.chart import view_png
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.shutters import shutter_sheet
 
     out = out or Path(program.stem + ".png")
-    write_whole(out, view_png(container, program.name))
+    write_whole(out, png_of(shutter_sheet, container, program.name))
     done(f"wrote {out.as_posix()}")

@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from nscc_runtime.chart import shutters_of, view_png
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
 from nscc.words.container import Container, DecodeTable, packed_shutters
-from nscc_runtime.chart import shutters_of, view_png
 from nscc_runtime.frame_file import (
     FrameFile,
     Provenance,
