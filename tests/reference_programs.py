@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -62,7 +61,7 @@ def program(
 
 def sensor_of(container: Container, **values: float) -> Sensor:
     """The container's default sensor with some values of our own."""
-    return replace(default_sensor(container.target), **values)
+    return default_sensor(container.target).changed(**values)
 
 
 def flat(electrons: float, rows: int = ROWS, cols: int = COLS) -> Light:

@@ -17,7 +17,7 @@ def serve(options: dict[str, Any]) -> None:
     from nscc.target.load import load_target
     from nscc_runtime.device import stand_in
     from nscc_runtime.device.faults import Faults, parse_faults
-    from nscc_runtime.emulator.compiled import entry_point, is_compiled
+    from nscc_runtime.emulator.loops import expose_block
 
     faults = parse_faults(options["fault"]) if options["fault"] else Faults()
     target = load_target(options["target"], Path())
@@ -26,9 +26,9 @@ def serve(options: dict[str, Any]) -> None:
     chip = stand_in.emulated_chip(
         scene, target, sensor, options["device_seed"], warn=_warn, failed=_report
     )
-    if not is_compiled():
+    if not expose_block.is_compiled():
         done("compiling the emulator's loops for this processor: once, some seconds")
-        entry_point()
+        expose_block.load()
     with stand_in.loaded(options["loader"], target, chip, done) as loader:
         stand_in.serve(
             loader, faults, opened=click.echo, moved=_moved, once=options["once"],

@@ -165,10 +165,10 @@ def compiled_or_not(way: Way) -> Compiled | Diagnostic:
 
 def _point(way: Way, compiled: Compiled, times_ms: tuple[float, ...], count: Count) -> Point:
     """The bound is that of the logic; all words are at least the plan's analog ones more."""
-    lowered, proof = compiled.lowered, compiled.proof
-    assert lowered is not None
+    choice, proof = compiled.choice, compiled.proof
+    assert choice is not None
     assert proof is not None
-    logic = report(lowered, compiled.choice, proof)["logic"]
+    lowered, logic = choice.best, report(choice, proof)["logic"]
     words, bound = logic["words"], logic["bound"]
     if count == "all":
         words = lowered.schedule.words_total

@@ -19,10 +19,10 @@ def findings() -> Iterator[Finding]:
 def _loops() -> Finding:
     if find_spec("numba") is None:
         return Finding(ABSENT, "the emulator's loops: numba compiles them")
-    from nscc_runtime.emulator import compiled
+    from nscc_runtime.emulator.loops import expose_block
 
     try:
-        compiled.entry_point()
+        expose_block.load()
     except (ImportError, OSError, RuntimeError) as error:
         return Finding(WRONG, f"the emulator's loops do not compile: {error}")
     return Finding(GOOD, "the emulator's loops are compiled for this processor")

@@ -134,7 +134,7 @@ def counted(row: Row, lowering: str, level: int, target: Target) -> Count:
         last = rejected.diagnostics[-1]
         return Count(perf_counter() - begin, refused=f"{last.code} {last.message}")
     seconds = perf_counter() - begin
-    logic = report(compiled.lowered, compiled.choice, compiled.proof)["logic"]
+    logic = report(compiled.choice, compiled.proof)["logic"]
     return Count(
         seconds, logic["ops"], logic["words"], logic["max_slot_words"], logic["registers"],
         logic["bound"],

@@ -52,7 +52,7 @@ def searches(monkeypatch: pytest.MonkeyPatch) -> list[int]:
         made.append(level)
         yield from solutions(problem, machine, level)
 
-    monkeypatch.setattr("nscc.lower.lowered.solutions", counted)
+    monkeypatch.setattr("nscc.lower.gates.solutions", counted)
     return made
 
 
@@ -60,7 +60,7 @@ def built(text: str, **options: object) -> tuple[bytes, bytes]:
     """The container and the report of a program, every lowering priced."""
     given = Options(codes="open", price_all=True, **options)  # type: ignore[arg-type]
     compiled = compile_source(Source("p.nsl", f"nsl 1 {text}\n"), Path(), given)
-    values = report(compiled.lowered, compiled.choice, compiled.proof)
+    values = report(compiled.choice, compiled.proof)
     return to_bytes(compiled.container), report_bytes(values)
 
 
@@ -286,7 +286,7 @@ def test_every_solution_can_be_kept(name: str, lowering: str, tmp_path: Path) ->
         yield from solutions(problem, machine, level)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("nscc.lower.lowered.solutions", overhear)
+        patch.setattr("nscc.lower.gates.solutions", overhear)
         built(TEXTS[name], lowering=lowering, cache=False)
     problem, machine = asked[0]
     results = Results(Store(tmp_path))
