@@ -93,40 +93,44 @@ class _Turns:
 
     flips: tuple[tuple[int, ...], ...]
     most_cubes: int
-    words: int
 
 
 @cache
 def _turns(bits: int) -> _Turns:
-    """The cheapest way to turn bits over, by dynamic programming over their polarities.
+    """The cheapest way to turn bits over: a shortest path through (group, polarities).
 
     In group h the bits must mask every lower value but not h, and the values above h must be an
-    OR of planes as they stand and a few cubes.
+    OR of planes as they stand and a few cubes. The path enters group 0 and leaves the last group
+    with every bit as it was stored; an edge costs two words a bit turned in place, and a cube's.
     """
-    groups = 1 << bits
-    start = (0,) * bits
-    best: dict[tuple[int, ...], tuple[int, int, tuple[tuple[int, ...], ...]]]
-    best = {start: (0, 0, ())}
+    import networkx as nx  # only from -O2 on: `check` starts without it
+
+    groups, stored = 1 << bits, (0,) * bits
+    ways = nx.DiGraph()
+    before = [stored]
     for h in range(groups):
-        after: dict[tuple[int, ...], tuple[int, int, tuple[tuple[int, ...], ...]]] = {}
-        for old, (words, most, flips) in best.items():
-            for new in product((0, 1), repeat=bits):
-                cubes = _group_cubes(h, new, bits)
-                if cubes is None:
-                    continue
-                turned = tuple(i for i in range(bits) if new[i] != old[i])
-                if h == 0 and turned:
-                    continue
-                price = (words + 2 * len(turned) + cubes, max(most, cubes), (*flips, turned))
-                if new not in after or price < after[new]:
-                    after[new] = price
-        best = after
-    finals = []
-    for state, (words, most, flips) in best.items():
-        back = tuple(i for i in range(bits) if state[i])
-        finals.append((words + 2 * len(back), most, (*flips, back)))
-    words, most, flips = min(finals)
-    return _Turns(flips, most, words)
+        states = [stored] if h == 0 else list(product((0, 1), repeat=bits))
+        for new in states:
+            cubes = _group_cubes(h, new, bits)
+            if cubes is not None:
+                ways.add_node((h, new), cubes=cubes)
+                for old in before:
+                    words = 2 * len(_turned(old, new)) + cubes
+                    ways.add_edge((h - 1, old), (h, new), words=words)
+        before = states
+    for old in before:
+        ways.add_edge((groups - 1, old), (groups, stored), words=2 * sum(old))
+    path = nx.shortest_path(ways, (-1, stored), (groups, stored), "words")
+    polarities = [state for _, state in path]
+    return _Turns(
+        tuple(_turned(old, new) for old, new in pairwise(polarities)),
+        max(ways.nodes[node]["cubes"] for node in path[1:-1]),
+    )
+
+
+def _turned(old: Sequence[int], new: Sequence[int]) -> tuple[int, ...]:
+    """The bits in which two polarities differ."""
+    return tuple(i for i, (was, now) in enumerate(zip(old, new, strict=True)) if was != now)
 
 
 def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from nscc.cache.results import Result, Results
 from nscc.logic.generate import solutions
-from nscc.logic.improve import refine
 from nscc.logic.problem import Demand, Machine, Problem, Solution
 from nscc.lower.plan import ExposurePlan, Misfit, Step
 from nscc.lower.schedule import Schedule, schedule
@@ -271,6 +270,8 @@ def lower(
     found = sorted(by_encoding.values(), key=lambda each: each.price)[: MOST_IMPROVED[level]]
     searched = known.known is None and bool(problem.demands)
     if level >= 2 and searched and found:
+        from nscc.logic.improve import refine  # with networkx, which `check` does without
+
         store = program.target.store_words
         found.insert(0, refine(found, problem, machine, level, priced, store))
     if level > 0 and searched and (level > 1 or not found or not found[0].fits):
