@@ -26,6 +26,7 @@ SUFFIXES = {
     "cpp": ".cpp",
     "report": ".report.json",
     "dot": ".dot",
+    "graphml": ".graphml",
 }
 
 
@@ -203,8 +204,11 @@ def _product(kind: str, compiled: Compiled) -> bytes:
             return listing.gates_text(lowered).encode()
         case "schedule":
             return listing.schedule_text(lowered).encode()
-        case "dot":
-            return listing.dot_text(lowered).encode()
+        case "dot" | "graphml":
+            from nscc.emit.network import dot_text, gate_network, graphml_bytes
+
+            network = gate_network(lowered)
+            return graphml_bytes(network) if kind == "graphml" else dot_text(network).encode()
         case "asm":
             from nscc.words.disassembly import disassemble
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-PRODUCTS = "ast,ir,gates,schedule,asm,icw,cpp,report"
+PRODUCTS = "ast,ir,gates,schedule,asm,icw,cpp,report,dot,graphml"
 EXAMPLES = ("hdr_2x2", "class_d", "codebook", "two_buckets", "skip_one")
 
 

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-HEAVY = ("cv2", "matplotlib", "numba", "PIL", "scipy", "serial", "torch")
+HEAVY = ("cv2", "matplotlib", "networkx", "numba", "PIL", "scipy", "serial", "torch")
 
 # (a package, what nothing in it may import)
 ORDER = (
@@ -72,6 +72,7 @@ def test_only_the_command_line_knows_the_others(package: str, root: Path) -> Non
         ["--help"],
         ["check", "examples/hdr_2x2.nsl", "examples/class_d.nsl"],
         ["check", "tests/cases/fail/burst16.nsl"],
+        ["build", "examples/class_c.nsl", "-O1", "--emit", "gates=-"],
         ["explain", "NS0214"],
         ["targets"],
     ],
