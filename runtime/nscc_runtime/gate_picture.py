@@ -129,25 +129,22 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
     shown = [n for n, column in score.column.items() if first <= column < first + _COLUMNS]
     end = score.column[shown[-1]] + 1
     _draw_bands(axes, score, shown, first)
+    rows = list(score.row.values())
+    axes.hlines(rows, 0, end - first, color=GRID, linewidth=0.7, zorder=1)
     for register, row in score.row.items():
-        axes.plot([0, end - first], [row, row], color=GRID, linewidth=0.7, zorder=1)
         axes.text(-0.25, row, register, size=7, color=INK, ha="right", va="center")
+    bars = []
     for node, until in score.until.items():
         row = score.row[nodes[node]["register"]]
-        start = score.column.get(node, -1)
         if nodes[node]["kind"] == "plane":
             holder = _short(nodes[node]["holder"])
             axes.text(-1.6, row, holder, size=6, color=FAINT, ha="right", va="center")
-        left, right = max(start + 0.5, first), min(until + 0.5, end)
+        left, right = max(score.column.get(node, -1) + 0.5, first), min(until + 0.5, end)
         if left < right:
-            ends = [left - first, right - first]
-            axes.plot(ends, [row, row], color=_BAR, linewidth=4, zorder=2, solid_capstyle="butt")
-    for node in shown:
-        x = score.column[node] - first + 0.5
-        if nodes[node]["kind"] == "gate":
-            _draw_gate(axes, score, node, x)
-        else:
-            _draw_demand(axes, score, node, x)
+            bars.append((row, left - first, right - first))
+    axes.hlines(*zip(*bars, strict=True), color=_BAR, linewidth=4, zorder=2)
+    _draw_gates(axes, score, [node for node in shown if nodes[node]["kind"] == "gate"], first)
+    _draw_demands(axes, score, [n for n in shown if nodes[n]["kind"] == "demand"], first)
 
 
 def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None:
@@ -169,25 +166,30 @@ def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None
             axes.text(x, top - 0.1, f"k{kernel}", size=5.5, color=FAINT, va="bottom")
 
 
-def _draw_gate(axes: Axes, score: _Score, node: str, x: float) -> None:
+def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None:
     nodes = score.network.nodes
-    row = score.row[nodes[node]["register"]]
-    read = [score.row[nodes[value]["register"]] for value in score.network.predecessors(node)]
-    colour = _GATES.get(nodes[node]["function"], FAINT)
-    axes.plot([x, x], [min([row, *read]), max([row, *read])], color=colour, linewidth=1, zorder=3)
-    axes.plot([x] * len(read), read, "o", color=colour, markersize=3, zorder=4)
-    axes.text(
-        x, row, nodes[node]["function"], size=4.6, color="white", ha="center", va="center",
-        zorder=5, bbox={"boxstyle": "round,pad=0.25", "color": colour, "linewidth": 0},
-    )  # fmt: skip
+    for node in gates:
+        x = score.column[node] - first + 0.5
+        row = score.row[nodes[node]["register"]]
+        read = [score.row[nodes[value]["register"]] for value in score.network.predecessors(node)]
+        colour = _GATES.get(nodes[node]["function"], FAINT)
+        # The box hides the dot on the stave that is written.
+        axes.plot([x] * (1 + len(read)), sorted([row, *read]), color=colour, linewidth=1, zorder=3,
+                  marker="o", markersize=3)  # fmt: skip
+        axes.text(
+            x, row, nodes[node]["function"], size=4.6, color="white", ha="center", va="center",
+            zorder=5, bbox={"boxstyle": "round,pad=0.25", "color": colour, "linewidth": 0},
+        )  # fmt: skip
 
 
-def _draw_demand(axes: Axes, score: _Score, node: str, x: float) -> None:
+def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> None:
     row = len(score.row) - 1
-    axes.plot([x, x], [row, row + 0.8], color=INK, linewidth=0.8, zorder=3, clip_on=False)
-    axes.plot([x], [row + 0.85], "v", color=INK, markersize=4, zorder=4, clip_on=False)
-    edge = score.network.nodes[node]["edge"]
-    axes.text(x, row + 1.2, edge, size=5.5, color=INK, ha="center", va="top")
+    for node in demands:
+        x = score.column[node] - first + 0.5
+        axes.plot([x, x], [row, row + 0.85], color=INK, linewidth=0.8, zorder=3, clip_on=False,
+                  marker="v", markersize=4, markevery=[1])  # fmt: skip
+        edge = score.network.nodes[node]["edge"]
+        axes.text(x, row + 1.2, edge, size=5.5, color=INK, ha="center", va="top")
 
 
 def _short(holder: str) -> str:

