@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nscc.logic.cubes import Budget
+from nscc.logic.gates import words_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,13 +107,6 @@ def _irredundant(positive: Sequence[int], values: Sequence[int], wanted: int) ->
         chosen.append(best)
         wanted &= ~values[best]
     return tuple(sorted(chosen))
-
-
-def words_of(sources: int, fan_in: int | None) -> int:
-    """Words of a NOR or OR of so many sources: what does not fit is gathered in pairs."""
-    if fan_in is None or sources <= fan_in:
-        return 1
-    return 1 + 2 * -(-(sources - fan_in) // (fan_in - 1))
 
 
 def _candidates(

@@ -12,13 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget, Cube, Encoding, cover
+from nscc.logic.gray import gray
 from nscc.logic.problem import Demand, GaveUp, Machine, Problem
 from nscc.truth import members, number_planes
-
-
-def gray(number: int) -> int:
-    """The reflected Gray code: neighbours differ in one bit."""
-    return number ^ (number >> 1)
 
 
 def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
@@ -86,7 +82,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
         base = len(planes)
         if base + width > machine.registers - 1:
             raise GaveUp(f"event times need {base + width} registers and one of scratch")
-        planes += number_planes(numbers ^ (numbers >> 1), width)
+        planes += number_planes(gray(numbers), width)
         label = event_name(edge, bucket, rank, fields)
         holders += [f"{label}, Gray bit {bit}" for bit in range(width)]
         for number, (demand, _) in enumerate(events):
@@ -146,7 +142,7 @@ def _index_planes(problem: Problem, machine: Machine) -> list[int]:
     width = max(1, (problem.shutters - 1).bit_length())
     if width > machine.registers - 1:
         raise GaveUp(f"{problem.shutters} shutters leave no register to compute with")
-    return number_planes(numbers ^ (numbers >> 1), width)
+    return number_planes(gray(numbers), width)
 
 
 def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
@@ -230,7 +226,7 @@ def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encodi
     for name, values in problem.values.items():
         rank = np.searchsorted(np.unique(values), values)
         width = int(rank.max()).bit_length()
-        planes += number_planes(rank ^ (rank >> 1), width)
+        planes += number_planes(gray(rank), width)
         holders += [f"{name}, Gray bit {bit}" for bit in range(width)]
     if len(planes) > machine.registers - 1:
         raise GaveUp(f"{len(planes)} bits of fields leave no register to compute with")

@@ -7,6 +7,17 @@ from collections.abc import Sequence
 from nscc.logic.problem import Gate, Machine
 
 
+def words_of(sources: int, fan_in: int | None) -> int:
+    """Words of a NOR or OR of so many sources into a register that is not among them.
+
+    The first word reads `fan_in` of them. Each further one is in place, a pair of words, and reads
+    one less, since what is gathered so far is a source too.
+    """
+    if fan_in is None or sources <= fan_in:
+        return 1
+    return 1 + 2 * -(-(sources - fan_in) // (fan_in - 1))
+
+
 class Gates:
     """Collects gates; splits what has more sources than one word of the machine may read."""
 

@@ -6,6 +6,12 @@ Which bits are turned over when decides what it costs to have all of them back a
 from __future__ import annotations
 
 from functools import cache
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+Numbers = TypeVar("Numbers", int, NDArray[np.int64])
 
 # Codes that the search for a rotation may visit, and the widest ones that it looks at.
 _MOST_VISITED = 20_000
@@ -13,12 +19,17 @@ _WIDEST = 5
 _GOOD = 2
 
 
+def gray(number: Numbers) -> Numbers:
+    """The reflected binary code: the codes of neighbours differ in one bit."""
+    return number ^ (number >> 1)
+
+
 def cycle(groups: int, bits: int) -> tuple[int, ...]:
     """Codes whose last one, or last but one, is next to the first: few bits are turned back."""
     half = groups // 2
-    gray = [i ^ i >> 1 for i in range(half)]
+    there = [gray(i) for i in range(half)]
     top = 1 << bits - 1
-    codes = gray + [top | code for code in reversed(gray)]
+    codes = there + [top | code for code in reversed(there)]
     if groups % 2:
         codes.append(codes[-1] ^ max(top >> 1, 1) if half else 0)
     return tuple(codes)

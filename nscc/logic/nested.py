@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget
 from nscc.logic.digits import binary_planes, radices_of, thermometers, turn_over
+from nscc.logic.gray import gray
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns, rows
@@ -244,7 +245,7 @@ def _counted_script(
     per_group = int(np.prod(radices))
     groups = nest.ranks // per_group
     high = groups >> low
-    coded = (high ^ high >> 1) << low | groups & (1 << low) - 1
+    coded = gray(high) << low | groups & (1 << low) - 1
     top = binary_planes("highest digit of the rank", coded, bits)
     inner = thermometers(nest.ranks % per_group, radices, False) if per_group > 1 else ((), ())
     states = {_Form.DIGITS: 2, _Form.STATE: 1, _Form.TIGHT: 1}.get(form, 0)

@@ -141,5 +141,13 @@ class Solution:
         return [*run, *self.closing]
 
 
+def quietest(writes: Sequence[int]) -> int:
+    """The plane that gets the masked register where every register is needed.
+
+    `writes[i]` is how often a frame writes plane i: each write costs the mask and a word more.
+    """
+    return min(range(len(writes)), key=lambda i: (writes[i], f"p{i}"))
+
+
 class GaveUp(Exception):
     """A generator found no solution: the reason in words. It proves nothing."""

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from nscc.logic.bumps import Bumps, bumps_of
 from nscc.logic.cubes import Budget
 from nscc.logic.digits import Planes, turn_over
+from nscc.logic.gray import gray
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns, number_planes
@@ -129,12 +130,12 @@ class _Risers:
         every = tuple(range(bits))
         for m in range(1 << bits):
             if not halved:
-                codes.append(m ^ m >> 1)
+                codes.append(gray(m))
                 wanted.append(codes[-1])
                 cubes.append(every)
                 continue
             high, place = m >> 2, m & 3
-            top = (high ^ high >> 1) << 2
+            top = gray(high) << 2
             odd = high & 1
             codes.append(top | (0, 1, 3, 2)[place] ^ odd)
             wanted.append(top | (odd, odd, 1 ^ odd, 1 ^ odd)[place])

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, replace
 from nscc.logic.cover import Cover, find_cover, life
 from nscc.logic.cubes import Budget
 from nscc.logic.gates import Gates
-from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution, quietest
 
 
 @dataclass(frozen=True)
@@ -101,7 +101,7 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
 def _quietest(script: Script) -> str:
     """The plane that is written least: it gets the masked register where all are needed."""
     writes = Counter(gate.destination for gate in _all_gates(script))
-    return min((f"p{i}" for i in range(len(script.planes))), key=lambda name: (writes[name], name))
+    return f"p{quietest([writes[f'p{i}'] for i in range(len(script.planes))])}"
 
 
 def _all_gates(script: Script) -> Iterator[Gate]:

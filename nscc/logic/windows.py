@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from nscc.logic.bumps import Bumps, bumps_of
 from nscc.logic.cubes import Budget
 from nscc.logic.digits import Planes, radices_of, turn_over
-from nscc.logic.gray import cycle, rotation
+from nscc.logic.gray import cycle, gray, rotation
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns, number_planes
@@ -87,7 +87,7 @@ def _toggle_script(
 ) -> Script:
     group = np.where(bumps.never, 0, bumps.start // length)
     offset = np.where(bumps.never, 0, bumps.start % length)
-    coded = (group ^ group >> 1) << low | (offset ^ offset >> 1)
+    coded = gray(group) << low | gray(offset)
     if np.any(bumps.never):
         raise GaveUp("shutters that never open have no window")
     state = "FLAG" if in_flag else "s0"
@@ -97,7 +97,7 @@ def _toggle_script(
         if i and step == bumps.step[i - 1]:
             continue
         now, place = divmod(step, length)
-        wanted = (now ^ now >> 1) << low | (place ^ place >> 1)
+        wanted = gray(now) << low | gray(place)
         turned = standing ^ wanted
         standing = wanted
         # The bit in which this group's Gray code differs from that of the group before.

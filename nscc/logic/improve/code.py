@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution, quietest
 
 Content = int | None
 """What a register holds: a truth vector, None if unknown."""
@@ -171,11 +171,6 @@ class Frame:
             if isinstance(item, Op) and item.destination < self.planes:
                 writes[item.destination] += 1
         return writes[self.masked] == 0 or quietest(writes) == self.masked
-
-
-def quietest(writes: Sequence[int]) -> int:
-    """The plane that `nscc.lower.allocate` gives the masked register, by the planes' writes."""
-    return min(range(len(writes)), key=lambda i: (writes[i], f"p{i}"))
 
 
 def flatten(solution: Solution, problem: Problem, machine: Machine) -> tuple[Frame, list[Item]]:

@@ -12,9 +12,9 @@ from nscc.logic.improve.code import (
     Frame,
     Item,
     Op,
-    quietest,
     states_before,
 )
+from nscc.logic.problem import quietest
 
 # How far an influence is followed; what reaches further is taken to matter in every shutter.
 HORIZON = 4000
