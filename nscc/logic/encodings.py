@@ -153,6 +153,7 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """
     if len({(d.edge, d.bucket) for d in problem.demands}) == 1:
         raise GaveUp("one kind of event is one field of times")
+    # Every member is an equality of its own, of two words and more: beyond a few, others win.
     if _members(problem) > 4 * len(problem.demands):
         raise GaveUp("predicates hold too many shutters for an equality each")
     return _index_equalities(problem, machine)
@@ -253,6 +254,7 @@ def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encodi
 def covered_stored(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """As many predicates stored as there are registers but two, the rest made from those planes."""
     distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
+    # One register to compute in; two where some predicates have to be made, of several cubes each.
     room = machine.registers - (2 if len(distinct) > machine.registers - 1 else 1)
     planes = distinct[:room]
     holders = [f"predicate {i}" for i in range(len(planes))]
@@ -277,7 +279,7 @@ def _covered(
 def _best_cover(
     problem: Problem, predicate: int, planes: Sequence[int], budget: Budget
 ) -> tuple[tuple[Cube, ...], bool]:
-    """The smaller of the covers of a predicate and of its complement."""
+    """The smaller of the covers of a predicate and of its complement, which costs a gate more."""
     complement = problem.everything & ~predicate
     direct = cover(predicate, complement, planes, problem.everything, budget)
     if len(direct) <= 1:

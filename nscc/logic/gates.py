@@ -61,6 +61,7 @@ class Gates:
         if limit is not None and len(sources) > limit:
             if scratch is None:
                 raise ValueError("no scratch register to gather the sources of WHERE")
+            # If `scratch` is a source itself, the others are gathered on top of it.
             rest = [name for name in sources if name != scratch]
             head = [scratch] if scratch in sources else []
             spill = len(rest) - (limit - 1)
@@ -75,6 +76,8 @@ class Gates:
         limit = self._machine.or_sources
         rest = [name for name in sources if name != destination]
         in_place = len(rest) < len(sources)
+        # OR is associative, so what does not fit is gathered in the destination first. NOR is not:
+        # only the last gate inverts. In place, the destination takes one of the sources' places.
         if limit is not None:
             room = limit - 1 if in_place else limit
             while len(rest) > room:

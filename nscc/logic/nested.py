@@ -58,7 +58,9 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
     """Mixed-radix digits, each a thermometer; the highest may be bits that are turned over.
 
     When a digit changes, one cube per higher digit says "greater already"; what is left of each
-    demand is a cube of one plane a digit.
+    demand is a cube of one plane a digit. For digits a b and time A B, "rank > time" is a > A or
+    (a >= A and b > B): the first is made once for all of A's slots, the second is a NOR of two
+    planes.
     """
     nest = nest_of(problem)
     for bits in range(4):
@@ -72,6 +74,7 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
             inner = radices_of(room - stored, -(-values // (1 << bits)))
             for radices in inner[:2]:
                 for negative in (False, True):
+                    # Complemented demands want the planes the other way round.
                     if negative and (bits or not any(nest.complemented)):
                         continue
                     script = _digit_script(nest, stored, radices, bits, turns, negative)
@@ -136,11 +139,14 @@ def _turned(old: Sequence[int], new: Sequence[int]) -> tuple[int, ...]:
 
 def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
     """Cubes needed in group h when the planes stand in `polarity`; None where masks fail."""
+    # What each plane is 1 for, as the values of the highest digit. A NOR that reads those of them
+    # that are 0 at h holds for h, and for no lower value if together they are 1 for all of them.
     groups = range(1 << bits)
     planes = [{c for c in groups if (c >> i & 1) ^ polarity[i]} for i in range(bits)]
     masks: set[int] = set().union(*(p for p in planes if h not in p))
     if not set(range(h)) <= masks:
         return None
+    # "Above" is an OR: planes that lie inside it are free, cubes are a word each, taken greedily.
     above = {c for c in groups if c > h}
     left = above.difference(*(p for p in planes if p <= above)) if planes else set()
     cubes = []
@@ -210,9 +216,10 @@ _SUBMASK_BITS = (13, 6, 4, 2)
 def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """The highest digit in binary, "greater" a state that each group brings forward.
 
-    A cube of the planes where h has a 0 holds for the submasks of h: for h itself and for lower
-    values only. Taking it out of "greater" at each step leaves exactly what is greater, and
-    no plane is ever turned over. High bits in Gray code that are turned over let kernels repeat.
+    A cube of the planes where h has a 0 holds for the submasks of h (h's binary digits with some
+    more of them 0): for h itself and for lower values only. Taking it out of "greater" at each step
+    leaves exactly what is greater, and no plane is ever turned over. High bits in Gray code that
+    are turned over let kernels repeat.
     """
     nest = nest_of(problem)
     values = nest.steps + 1
@@ -223,6 +230,8 @@ def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
                 kept = problem.flag_lasts and not any(nest.complemented)
                 if not kept:
                     continue
+            # With digits inside, a group has as many values as they tell apart; a state by itself
+            # serves a group of one, and a pair of them a group of two.
             room = machine.registers - bits - _BESIDE[form]
             if form is _Form.DIGITS:
                 choices = radices_of(room, least)[:2] if least > 1 else ()
@@ -243,6 +252,8 @@ def _counted_script(
     nest: Nest, radices: tuple[int, ...], bits: int, low: int, form: _Form
 ) -> Script:
     per_group = int(np.prod(radices))
+    # The low bits are counted by submasks. The high ones are in Gray code: a bit of them is turned
+    # over each time that the low ones begin anew.
     groups = nest.ranks // per_group
     high = groups >> low
     coded = gray(high) << low | groups & (1 << low) - 1
@@ -260,6 +271,7 @@ def _counted_script(
             done += 1
             run: list[Segment] = []
             if done and not done & (1 << low) - 1:
+                # The Gray code of k differs from that of k - 1 in the lowest 1 of k.
                 flip = ((done >> low) & -(done >> low)).bit_length() - 1 + low
                 turned.append(flip)
                 run.append((turn_over(flip),))
@@ -282,6 +294,8 @@ def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...
     def cube(destination: str) -> Segment:
         return (Gate("NOR" if len(equal) > 1 else "NOT", destination, tuple(equal)),)
 
+    # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still holds
+    # those that are equal now: DIGITS keep its inverse, for the demands that lower digits decide.
     if form in (_Form.DIGITS, _Form.STATE):
         rest = "s1" if form is _Form.DIGITS else "t1"
         if not equal:
@@ -293,6 +307,7 @@ def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...
             (Gate("NOR", "s0", (rest, "t0")),),
         )
     if form is _Form.TIGHT:
+        # One scratch register: the cube goes where the state was, which waits inverted.
         if not equal:
             return ((Gate("CLR", "s0", ()),),)
         return (
@@ -301,6 +316,8 @@ def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...
             (Gate("NOR", "s0", ("s0", "t0")),),
         )
     if form is _Form.PAIR:
+        # Two demands a group: FLAG, which the plane of the last digit decides as well, answers the
+        # first; t1, "greater" alone, waits for the second and is the state from then on.
         left: Segment = (Gate("NOR", "t1", ("t1", "t0")),) if equal else (Gate("CLR", "t1", ()),)
         return (
             (Gate("NOT", "t0", ("FLAG",)),),

@@ -24,6 +24,7 @@ class Planes:
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
         self.planes = planes
         self.everything = full(points)
+        # The union of every subset of the planes, doubled plane by plane: row m is that of mask m.
         limit = machine.or_sources
         ors = np.zeros((1, planes.shape[1]), dtype=np.uint64)
         for plane in planes:

@@ -34,7 +34,10 @@ class Gate:
 
     @property
     def words(self) -> int:
-        """How many ICWs the gate takes, before the masked register's rule."""
+        """How many ICWs the gate takes, before the masked register's rule.
+
+        A register cannot be read and written in one word: in place, the result waits on the bus.
+        """
         return 2 if self.destination in self.sources else 1
 
 

@@ -25,9 +25,10 @@ from nscc.logic.improve.run import Run
 from nscc.logic.improve.shrink import drop_pairs, drop_singles
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# So many of the most promising vectors are tried for each register.
+# So many of the most promising vectors are tried for each register: each try is a search of its
+# own.
 TRIED = 12
-# Operations this far apart are dropped together.
+# Operations this far apart are dropped together; fewer than in `search`, which comes afterwards.
 NEAR = 3
 HOLDER = "computed before the frame"
 

@@ -3,6 +3,11 @@
 NOT of a plane in place is two words; NOT of it into a free register is one, and leaves the old
 place free for the next. So planes wander in the frame; those that are not at home when it ends are
 copied there.
+
+The code is straight, so a value lives from one point to another, and giving out registers is the
+colouring of intervals from left to right (linear scan; Poletto and Sarkar, ACM TOPLAS 21, 1999). It
+never fails for lack of registers, since there is a solution to begin with, unless some are left out
+or a value may not be everywhere; what is chosen among the free ones decides the words.
 """
 
 from __future__ import annotations
@@ -157,6 +162,9 @@ class _Painter:
             # A value in the way when a plane comes home makes that plane go elsewhere first.
             plane = register < self.frame.planes
             in_the_way = plane and register != value.home and value.last > self.homing[register] > k
+            # Words first, the copy home among them (a part of a frame has no place for one, so away
+            # is dearer there). Then no plane's way home is blocked, then as little as can be is
+            # changed, then a register is taken that no plane needs, or only late.
             price = (
                 in_place + away * (1 if self.frame.ends is None else 2),
                 int(in_the_way),
