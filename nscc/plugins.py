@@ -11,6 +11,7 @@ whole, or refused by name.
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from functools import cache
 from typing import Any, Literal
 
@@ -20,28 +21,39 @@ from nscc.diagnostics.rejection import rejected
 Group = Literal["nscc.commands", "nscc.decoders", "nscc.effects", "nscc.encodings", "nscc.targets"]
 
 
-@cache
-def added(group: Group) -> dict[str, Any]:
+def added(group: Group, taken: Collection[str] = frozenset()) -> dict[str, Any]:
     """The objects that other distributions add to `group`, by name, in the order of their names.
 
-    Raises Rejected (NS0905) where one cannot be imported, or two have one name.
+    Raises Rejected (NS0905) where one cannot be imported, two have one name, or one has a name of
+    `taken`, nscc's own.
     """
+    found = _loaded(group)
+    for name in found:
+        if name in taken:
+            raise unusable(group, name, "nscc has one of that name itself")
+    return found
+
+
+@cache
+def _loaded(group: Group) -> dict[str, Any]:
+    """The objects by name, loaded once."""
     # A fiftieth of a second, which commands that need no more than nscc's own do not spend.
     from importlib.metadata import entry_points
 
     found: dict[str, Any] = {}
     for entry in sorted(entry_points(group=group), key=lambda each: (each.name, each.value)):
         if entry.name in found:
-            raise _wrong(group, entry.name, "another distribution adds one of that name")
+            raise unusable(group, entry.name, "another distribution adds one of that name")
         try:
             found[entry.name] = entry.load()
         except Exception as error:  # whatever a module of somebody else's raises
             reason = " ".join(str(error).split())[:200]
-            raise _wrong(group, entry.name, f"{type(error).__name__}: {reason}") from error
+            raise unusable(group, entry.name, f"{type(error).__name__}: {reason}") from error
     return found
 
 
-def _wrong(group: Group, name: str, reason: str) -> Rejected:
+def unusable(group: Group, name: str, reason: str) -> Rejected:
+    """NS0905: what a distribution adds under that name is not what nscc can take."""
     kind = group.removeprefix("nscc.").removesuffix("s")
     return rejected(
         "NS0905",

@@ -77,7 +77,7 @@ def _tables(points: Sequence[Point]) -> str:
 
 def _missing(folders: Sequence[RunFolder]) -> list[str]:
     """Networks that no run was given of: without training their pictures mean nothing."""
-    from nscc_training.decoders.names import DECODERS
+    from nscc_training.decoders.declared import DECODERS
 
     have = {folder.parts.settings.decoder.name for folder in folders}
     names = [name for name in DECODERS if name not in have]

@@ -8,9 +8,10 @@ from hypothesis import strategies as st
 
 torch = pytest.importorskip("torch")
 
+from nscc_training.decoders.names import DECODERS  # noqa: E402
+
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
 from nscc_training.decoders.make import Task, make_decoder  # noqa: E402
-from nscc_training.decoders.names import DECODERS  # noqa: E402
 from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
 from nscc_training.decoders.unrolled import Unrolled  # noqa: E402
 

@@ -22,7 +22,7 @@ from nscc_cli.support import write_together  # noqa: E402
 from nscc_training.baselines.sci import METHODS  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
-from nscc_training.decoders.names import DECODERS  # noqa: E402
+from nscc_training.decoders.declared import DECODERS  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.tradeoff import decoder, ways  # noqa: E402

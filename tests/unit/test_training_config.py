@@ -12,7 +12,7 @@ pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_training.config import config_toml, load_config, settings_of
-from nscc_training.decoders.names import DECODERS
+from nscc_training.decoders.declared import DECODERS
 from nscc_training.settings import Settings
 
 

@@ -10,13 +10,13 @@ torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet, put, taken  # noqa: E402
+from nscc_training.decoders.declared import DECODERS  # noqa: E402
 from nscc_training.decoders.make import (  # noqa: E402
     Task,
     flops,
     make_decoder,
     parameter_count,
 )
-from nscc_training.decoders.names import DECODERS  # noqa: E402
 from nscc_training.decoders.unet import UNet  # noqa: E402
 
 STILL = Task("still", 256, (8, 8))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from nscc_training.decoders.names import DECODERS, SIZES
+from nscc_training.decoders.declared import DECODERS, SIZES
 from nscc_training.protocols import NAMES
 
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import torch
 from torch import Tensor, nn
 from torch.autograd import Function
 from torch.nn import functional
+
+from nscc_training.decoders.declared import Task
 
 Size = tuple[int, int]
 
@@ -63,6 +66,11 @@ class _Put(Function):
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None, None]:
         return _Taken.apply(grad, *ctx.how), None, None, None  # type: ignore[no-untyped-call]
+
+
+def fcnet(channels: Sequence[int], task: Task, size: str) -> BlockNet:
+    """The declared decoder `fcnet`, of one width."""
+    return BlockNet(channels[0], task.slots, task.tile)
 
 
 class BlockNet(nn.Module):

@@ -3,31 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
+from importlib import import_module
 from typing import Any
 
 import torch
 from torch import Tensor, nn
 
-from nscc_training.decoders.blocks import BlockNet
-from nscc_training.decoders.names import DECODERS, SIZES
-from nscc_training.decoders.unet import ClipUNet, StillUNet
-from nscc_training.decoders.unrolled import Unrolled
+from nscc_training.decoders.declared import DECODERS, SIZES, Decoder, Task, others
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 
-_WIDTHS = {
-    ("unet2d", "paper"): (32, 64, 128, 256, 512, 1024),
-    ("unet2d", "small"): (16, 32, 64, 128),
-    # The paper says "24 up to 768", doubling; five levels end at 384.
-    ("unet3d", "paper"): (24, 48, 96, 192, 384),
-    ("unet3d", "small"): (8, 16, 32, 64),
-    ("unrolled", "paper"): (64, 128, 256),
-    ("unrolled", "small"): (24, 48, 64),
-}
-_STAGES = {"paper": 9, "small": 3}
-_TV_ITERATIONS = 20
-_HIDDEN = {"paper": 4096, "small": 96}
 SMALL = 600_000
 """Parameters that a small decoder has at most."""
 _PARTS = 24
@@ -35,46 +20,35 @@ _PARTS = 24
 """
 
 
-@dataclass(frozen=True)
-class Task:
-    """What a decoder is for: stills or clips of `slots`, coded by a `tile`; what it may see."""
-
-    kind: str
-    slots: int
-    tile: tuple[int, int]
-    sees_code: bool = True
-
-
 def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Module:
-    """A decoder of `DECODERS` in a size of `SIZES`, or one of the user's own, `module:name`.
+    """A decoder of `DECODERS` in a size of `SIZES`, or one of `others`, or `module:name`.
 
-    `width`, up to 1, makes all layers of the size narrower. The user's is called as name(size=..,
-    kind=.., slots=.., tile=.., sees_code=..); Rejected (NS0822), here and whenever it decodes,
-    where it fails. ValueError for what a decoder cannot be, and where slots and tile leave none of
-    that size.
+    `width`, up to 1, makes all layers of the size narrower. One that is not nscc's is called as
+    name(size=.., kind=.., slots=.., tile=.., sees_code=..); Rejected (NS0822), here and whenever it
+    decodes, where it fails. ValueError for what a decoder cannot be, and where slots and tile leave
+    none of that size.
     """
-    if is_import_path(name):
+    declared = DECODERS.get(name)
+    if declared is None or size not in SIZES:
+        known = (*DECODERS, *others())
+        if size not in SIZES or not (is_import_path(name) or name in known):
+            raise ValueError(f"{name!r} {size!r} is none of {known} in the sizes {SIZES}")
         if width != 1:
             raise ValueError(f"a width is for nscc's own decoders, and '{name}' is none of them")
         return _own_decoder(name, size, task)
-    if name not in DECODERS or size not in SIZES:
-        raise ValueError(f"{name!r} {size!r} is none of {DECODERS} in the sizes {SIZES}")
-    still = task.kind == "still"
-    if still and name != "unet2d":
+    if task.kind == "still" and not declared.stills:
         raise ValueError(f"{name} reconstructs clips, not stills")
-    if name == "unet3d" and not task.sees_code:
-        raise ValueError("unet3d is fed with S^T E, which holds the code: it cannot do without")
-    if name in ("unrolled", "refined") and not task.sees_code:
-        raise ValueError(f"{name} projects with the code: it cannot do without")
+    if declared.needs_code and not task.sees_code:
+        raise ValueError(f"{name} {declared.needs_code}")
     if size != "small":
-        return _built(name, size, task, width)
+        return _built(declared, size, task, width)
     count = 0
     for part in range(_PARTS, 0, -1):
         narrowed = width * part / _PARTS
         with torch.device("meta"):
-            count = parameter_count(_built(name, size, task, narrowed))
+            count = parameter_count(_built(declared, size, task, narrowed))
         if count <= SMALL:
-            return _built(name, size, task, narrowed)
+            return _built(declared, size, task, narrowed)
     rows, cols = task.tile
     raise ValueError(
         f"a small {name} has at most {SMALL:,} parameters, and {count:,} at its narrowest for "
@@ -83,30 +57,17 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
     )
 
 
-def _built(name: str, size: str, task: Task, width: float) -> nn.Module:
-    """A decoder whose layers have that part of the table's channels, one at least."""
-    still = task.kind == "still"
-    # The paper's networks begin with nothing; the small ones have no time for that.
-    guesses = size == "small"
-    if name == "fcnet":
-        return BlockNet(_narrowed(_HIDDEN[size], width), task.slots, task.tile)
-    full = _WIDTHS["unrolled" if name == "refined" else name, size]
-    widths = tuple(_narrowed(channels, width) for channels in full)
-    if name == "unet2d":
-        return StillUNet(widths, None if still else task.slots, task.sees_code, guesses)
-    if name == "unet3d":
-        return ClipUNet(widths, task.slots, guesses)
-    iterations = _TV_ITERATIONS if name == "refined" else 0
-    return Unrolled(widths, task.slots, _STAGES[size], iterations)
-
-
-def _narrowed(channels: int, width: float) -> int:
+def _built(declared: Decoder, size: str, task: Task, width: float) -> nn.Module:
+    """A decoder whose layers have that part of the declared channels, one at least."""
+    module, _, function = declared.network.partition(":")
     # rounded first: 24ths of whole numbers are to come out whole
-    return max(1, int(round(channels * width, 6)))
+    channels = tuple(max(1, int(round(full * width, 6))) for full in declared.channels[size])
+    made: nn.Module = getattr(import_module(module), function)(channels, task, size)
+    return made
 
 
 def _own_decoder(name: str, size: str, task: Task) -> nn.Module:
-    make = imported(name, "decoder")
+    make = imported(name, "decoder") if is_import_path(name) else others()[name]
     with own_code(name, "decoder"):
         made = make(
             size=size, kind=task.kind, slots=task.slots, tile=task.tile, sees_code=task.sees_code

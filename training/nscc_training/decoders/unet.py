@@ -9,11 +9,27 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from nscc_training.curves import log_curve_inverse
+from nscc_training.decoders.declared import Task
 from nscc_training.decoders.guess import clip_guess, still_guess
 from nscc_training.sensor_model import laid, lifted
 
 LOG_FLOOR = 1e-3
 """Stills are predicted as log(1 + light / LOG_FLOOR)."""
+
+
+# The paper's networks begin with nothing; the small ones have no time for that.
+_GUESSES = {"paper": False, "small": True}
+
+
+def flat(channels: Sequence[int], task: Task, size: str) -> StillUNet:
+    """The declared decoder `unet2d`."""
+    slots = None if task.kind == "still" else task.slots
+    return StillUNet(channels, slots, task.sees_code, _GUESSES[size])
+
+
+def deep(channels: Sequence[int], task: Task, size: str) -> ClipUNet:
+    """The declared decoder `unet3d`."""
+    return ClipUNet(channels, task.slots, _GUESSES[size])
 
 
 class UNet(nn.Module):

@@ -8,9 +8,23 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
+from nscc_training.decoders.declared import Task
 from nscc_training.decoders.guess import clip_guess
 from nscc_training.decoders.unet import UNet, begin_with_nothing
 from nscc_training.sensor_model import laid, lifted
+
+_STAGES = {"paper": 9, "small": 3}
+_TV_ITERATIONS = 20
+
+
+def unrolled(channels: Sequence[int], task: Task, size: str) -> Unrolled:
+    """The declared decoder `unrolled`."""
+    return Unrolled(channels, task.slots, _STAGES[size])
+
+
+def refined(channels: Sequence[int], task: Task, size: str) -> Unrolled:
+    """The declared decoder `refined`: GAP-TV first."""
+    return Unrolled(channels, task.slots, _STAGES[size], _TV_ITERATIONS)
 
 
 class Unrolled(nn.Module):

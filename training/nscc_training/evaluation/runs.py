@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from nscc.diagnostics.rejection import rejected
+from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.evaluation import hdr, video
 from nscc_training.evaluation.keys import key_of
@@ -106,10 +107,11 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
             f"'{folder.path}' was trained for {have}; protocol {protocol.name} takes {want}",
             helps=("train with [data] protocol and [shutter] slots of the protocol",),
         )
-    if protocol.name == "sci8" and parts.settings.decoder.name == "fcnet":
+    name = parts.settings.decoder.name
+    if protocol.name == "sci8" and name in DECODERS and not DECODERS[name].any_code:
         raise rejected(
             "NS0821",
-            "fcnet knows the one code that it was trained with, and sci8 brings its own mask",
+            f"{name} knows the one code that it was trained with, and sci8 brings its own mask",
             helps=("take a decoder that sees the code, such as unet3d",),
         )
 

@@ -1,0 +1,76 @@
+"""What decoders there are: each declared here once, whole, without loading a network."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from nscc.plugins import added, unusable
+
+SIZES = ("paper", "small")
+
+
+@dataclass(frozen=True)
+class Task:
+    """What a decoder is for: stills or clips of `slots`, coded by a `tile`; what it may see."""
+
+    kind: str
+    slots: int
+    tile: tuple[int, int]
+    sees_code: bool = True
+
+
+@dataclass(frozen=True)
+class Decoder:
+    """A decoder of nscc's own.
+
+    `network` is the `module:function` that makes it, called with its layers' channels, a `Task` and
+    the size, and loaded only then. `channels` has those of each size. `stills`: whether it
+    reconstructs stills as well as clips. `needs_code` says why it cannot do without the code, ""
+    if it can. `any_code`: whether it decodes codes that it was not trained with.
+    """
+
+    name: str
+    network: str
+    channels: Mapping[str, tuple[int, ...]]
+    stills: bool = False
+    needs_code: str = ""
+    any_code: bool = True
+
+
+_HERE = "nscc_training.decoders"
+_PROJECTS = "projects with the code: it cannot do without"
+_UNROLLED = {"paper": (64, 128, 256), "small": (24, 48, 64)}
+
+_OWN = (
+    Decoder(
+        "unet2d",
+        f"{_HERE}.unet:flat",
+        {"paper": (32, 64, 128, 256, 512, 1024), "small": (16, 32, 64, 128)},
+        stills=True,
+    ),
+    # The paper says "24 up to 768", doubling; five levels end at 384.
+    Decoder(
+        "unet3d",
+        f"{_HERE}.unet:deep",
+        {"paper": (24, 48, 96, 192, 384), "small": (8, 16, 32, 64)},
+        needs_code="is fed with S^T E, which holds the code: it cannot do without",
+    ),
+    Decoder("fcnet", f"{_HERE}.blocks:fcnet", {"paper": (4096,), "small": (96,)}, any_code=False),
+    Decoder("unrolled", f"{_HERE}.unrolled:unrolled", _UNROLLED, needs_code=_PROJECTS),
+    Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
+)
+DECODERS = {decoder.name: decoder for decoder in _OWN}
+
+
+def others() -> dict[str, Callable[..., Any]]:
+    """What makes the decoders that other distributions add, by name; called as a user's own is.
+
+    Raises Rejected (NS0905) for what cannot be called or has a name of `DECODERS`.
+    """
+    found = added("nscc.decoders", DECODERS)
+    for name, make in found.items():
+        if not callable(make):
+            raise unusable("nscc.decoders", name, f"a {type(make).__name__} makes no decoder")
+    return found
