@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 
 import nscc.target.target
+from nscc.operations import Op, op, pair
 from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.encoding import encode
-from nscc.words.operations import Op, op, pair
 
 _TABLES = Path(nscc.target.target.__file__).parent / "tables"
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from plan_cases import CASES, case
@@ -10,8 +10,7 @@ from promise import SCENES, TOLERANCES, Outcome, full_frames, outcome, pool, sce
 from reference_programs import sensor_of
 
 from nscc.words.container import Container
-from nscc_runtime.sensor import Sensor
-from nscc_runtime.sensor.schema import PARAMETERS
+from nscc_runtime.sensor import PARAMETERS, Sensor
 
 ROWS = COLS = 64
 _ZERO = 0.15
@@ -30,14 +29,14 @@ def random_sensor(container: Container, rng: np.random.Generator) -> Sensor:
     """Every figure but the readout's a tenth to ten times its default, or 0."""
     base, values = sensor_of(container), {}
     for row in PARAMETERS:
-        if row.group == "readout" or row.name == "digital_retention_us":
+        if row.heading == "readout" or row.name == "digital_retention_us":
             continue
         default, zero, factor = getattr(base, row.name), rng.random(), 10 ** rng.uniform(-1, 1)
         value = 1 + (default - 1) * factor if row.name == "analog_gain" else default * factor
-        if zero < _ZERO and row.low == 0 and not row.low_excluded:
+        if zero < _ZERO and row.kind.low == 0 and not row.kind.low_excluded:
             value = 0.0
-        values[row.name] = min(max(value, row.low), row.high)
-    return replace(base, **values)
+        values[row.name] = min(max(value, row.kind.low), row.kind.high)
+    return base.changed(**values)
 
 
 def draws(seed: int) -> list[Draw]:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 from emulator_programs import target_of
 
-from nscc.pipeline import Options, compile_source
+from nscc.compiler import compile_source
+from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.effects import selected
@@ -61,7 +61,7 @@ def program(
 
 def sensor_of(container: Container, **values: float) -> Sensor:
     """The container's default sensor with some values of our own."""
-    return replace(default_sensor(container.target), **values)
+    return default_sensor(container.target).changed(**values)
 
 
 def flat(electrons: float, rows: int = ROWS, cols: int = COLS) -> Light:

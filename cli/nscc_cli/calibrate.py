@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 
 import click
 
+from nscc.files import write_whole
 from nscc.target.load import DEFAULT_NAME, load_target
 from nscc_cli.programs import BuildChoice, load_program
-from nscc_cli.support import CommonCommand, NumberRange, done, progress, say, write_whole
+from nscc_cli.support import CommonCommand, NumberRange, done, progress, say
 
 if TYPE_CHECKING:
     from nscc_runtime.calibrate import Chain

@@ -72,7 +72,7 @@ def listing() -> str:
 def details(name: str, sensor: Sensor) -> str:
     """Everything about one effect, with its parameters; NS0756 for one that there is not."""
     from nscc_runtime.effects.registry import named
-    from nscc_runtime.sensor.schema import BY_NAME as PARAMETER
+    from nscc_runtime.sensor import SCHEMA
 
     effect = named(name)
     lines = [f"{effect.name}: {effect.title} ({effect.kind})"]
@@ -85,7 +85,7 @@ def details(name: str, sensor: Sensor) -> str:
         lines += textwrap.wrap(
             text, _WIDTH, initial_indent=f"  {heading:<11}", subsequent_indent=" " * 13
         )
-    for row in map(PARAMETER.__getitem__, effect.parameters):
-        value = f"{getattr(sensor, row.name):.10g} {row.unit}"
-        lines.append(f"  {row.name} = {value}, {row.allowed}: {row.meaning} ({row.source})")
+    for row in map(SCHEMA.by_path.__getitem__, effect.parameters):
+        value = f"{getattr(sensor, row.name):.10g} {row.kind.unit}"
+        lines.append(f"  {row.name} = {value}, {row.kind.range}: {row.meaning} ({row.source})")
     return "\n".join(lines)

@@ -101,7 +101,7 @@ def _save(data: bytes) -> str | None:
     """Writes the reproducer into the current or the temporary folder; where, None where neither."""
     import tempfile
 
-    from nscc_cli.support import write_whole
+    from nscc.files import write_whole
 
     name = f"nscc-fault-{sha256(data).hexdigest()[:12]}.zip"
     for path in (Path(name), Path(tempfile.gettempdir()) / name):

@@ -9,7 +9,8 @@ from typing import Any
 
 import click
 
-from nscc_cli.support import CommonCommand, NumberRange, write_whole
+from nscc.files import write_whole
+from nscc_cli.support import CommonCommand, NumberRange
 
 
 @click.command("metrics", cls=CommonCommand)

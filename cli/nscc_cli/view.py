@@ -8,8 +8,9 @@ from typing import Any
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.files import write_whole
 from nscc_cli.programs import BuildChoice, build_options, compile_program, load_program
-from nscc_cli.support import CommonCommand, done, say, write_whole
+from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command(name="view", cls=CommonCommand)

@@ -28,7 +28,7 @@ import networkx as nx
 from nscc.logic.problem import Gate
 from nscc.lower.allocate import words
 from nscc.lower.lowered import Lowered
-from nscc.words.operations import Op
+from nscc.operations import Op
 
 
 def gate_network(lowered: Lowered) -> nx.DiGraph:

@@ -14,7 +14,7 @@ import numpy as np
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.report import report
 from nscc.lower.plan import Lowering
-from nscc.pipeline import Compiled, Options, compile_source
+from nscc.pipeline import Compiled, Options, run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.tradeoff.points import Point
@@ -129,10 +129,10 @@ def compiled_or_not(way: Way) -> Compiled | Diagnostic:
     case = way.case
     options = Options(
         level=way.level, codes=case.codes, lowering=way.lowering, target=case.target,
-        suggest=False, cache=False,
+        cache=False,
     )  # fmt: skip
     try:
-        return compile_source(case.source, case.base, options)
+        return run_passes(case.source, case.base, options)
     except Rejected as rejected:
         last = rejected.diagnostics[-1]
         if not last.code.startswith(_DOES_NOT_FIT):
@@ -142,10 +142,10 @@ def compiled_or_not(way: Way) -> Compiled | Diagnostic:
 
 def _point(way: Way, compiled: Compiled, times_ms: tuple[float, ...], count: Count) -> Point:
     """The bound is that of the logic; all words are at least the plan's analog ones more."""
-    lowered, proof = compiled.lowered, compiled.proof
-    assert lowered is not None
+    choice, proof = compiled.choice, compiled.proof
+    assert choice is not None
     assert proof is not None
-    logic = report(lowered, compiled.choice, proof)["logic"]
+    lowered, logic = choice.best, report(choice, proof)["logic"]
     words, bound = logic["words"], logic["bound"]
     if count == "all":
         words = lowered.schedule.words_total

@@ -1,6 +1,6 @@
 """The emulator in Python: what a chip would have captured, from arrays to arrays.
 
-    from nscc.pipeline import compile_file
+    from nscc.compiler import compile_file
     from nscc_runtime.capture import capture
 
     program = compile_file(Path("flutter.nsl")).container
@@ -31,8 +31,8 @@ from nscc_runtime.plan.plan import Plan
 from nscc_runtime.plan.pool import processors
 from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.tolerance import tolerance_e
+from nscc_runtime.sensor.file import default_sensor
 from nscc_runtime.sensor.sensor import Sensor
-from nscc_runtime.sensor.values import default_sensor
 
 _programs: WeakKeyDictionary[Container, dict[Sensor, Program]] = WeakKeyDictionary()
 

@@ -31,7 +31,8 @@ from time import perf_counter
 
 import numpy as np
 
-from nscc.pipeline import Options, compile_file
+from nscc.compiler import compile_file
+from nscc.pipeline import Options
 from nscc.words.container import Container
 from nscc_runtime.capture import as_light, capture, made_ready
 from nscc_runtime.effects import selected

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from reference_programs import (
@@ -23,8 +21,8 @@ from reference_programs import (
 
 import nscc_runtime.reference.capture
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.operations import op
 from nscc.words.container import Container
-from nscc.words.operations import op
 from nscc_runtime.effects import BY_NAME, OPTIONAL, selected
 from nscc_runtime.effects.photons import LIGHT, SHOT, count_key
 from nscc_runtime.emulator import expose as noiseless
@@ -140,10 +138,10 @@ def test_leaving_out_an_effect_that_is_exactly_zero_changes_no_bit(
     name: str, values: dict[str, float]
 ) -> None:
     container = program(BUMPS, "accumulate")
-    sensor = replace(
-        sensor_of(container), register_max_e=3e5, register_min_e=-3e5, electrons_per_lsb=10.0
+    sensor = sensor_of(container).changed(
+        register_max_e=3e5, register_min_e=-3e5, electrons_per_lsb=10.0
     )
-    sensor = replace(sensor, **values)
+    sensor = sensor.changed(**values)
     light = random_light()
     kept = exposures(container, light, sensor, "all", 2)
     left = exposures(container, light, sensor, f"all,-{name}", 2)

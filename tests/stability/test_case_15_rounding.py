@@ -14,10 +14,9 @@ TARGET = target_of((1, 1), full_well_e=255.0)
 
 
 def codes(values: np.ndarray, offset: float = 0.0) -> np.ndarray:
-    from dataclasses import replace
 
     shaped = np.asarray(values, np.float64).reshape(1, 1, -1)
-    sensor = replace(default_sensor(TARGET), adc_offset_lsb=offset)
+    sensor = default_sensor(TARGET).changed(adc_offset_lsb=offset)
     exposure = Exposure(shaped, np.ones(shaped.shape, bool))
     return read_out(exposure, TARGET, sensor).frame[0, 0].astype(int)
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from emulator_programs import target_of
@@ -37,7 +35,7 @@ def test_case_16_nan_is_flagged_even_where_the_exposure_was_not() -> None:
 
 @pytest.mark.parametrize("offset", [-65536.0, -3.0, 10.0, 65536.0])
 def test_case_16_offsets_clamp_too(offset: float) -> None:
-    sensor = replace(default_sensor(TARGET), adc_offset_lsb=offset)
+    sensor = default_sensor(TARGET).changed(adc_offset_lsb=offset)
     levels = np.arange(-300.0, 600.0).reshape(1, 1, -1)
     found = read_out(Exposure(levels, np.ones(levels.shape, bool)), TARGET, sensor).frame
     expected = [min(max(int(level + offset), 0), 255) for level in levels.reshape(-1)]

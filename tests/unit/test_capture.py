@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from plan_cases import case, moving_light, plan_of
@@ -63,12 +61,12 @@ def test_the_readout_is_that_of_frame_files() -> None:
     expected = read_out(Exposure(taken.exposure_e, taken.valid), PROGRAM.target, sensor)
     assert taken.frame.tobytes() == expected.frame.tobytes()
     assert taken.frame.max() == 255
-    noisy = capture(CLIP, PROGRAM, replace(sensor, adc_noise_lsb=3.0), tolerance="1e")
+    noisy = capture(CLIP, PROGRAM, sensor.changed(adc_noise_lsb=3.0), tolerance="1e")
     assert noisy.exposure_e.tobytes() == taken.exposure_e.tobytes()
     inside = (taken.frame > 20) & (taken.frame < 235)
     change = noisy.frame[inside].astype(float) - taken.frame[inside]
     assert change.std() == pytest.approx(3.0, rel=0.25)
-    silent = capture(CLIP, PROGRAM, replace(sensor, adc_noise_lsb=3.0), tolerance="1e",
+    silent = capture(CLIP, PROGRAM, sensor.changed(adc_noise_lsb=3.0), tolerance="1e",
                      effects="auto,-adc_noise")  # fmt: skip
     assert silent.frame.tobytes() == taken.frame.tobytes()
 
@@ -126,7 +124,7 @@ def test_no_frames_at_all_are_a_mistake() -> None:
 def test_words_that_compare_light_are_refused() -> None:
     from emulator_programs import container_of, target_of
 
-    from nscc.words.operations import op
+    from nscc.operations import op
 
     words = [op("where", [], ["PIX"]), op("bus", ["A"], ["PIX"])]
     bad = container_of(target_of((2, 3)), {}, [words], [(0, 0), (1, 0)], 1)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import fields, replace
+from dataclasses import fields
 from pathlib import Path
 
 import numpy as np
@@ -61,8 +61,8 @@ def test_bad_choices(text: str) -> None:
 
 def test_predictions_follow_the_formulas() -> None:
     scene = Statistics(mean_e=900.0, rms_e=1000.0, reads=4.0, resets=2.0, open_s=0.5, rms_open_s=1)
-    sensor = replace(
-        SENSOR, read_noise_e=3.0, reset_noise_e=5.0, prnu_fraction=0.02,
+    sensor = SENSOR.changed(
+        read_noise_e=3.0, reset_noise_e=5.0, prnu_fraction=0.02,
         dark_current_e_per_s=8.0, dark_spread_fraction=0.0,
         adc_noise_lsb=2.0, electrons_per_lsb=6.0,
     )  # fmt: skip
@@ -83,7 +83,7 @@ def test_a_scene_without_anything_contributes_nothing_before_the_adc() -> None:
 
 
 def test_fixed_patterns_have_the_stated_mean_and_spread() -> None:
-    sensor = replace(SENSOR, prnu_fraction=0.02, dark_current_e_per_s=50, dark_spread_fraction=0.5)
+    sensor = SENSOR.changed(prnu_fraction=0.02, dark_current_e_per_s=50, dark_spread_fraction=0.5)
     factor = response(sensor, 7, PIXELS)
     assert factor.mean() == pytest.approx(1.0, abs=5 * 0.02 / len(PIXELS) ** 0.5)
     assert factor.std() == pytest.approx(0.02, rel=0.01)
@@ -102,7 +102,7 @@ def test_soft_saturation_is_exact_below_the_knee_monotone_and_bounded() -> None:
     assert np.all(np.diff(held) >= 0)
     assert np.abs(held).max() <= 30000
     np.testing.assert_allclose(np.diff(held[12700:12703]), 10.0, rtol=0.01)
-    hard = soft(values, replace(SENSOR, register_knee_fraction=1.0))
+    hard = soft(values, SENSOR.changed(register_knee_fraction=1.0))
     np.testing.assert_array_equal(hard, np.clip(values, -30000, 30000))
     zero = np.array([-0.0, 0.0])
     assert soft(zero, SENSOR).tobytes() == zero.tobytes()

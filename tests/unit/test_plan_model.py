@@ -20,7 +20,7 @@ from nscc_runtime.plan.plan import Approximation, Plan
 from nscc_runtime.plan.tolerance import tolerance_e
 from nscc_runtime.sensor import default_sensor
 
-SENSOR = replace(default_sensor(builtin_target("scamp5")), electrons_per_lsb=100.0)
+SENSOR = default_sensor(builtin_target("scamp5")).changed(electrons_per_lsb=100.0)
 
 
 @given(st.floats(1e-300, 1e300, allow_subnormal=False))

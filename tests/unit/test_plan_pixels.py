@@ -184,7 +184,7 @@ def test_expected_leaves_everything_random_out() -> None:
         for seed in (1, 2)
     )
     assert one.tobytes() == other.tobytes()
-    off = replace(sensor, analog_noise_lsb=0.0, dark_current_e_per_s=0.0)
+    off = sensor.changed(analog_noise_lsb=0.0, dark_current_e_per_s=0.0)
     plain = expose(container, light, off, selected("all,-shot,-read,-reset,-dark"), device_seed=0)
     open_s = container.table.shutters[
         container.table.shutter_of_code[container.pixel_codes]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -107,7 +106,7 @@ def test_slots_that_share_frames(monkeypatch: pytest.MonkeyPatch) -> None:
 @given(st.integers(2, leak_nodes.MOST), st.floats(0.01, 0.6), st.integers(0, 5))
 def test_between_rates_polynomials_are_exact(count: int, spread: float, power: int) -> None:
     """With K rates, powers of the rate below K come out as they are."""
-    sensor = replace(SENSOR, leakage_spread_fraction=spread)
+    sensor = SENSOR.changed(leakage_spread_fraction=spread)
     nodes = leak_nodes.rates(sensor, count)
     assert len(nodes) == len(set(nodes.tolist())) == count
     mean = 1.0 / sensor.leakage_tau_s
@@ -122,7 +121,7 @@ def test_between_rates_polynomials_are_exact(count: int, spread: float, power: i
 @pytest.mark.parametrize("spread", [0.0, 0.1, 0.5])
 @pytest.mark.parametrize("age_s", [0.01, 1.0, 10.0])
 def test_the_error_between_rates_is_that_of_real_pixels(spread: float, age_s: float) -> None:
-    sensor = replace(SENSOR, leakage_tau_s=5.0, leakage_spread_fraction=spread)
+    sensor = SENSOR.changed(leakage_tau_s=5.0, leakage_spread_fraction=spread)
     leak = leak_per_s(sensor, 3, np.arange(60_000))
     for count in range(1, leak_nodes.MOST + 1):
         if spread == 0.0 and count > 1:
@@ -136,7 +135,7 @@ def test_the_error_between_rates_is_that_of_real_pixels(spread: float, age_s: fl
 
 
 def test_more_rates_are_better() -> None:
-    sensor = replace(SENSOR, leakage_spread_fraction=0.3)
+    sensor = SENSOR.changed(leakage_spread_fraction=0.3)
     errors = [leak_nodes.error(sensor, count, 5.0) for count in range(1, leak_nodes.MOST + 1)]
     assert errors == sorted(errors, reverse=True)
     assert errors[-1] < 1e-4 * errors[0]

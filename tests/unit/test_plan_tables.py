@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from plan_cases import CASES, case
@@ -194,7 +192,7 @@ def test_a_program_made_ready_knows_its_groups() -> None:
     np.testing.assert_allclose(means[1], np.broadcast_to([1.0, 0.0], means[1].shape), atol=1e-12)
     np.testing.assert_allclose(means[2], np.broadcast_to([0.0, 1.0], means[2].shape), atol=1e-12)
     assert made.words(selected("all")) is made.pixels
-    short = replace(made.sensor, digital_retention_us=600.0)
+    short = made.sensor.changed(digital_retention_us=600.0)
     other = Program.of(container, short)
     assert other.words(selected("all")) is other.pixels
     assert other.words(selected("all,-decay")) is other.fresh_pixels

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, replace
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,13 +11,12 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_names, builtin_target
 from nscc_runtime.sensor import (
     PARAMETERS,
-    Sensor,
     default_sensor,
     load_sensor,
     sensor_sha256,
     sensor_toml,
 )
-from nscc_runtime.sensor.schema import GROUPS
+from nscc_runtime.sensor.parameters import HEADINGS
 
 TARGET = builtin_target("scamp5")
 
@@ -30,9 +29,9 @@ def codes(path: Path | None = None, *changes: str) -> list[str]:
 
 
 def test_the_table_covers_every_attribute_once_and_says_where_defaults_come_from() -> None:
-    assert sorted(row.name for row in PARAMETERS) == sorted(f.name for f in fields(Sensor))
-    assert all(row.source and row.unit and row.meaning for row in PARAMETERS)
-    assert {row.group for row in PARAMETERS} == set(GROUPS)
+    assert [row.name for row in PARAMETERS] == list(default_sensor(TARGET).values)
+    assert all(row.source and row.kind.unit and row.meaning for row in PARAMETERS)
+    assert {row.heading for row in PARAMETERS} == set(HEADINGS)
 
 
 def test_defaults_are_the_targets_and_within_their_ranges() -> None:
@@ -43,7 +42,7 @@ def test_defaults_are_the_targets_and_within_their_ranges() -> None:
     for name in builtin_names():
         found = default_sensor(builtin_target(name))
         for row in PARAMETERS:
-            assert row.low <= getattr(found, row.name) <= row.high
+            assert row.kind.low <= getattr(found, row.name) <= row.kind.high
     wide = replace(TARGET, full_well_e=1000.0, adc_bits=4, adc_offset_lsb=2.0)
     assert default_sensor(wide).electrons_per_lsb == 1000 / 15
     assert default_sensor(wide).adc_offset_lsb == 2.0
@@ -64,8 +63,7 @@ def test_missing_lines_have_their_default_and_changes_come_last(tmp_path: Path) 
     file = tmp_path / "sensor.toml"
     file.write_text("full_well_e = 2550\nprnu_fraction = -0.0\n")
     sensor = load_sensor(TARGET, file, ["lag_fraction=0", "lag_fraction=0.5"])
-    assert sensor == replace(
-        default_sensor(TARGET),
+    assert sensor == default_sensor(TARGET).changed(
         full_well_e=2550.0, electrons_per_lsb=10.0, prnu_fraction=0.0, lag_fraction=0.5,
     )  # fmt: skip
     assert str(sensor.prnu_fraction) == "0.0"

@@ -15,7 +15,7 @@ from nscc_runtime.effects.photons import PRNU, SHOT
 from nscc_runtime.effects.readout import ADC, ADC_NOISE
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
-from nscc_runtime.sensor.schema import BY_NAME as PARAMETER
+from nscc_runtime.sensor.parameters import SCHEMA
 from nscc_runtime.sensor.sensor import Sensor
 
 EFFECTS: tuple[Effect, ...] = (
@@ -92,14 +92,14 @@ def effects_json(sensor: Sensor) -> list[dict[str, Any]]:
             "parameters": [
                 {
                     "name": row.name,
-                    "unit": row.unit,
+                    "unit": row.kind.unit,
                     "default": getattr(sensor, row.name),
-                    "low": row.low,
-                    "high": row.high,
+                    "low": row.kind.low,
+                    "high": row.kind.high,
                     "meaning": row.meaning,
                     "source": row.source,
                 }
-                for row in map(PARAMETER.__getitem__, effect.parameters)
+                for row in map(SCHEMA.by_path.__getitem__, effect.parameters)
             ],
         }
         for effect in EFFECTS

@@ -2,37 +2,37 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True)
 class Sensor:
-    """The parameters of `nscc_runtime.sensor.schema`, all finite and within their ranges.
+    """The parameters of a sensor by name, all finite and within their ranges.
 
-    Units are in the names: electrons, seconds, codes of the ADC (lsb); a fraction has none.
+    Each is an attribute too: `sensor.read_noise_e`. Units are in the names: electrons, seconds,
+    codes of the ADC (lsb); a fraction has none.
     """
 
-    full_well_e: float
-    register_min_e: float
-    register_max_e: float
-    register_knee_fraction: float
-    prnu_fraction: float
-    crosstalk_fraction: float
-    lag_fraction: float
-    dark_current_e_per_s: float
-    dark_spread_fraction: float
-    read_noise_e: float
-    reset_noise_e: float
-    analog_gain: float
-    analog_noise_lsb: float
-    analog_pattern_lsb: float
-    analog_bias_lsb: float
-    leakage_tau_s: float
-    leakage_spread_fraction: float
-    digital_retention_us: float
-    electrons_per_lsb: float
-    adc_offset_lsb: float
-    adc_noise_lsb: float
+    values: Mapping[str, float]
+
+    def __getattr__(self, name: str) -> float:
+        # Copies and pickles ask for attributes of a sensor that has no values yet.
+        if name.startswith("__") or name == "values" or name not in self.values:
+            raise AttributeError(f"a sensor has no parameter {name!a}")
+        return self.values[name]
+
+    def __hash__(self) -> int:
+        return hash(frozenset(self.values.items()))
+
+    def changed(self, **values: float) -> Sensor:
+        """This sensor with other values of some parameters; TypeError for names that are none."""
+        unknown = [name for name in values if name not in self.values]
+        if unknown:
+            raise TypeError(f"a sensor has no parameter {unknown[0]!a}")
+        return Sensor({**self.values, **values})
 
     @property
     def analog_noise_e(self) -> float:
@@ -48,3 +48,8 @@ class Sensor:
     def analog_bias_e(self) -> float:
         """Mean error of one analog word."""
         return self.analog_bias_lsb * self.electrons_per_lsb
+
+
+def sensor_sha256(sensor: Sensor) -> str:
+    """Hexadecimal digest of all values: the same sensor wherever its numbers came from."""
+    return hashlib.sha256(json.dumps(dict(sensor.values), sort_keys=True).encode()).hexdigest()

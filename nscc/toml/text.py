@@ -1,4 +1,4 @@
-"""What readers of TOML files share: the text with its values, places of keys, spellings."""
+"""TOML as text: what a file holds, where its keys stand, and how values are spelled."""
 
 from __future__ import annotations
 
@@ -66,3 +66,29 @@ def shown(value: Any) -> str:
         return "a huge number"
     text = ascii(value) if isinstance(value, str) else str(value)
     return text if len(text) <= 60 else text[:57] + "..."
+
+
+def spelled_value(text: str) -> Any:
+    """The value that a text spells in TOML; the text itself where it spells none."""
+    try:
+        found = tomllib.loads(f"value = {text}")
+    except (ValueError, RecursionError):
+        return text
+    return found["value"] if found.keys() == {"value"} else text
+
+
+def written(value: Any) -> str:
+    """A text, a number, true, false or a list of them as TOML spells it."""
+    if isinstance(value, str):
+        return '"' + "".join(map(_character, value)) + '"'
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(written, value)) + "]"
+    return repr(value)
+
+
+def _character(c: str) -> str:
+    if c in '"\\':
+        return "\\" + c
+    return c if c.isprintable() else f"\\u{ord(c):04x}" if ord(c) < 1 << 16 else f"\\U{ord(c):08x}"

@@ -1,0 +1,89 @@
+"""Files of a schema: read with everything that is wrong said at once, and written whole."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.rejection import rejected
+from nscc.source import Source
+from nscc.toml.schema import Found, Row, Schema
+from nscc.toml.text import LARGEST_FILE, NotToml, parsed, written
+
+WIDTH = 100
+_REMARK_COLUMN = 42
+
+
+def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
+    """What a user's file holds, for `file_values`; Rejected (status 2) if it cannot be read.
+
+    `name` is the file's for messages, by default its path.
+    """
+    try:
+        with open(path, "rb") as file:
+            return file.read(LARGEST_FILE + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise rejected(
+            schema.codes.unreadable,
+            f"the {schema.file} {(name or str(path))[:200]!a} cannot be read: {reason}",
+            helps=(schema.start,),
+        ) from None
+
+
+def file_values(
+    schema: Schema[Row], data: bytes, name: str, *, status: int = 2
+) -> tuple[Found, list[Diagnostic], Source]:
+    """The values of a file's bytes that are right, what is wrong with the others, and its text.
+
+    `name` is the file's for messages. Rejected (`status`) if it is no TOML at all.
+    """
+    try:
+        text, values = parsed(data)
+    except NotToml as reason:
+        raise rejected(
+            schema.codes.not_toml,
+            f"the {schema.file} {name[:200]!a} is not a TOML table: {reason}",
+            helps=(schema.start,),
+            status=status,
+        ) from None
+    source = Source(name, text)
+    return *schema.read(values, source), source
+
+
+def file_text(
+    schema: Schema[Row],
+    values: Mapping[str, Any],
+    remark: Callable[[Row], str],
+    head: Sequence[str] = (),
+    *,
+    beside: bool = False,
+) -> str:
+    """A complete file that reads back as these values, which are by the paths of the keys.
+
+    `head` are comments to begin with. What `remark` says of a key stands above its line, or
+    `beside` it where there is room.
+    """
+    lines = [f"# {line}" for line in head]
+    for heading, said in schema.headings.items():
+        rows = [key for key in schema.keys if key.heading == heading]
+        if heading and rows:
+            lines += [""] if lines else []
+            title = f"[{heading}]" if rows[0].section else f"## {heading}: {said}"
+            lines.append(_beside(title, said if rows[0].section and beside else ""))
+        for key in rows:
+            line = f"{key.name} = {written(key.kind.plain(values[key.path]))}"
+            text = remark(key)
+            if beside and len(line) <= 60:
+                lines.append(_beside(line, text))
+            else:
+                width = 1000 if beside else WIDTH - 2
+                lines += [*(f"# {part}" for part in textwrap.wrap(text, width)), line]
+    return "\n".join(lines) + "\n"
+
+
+def _beside(line: str, remark: str) -> str:
+    return f"{line:<{_REMARK_COLUMN}} # {remark}" if remark else line

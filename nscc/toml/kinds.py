@@ -1,0 +1,158 @@
+"""What a key of a TOML file may hold: one small frozen value a kind.
+
+A kind reads the value of a file, says in words what it allows, and gives back what a file says.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from math import isfinite
+from typing import Any, Protocol
+
+
+class Kind(Protocol):
+    """A set of values."""
+
+    @property
+    def allowed(self) -> str:
+        """What ends the sentence "the key must be .."."""
+
+    def read(self, value: Any) -> Any:
+        """The value as Python keeps it; ValueError for one that is not allowed."""
+
+    def plain(self, value: Any) -> Any:
+        """The value as a file says it: what `read` takes."""
+        return value
+
+
+@dataclass(frozen=True, slots=True)
+class Number(Kind):
+    """A finite float within `low`..`high`; the bounds themselves may be excluded."""
+
+    low: float
+    high: float
+    unit: str = ""
+    low_excluded: bool = False
+    high_excluded: bool = False
+
+    @property
+    def range(self) -> str:
+        """The range in words."""
+        left = "above" if self.low_excluded else "from"
+        right = "below" if self.high_excluded else "to"
+        return f"{left} {self.low:g} {right} {self.high:g}"
+
+    @property
+    def allowed(self) -> str:
+        return f"a number {self.range}" + (f" ({self.unit})" if self.unit else "")
+
+    def read(self, value: Any) -> float:
+        if isinstance(value, bool) or not isinstance(value, int | float):
+            raise ValueError
+        above = self.low < value if self.low_excluded else self.low <= value
+        below = value < self.high if self.high_excluded else value <= self.high
+        if not (above and below and isfinite(value)):
+            raise ValueError
+        # Adding 0.0 makes -0.0 plain 0.0: one value, one spelling.
+        return float(value) + 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Integer(Kind):
+    """A whole number within `low`..`high`; `unlimited` ones may be "any", which is None."""
+
+    low: int
+    high: int
+    unlimited: bool = False
+
+    @property
+    def allowed(self) -> str:
+        any_too = '"any" or ' if self.unlimited else ""
+        return f"{any_too}a whole number from {self.low:g} to {self.high:g}"
+
+    def read(self, value: Any) -> int | None:
+        if self.unlimited and value == "any":
+            return None
+        if isinstance(value, bool) or not isinstance(value, int):
+            raise ValueError
+        if not self.low <= value <= self.high:
+            raise ValueError
+        return value
+
+    def plain(self, value: Any) -> Any:
+        return "any" if value is None else value
+
+
+@dataclass(frozen=True, slots=True)
+class Flag(Kind):
+    """True or false."""
+
+    @property
+    def allowed(self) -> str:
+        return "true or false"
+
+    def read(self, value: Any) -> bool:
+        if not isinstance(value, bool):
+            raise ValueError
+        return value
+
+
+@dataclass(frozen=True, slots=True)
+class Text(Kind):
+    """A text: one of `choices` where there are some, all of it a `pattern`, `said` in words.
+
+    `optional` ones may be "none", which is None.
+    """
+
+    choices: tuple[str, ...] = ()
+    pattern: str = ""
+    said: str = "a text"
+    optional: bool = False
+
+    @property
+    def allowed(self) -> str:
+        if self.choices:
+            return "one of " + ", ".join(f'"{choice}"' for choice in self.choices)
+        return self.said
+
+    def read(self, value: Any) -> str | None:
+        # Bytes of the command line that are no UTF-8 arrive as halves of characters.
+        if not isinstance(value, str) or any("\ud800" <= c <= "\udfff" for c in value):
+            raise ValueError
+        if self.choices and value not in self.choices:
+            raise ValueError
+        if self.pattern and not (value.isprintable() and re.fullmatch(self.pattern, value)):
+            raise ValueError
+        return None if self.optional and value == "none" else value
+
+    def plain(self, value: Any) -> Any:
+        return "none" if value is None else value
+
+
+@dataclass(frozen=True, slots=True)
+class Several(Kind):
+    """A list of values of one kind, `count` of them where that is given, `said` in words."""
+
+    each: Kind
+    count: int | None = None
+    said: str = ""
+
+    @property
+    def allowed(self) -> str:
+        return self.said or f"a list of {self.count}, each {self.each.allowed}"
+
+    def read(self, value: Any) -> tuple[Any, ...]:
+        if not isinstance(value, list | tuple) or self.count not in (None, len(value)):
+            raise ValueError
+        return tuple(self.each.read(part) for part in value)
+
+    def plain(self, value: Any) -> Any:
+        return [self.each.plain(part) for part in value]
+
+
+NAME = Text(
+    pattern=r"[A-Za-z][A-Za-z0-9_.+-]{0,63}",
+    said="a name of letters, digits, `-`, `_`, `.` (64 at most, a letter first)",
+)
+LINE = Text(pattern=".{0,400}", said="one line of text, 400 characters at most")

@@ -1,0 +1,247 @@
+"""A kind of TOML file as rows, one a key: what reading, changing and listing one follow from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import MISSING, dataclass, field, fields, replace
+from functools import cached_property
+from typing import Any, Generic, TypeVar
+
+from nscc.diagnostics.diagnostic import Diagnostic, Label
+from nscc.diagnostics.suggest import closest
+from nscc.source import Source
+from nscc.toml.kinds import Kind, Text
+from nscc.toml.text import shown, span_of, spelled_value
+
+_FEW = 10
+"""So many keys are told one by one where none of them is like an unknown one."""
+
+Found = dict[str, Any]
+"""Values by the paths of their keys, as Python keeps them."""
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """The key `name` of the table `section` ("" for the top of the file).
+
+    `meaning` is half a sentence, `source` says where the default comes from (empty: it is public).
+    A file lists the key under `heading`, which is its section's name where none is given. Python
+    knows it as `attribute`, by default its name. A file must have `required` keys.
+    """
+
+    section: str
+    name: str
+    kind: Kind
+    meaning: str
+    default: Any = MISSING
+    source: str = ""
+    required: bool = False
+    heading: str = ""
+    attribute: str = ""
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "heading", self.heading or self.section)
+        object.__setattr__(self, "attribute", self.attribute or self.name)
+
+    @property
+    def path(self) -> str:
+        """The key with its table, as messages and changes name it."""
+        return f"{self.section}.{self.name}" if self.section else self.name
+
+
+@dataclass(frozen=True, slots=True)
+class Codes:
+    """The codes of what can be wrong; `change` is that of a change that is not KEY=VALUE."""
+
+    unreadable: str
+    not_toml: str
+    unknown: str
+    wrong: str
+    missing: str = ""
+    change: str = ""
+
+
+def key(
+    kind: Kind, meaning: str, default: Any = MISSING, *, section: str = "", name: str = "",
+    source: str = "", required: bool = False,
+) -> Any:  # fmt: skip
+    """A field of a dataclass that is a key of a file, called `name` where that is not its own."""
+    row = Key(section, name, kind, meaning, default, source, required)
+    return field(default=default, metadata={"key": row})
+
+
+def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
+    """The keys that the fields of a dataclass are, in its order; those in no table in `section`."""
+    return tuple(
+        replace(
+            row := each.metadata["key"],
+            section=row.section or section,
+            name=row.name or each.name,
+            heading=row.section or section,
+            attribute=each.name,
+        )
+        for each in fields(settings)
+    )
+
+
+Row = TypeVar("Row", bound=Key)
+
+
+@dataclass(frozen=True)
+class Schema(Generic[Row]):
+    """A kind of file.
+
+    `what` it describes ("a target") and what messages call it (`file`), its `keys` in the order of
+    a file, each `heading` with a remark, and the help that says how to get one to `start` from.
+    `noun` is what a key is called, `option` the option that changes one, `example` a change.
+    ValueError if two keys have one path, or a key has a heading that is none.
+    """
+
+    what: str
+    file: str
+    keys: tuple[Row, ...]
+    headings: Mapping[str, str]
+    codes: Codes
+    start: str
+    noun: str = "key"
+    option: str = ""
+    example: str = ""
+
+    def __post_init__(self) -> None:
+        for index, key in enumerate(self.keys):
+            if key.path in (other.path for other in self.keys[:index]):
+                raise ValueError(f"{self.what} has two keys {key.path}")
+            if key.heading not in self.headings:
+                raise ValueError(f"{key.path} has the unknown heading {key.heading!a}")
+
+    @cached_property
+    def by_path(self) -> dict[str, Row]:
+        """The keys by their paths."""
+        return {key.path: key for key in self.keys}
+
+    @cached_property
+    def sections(self) -> dict[str, tuple[str, ...]]:
+        """The names of the keys of each table; the top's first, with those of the tables."""
+        found: dict[str, list[str]] = {"": []}
+        for key in self.keys:
+            found.setdefault(key.section, []).append(key.name)
+        found[""] += [name for name in found if name]
+        return {name: tuple(names) for name, names in found.items()}
+
+    @property
+    def tables(self) -> tuple[str, ...]:
+        """The names of the tables."""
+        return tuple(name for name in self.sections if name)
+
+    def read(
+        self, values: Mapping[str, Any], source: Source | None = None, *, complete: bool = False
+    ) -> tuple[Found, list[Diagnostic]]:
+        """The values that are right, and everything that is wrong with a parsed file.
+
+        `source` is its text, for places. A key may be missing if it is not required; in `complete`
+        values none may.
+        """
+        found: Found = {}
+        problems: list[Diagnostic | None] = []
+        for name, value in values.items():
+            if name and name in self.sections and isinstance(value, Mapping):
+                problems += (self._take(found, name, *each, source) for each in value.items())
+            else:
+                problems.append(self._take(found, "", name, value, source))
+        for key in self.keys:
+            place = values.get(key.section, {}) if key.section else values
+            if (key.required or complete) and isinstance(place, Mapping) and key.name not in place:
+                message = f"the key {key.path} is missing: {key.meaning}"
+                missing = self.codes.missing, message, key.section, key.name, source, self.start
+                problems.append(self.problem(*missing))
+        return found, [each for each in problems if each]
+
+    def changed(self, changes: Sequence[str]) -> tuple[Found, list[Diagnostic]]:
+        """The values of changes, each KEY=VALUE, the last of a key, and what is wrong with them.
+
+        VALUE is written as in a file; the quotes of a text may be left out.
+        """
+        found: Found = {}
+        problems: list[Diagnostic] = []
+        for change in changes:
+            path, equals, spelled = (part.strip() for part in change.partition("="))
+            section, _, name = path.rpartition(".") if self.tables else ("", "", path)
+            key = self.by_path.get(path)
+            if not name or not equals or not (spelled or (key and isinstance(key.kind, Text))):
+                form = "SECTION.KEY=VALUE" if self.tables else "NAME=VALUE"
+                message = f"{self.option} takes {form}, not {change[:60]!a}"
+                help_text = f"for instance {self.option} {self.example}"
+                problems.append(Diagnostic(self.codes.change, message, helps=(help_text,)))
+            elif wrong := self._take(found, section, name, spelled_value(spelled), None):
+                problems.append(replace(wrong, message=f"{self.option}: {wrong.message}"))
+        return found, problems
+
+    def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """What a file holds: tables of keys, every key present, in the order of a file."""
+        tables: dict[str, Any] = {}
+        for key in self.keys:
+            place = tables.setdefault(key.section, {}) if key.section else tables
+            place[key.name] = key.kind.plain(values[key.path])
+        return tables
+
+    def _take(
+        self, found: Found, section: str, name: str, value: Any, source: Source | None
+    ) -> Diagnostic | None:
+        """Puts a value that is right into `found`; says what is wrong with one that is not."""
+        key = self.by_path.get(f"{section}.{name}" if section else name)
+        if key is None or key.section != section:
+            return self._unknown(section, name, value, source)
+        try:
+            found[key.path] = key.kind.read(value)
+        except ValueError:
+            message = f"{key.path} must be {key.kind.allowed}, not {shown(value)}"
+            note = f"{key.path}: {key.meaning}"
+            return self.problem(self.codes.wrong, message, section, name, source, note=note)
+        return None
+
+    def _unknown(self, section: str, name: str, value: Any, source: Source | None) -> Diagnostic:
+        known = self.sections.get(section, ())
+        tables = self.tables
+        if not section and name in tables:
+            message = f"{name} must be a table of keys (a line `[{name}]`), not {shown(value)}"
+            return self.problem(self.codes.wrong, message, section, name, source)
+        table = section if section not in self.sections else name
+        if tables and (table == section or (not section and isinstance(value, Mapping))):
+            message, near = f"{self.what} has no table {shown(table)}", closest(table, tables)
+            help_text = f"did you mean `{near}`?" if near else f"the tables are {', '.join(tables)}"
+        else:
+            where = f"[{section}] of {self.what}" if section else self.what
+            message = f"{where} has no {self.noun} {shown(name)}"
+            help_text = self._meant(section, name, known)
+        return self.problem(self.codes.unknown, message, section, name, source, help_text)
+
+    def _meant(self, section: str, name: str, known: Sequence[str]) -> str:
+        """The help for a name that the table `section`, whose names are `known`, does not have."""
+        homes = {key.name: key.section for key in reversed(self.keys)}
+        near, elsewhere = closest(name, known), closest(name, homes)
+        if name in homes:
+            home = homes[name]
+            return f"`{name}` belongs " + (f"under [{home}]" if home else "at the top")
+        if near:
+            return f"did you mean `{near}`?"
+        if elsewhere:
+            home = homes[elsewhere]
+            return f"did you mean `{elsewhere}` " + (f"under [{home}]?" if home else "at the top?")
+        if len(known) > _FEW:
+            return self.start
+        return f"the {self.noun}s here are {', '.join(known)}"
+
+    def problem(
+        self, code: str, message: str, section: str, name: str, source: Source | None,
+        help_text: str = "", note: str = "",
+    ) -> Diagnostic:  # fmt: skip
+        """What is wrong at a key of a file ("" and a table's name: the table)."""
+        return Diagnostic(
+            code,
+            message,
+            source=source,
+            label=Label(span_of(source.text, section, name)) if source else None,
+            notes=(note,) if note else (),
+            helps=(help_text,) if help_text else (),
+            data={self.noun: name[:60]},
+        )

@@ -1,0 +1,84 @@
+"""`--sensor FILE.toml` and `--sensor-set NAME=VALUE`, and a file to start from.
+
+A parameter that is missing has its default; a key that is no parameter is an error.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.target.target import Target
+from nscc.toml.files import WIDTH, file_bytes, file_text, file_values
+from nscc_runtime.sensor.parameters import SCHEMA, Parameter
+from nscc_runtime.sensor.sensor import Sensor
+
+
+def load_sensor(target: Target, path: Path | None = None, changes: Sequence[str] = ()) -> Sensor:
+    """The sensor of a file (default: every default) with `changes`, each NAME=VALUE, on top.
+
+    Raises Rejected, status 2: NS0751 for a file that cannot be read, NS0752 for one that is not
+    TOML, NS0753 and NS0754 for unknown names and wrong values, NS0755 for a change that is not
+    NAME=VALUE; all that is wrong at once.
+    """
+    data = b"" if path is None else read_sensor(path)
+    return parse_sensor(target, data, str(path), changes)
+
+
+def read_sensor(path: Path) -> bytes:
+    """What a sensor's file holds, for `parse_sensor`; Rejected (NS0751) if it cannot be read."""
+    return file_bytes(SCHEMA, path)
+
+
+def parse_sensor(target: Target, data: bytes, name: str, changes: Sequence[str] = ()) -> Sensor:
+    """The sensor of a file's bytes; `name` is the file's for messages. Raises as `load_sensor`."""
+    given, wrong, _ = file_values(SCHEMA, data, name)
+    changed, wrong_too = SCHEMA.changed(changes)
+    if wrong or wrong_too:
+        raise Rejected([*wrong, *wrong_too], status=2)
+    return completed({**given, **changed}, target)
+
+
+def default_sensor(target: Target) -> Sensor:
+    """The sensor of a target, every parameter at its default."""
+    return completed({}, target)
+
+
+def completed(given: Mapping[str, float], target: Target) -> Sensor:
+    """The sensor of checked values; what is not given has its default.
+
+    Without `electrons_per_lsb` the full well is the top code, whoever gave the full well.
+    """
+    values: dict[str, float] = {}
+    for row in SCHEMA.keys:
+        known = row.name in given
+        values[row.name] = given[row.name] if known else row.default_for(target, values)
+    return Sensor(values)
+
+
+def sensor_toml(
+    sensor: Sensor, sources: Mapping[str, str] | None = None, heading: Sequence[str] = ()
+) -> str:
+    """A complete, commented file that `load_sensor` reads back as this sensor.
+
+    `sources` say where values come from that are no defaults; `heading` are lines to begin with.
+    """
+    origin = "the value" if sources else "the default"
+
+    def remark(row: Parameter) -> str:
+        source = (sources or {}).get(row.name, row.source)
+        return f"{row.meaning} [{row.kind.unit}, {row.kind.range}] ({source})"
+
+    return file_text(
+        SCHEMA,
+        sensor.values,
+        remark,
+        (
+            "A sensor of nscc: every number that the sensor effects depend on.",
+            *(part for text in heading for part in textwrap.wrap(text, WIDTH - 2)),
+            "`nscc run --sensor FILE.toml` reads it; a line that is left out has its default.",
+            f"Each line is preceded by: meaning [unit, range] (where {origin} comes from).",
+        ),
+    )
