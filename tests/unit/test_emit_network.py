@@ -10,9 +10,10 @@ import networkx as nx
 import pytest
 from nscc_command import invoke
 
+from nscc.compiler import compile_source
 from nscc.emit.network import dot_text, gate_network, graphml_bytes, interference
 from nscc.emit.report import report
-from nscc.pipeline import Options, compile_source
+from nscc.pipeline import Options
 from nscc.source import Source
 
 BOOK = [f"{37 * k * k % 1023:010b}" for k in range(1, 25)]
@@ -96,7 +97,7 @@ def test_the_file_alone_computes_the_shutters(name, lowering, level):
     assert asked == expected(compiled.program, lowering)
     gates = [facts for _, facts in network.nodes(data=True) if facts["kind"] == "gate"]
     if not lowered.solution.state_in_flag:
-        logic = report(lowered, compiled.choice, compiled.proof)["logic"]
+        logic = report(compiled.choice, compiled.proof)["logic"]
         assert sum(facts["words"] for facts in gates) == logic["words"]
     for facts in gates:
         assert (facts["boundary"], facts["kernel"]) in lowered.schedule.launches
