@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import Point, csv_text, dominated, table_text
+from nscc.tradeoff.points import Point, csv_text, table_text
 from nscc_cli.support import CommonCommand, NumberRange, done, progress
 from nscc_cli.tradeoff_files import output_files, output_options, write_files
 
@@ -88,31 +88,18 @@ def _missing(folders: Sequence[RunFolder]) -> list[str]:
 
 
 def _png(points: Sequence[Point], repeats: int, device: str) -> bytes:
-    from nscc_runtime.diagram import Axis, Line, Mark, Panel, diagram_png
+    from nscc_runtime.pictures.precision import Panel, Reading, precision_diagram
+    from nscc_runtime.pictures.sheet import png_of
 
-    beaten = dict(zip(map(id, points), dominated(points), strict=True))
-    panels = []
-    for case, group in groupby(points, key=lambda p: p.case):
-        held = list(group)
-        for unit, title in _TITLES.items():
-            drawn = [p for p in held if p.error_unit == unit and p.error < float("inf")]
-            lines = [
-                Line(
-                    method,
-                    tuple(
-                        Mark(
-                            p.time_ms / 1e3, min(p.times_ms) / 1e3, max(p.times_ms) / 1e3,
-                            p.error, p.setting, beaten[id(p)],
-                        )
-                        for p in part
-                    ),
-                )
-                for method, part in groupby(drawn, key=lambda p: p.method)
-            ]  # fmt: skip
-            panels.append(Panel(f"{case}: {title}", tuple(lines)))
+    panels = [
+        Panel(case, title, [point for point in held if point.error_unit == unit])
+        for case, group in groupby(points, key=lambda point: point.case)
+        for held in [list(group)]
+        for unit, title in _TITLES.items()
+    ]
     times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
-    return diagram_png(
-        panels, "What decoding time buys",
+    return png_of(
+        precision_diagram, panels, "What decoding time buys",
         f"more is better; hollow: dominated; time of one scene, {times}, on {device}",
-        "PSNR, dB, or SSIM", linear=True, time=Axis("time of one scene, ms", 1e3),
+        Reading("time of one scene, ms", linear=True),
     )  # fmt: skip

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.lower.plan import LOWERINGS
-from nscc.tradeoff.points import Point, Refused, csv_text, dominated, table_text
+from nscc.tradeoff.points import Point, Refused, csv_text, table_text
 from nscc_cli.support import CommonCommand, NumberRange, done, progress
 from nscc_cli.tradeoff_files import output_files, output_options, some, write_files
 
@@ -121,47 +121,26 @@ def _refusals(refused: Sequence[Refused]) -> list[str]:
 
 
 def _png(found: Measured, slot_us: float | None) -> bytes:
-    from nscc_runtime.diagram import Axis, Line, Mark, Panel, diagram_png
+    from nscc_runtime.pictures.precision import Panel, Reading, precision_diagram
+    from nscc_runtime.pictures.sheet import png_of
 
-    beaten = dict(zip(map(id, found.points), dominated(found.points), strict=True))
+    def names(point: Point) -> tuple[str, str]:
+        """Panel and line: stills have one class; clips have a panel for each way to compile."""
+        shutters, way = point.method.split(", ", 1)
+        return (f"stills, class {shutters}", way) if point.case == "stills" else (way, shutters)
 
-    def panel(point: Point) -> str:
-        """Stills have one class; clips have a panel for each way to compile."""
-        shutters, codes, lowering = point.method.split(", ")
-        return f"stills, class {shutters}" if point.case == "stills" else f"{codes}, {lowering}"
-
-    def mark(point: Point) -> Mark:
-        slot_s = point.time_ms / 1e3
-        text = point.setting.split()[0]
-        return Mark(slot_s, slot_s, slot_s, point.error, text, beaten[id(point)])
-
-    def line(point: Point) -> str:
-        shutters, codes, lowering = point.method.split(", ")
-        return f"{codes}, {lowering}" if point.case == "stills" else shutters
-
-    panels = []
-    drawn = sorted((p for p in found.points if p.error < float("inf")), key=panel)
-    for title, group in groupby(drawn, key=panel):
-        held = sorted(group, key=line)
-        panels.append(
-            Panel(
-                title,
-                tuple(
-                    Line(
-                        name,
-                        tuple(
-                            mark(p)
-                            for p in part
-                        ),
-                    )
-                    for name, part in groupby(held, key=line)
-                ),
-            )
-        )  # fmt: skip
+    points = sorted(found.points, key=names)
+    panels = [
+        Panel(title, "PSNR, dB", list(group))
+        for title, group in groupby(points, key=lambda point: names(point)[0])
+    ]
     slots = "shortest slots" if slot_us is None else f"slots of {slot_us:g} us"
-    return diagram_png(
-        panels, "What the shortest slot costs",
+    return png_of(
+        precision_diagram, panels, "What the shortest slot costs",
         f"captured by the emulated {found.target} at {slots} (numbers: slots of a frame; hollow: "
         "dominated), decoded without training",
-        "PSNR, dB", linear=True, time=Axis("shortest slot, us", 1e6),
+        Reading(
+            "shortest slot, us", 1e3, lambda point: names(point)[1],
+            lambda point: point.setting.split()[0], linear=True,
+        ),
     )  # fmt: skip

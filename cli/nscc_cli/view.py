@@ -35,9 +35,10 @@ def command(program: Path, out: Path | None, gates: bool, **options: Any) -> Non
 def _shutters(program: Path, choice: BuildChoice) -> bytes:
     container, messages = load_program(program, choice)
     say(messages)
-    from nscc_runtime.chart import view_png
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.shutters import shutter_sheet
 
-    return view_png(container, program.name)
+    return png_of(shutter_sheet, container, program.name)
 
 
 def _gates(program: Path, choice: BuildChoice) -> bytes:
@@ -55,6 +56,7 @@ def _gates(program: Path, choice: BuildChoice) -> bytes:
     say(compiled.diagnostics)
     assert compiled.lowered is not None  # what does not fit is rejected
     from nscc.emit.network import gate_network
-    from nscc_runtime.gate_picture import gates_png
+    from nscc_runtime.pictures.gates import gate_sheet
+    from nscc_runtime.pictures.sheet import png_of
 
-    return gates_png(gate_network(compiled.lowered), program.name)
+    return png_of(gate_sheet, gate_network(compiled.lowered), program.name)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from nscc_runtime.diagram import FAINT, GRID, INK, png_of
+from nscc_runtime.pictures.sheet import FAINT, GRID, INK, blank, head, place
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,7 +26,7 @@ _LEAST = 14
 """Columns of a narrow picture, which has room for its heading."""
 _COLUMN, _STAVE = 0.28, 0.19
 """Inches."""
-_LEFT, _TOP, _ABOVE, _BELOW = 2.6, 1.0, 0.42, 0.42
+_ABOVE, _BELOW = 0.42, 0.42
 _HOLDER = 40
 """Letters of what a register holds."""
 _BAR = "#bcc8da"
@@ -44,36 +44,20 @@ class _Score:
     until: dict[str, int]
 
 
-def gates_png(network: DiGraph, title: str) -> bytes:
-    """A PNG of a network as `nscc.emit.network` makes it, or of its beginning if it is large.
-
-    The same network gives the same bytes, whatever the user's plotting settings.
-    """
-    return png_of(lambda: gates_figure(network, title))
-
-
-def gates_figure(network: DiGraph, title: str) -> Figure:
-    """The figure of `gates_png`."""
-    from matplotlib.figure import Figure
-
+def gate_sheet(network: DiGraph, title: str) -> Figure:
+    """A network as `nscc.emit.network` makes it, or its beginning if it is large."""
     score = _score(network)
     used = 1 + max(score.column.values(), default=-1)
     lines, columns = -(-used // _COLUMNS), max(_LEAST, min(used, _COLUMNS))
     tall = len(score.row) * _STAVE
-    width = _LEFT + columns * _COLUMN + 0.3
-    height = _TOP + lines * (_ABOVE + tall + _BELOW)
-    figure = Figure(figsize=(width, height), facecolor="white")
-    figure.text(0.3 / width, 1 - 0.42 / height, title, size=15, weight="bold", color=INK)
-    note = _note(network, score)
-    figure.text(0.3 / width, 1 - 0.55 / height, note, size=9.5, color=FAINT, va="top")
+    figure = blank(columns * _COLUMN, max(1, lines) * (_ABOVE + tall + _BELOW))
     for line in range(lines):
-        bottom = height - _TOP - line * (_ABOVE + tall + _BELOW) - _ABOVE - tall
-        axes = figure.add_axes(
-            (_LEFT / width, bottom / height, columns * _COLUMN / width, tall / height)
-        )
+        top = line * (_ABOVE + tall + _BELOW) + _ABOVE
+        axes = place(figure, 0, top, columns * _COLUMN, tall)
         axes.set(xlim=(0, columns), ylim=(len(score.row) - 0.5, -0.5))
         axes.axis("off")
         _draw_line(axes, score, line * _COLUMNS)
+    head(figure, title, _note(network, score))
     return figure
 
 
@@ -117,9 +101,7 @@ def _note(network: DiGraph, score: _Score) -> str:
     text += f"{facts['registers']} registers can hold all values"
     if drawn < len(gates):
         last = max(nodes[node]["boundary"] for node in score.column)
-        text += (
-            f"\nhere the first {drawn}, up to boundary {last}; nscc build --emit graphml writes all"
-        )
+        text += f"; here the first {drawn}, up to boundary {last} (--emit graphml has all)"
     return text
 
 
