@@ -50,10 +50,11 @@ def frame_path(program: Path, options: dict[str, Any]) -> Path:
 
 def picture(container: Container, frame: Frame, title: str) -> Product:
     """The picture of `--png`: of the first frame, where there are several."""
-    from nscc_runtime.pictures import frame_png, readouts
+    from nscc_runtime.pictures.frames import frame_sheet, readouts
+    from nscc_runtime.pictures.sheet import png_of
 
     first = frame.frame[0] if frame.frame.ndim == 4 else frame.frame
-    return frame_png(readouts(container, first), title)
+    return png_of(frame_sheet, readouts(container, first), title)
 
 
 def summary(container: Container, frame: Frame, files: Sequence[Path], *, alike: bool) -> str:

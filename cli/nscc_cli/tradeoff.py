@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
@@ -13,7 +11,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.lower.plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import Point, csv_text, dominated, table_text
+from nscc.tradeoff.points import Point, csv_text, table_text
 from nscc.tradeoff.synthesis import (
     Count,
     builtin_cases,
@@ -27,9 +25,6 @@ from nscc_cli.tradeoff_decoder import command as decoder
 from nscc_cli.tradeoff_emulator import command as emulator
 from nscc_cli.tradeoff_files import output_files, output_options, some, write_files
 from nscc_cli.tradeoff_sensor import command as sensor
-
-if TYPE_CHECKING:
-    from nscc_runtime.diagram import Line
 
 _LEVELS = [str(level) for level in LEVELS]
 _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a frame"}
@@ -115,34 +110,7 @@ def synthesis(
 
 
 def _png(points: Sequence[Point], words: str, repeats: int) -> bytes:
-    from nscc_runtime.diagram import Line, Mark, Panel, diagram_png
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.synthesis import synthesis_diagram
 
-    beaten = dict(zip(map(id, points), dominated(points), strict=True))
-
-    def line(method: str, part: Sequence[Point]) -> Line:
-        marks = tuple(
-            Mark(
-                point.time_ms / 1e3, min(point.times_ms) / 1e3, max(point.times_ms) / 1e3,
-                point.error, point.setting.removeprefix("-O"), beaten[id(point)],
-            )
-            for point in part
-        )  # fmt: skip
-        return Line(method, marks, part[0].bound)
-
-    panels = [
-        Panel(
-            case,
-            tuple(
-                line(method, list(part)) for method, part in groupby(group, key=lambda p: p.method)
-            ),
-        )
-        for case, group in groupby(points, key=lambda point: point.case)
-    ]
-    times = "one compilation" if repeats == 1 else f"median and range of {repeats} compilations"
-    return diagram_png(
-        panels,
-        "What compile time buys",
-        f"{words} at -O0 to -O3 (numbers; hollow: dominated) against {times}, from text to proof, "
-        f"on {processor_name()}",
-        words,
-    )
+    return png_of(synthesis_diagram, points, words, repeats, processor_name())

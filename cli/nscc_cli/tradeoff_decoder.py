@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import Point, csv_text, dominated, table_text
+from nscc.tradeoff.points import Point, csv_text, table_text
 from nscc_cli.support import CommonCommand, NumberRange, done, progress
 from nscc_cli.tradeoff_files import output_files, output_options, write_files
 
 if TYPE_CHECKING:
     pass
-
-_TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
 
 
 @click.command("decoder", cls=CommonCommand)
@@ -69,38 +66,16 @@ def command(runs: tuple[Path, ...], out: Path | None, csv_path: Path | None, png
 
 
 def _tables(points: Sequence[Point]) -> str:
+    from nscc_training.tradeoff.diagrams import TITLES
+
     return "\n\n".join(
         table_text([p for p in points if p.error_unit == unit], ("decoder", "setting", title))
-        for unit, title in _TITLES.items()
+        for unit, title in TITLES.items()
     )
 
 
 def _png(points: Sequence[Point], repeats: int, device: str) -> bytes:
-    from nscc_runtime.diagram import Axis, Line, Mark, Panel, diagram_png
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_training.tradeoff.diagrams import decoder_diagram
 
-    beaten = dict(zip(map(id, points), dominated(points), strict=True))
-    panels = []
-    for case, group in groupby(points, key=lambda p: p.case):
-        held = list(group)
-        for unit, title in _TITLES.items():
-            drawn = [p for p in held if p.error_unit == unit and p.error < float("inf")]
-            lines = [
-                Line(
-                    method,
-                    tuple(
-                        Mark(
-                            p.time_ms / 1e3, min(p.times_ms) / 1e3, max(p.times_ms) / 1e3,
-                            p.error, p.setting, beaten[id(p)],
-                        )
-                        for p in part
-                    ),
-                )
-                for method, part in groupby(drawn, key=lambda p: p.method)
-            ]  # fmt: skip
-            panels.append(Panel(f"{case}: {title}", tuple(lines)))
-    times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
-    return diagram_png(
-        panels, "What decoding time buys",
-        f"more is better; hollow: dominated; time of one scene, {times}, on {device}",
-        "PSNR, dB, or SSIM", linear=True, time=Axis("time of one scene, ms", 1e3),
-    )  # fmt: skip
+    return png_of(decoder_diagram, points, repeats, device)

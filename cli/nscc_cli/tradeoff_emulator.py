@@ -69,7 +69,7 @@ def command(program: Path | None, **options: Any) -> int:
     from nscc_runtime.plan.program import Program
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
     from nscc_runtime.tradeoff.study import measure
-    from nscc_runtime.tradeoff.tables import kept, studies_text
+    from nscc_runtime.tradeoff.study_text import kept, studies_text
 
     files = _files(options["out"], options["csv_path"], options["png_path"])
     container, messages = _container(program, options)
@@ -183,11 +183,12 @@ def _products(
         products[files["csv"]] = csv_text(points, processor_name()).encode()
     if not files.keys() - {"csv"}:
         return products
-    from nscc_runtime.tradeoff.pictures import budgets, calibration, precision
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 
     if "png" in files:
-        products[files["png"]] = precision(studies, repeats, processor_name())
+        products[files["png"]] = png_of(study_diagram, studies, repeats, processor_name())
     if "calibration" in files:
-        products[files["calibration"]] = calibration(studies)
-        products[files["budget"]] = budgets(studies)
+        products[files["calibration"]] = png_of(promise_diagram, studies)
+        products[files["budget"]] = png_of(budget_diagram, studies)
     return products

@@ -136,6 +136,7 @@ def test_circles_and_arrows_up_are_seen(tmp_path: Path) -> None:
         ["--help"],
         ["check", "examples/hdr_2x2.nsl", "examples/class_d.nsl"],
         ["check", "tests/cases/fail/burst16.nsl"],
+        ["build", "examples/class_c.nsl", "-O1", "--emit", "gates=-"],
         ["explain", "NS0214"],
         ["targets"],
     ],

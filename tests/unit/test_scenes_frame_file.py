@@ -1,4 +1,4 @@
-"""The frame file: readout, layout, kept arrays, identity of bytes; and the pictures."""
+"""The frame file: readout, layout, kept arrays, identity of bytes; what pictures read from it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,6 @@ import pytest
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
 from nscc.words.container import Container, DecodeTable, packed_shutters
-from nscc_runtime.chart import shutters_of, view_png
 from nscc_runtime.frame_file import (
     FrameFile,
     Provenance,
@@ -24,7 +23,8 @@ from nscc_runtime.frame_file import (
 )
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.pictures import frame_png, light_estimate, readouts, tile_of
+from nscc_runtime.pictures.frames import light_estimate, readouts, tile_of
+from nscc_runtime.pictures.shutters import shutters_of
 
 ROWS, COLS, SLOTS = 6, 8, 11
 TARGET = replace(builtin_target("scamp5"), rows=ROWS, cols=COLS)
@@ -183,33 +183,6 @@ def test_light_is_estimated_from_unsaturated_neighbours() -> None:
     estimate, known = light_estimate(readout)
     assert known.all()
     np.testing.assert_allclose(estimate, rate, rtol=0.01)
-
-
-@pytest.mark.parametrize("value", [0, 255, 7])
-def test_frame_pictures_of_anything(value: int) -> None:
-    from PIL import Image
-
-    program = container()
-    frame = np.full((2, ROWS, COLS), value, np.uint8)
-    data = frame_png(readouts(program, frame), "a title")
-    assert data == frame_png(readouts(program, frame), "a title")
-    assert Image.open(io.BytesIO(data)).size[0] > 200
-
-
-@pytest.mark.parametrize(
-    ("buckets", "slots", "pixels"), [(1, 1, True), (2, 11, True), (3, 4096, False)]
-)
-def test_view_pictures_are_deterministic(buckets: int, slots: int, pixels: bool) -> None:
-    from PIL import Image
-
-    program = container(buckets, slots)
-    if not pixels:
-        program = replace(program, pixel_codes=None)
-    data = view_png(program, "a title")
-    assert data == view_png(program, "a title")
-    image = Image.open(io.BytesIO(data))
-    assert image.size[0] == 1800
-    assert "Software" not in image.info
 
 
 def test_view_orders_shutters_by_opening_and_counts_codes() -> None:

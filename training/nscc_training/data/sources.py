@@ -123,7 +123,7 @@ def _made(kind: _Kind, part: str) -> list[Scene]:
 
 
 def _folder(folder: Path, kind: _Kind, part: str) -> list[Scene]:
-    from nscc_runtime.scenes.pictures import LINEAR
+    from nscc_runtime.scenes.picture_files import LINEAR
 
     endings = LINEAR if kind.still else (*CLIPS, *LINEAR)
     files = files_in(folder, endings)
@@ -141,7 +141,7 @@ def _folder(folder: Path, kind: _Kind, part: str) -> list[Scene]:
 def _read(path: Path, kind: _Kind) -> list[Scene]:
     """The scenes of a file: one, or the clips of a panorama."""
     from nscc_runtime.scenes.colour import linear, luminance
-    from nscc_runtime.scenes.pictures import LINEAR, read_picture
+    from nscc_runtime.scenes.picture_files import LINEAR, read_picture
 
     digest = sha256(path.read_bytes()).hexdigest()
     if path.suffix.lower() in LINEAR:
