@@ -8,11 +8,16 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import tomllib
 from functools import cache
+from itertools import chain
 from pathlib import Path
 
 import pytest
 from import_graph import arrows_up, circles, file_graph, folder_graph, imported, modules
+from packaging.requirements import Requirement
+
+from nscc.requirements import distribution_of
 
 ROOT = Path(__file__).parents[2]
 FLOORS = {
@@ -81,6 +86,21 @@ def test_imports_few_packages_of_others(floor: str) -> None:
         for each in imported(name, path)
     }
     assert wanted - own <= EXTERNAL[floor]
+
+
+def test_every_package_that_is_imported_is_asked_for() -> None:
+    """So that whoever lacks one is told the extra; compiler and command line need no extra."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    base, extras = (
+        {Requirement(text).name.lower() for text in texts}
+        for texts in (project["dependencies"], chain(*project["optional-dependencies"].values()))
+    )
+    for floor, folder in FLOORS.items():
+        asked = base if floor in ("nscc", "nscc_cli") else base | extras
+        for name, path in modules(ROOT / folder).items():
+            tops = {each.partition(".")[0] for each in imported(name, path)}
+            others = tops - set(FLOORS) - set(sys.stdlib_module_names)
+            assert {distribution_of(top).lower() for top in others} <= asked, name
 
 
 def test_the_runtime_executes_words_and_knows_no_compiler() -> None:
