@@ -27,6 +27,7 @@ SUFFIXES = {
     "cpp": ".cpp",
     "report": ".report.json",
     "dot": ".dot",
+    "graphml": ".graphml",
 }
 
 
@@ -176,8 +177,11 @@ def _product(kind: str, compiled: Compiled) -> bytes:
             return listing.gates_text(lowered.decoding, lowered.program.target).encode()
         case "schedule":
             return listing.schedule_text(lowered).encode()
-        case "dot":
-            return listing.dot_text(lowered).encode()
+        case "dot" | "graphml":
+            from nscc.emit.network import dot_text, gate_network, graphml_bytes
+
+            network = gate_network(lowered)
+            return graphml_bytes(network) if kind == "graphml" else dot_text(network).encode()
         case "asm":
             from nscc.words.disassembly import disassemble
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import groupby
 from pathlib import Path
 
 import click
@@ -111,16 +110,7 @@ def synthesis(
 
 
 def _png(points: Sequence[Point], words: str, repeats: int) -> bytes:
-    from nscc_runtime.pictures.precision import Panel, Reading, precision_diagram
     from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.synthesis import synthesis_diagram
 
-    panels = [
-        Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
-    ]
-    times = "one compilation" if repeats == 1 else f"median and range of {repeats} compilations"
-    return png_of(
-        precision_diagram, panels, "What compile time buys",
-        f"{words} at -O0 to -O3 (numbers; hollow: dominated) against {times}, from text to proof, "
-        f"on {processor_name()}",
-        Reading("time, s", 1e-3, text=lambda point: point.setting.removeprefix("-O")),
-    )  # fmt: skip
+    return png_of(synthesis_diagram, points, words, repeats, processor_name())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,8 +15,6 @@ from nscc_cli.tradeoff_files import output_files, output_options, write_files
 
 if TYPE_CHECKING:
     pass
-
-_TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
 
 
 @click.command("decoder", cls=CommonCommand)
@@ -69,25 +66,16 @@ def command(runs: tuple[Path, ...], out: Path | None, csv_path: Path | None, png
 
 
 def _tables(points: Sequence[Point]) -> str:
+    from nscc_training.tradeoff.diagrams import TITLES
+
     return "\n\n".join(
         table_text([p for p in points if p.error_unit == unit], ("decoder", "setting", title))
-        for unit, title in _TITLES.items()
+        for unit, title in TITLES.items()
     )
 
 
 def _png(points: Sequence[Point], repeats: int, device: str) -> bytes:
-    from nscc_runtime.pictures.precision import Panel, Reading, precision_diagram
     from nscc_runtime.pictures.sheet import png_of
+    from nscc_training.tradeoff.diagrams import decoder_diagram
 
-    panels = [
-        Panel(case, title, [point for point in held if point.error_unit == unit])
-        for case, group in groupby(points, key=lambda point: point.case)
-        for held in [list(group)]
-        for unit, title in _TITLES.items()
-    ]
-    times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
-    return png_of(
-        precision_diagram, panels, "What decoding time buys",
-        f"more is better; hollow: dominated; time of one scene, {times}, on {device}",
-        Reading("time of one scene, ms", linear=True),
-    )  # fmt: skip
+    return png_of(decoder_diagram, points, repeats, device)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from nscc.lower.plan import LOWERINGS
-from nscc.tradeoff.points import Point, csv_text, table_text
+from nscc.tradeoff.points import csv_text, table_text
 from nscc_cli.support import CommonCommand, NumberRange, done, progress
 from nscc_cli.tradeoff_files import output_files, output_options, some, write_files
 
@@ -108,26 +107,7 @@ def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **op
 
 
 def _png(found: Measured, slot_us: float | None) -> bytes:
-    from nscc_runtime.pictures.precision import Panel, Reading, precision_diagram
     from nscc_runtime.pictures.sheet import png_of
+    from nscc_training.tradeoff.diagrams import sensor_diagram
 
-    def names(point: Point) -> tuple[str, str]:
-        """Panel and line: stills have one class; clips have a panel for each way to compile."""
-        shutters, way = point.method.split(", ", 1)
-        return (f"stills, class {shutters}", way) if point.case == "stills" else (way, shutters)
-
-    points = sorted(found.points, key=names)
-    panels = [
-        Panel(title, "PSNR, dB", list(group))
-        for title, group in groupby(points, key=lambda point: names(point)[0])
-    ]
-    slots = "shortest slots" if slot_us is None else f"slots of {slot_us:g} us"
-    return png_of(
-        precision_diagram, panels, "What the shortest slot costs",
-        f"captured by the emulated {found.target} at {slots} (numbers: slots of a frame; hollow: "
-        "dominated), decoded without training",
-        Reading(
-            "shortest slot, us", 1e3, lambda point: names(point)[1],
-            lambda point: point.setting.split()[0], linear=True,
-        ),
-    )  # fmt: skip
+    return png_of(sensor_diagram, found, slot_us)

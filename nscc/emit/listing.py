@@ -125,22 +125,3 @@ def text_after(name: str, value: Any) -> str:
         "prove": proof_text,
     }
     return texts[name](value)
-
-
-def dot_text(lowered: Lowered) -> str:
-    """The frame as a graph for Graphviz: boundaries in a row, the kernels that each launches."""
-    schedule = lowered.schedule
-    lines = ["digraph frame {", "  rankdir=LR;", "  node [shape=box, fontname=monospace];"]
-    for i, kernel in enumerate(schedule.kernels):
-        text = "\\l".join(str(word) for word in kernel)
-        lines.append(f'  k{i} [label="k{i}\\l{text}\\l"];')
-    edges: dict[tuple[int, int], list[int]] = {}
-    previous: int | None = None
-    for boundary, number in schedule.launches:
-        if previous is not None:
-            edges.setdefault((previous, number), []).append(boundary)
-        previous = number
-    for (first, second), boundaries in edges.items():
-        label = f"{boundaries[0]}" + (f" .. {boundaries[-1]}" if len(boundaries) > 1 else "")
-        lines.append(f'  k{first} -> k{second} [label="{label}"];')
-    return "\n".join([*lines, "}"]) + "\n"

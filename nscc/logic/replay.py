@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution, quietest
 
 _SOURCES = {
     "WHERE": (1, None), "OR": (1, None), "NOR": (1, None), "NOT": (1, 1), "MOV": (1, 1),
@@ -146,4 +146,4 @@ def _masked(machine: Machine, solution: Solution) -> str | None:
         for gate in segment:
             if gate.destination in writes:
                 writes[gate.destination] += 1
-    return min(planes, key=lambda name: (writes[name], name))
+    return planes[quietest([writes[name] for name in planes])]

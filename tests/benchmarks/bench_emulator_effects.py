@@ -199,7 +199,7 @@ def memories(slots: int) -> None:
         print("peak memory: not measured on this system")
         return
     print("peak memory of one capture, planning included, from an array")
-    folders = [ROOT, ROOT / "runtime", ROOT / "training"]
+    folders = [ROOT, ROOT / "cli", ROOT / "runtime", ROOT / "training"]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, folders))}
     for count in (slots, 8 * slots):
         for effects in ("none", NOISY, "auto"):

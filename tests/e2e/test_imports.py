@@ -8,11 +8,16 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import tomllib
 from functools import cache
+from itertools import chain
 from pathlib import Path
 
 import pytest
 from import_graph import arrows_up, circles, file_graph, folder_graph, imported, modules
+from packaging.requirements import Requirement
+
+from nscc.requirements import distribution_of
 
 ROOT = Path(__file__).parents[2]
 FLOORS = {
@@ -24,15 +29,14 @@ FLOORS = {
 """From the ground up: each may import those before it."""
 
 ROOMS = (
-    ("operations", "source", "truth"),
+    ("operations", "requirements", "source", "truth"),
     ("diagnostics",),
-    ("toml",),
-    ("files", "plugins"),
+    ("files", "plugins", "toml"),
     ("target",),
     ("logic", "words"),
     ("cache", "prove"),
     ("syntax",),
-    ("program",),
+    ("installation", "program"),
     ("lower",),
     ("checks", "emit"),
     ("pipeline",),
@@ -94,6 +98,21 @@ def test_imports_few_packages_of_others(floor: str) -> None:
     assert wanted - own <= EXTERNAL[floor]
 
 
+def test_every_package_that_is_imported_is_asked_for() -> None:
+    """So that whoever lacks one is told the extra; compiler and command line need no extra."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    base, extras = (
+        {Requirement(text).name.lower() for text in texts}
+        for texts in (project["dependencies"], chain(*project["optional-dependencies"].values()))
+    )
+    for floor, folder in FLOORS.items():
+        asked = base if floor in ("nscc", "nscc_cli") else base | extras
+        for name, path in modules(ROOT / folder).items():
+            tops = {each.partition(".")[0] for each in imported(name, path)}
+            others = tops - set(FLOORS) - set(sys.stdlib_module_names)
+            assert {distribution_of(top).lower() for top in others} <= asked, name
+
+
 def test_the_runtime_executes_words_and_knows_no_compiler() -> None:
     compiling = {"compiler", "containers", "limits", "pipeline"}
     rooms = {"emit", "logic", "lower", "program", "prove", "syntax"}
@@ -147,14 +166,15 @@ def test_circles_and_arrows_up_are_seen(tmp_path: Path) -> None:
         ["--help"],
         ["check", "examples/hdr_2x2.nsl", "examples/class_d.nsl"],
         ["check", "tests/cases/fail/burst16.nsl"],
+        ["build", "examples/class_c.nsl", "-O1", "--emit", "gates=-"],
         ["explain", "NS0214"],
         ["targets"],
     ],
     ids=lambda arguments: " ".join(arguments[:1]),
 )
 def test_start_up_imports_nothing_heavy(arguments: list[str], root: Path) -> None:
-    # What other distributions add is looked for where it is listed.
-    heavy = HEAVY if "--help" in arguments else (*HEAVY, "importlib.metadata")
+    # What other distributions add is looked for only where it is listed.
+    heavy = HEAVY if arguments[0] in ("--help", "targets") else (*HEAVY, "importlib.metadata")
     code = (
         "import sys; from nscc_cli.main import main; main(sys.argv[1:]); "
         f"print([name for name in {heavy!r} if name in sys.modules])"
