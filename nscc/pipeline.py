@@ -273,9 +273,8 @@ def _may_pass(wrong: Found, options: Options) -> bool:
     return not options.unproved_is_error and all(only_search_can_tell(d) for d in wrong)
 
 
-_LAST = ("schedule", "words", "prove")
-
-
 def _compiled(made: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
-    choice, container, proof = map(made.get if fits else lambda _: None, _LAST)
-    return Compiled(made["parse"].tree, made["program"], choice, container, proof, tuple(messages))
+    names = ("schedule", "words", "prove")
+    choice, container, proved = (made[name] if fits else None for name in names)
+    tree, program = made["parse"].tree, made["program"]
+    return Compiled(tree, program, choice, container, proved, tuple(messages))
