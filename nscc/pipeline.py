@@ -24,7 +24,7 @@ from nscc.lower.fit import (
 )
 from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
-from nscc.lower.plan import LoweringOption, Planned, plan_exposures
+from nscc.lower.plan import LoweringOption, Planned, frame_time, plan_exposures
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, prove
@@ -113,7 +113,7 @@ def plan(program: Program, job: Job) -> tuple[Planned, Found]:
     """
     fault = capacity_fault(program)
     if fault is not None:
-        return Planned(program, (), (), {}), [fault]
+        return Planned(program, frame_time(program), (), (), {}), [fault]
     planned = plan_exposures(program, job.options.lowering)
     return planned, [] if planned.plans else [plan_fault(program, planned.misfits)]
 
