@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from nscc.logic.problem import Demand, Problem, Solution
 from nscc.lower.plan import ExposurePlan, Opens, Step
 from nscc.lower.timeline import Timeline
+from nscc.operations import Effect
 from nscc.program.program import Program
 from nscc.target.target import Target
 from nscc.words.container import DecodeTable
-from nscc.operations import Effect
 
 Before = Literal["nothing", "all", "keep", "load"]
 """What a step needs done to FLAG before its words.
