@@ -20,6 +20,7 @@ from nscc.plugins import added, unusable
 from nscc.source import Source, Span
 from nscc.target.registers import contradictions
 from nscc.target.target import SCHEMA, Target
+from nscc.target.words import words_toml
 from nscc.toml.files import file_bytes, file_text, file_values
 from nscc.toml.schema import Found, Key
 
@@ -123,7 +124,9 @@ def target_toml(target: Target) -> str:
         "A target of nscc: what the compiler, the checker and the emulator know of a chip.",
         "Keys marked (not public) are this project's defaults; they may be left out.",
     )
-    return file_text(SCHEMA, _values(target), remark, head, beside=True)
+    plain = replace(SCHEMA, keys=tuple(key for key in SCHEMA.keys if key.name != "words"))
+    text = file_text(plain, _values(target), remark, head, beside=True)
+    return text + "".join(f"{line}\n" for line in words_toml(target.words))
 
 
 def read_target(

@@ -129,7 +129,7 @@ class Schema(Generic[Row]):
         """The values that are right, and everything that is wrong with a parsed file.
 
         `source` is its text, for places. A key may be missing if it is not required; in `complete`
-        values none may.
+        values none may but a list that is empty by default.
         """
         found: Found = {}
         problems: list[Diagnostic | None] = []
@@ -140,7 +140,8 @@ class Schema(Generic[Row]):
                 problems.append(self._take(found, "", name, value, source))
         for key in self.keys:
             place = values.get(key.section, {}) if key.section else values
-            if (key.required or complete) and isinstance(place, Mapping) and key.name not in place:
+            needed = key.required or (complete and key.default != ())
+            if needed and isinstance(place, Mapping) and key.name not in place:
                 message = f"the key {key.path} is missing: {key.meaning}"
                 missing = self.codes.missing, message, key.section, key.name, source, self.start
                 problems.append(self.problem(*missing))
@@ -167,10 +168,15 @@ class Schema(Generic[Row]):
         return found, problems
 
     def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """What a file holds: tables of keys, every key present, in the order of a file."""
+        """What a file holds: tables of keys, in the order of a file.
+
+        Every key is present but a list that is empty, as it is by default.
+        """
         tables: dict[str, Any] = {}
         for key in self.keys:
             place = tables.setdefault(key.section, {}) if key.section else tables
+            if values[key.path] == key.default == ():
+                continue
             place[key.name] = key.kind.plain(values[key.path])
         return tables
 
@@ -183,9 +189,9 @@ class Schema(Generic[Row]):
             return self._unknown(section, name, value, source)
         try:
             found[key.path] = key.kind.read(value)
-        except ValueError:
+        except ValueError as reason:
             message = f"{key.path} must be {key.kind.allowed}, not {shown(value)}"
-            note = f"{key.path}: {key.meaning}"
+            note = str(reason) or f"{key.path}: {key.meaning}"
             return self.problem(self.codes.wrong, message, section, name, source, note=note)
         return None
 
