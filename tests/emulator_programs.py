@@ -7,11 +7,11 @@ from dataclasses import replace
 
 import numpy as np
 
+from nscc.operations import Op, op, pair
 from nscc.target.load import builtin_target
 from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.encoding import encode
-from nscc.words.operations import Op, op, pair
 
 
 def target_of(shape: tuple[int, int], name: str = "scamp5", **changes: object) -> Target:

@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.files import write_together
 from nscc_cli.programs import BuildChoice, build_options, compile_program
-from nscc_cli.support import CommonCommand, done, say, write_together
+from nscc_cli.support import CommonCommand, done, say
 
 if TYPE_CHECKING:
     from nscc.pipeline import Compiled
@@ -133,74 +134,46 @@ def _printer(after: str | None) -> Callable[[str, Any], None] | None:
         return None
     from nscc.pipeline import PASSES
 
-    if after not in PASSES:
+    names = [each.name for each in PASSES]
+    if after not in names:
         raise Rejected(
             Diagnostic(
                 "NS0506",
                 f"the compiler has no pass '{after}'",
-                notes=("passes, in their order: " + ", ".join(PASSES),),
+                notes=("passes, in their order: " + ", ".join(names),),
             ),
             status=2,
         )
 
     def see(name: str, value: Any) -> None:
         if name == after:
-            _print(_after(name, value).encode())
+            from nscc.emit.listing import text_after
+
+            _print(text_after(name, value).encode())
 
     return see
 
 
-def _after(name: str, value: Any) -> str:
-    from nscc.emit import listing
-
-    match name:
-        case "parse":
-            return _tree_text(*value)
-        case "program":
-            return _program_text(value)
-        case "lower":
-            return listing.choice_text(value)
-        case "plan":
-            return listing.plan_text(value)
-        case "gates":
-            return listing.gates_text(value)
-        case "schedule":
-            return listing.schedule_text(value)
-        case "words":
-            from nscc.words.disassembly import disassemble
-
-            return disassemble(value)
-        case _:
-            verdict = "holds" if value.holds else f"fails: {value.failure}"
-            return f"proof {verdict}: {value.codes} codes, {value.slots} slots\n"
-
-
-def _tree_text(tree: Any, source: Any) -> str:
-    from nscc.syntax.printing import print_tree
-
-    return print_tree(tree, source)
-
-
-def _program_text(program: Any) -> str:
-    from nscc.program.printing import print_program
-
-    return print_program(program)
-
-
 def _product(kind: str, compiled: Compiled) -> bytes:
-    lowered, container, proof = compiled.lowered, compiled.container, compiled.proof
-    assert lowered is not None
+    choice, container, proof = compiled.choice, compiled.container, compiled.proof
+    assert choice is not None
     assert container is not None
     assert proof is not None
     from nscc.emit import listing
 
+    lowered = choice.best
+
     match kind:
         case "ast":
-            return _tree_text(compiled.tree, compiled.program.source).encode()
+            from nscc.syntax.printing import print_tree
+
+            return print_tree(compiled.tree, compiled.program.source).encode()
         case "ir":
-            return _program_text(compiled.program).encode()
+            from nscc.program.printing import print_program
+
+            return print_program(compiled.program).encode()
         case "gates":
-            return listing.gates_text(lowered).encode()
+            return listing.gates_text(lowered.decoding, lowered.program.target).encode()
         case "schedule":
             return listing.schedule_text(lowered).encode()
         case "dot":
@@ -212,7 +185,7 @@ def _product(kind: str, compiled: Compiled) -> bytes:
         case "report":
             from nscc.emit.report import report, report_bytes
 
-            return report_bytes(report(lowered, compiled.choice, proof))
+            return report_bytes(report(choice, proof))
         case _:
             from nscc.words.file import to_bytes
 

@@ -14,7 +14,14 @@ from nscc.lower.plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import Point, csv_text, dominated, table_text
-from nscc.tradeoff.synthesis import Case, Count, Way, builtin_cases, every_way, measure
+from nscc.tradeoff.synthesis import (
+    Count,
+    builtin_cases,
+    cases_of,
+    every_way,
+    measure,
+    refusals_text,
+)
 from nscc_cli.support import CommonCommand, progress
 from nscc_cli.tradeoff_decoder import command as decoder
 from nscc_cli.tradeoff_emulator import command as emulator
@@ -90,11 +97,11 @@ def synthesis(
     with status 1 where nothing fits.
     """
     places = output_files(out, csv_path, png_path)
-    cases = _cases(files) or builtin_cases()
+    cases = cases_of(files) or builtin_cases()
     ways = list(every_way(cases, lowerings, [int(level) for level in levels]))
     found = measure(ways, repeats, count, lambda turns: progress(turns, "compiling"))
     click.echo(table_text(found.points, ("lowering", "level", _WORDS[count])))
-    for line in _refusals(found.refused):
+    for line in refusals_text(found.refused):
         click.echo(line)
     if not found.points:
         return 1
@@ -105,30 +112,6 @@ def synthesis(
         lambda: _png(points, _WORDS[count], repeats),
     )
     return 0
-
-
-def _cases(files: Sequence[Path]) -> tuple[Case, ...]:
-    """The programs in these files, by the shortest names that tell them apart."""
-    from nscc.syntax.parse import read_source
-
-    paths = list(dict.fromkeys(files))
-    short = len({path.stem for path in paths}) == len(paths)
-    return tuple(
-        Case(path.stem if short else path.as_posix(), read_source(path), path.parent, "fixed")
-        for path in paths
-    )
-
-
-def _refusals(refused: Sequence[tuple[Way, str]]) -> list[str]:
-    """Why a case has no point in some lowering, once for all levels with the same reason."""
-    levels: dict[tuple[str, str, str], list[str]] = {}
-    for way, reason in refused:
-        key = (way.case.name, way.lowering, reason)
-        levels.setdefault(key, []).append(f"-O{way.level}")
-    return [
-        f"{case}, {lowering}, {' '.join(at)}: {reason}"
-        for (case, lowering, reason), at in levels.items()
-    ]
 
 
 def _png(points: Sequence[Point], words: str, repeats: int) -> bytes:

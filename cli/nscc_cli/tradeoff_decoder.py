@@ -15,7 +15,7 @@ from nscc_cli.support import CommonCommand, NumberRange, done, progress
 from nscc_cli.tradeoff_files import output_files, output_options, write_files
 
 if TYPE_CHECKING:
-    from nscc_training.run_folder import RunFolder
+    pass
 
 _TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
 
@@ -46,9 +46,9 @@ def command(runs: tuple[Path, ...], out: Path | None, csv_path: Path | None, png
     with 4, 2 and 1 blocks a pixel. All decode the captures of one code: that of the runs, those
     with other codes apart; without runs random bits, and 2 x 2 stops for stills.
     """
-    from nscc_training.baselines.compiled import is_compiled
+    from nscc_training.baselines.loops import denoise
     from nscc_training.run_folder import load_run
-    from nscc_training.tradeoff.decoder import Settings, cases, measure
+    from nscc_training.tradeoff.decoder import Settings, cases, measure, not_measured
 
     files = output_files(out, csv_path, png_path)
     settings = Settings(
@@ -57,11 +57,11 @@ def command(runs: tuple[Path, ...], out: Path | None, csv_path: Path | None, png
     )  # fmt: skip
     folders = [load_run(path) for path in dict.fromkeys(runs)]
     todo = cases(folders, settings)
-    if not is_compiled():
+    if not denoise.is_compiled():
         done("compiling the loop of total variation for this processor: once, some seconds")
     points, repeats = measure(todo, settings, lambda turns: progress(turns, "decoding"))
     click.echo(_tables(points))
-    for line in _missing(folders):
+    for line in not_measured(folders):
         click.echo(line)
     device = processor_name()
     write_files(files, lambda: csv_text(points, device), lambda: _png(points, repeats, device))
@@ -73,18 +73,6 @@ def _tables(points: Sequence[Point]) -> str:
         table_text([p for p in points if p.error_unit == unit], ("decoder", "setting", title))
         for unit, title in _TITLES.items()
     )
-
-
-def _missing(folders: Sequence[RunFolder]) -> list[str]:
-    """Networks that no run was given of: without training their pictures mean nothing."""
-    from nscc_training.decoders.declared import DECODERS
-
-    have = {folder.parts.settings.decoder.name for folder in folders}
-    names = [name for name in DECODERS if name not in have]
-    if not names:
-        return []
-    return [f"not measured: {', '.join(names)}; an untrained network decodes nothing, so name a "
-            "run of nscc train with --run"]  # fmt: skip
 
 
 def _png(points: Sequence[Point], repeats: int, device: str) -> bytes:

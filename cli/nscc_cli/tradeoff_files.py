@@ -9,7 +9,8 @@ from typing import Any
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc_cli.support import Product, done, write_together
+from nscc.files import Product, write_together
+from nscc_cli.support import done
 
 
 def some(names: Sequence[str]) -> Callable[[click.Context, click.Parameter, str], list[str]]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.lower.plan import LOWERINGS
-from nscc.tradeoff.points import Point, Refused, csv_text, dominated, table_text
+from nscc.tradeoff.points import Point, csv_text, dominated, table_text
 from nscc_cli.support import CommonCommand, NumberRange, done, progress
 from nscc_cli.tradeoff_files import output_files, output_options, some, write_files
 
@@ -81,8 +80,8 @@ def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **op
     them. Clips are decoded by GAP-TV, stills by merging neighbours: nothing is trained. What does
     not fit the chip is a row that says so. Ends with status 1 where nothing fits.
     """
-    from nscc_training.baselines.compiled import is_compiled
-    from nscc_training.tradeoff.sensor import Settings, measure
+    from nscc_training.baselines.loops import denoise
+    from nscc_training.tradeoff.sensor import Settings, measure, refusals_text
 
     files = output_files(out, csv_path, png_path)
     settings = Settings(
@@ -91,12 +90,12 @@ def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **op
         options["level"], options["effects"], options["slot_us"], options["data"],
         options["scenes"], options["seed"],
     )  # fmt: skip
-    if not is_compiled():
+    if not denoise.is_compiled():
         done("compiling the loop of total variation for this processor: once, some seconds")
     found = measure(settings, lambda todo: progress(todo, "capturing"))
     if found.points:
         click.echo(table_text(found.points, ("shutters", "slots", "PSNR, dB"), ("slot, us", 1e3)))
-    for line in _refusals(found.refused):
+    for line in refusals_text(found.refused):
         click.echo(line)
     if not found.points:
         return 1
@@ -106,18 +105,6 @@ def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **op
         lambda: _png(found, settings.slot_us),
     )
     return 0
-
-
-def _refusals(refused: Sequence[Refused]) -> list[str]:
-    """What does not fit, those together that have one reason."""
-    together: dict[tuple[str, str], list[str]] = {}
-    for each in refused:
-        name = f"{each.case}, {each.method}, {each.setting}"
-        together.setdefault((each.code, each.reason), []).append(name)
-    lines = []
-    for (code, reason), names in together.items():
-        lines += ["", f"does not fit: {reason} ({code})", *(f"  {name}" for name in names)]
-    return lines
 
 
 def _png(found: Measured, slot_us: float | None) -> bytes:

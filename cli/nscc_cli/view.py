@@ -7,8 +7,9 @@ from typing import Any
 
 import click
 
+from nscc.files import write_whole
 from nscc_cli.programs import BuildChoice, build_options, load_program
-from nscc_cli.support import CommonCommand, done, say, write_whole
+from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command(name="view", cls=CommonCommand)

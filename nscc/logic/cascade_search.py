@@ -13,6 +13,7 @@ from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from math import log
 
 import numpy as np
@@ -56,9 +57,6 @@ class Cascade:
     links: tuple[Link, ...]
     words: int
 
-
-# Odd numbers, two for every word of the largest set.
-_FACTORS = np.random.default_rng(0).integers(1 << 63, size=128, dtype=np.uint64) * 2 + 1
 
 # More points than this are not served.
 MOST_POINTS = 4096
@@ -111,7 +109,7 @@ class _Values:
         """For every task the `width` values that leave the least to decide, each once."""
         left = self.left()
         # Equal values have equal digests; two that share one by chance are no loss.
-        factors = _FACTORS[: 2 * self.on.shape[1]].reshape(2, -1)
+        factors = _factors()[: 2 * self.on.shape[1]].reshape(2, -1)
         digest = (self.on * factors[0] + self.off * factors[1]).sum(axis=1, dtype=np.uint64)
         order = np.lexsort((digest, left, self.task))
         task, digest = self.task[order], digest[order]
@@ -377,3 +375,13 @@ class Search:
                 planes.append(choice)
                 covered |= table[choice]
         return tuple(sorted(planes)), wanted & ~covered
+
+
+@cache
+def _factors() -> NDArray[np.uint64]:
+    """Odd numbers, two for every word of the largest set.
+
+    They are made when first needed: importing numpy.random takes longer than most programs.
+    """
+    numbers = np.random.default_rng(0).integers(1 << 63, size=128, dtype=np.uint64)
+    return numbers * 2 + 1

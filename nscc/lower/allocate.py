@@ -11,8 +11,8 @@ from collections import Counter
 from dataclasses import dataclass
 
 from nscc.logic.problem import Gate, Segment, Solution
+from nscc.operations import Op, op, pair
 from nscc.target.target import Target
-from nscc.words.operations import Op, op, pair
 
 
 @dataclass(frozen=True)

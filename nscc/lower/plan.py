@@ -14,23 +14,25 @@ compute it is not its business.
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Literal, NamedTuple, get_args
 
 import numpy as np
 
+from nscc.operations import Effect, Op, op
 from nscc.program.program import Program
-from nscc.truth import columns
-from nscc.words.operations import Op, op
+from nscc.truth import columns, members
 
 Lowering = Literal["accumulate", "latch", "edges"]
 LOWERINGS: tuple[Lowering, ...] = get_args(Lowering)
+LoweringOption = Lowering | Literal["auto"]
 
 Role = Literal["setup", "reset", "open", "rise", "fall"]
 
 
-@dataclass(frozen=True, slots=True)
-class Step:
+class Step(NamedTuple):
     """Analog words that run at one boundary in the pixels of `predicate`.
 
     `predicate` None means every pixel, whatever FLAG was. `bucket` is the bucket's number, -1 for
@@ -46,7 +48,11 @@ class Step:
 
 @dataclass(frozen=True)
 class ExposurePlan:
-    """The analog half of a program. `registers` maps every analog register used to its holder."""
+    """The analog half of a program. `registers` maps every analog register used to its holder.
+
+    `analog_writes` are the fewest and most analog words (`bus`) that a pixel which ever opens
+    executes after the setup.
+    """
 
     lowering: Lowering
     steps: tuple[Step, ...]
@@ -54,6 +60,7 @@ class ExposurePlan:
     bucket_registers: tuple[str, ...]
     shutters: int
     slots: int
+    analog_writes: tuple[int, int]
 
     @property
     def everywhere(self) -> int:
@@ -75,15 +82,41 @@ class Misfit:
     searched: bool = False
 
 
-def levels(program: Program) -> list[list[int]]:
-    """For every bucket, the truth vector of the open shutters in each slot."""
+Opens = tuple[tuple[int, ...], ...]
+"""For every bucket, the truth vector of the open shutters in each slot."""
+
+
+@dataclass(frozen=True)
+class Planned:
+    """A program with its exposure plans, fewest analog writes first, and why others are none."""
+
+    program: Program
+    opens: Opens
+    plans: tuple[ExposurePlan, ...]
+    misfits: dict[Lowering, Misfit]
+
+
+def plan_exposures(program: Program, wanted: LoweringOption) -> Planned:
+    """`program` planned in the lowering that is wanted, or in all of them."""
+    opens = levels(program)
+    plans: list[ExposurePlan] = []
+    misfits: dict[Lowering, Misfit] = {}
+    for lowering in LOWERINGS if wanted == "auto" else (wanted,):
+        plan = plan_exposure(program, lowering, opens)
+        if isinstance(plan, Misfit):
+            misfits[lowering] = plan
+        else:
+            plans.append(plan)
+    return Planned(program, opens, tuple(sorted(plans, key=lambda p: p.analog_writes[1])), misfits)
+
+
+def levels(program: Program) -> Opens:
+    """The predicates that the program's shutters are made of."""
     shutters = program.table.shutters
-    return [columns(shutters[:, bucket, :]) for bucket in range(shutters.shape[1])]
+    return tuple(tuple(columns(shutters[:, bucket, :])) for bucket in range(shutters.shape[1]))
 
 
-def plan_exposure(
-    program: Program, lowering: Lowering, opens: list[list[int]]
-) -> ExposurePlan | Misfit:
+def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> ExposurePlan | Misfit:
     """The plan of `lowering` for `program`, or why there is none. `opens` is `levels(program)`."""
     buckets = len(program.buckets)
     free = program.target.analog_available
@@ -105,6 +138,22 @@ def plan_exposure(
     return builder.build()
 
 
+def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
+    """See ExposurePlan."""
+    shutters = len(program.table.shutters)
+    counts = np.zeros(shutters, dtype=np.int64)
+    alike = Counter((s.predicate, s.words) for s in steps if s.bucket >= 0)
+    for (predicate, words), times in alike.items():
+        buses = times * sum(word.operation.effect is Effect.BUS for word in words)
+        if predicate is None:
+            counts += buses
+        else:
+            counts[members(predicate, shutters)] += buses
+    opening = program.table.shutters.any(axis=(1, 2))
+    used = counts[opening]
+    return (int(used.min()), int(used.max())) if used.size else (0, 0)
+
+
 def _prefixes(program: Program) -> bool:
     shutters = program.table.shutters
     return not bool(np.any(shutters[:, :, 1:] & ~shutters[:, :, :-1]))
@@ -114,7 +163,7 @@ class _Builder:
     """Collects the steps of one plan in the order in which they run."""
 
     def __init__(
-        self, program: Program, lowering: Lowering, opens: list[list[int]], reference: str | None
+        self, program: Program, lowering: Lowering, opens: Opens, reference: str | None
     ) -> None:
         self.program = program
         self.lowering = lowering
@@ -149,6 +198,7 @@ class _Builder:
             tuple(self.registers),
             len(self.program.table.shutters),
             self.slots,
+            _analog_writes(self.program, self.steps),
         )
 
     def _step(self, boundary: int, role: Role, bucket: int, predicate: int, *words: Op) -> None:

@@ -7,8 +7,8 @@ from itertools import accumulate, pairwise
 from typing import Literal
 
 from nscc.lower.plan import ExposurePlan, Step
+from nscc.operations import Effect
 from nscc.target.target import Target
-from nscc.words.operations import Effect
 
 # Words take time, and the retention is a typical figure: nothing is left to age beyond this share.
 RETENTION_SHARE = 0.9

@@ -1,4 +1,4 @@
-"""From the parser's reductions to nodes of the tree, bottom up, so that nothing recurses."""
+"""From lark's tree of a statement to ours, bottom up, so that nothing recurses."""
 
 from __future__ import annotations
 
@@ -6,9 +6,13 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Any
 
+from lark import Token
+from lark.tree import Meta
+from lark.visitors import Transformer_NonRecursive
+
 from nscc.source import Span
 from nscc.syntax import tree
-from nscc.syntax.lexer import Tokens
+from nscc.syntax.lexer import span_of
 
 MOST_INTEGER = 10**18
 _MOST_DECIMALS = 18
@@ -26,130 +30,79 @@ class Refused(Exception):
         self.help_text = help_text
 
 
-class Builder:
-    """Makes the nodes of one text's rules (an `automaton.Build`).
+class Builder(Transformer_NonRecursive[Token, Any]):
+    """Makes the nodes of one statement from lark's tree of it, from the leaves up.
 
     Raises Refused: NS0111 for a number beyond 10^18, NS0112 for a time of zero.
     """
 
-    def __init__(self, tokens: Tokens) -> None:
-        self._tokens = tokens
-        self._integers: dict[str, int] = {}
+    def __init__(self) -> None:
+        super().__init__(visit_tokens=False)
 
-    def __call__(self, action: str, span: Span, parts: list[Any]) -> Any:
-        """The node of a rule; a part that is an int is a token's index."""
-        plain = _PLAIN.get(action)
-        if plain is not None:
-            return plain(span, *parts)
-        method: Callable[[Span, list[Any]], Any] = getattr(self, f"_{action}")
-        return method(span, parts)
-
-    # Leaves: their only part is a token.
-
-    def _integer(self, span: Span, parts: list[Any]) -> tree.Int:
-        text = self._tokens.text(parts[0])
-        value = self._integers.get(text)
-        if value is None:
-            value = self._integers[text] = _integer(text, span)
-        return tree.Int(span, value)
-
-    def _name(self, span: Span, parts: list[Any]) -> tree.Name:
-        return tree.Name(span, self._tokens.text(parts[0]))
-
-    def _text(self, span: Span, parts: list[Any]) -> tree.Text:
-        return tree.Text(span, self._tokens.text(parts[0])[1:-1])
-
-    def _row(self, span: Span, parts: list[Any]) -> tree.BookRow:
-        return tree.BookRow(span, self._tokens.text(parts[0]).replace("_", ""))
-
-    def _time(self, span: Span, parts: list[Any]) -> tree.Time:
-        return tree.Time(span, _microseconds(self._tokens.text(parts[0]), span))
-
-    # Expressions with tokens among their parts.
-
-    def _unary(self, span: Span, parts: list[Any]) -> tree.Unary:
-        operator, operand = parts
-        return tree.Unary(span, self._tokens.text(operator), operand)
-
-    def _binary(self, span: Span, parts: list[Any]) -> tree.Binary:
-        left, operator, right = parts
-        return tree.Binary(span, self._tokens.text(operator), left, right)
-
-    def _compare(self, span: Span, parts: list[Any]) -> tree.Compare:
-        operators = tuple(map(self._tokens.text, parts[1::2]))
-        return tree.Compare(span, parts[0], operators, tuple(parts[2::2]))
-
-    def _call(self, span: Span, parts: list[Any]) -> tree.Call:
-        token, *arguments = parts
-        function = tree.Name(self._tokens.span(token), self._tokens.text(token))
-        return tree.Call(span, function, tuple(arguments))
-
-    # Statements with a token or an unknown number of parts.
-
-    def _target_by_name(self, span: Span, parts: list[Any]) -> tree.TargetByName:
-        token = parts[0]
-        return tree.TargetByName(
-            span, tree.Name(self._tokens.span(token), self._tokens.text(token))
-        )
+    def __default__(self, data: str, children: list[Any], meta: Meta) -> Any:
+        if data in _NO_NODE:
+            return children[0] if children else None
+        return _NODES[data](Span(meta.start_pos, meta.end_pos), *children)
 
 
-def _true(span: Span) -> tree.Bool:
-    return tree.Bool(span, True)
+def _integer(span: Span, token: Token) -> tree.Int:
+    return tree.Int(span, _whole_number(token.value, span))
 
 
-def _false(span: Span) -> tree.Bool:
-    return tree.Bool(span, False)
+def _time(span: Span, token: Token) -> tree.Time:
+    return tree.Time(span, _microseconds(token.value, span))
 
 
-def _optional(_span: Span, part: Any = None) -> Any:
-    return part
+def _call(span: Span, function: Token, *arguments: tree.Expr) -> tree.Call:
+    return tree.Call(span, tree.Name(span_of(function), function.value), arguments)
 
 
-def _tile_row(span: Span, *values: Any) -> tree.TileRow:
-    return tree.TileRow(span, values)
+def _compare(span: Span, first: tree.Expr, *rest: Any) -> tree.Compare:
+    return tree.Compare(span, first, tuple(token.value for token in rest[::2]), rest[1::2])
 
 
-def _listed_slots(span: Span, *lengths: Any) -> tree.ListedSlots:
-    return tree.ListedSlots(span, lengths)
+_NO_NODE = frozenset(("brackets", "key", "sha256"))
+"""Rules that stand for what is in them, or for nothing."""
 
-
-def _book_inline(span: Span, name: Any, *rows: Any) -> tree.BookInline:
-    return tree.BookInline(span, name, rows)
-
-
-def _pixels_tile(span: Span, field: Any, *rows: Any) -> tree.PixelsTile:
-    return tree.PixelsTile(span, field, rows)
-
-
-_PLAIN: dict[str, Callable[..., Any]] = {
-    "true": _true,
-    "false": _false,
-    "key": _optional,
-    "sha256": _optional,
+_NODES: dict[str, Callable[..., Any]] = {
+    "integer": _integer,
+    "name": lambda span, token: tree.Name(span, token.value),
+    "text": lambda span, token: tree.Text(span, token.value[1:-1]),
+    "row": lambda span, token: tree.BookRow(span, token.value.replace("_", "")),
+    "time": _time,
+    "true": lambda span: tree.Bool(span, True),
+    "false": lambda span: tree.Bool(span, False),
+    "unary": lambda span, sign, operand: tree.Unary(span, sign.value, operand),
+    "binary": lambda span, left, sign, right: tree.Binary(span, sign.value, left, right),
+    "compare": _compare,
+    "call": _call,
     "index": tree.Index,
     "if_else": tree.IfElse,
-    "tile_row": _tile_row,
+    "tile_row": lambda span, *values: tree.TileRow(span, values),
     "version": tree.Version,
+    "target_by_name": lambda span, token: tree.TargetByName(
+        span, tree.Name(span_of(token), token.value)
+    ),
     "target_from_file": tree.TargetFromFile,
     "equal_slots": tree.EqualSlots,
-    "listed_slots": _listed_slots,
+    "listed_slots": lambda span, *lengths: tree.ListedSlots(span, lengths),
     "let": tree.Let,
     "code_range": tree.CodeRange,
     "code_bits": tree.CodeBits,
     "code_row": tree.CodeRow,
     "require": tree.Require,
-    "book_inline": _book_inline,
+    "book_inline": lambda span, name, *rows: tree.BookInline(span, name, rows),
     "book_from_file": tree.BookFromFile,
     "open": tree.Open,
     "bucket": tree.Bucket,
     "pixels_expr": tree.PixelsExpr,
-    "pixels_tile": _pixels_tile,
+    "pixels_tile": lambda span, field, *rows: tree.PixelsTile(span, field, rows),
     "pixels_from_file": tree.PixelsFromFile,
 }
-"""The rules whose parts are nodes already, in the order of the node's fields."""
+"""What each rule makes of its span and its parts: nodes, and the tokens that the grammar names."""
 
 
-def _integer(text: str, span: Span) -> int:
+def _whole_number(text: str, span: Span) -> int:
     digits = text.lstrip("0")
     value = int(digits or "0") if len(digits) <= 19 else MOST_INTEGER + 1
     if value > MOST_INTEGER:
@@ -172,7 +125,9 @@ def _microseconds(text: str, span: Span) -> Fraction:
             span,
             f"at most {_MOST_DECIMALS} decimals are read",
         )
-    us = (_integer(whole, span) + Fraction(f"0.{decimals or 0}")) * _UNIT_US[text[len(number) :]]
+    us = (_whole_number(whole, span) + Fraction(f"0.{decimals or 0}")) * _UNIT_US[
+        text[len(number) :]
+    ]
     if us == 0:
         raise Refused("NS0112", "this slot takes no time", span, "give it a time above zero")
     return us

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from nscc.words.operations import (
+from nscc.operations import (
     ANALOG_SOURCES,
     ANALOG_WRITE,
     BY_NAME,

@@ -16,10 +16,11 @@ from nscc.cache.digest import digest, version_digest
 from nscc.cache.results import LEAST_LEVEL, Results, results_of_user
 from nscc.cache.store import Store
 from nscc.cache.values import from_json, to_json
+from nscc.compiler import compile_source
 from nscc.emit.report import report, report_bytes
 from nscc.logic.generate import solutions
 from nscc.logic.problem import Demand, Gate, Machine, Problem, Solution
-from nscc.pipeline import Options, compile_source
+from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import builtin_target
 from nscc.words.file import to_bytes
@@ -51,7 +52,7 @@ def searches(monkeypatch: pytest.MonkeyPatch) -> list[int]:
         made.append(level)
         yield from solutions(problem, machine, level)
 
-    monkeypatch.setattr("nscc.lower.lowered.solutions", counted)
+    monkeypatch.setattr("nscc.lower.gates.solutions", counted)
     return made
 
 
@@ -59,7 +60,7 @@ def built(text: str, **options: object) -> tuple[bytes, bytes]:
     """The container and the report of a program, every lowering priced."""
     given = Options(codes="open", price_all=True, **options)  # type: ignore[arg-type]
     compiled = compile_source(Source("p.nsl", f"nsl 1 {text}\n"), Path(), given)
-    values = report(compiled.lowered, compiled.choice, compiled.proof)
+    values = report(compiled.choice, compiled.proof)
     return to_bytes(compiled.container), report_bytes(values)
 
 
@@ -285,7 +286,7 @@ def test_every_solution_can_be_kept(name: str, lowering: str, tmp_path: Path) ->
         yield from solutions(problem, machine, level)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("nscc.lower.lowered.solutions", overhear)
+        patch.setattr("nscc.lower.gates.solutions", overhear)
         built(TEXTS[name], lowering=lowering, cache=False)
     problem, machine = asked[0]
     results = Results(Store(tmp_path))

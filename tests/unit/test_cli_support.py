@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_cli.support import bar_line, progress, write_together, write_whole
+from nscc.files import write_together, write_whole
+from nscc_cli.support import bar_line, progress
 
 
 def test_writes_and_replaces(tmp_path: Path) -> None:

@@ -13,14 +13,12 @@ import pytest
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
-from nscc.words.container import Container, DecodeTable
+from nscc.words.container import Container, DecodeTable, packed_shutters
 from nscc_runtime.chart import shutters_of, view_png
 from nscc_runtime.frame_file import (
     FrameFile,
     Provenance,
-    kept_arrays,
     meta,
-    packed_shutters,
     read_out,
     repeated,
 )
@@ -72,10 +70,10 @@ def written(keep: tuple[str, ...] = (), repeat: int = 0, kind: str = "clip") -> 
     values = np.random.default_rng(2).random((2, ROWS, COLS)) * 40000
     frame = read_out(exposure(values), program.target)
     frame = repeated(frame, repeat) if repeat else frame
-    arrays, slots = kept_arrays(program, scene, keep, program.table.shutters)
     file = io.BytesIO()
     information = meta(program, scene, frame, Provenance(b"program", 3, 4))
-    FrameFile(frame, information, arrays, slots).write(file)
+    shutters = program.table.shutters
+    FrameFile.of(program, scene, frame, information, keep, shutters).write(file)
     return file.getvalue()
 
 

@@ -12,7 +12,8 @@ import pytest
 from nscc_command import invoke
 from PIL import Image
 
-from nscc.pipeline import Options, compile_source
+from nscc.compiler import compile_source
+from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import builtin_target, target_toml
 from nscc_runtime.capture import capture

@@ -7,7 +7,6 @@ and no pixel needs a slot loop. Each open slot lies in one bucket.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -22,8 +21,9 @@ from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
+from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
-from nscc_runtime.plan.layout import FUSED_BLOCK
+from nscc_runtime.plan.fused_loop import BLOCK, Simple, fused
 from nscc_runtime.plan.masks import Masks
 from nscc_runtime.plan.pool import in_parts
 from nscc_runtime.plan.sums import on_frames
@@ -35,9 +35,6 @@ if TYPE_CHECKING:
 
 _COMPLEX = frozenset(effect.name for effect in (CROSSTALK, DARK, ANALOG, LEAKAGE, DEAD_TIME, DECAY))
 _NO_TABLE, _NO_MASKS = np.zeros((1, 1), np.float32), np.zeros(1, np.uint8)
-_SCRATCH = tuple(8 * FUSED_BLOCK * start for start in (0, 1, 2, 6, 7))
-_SCRATCH_BYTES = 8 * FUSED_BLOCK * 8
-"""Rows of the loop's scratch, in the order of its parameters; one has four of them."""
 _MUCH = 1 << 21
 """Pixels x frames from which on a second thread is worth waking."""
 _DRAWN_FRAMES = 32
@@ -50,8 +47,8 @@ class Fused:
 
     scene: Planned
     frames: NDArray[np.float32]
-    numbers: NDArray[np.float64]
-    buckets: tuple[tuple[NDArray[Any], ...], ...]
+    numbers: dict[str, float]
+    buckets: tuple[Bound, ...]
     sources: tuple[tuple[int, int], ...]
 
     @classmethod
@@ -82,28 +79,26 @@ class Fused:
         single = program.tables.single(program.model(kept))
         limit_e = np.where(np.isnan(single), np.inf, single * sensor.full_well_e)
         response = scene.response if PRNU in kept else np.ones(1)
-        numbers = [
-            scene.factor, RATE_CAP, sensor.electrons_per_lsb, sensor.adc_offset_lsb,
-            2.0**target.adc_bits - 1, sensor.adc_noise_lsb,
-        ]  # fmt: skip
+        numbers = {
+            "factor": scene.factor,
+            "rate_cap": RATE_CAP,
+            "electrons_per_code": sensor.electrons_per_lsb,
+            "offset": sensor.adc_offset_lsb,
+            "top": 2.0**target.adc_bits - 1,
+            "readout_noise": sensor.adc_noise_lsb,
+        }
         buckets = tuple(
-            (
-                *_layout(program, source, 1 << bucket),
-                program.lanes,
-                response,
-                np.ascontiguousarray(limit_e[:, bucket]),
-                np.ascontiguousarray(sigma_e[:, :, bucket]),
+            fused.bound(
+                frames=frames,
+                lanes=program.lanes,
+                response=response,
+                limit=np.ascontiguousarray(limit_e[:, bucket]),
+                sigma=np.ascontiguousarray(sigma_e[:, :, bucket]),
+                **_layout(program, source, 1 << bucket),
             )
             for bucket in range(shape[2])
         )
-        return cls(scene, frames, np.array(numbers), buckets, tuple(sources))
-
-    @cached_property
-    def addresses(self) -> tuple[tuple[int, ...], ...]:
-        """The addresses of the arrays that the loop reads, in each bucket."""
-        return tuple(
-            tuple(_address(array) for array in (self.frames, *arrays)) for arrays in self.buckets
-        )
+        return cls(scene, frames, numbers, buckets, tuple(sources))
 
     def expose(self, seed: int, frame: int, *, read_out: bool) -> Frame:
         """Frame number `frame`; without `read_out` its codes are left 0."""
@@ -126,47 +121,65 @@ class Fused:
         out: tuple[NDArray[np.float64], NDArray[np.uint8], NDArray[np.bool_]],
     ) -> None:
         """Expose one bucket into `out`: exposures, codes, and whether they are numbers."""
-        from nscc_runtime.plan.compiled import entry_points
-
-        scene, kept, loop = self.scene, self.scene.plan.kept, entry_points()["fused"]
-        keys = [count_key(seed, SHOT, LIGHT, frame, 1 << bucket) if SHOT in kept else np.uint64(0)]
-        keys += [key(seed, stream, SUM, frame, draw) for stream, draw in self.sources]
-        if ADC_NOISE in kept:
-            keys.append(key(seed, ADC_NOISE.stream, frame=frame, group=bucket))
-        pixels, count = out[0].size, len(self.frames)
-        lanes = len(scene.program.container.encoding)
-        switches = (
-            int(PRNU in kept), int(SHOT in kept), int(FULL_WELL in kept and REGISTER not in kept),
-            len(self.sources), int(ADC_NOISE in kept), int(read_out),
-        )  # fmt: skip
-        words = np.array(keys, np.uint64)
-        given = (_address(self.numbers), _address(words), *self.addresses[bucket])
-        filled = [_address(array) for array in out]
+        scene, kept, loop = self.scene, self.scene.plan.kept, self.buckets[bucket]
+        noise_keys = [key(seed, stream, SUM, frame, draw) for stream, draw in self.sources]
+        pixels = out[0].size
+        given: dict[str, Any] = {
+            **self.numbers,
+            "pixels": pixels,
+            "count": len(self.frames),
+            "lane_count": len(scene.program.container.encoding),
+            "sources": len(noise_keys),
+            "uneven": PRNU in kept,
+            "counted": SHOT in kept,
+            "clipped": FULL_WELL in kept and REGISTER not in kept,
+            "readout_noisy": ADC_NOISE in kept,
+            "read_out": read_out,
+            "count_key": count_key(seed, SHOT, LIGHT, frame, 1 << bucket),
+            "readout_key": key(seed, ADC_NOISE.stream, frame=frame, group=bucket),
+        }
+        exposure, codes, valid = out
+        filled = {
+            "noise_keys": np.array(noise_keys, np.uint64),
+            "exposure": exposure.reshape(-1),
+            "frame": codes.reshape(-1),
+            "valid": valid.view(np.uint8).reshape(-1),
+        }
 
         def run(begin: int, end: int) -> None:
-            sizes = np.array([pixels, begin, end, count, lanes, *switches], np.int64)
-            scratch = np.empty(_SCRATCH_BYTES, np.uint8)
-            at = _address(scratch)
-            loop(_address(sizes), *given, *(at + start for start in _SCRATCH), *filled)
+            loop(plan=Simple(**given, begin=begin, end=end), **_scratch(), **filled)
 
-        drawn = len(keys) > 1 or SHOT in kept
-        work = pixels * (count + _DRAWN_FRAMES * drawn)
-        in_parts(run, pixels, scene.threads if work >= _MUCH else 1, FUSED_BLOCK)
+        drawn = bool(noise_keys) or SHOT in kept or ADC_NOISE in kept
+        work = pixels * (len(self.frames) + _DRAWN_FRAMES * drawn)
+        in_parts(run, pixels, scene.threads if work >= _MUCH else 1, BLOCK)
 
 
-def _address(array: NDArray[Any]) -> int:
-    """Where an array begins."""
-    return int(array.__array_interface__["data"][0])
+def _scratch() -> dict[str, NDArray[Any]]:
+    return {
+        "part": np.empty(BLOCK, np.float32),
+        "values": np.empty(BLOCK),
+        "scratch": np.empty(4 * BLOCK),
+        "few": np.empty(BLOCK),
+        "places": np.empty(BLOCK, np.int64),
+    }
 
 
-def _layout(program: Program, light: Light, group: int) -> tuple[NDArray[Any], ...]:
-    """What becomes of each frame of a light in a group of slots: kinds, weights, rows of masks,
-    masks, table.
-    """
+def _layout(program: Program, light: Light, group: int) -> dict[str, NDArray[Any]]:
+    """What becomes of each frame of a light in a group of slots."""
     masks = program.masks(group)
     if light.in_order and masks is not None:
-        return masks.kinds, light.weight.astype(np.float32), masks.rows, masks.planes, _NO_TABLE
-    table = np.ascontiguousarray(on_frames(light, program.members(group)), np.float32)
+        return {
+            "kinds": masks.kinds,
+            "frame_weight": light.weight.astype(np.float32),
+            "mask_row": masks.rows,
+            "masks": masks.planes,
+            "table": _NO_TABLE,
+        }
     count = len(light.frames)
-    kinds = np.full(count, Masks.TABLED, np.int64)
-    return kinds, np.ones(count, np.float32), np.zeros(count, np.int64), _NO_MASKS, table
+    return {
+        "kinds": np.full(count, Masks.TABLED, np.int64),
+        "frame_weight": np.ones(count, np.float32),
+        "mask_row": np.zeros(count, np.int64),
+        "masks": _NO_MASKS,
+        "table": np.ascontiguousarray(on_frames(light, program.members(group)), np.float32),
+    }

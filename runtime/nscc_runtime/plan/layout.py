@@ -1,96 +1,107 @@
-"""Where the loop over pixels finds what: the columns and places of the arrays it is given."""
+"""What the loop over pixels is given beside arrays, by name."""
 
 from __future__ import annotations
 
-from enum import IntEnum
+import numpy as np
+
+from nscc_runtime.loop import record
 
 
-class Size(IntEnum):
-    """What each of the whole numbers `sizes` is; from SHOT on a switch: 0 is off."""
+@record
+class Sizes:
+    """How much there is of everything, and which effects there are: 0 is off."""
 
-    PIXELS = 0
-    SLOTS = 1
-    ROWS = 2
-    COLS = 3
-    BUCKETS = 4
-    GROUPS = 5
-    REGISTERS = 6
-    WHOLE = 7
+    pixels: int
+    slots: int
+    rows: int
+    cols: int
+    buckets: int
+    groups: int
+    registers: int
+    draws: int
+    """Of a word: one for what it reads or resets, and one for each destination."""
+    numbered: int
+    """By how much the numbers of the draws of two words differ."""
+    whole: int
     """The least power of two that is not below the number of slots."""
-    FRAME = 8
-    SHOT = 9
-    DARK = 10
+    kept_cols: int
+    """Columns of the three rows of sites whose charge is kept."""
+    frame: int
+    shot: int
+    dark: int
     """1: counted; 2: its mean."""
-    FULL_WELL = 11
-    READ = 12
-    RESET = 13
-    DEAD_TIME = 14
-    ANALOG = 15
+    full_well: int
+    read: int
+    reset: int
+    dead_time: int
+    analog: int
     """1: gain, pattern and noise; 2: gain and pattern."""
-    REGISTER = 16
-    LEAKAGE = 17
-    CROSSTALK = 18
-    PRNU = 19
-    KEPT_COLS = 20
-    """Columns of the three rows of sites whose charge is kept; no switch."""
+    register: int
+    leakage: int
+    crosstalk: int
+    prnu: int
 
 
-class Number(IntEnum):
-    """What each of the numbers `numbers` is."""
+@record
+class Numbers:
+    """The sensor's numbers; a variance is that of the logarithm."""
 
-    FULL_WELL = 0
-    REGISTER_MIN = 1
-    REGISTER_MAX = 2
-    KNEE = 3
-    CROSSTALK = 4
-    LAG = 5
-    PRNU = 6
-    DARK = 7
-    DARK_VARIANCE = 8
-    """Of the logarithm."""
-    READ = 9
-    RESET = 10
-    GAIN = 11
-    ANALOG_NOISE = 12
-    PATTERN = 13
-    BIAS = 14
-    LEAK = 15
-    LEAK_VARIANCE = 16
-    """Of the logarithm."""
-    RATE_CAP = 17
-
-
-class Key(IntEnum):
-    """What each of the words `keys` is: a key of the device, or one that a frame's follow from."""
-
-    START = 0
-    PRNU = 1
-    DARK = 2
-    PATTERN = 3
-    LEAK = 4
-    COUNT = 5
-    """Of light, then of dark charge."""
-    THIN = 7
-    SUM = 9
-    """Of reads, resets and analog words."""
-    PART = 12
+    full_well: float
+    register_min: float
+    register_max: float
+    knee: float
+    crosstalk: float
+    lag: float
+    prnu: float
+    dark: float
+    dark_variance: float
+    read: float
+    reset: float
+    gain: float
+    analog_noise: float
+    pattern: float
+    bias: float
+    leak: float
+    leak_variance: float
+    rate_cap: float
 
 
-class Entry(IntEnum):
-    """The columns of a word in the list of a lane; sources and destinations follow."""
+@record
+class Keys:
+    """Keys of the device, then those that a frame's follow from: of counts, of how counts spread
+    over slots, of the sums of noise in the buckets, and of its parts in the words.
+    """
 
-    BOUNDARY = 0
-    RESETS = 1
-    ACTS = 2
-    NUMBER = 3
-    READS_PIX = 4
-    SOURCES = 5
-    DESTINATIONS = 6
-    FIRST_SOURCE = 7
-    FIRST_DESTINATION = 11
+    start: np.uint64
+    prnu: np.uint64
+    dark: np.uint64
+    pattern: np.uint64
+    leak: np.uint64
+    count_light: np.uint64
+    count_dark: np.uint64
+    thin_light: np.uint64
+    thin_dark: np.uint64
+    sum_read: np.uint64
+    sum_reset: np.uint64
+    sum_analog: np.uint64
+    part_read: np.uint64
+    part_reset: np.uint64
+    part_analog: np.uint64
 
 
-MOST_DESTINATIONS = 3
-ENTRY_COLUMNS = int(Entry.FIRST_DESTINATION) + MOST_DESTINATIONS
-FUSED_BLOCK = 1024
-"""Pixels that go through all steps of a simple plan together."""
+@record
+class Entry:
+    """A word in the list of a lane."""
+
+    boundary: int
+    resets: int
+    acts: int
+    number: int
+    reads_pix: int
+    sources: int
+    destinations: int
+    operands: int
+    """Where its registers begin among all operands: sources, then destinations."""
+    end: float
+    """In parts of the slot."""
+    divisor: float

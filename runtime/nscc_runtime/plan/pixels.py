@@ -6,8 +6,8 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,15 +23,16 @@ from nscc_runtime.effects.timing import DEAD_TIME, LAG, MOTION
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.noise.keys import base
-from nscc_runtime.plan.layout import ENTRY_COLUMNS, MOST_DESTINATIONS, Entry, Key, Number, Size
+from nscc_runtime.plan.charge_loop import SITES
+from nscc_runtime.plan.layout import Entry, Keys, Numbers, Sizes
+from nscc_runtime.plan.pixel_loop import run_pixels
 from nscc_runtime.plan.pool import in_parts
 from nscc_runtime.reference.capture import DESTINATIONS, START, Reference
 from nscc_runtime.reference.noise import PART, SUM
-from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.sensor.sensor import Sensor
 
 _DRAWN = (READ, RESET, ANALOG)
-_SITES = 5
+_ENTRY = np.dtype(Entry)
 _MOST_KEPT = 1 << 23
 """Bytes a thread may keep of neighbours' charge."""
 _FEWEST = 64
@@ -44,8 +45,8 @@ class Pixels:
 
     program: Reference
     entry_start: NDArray[np.int64]
-    entries: NDArray[np.int64]
-    times: NDArray[np.float64]
+    entries: NDArray[Any]
+    operands: NDArray[np.int64]
     weights: NDArray[np.float64]
     groups: NDArray[np.int32]
     group_ids: NDArray[np.uint64]
@@ -56,7 +57,8 @@ class Pixels:
         container = program.container
         lanes, buckets = len(container.encoding), len(container.buckets)
         acts = np.array([word.lanes for word in program.words]).reshape(-1, lanes)
-        draws = np.zeros((len(program.words), 1 + MOST_DESTINATIONS, lanes, buckets))
+        most = max((len(word.op.destinations) for word in program.words), default=0)
+        draws = np.zeros((len(program.words), 1 + most, lanes, buckets))
         for name, shift in ((READ.name, None), (RESET.name, None), (ANALOG.name, 1)):
             for number, weight in program.draws[name].items():
                 if shift is None:
@@ -65,16 +67,15 @@ class Pixels:
                     draws[number // DESTINATIONS, number % DESTINATIONS + shift] = weight
         needed = acts | draws.any(axis=(1, 3))
         lane, word = np.nonzero(needed.T)
-        rows = np.array([_row(each, program) for each in program.words], np.int64)
-        entries = rows.reshape(-1, ENTRY_COLUMNS)[word]
-        entries[:, Entry.ACTS] = acts[word, lane]
-        times = np.array([_times(each, program) for each in program.words]).reshape(-1, 2)
+        rows, operands = _entries(program)
+        entries = rows[word]
+        entries["acts"] = acts[word, lane]
         ids, groups = np.unique(program.groups.of_slot, return_inverse=True)
         return cls(
             program,
             np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64),
-            np.ascontiguousarray(entries),
-            np.ascontiguousarray(times[word]),
+            entries,
+            operands,
             np.ascontiguousarray(draws[word, :, lane]),
             groups.reshape(program.groups.of_slot.shape).astype(np.int32),
             ids.astype(np.uint64),
@@ -108,38 +109,36 @@ class Pixels:
         readouts = {readout.bucket: readout for readout in container.readouts}
         order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
         waited_s = container.target.readout_us * 1e-6
-        fixed = (
-            _numbers(program.sensor, effects),
-            _keys(seed, device_seed),
-        )
-        scene = (
-            np.require(program.groups.lane, np.int32, ["C"]),
-            np.require(source.frames, np.float32, ["C", "A"]),
-            np.require(source.row_start, np.int64, ["C", "A"]),
-            np.require(source.frame_index, np.int32, ["C", "A"]),
-            np.require(source.weight, np.float64, ["C", "A"]),
-            np.require(slot_s, np.float64, ["C", "A"]),
-            np.concatenate(([0.0], np.cumsum(slot_s))),
-            self.groups,
-            present,
-            self.group_ids,
-            self.entry_start,
-            self.entries,
-            self.times,
-            self.weights,
-            signs,
-            np.array([names.index(readouts[b].register) for b in container.buckets], np.int64),
-            np.array([(readouts[b].gain, order[b] * waited_s) for b in container.buckets]),
-        )
-        switches = _switches(effects, expected)
         chosen = np.require(chosen, np.int64, ["C", "A"])
+        bound = run_pixels.bound(
+            numbers=_numbers(program.sensor, effects),
+            keys=_keys(seed, device_seed),
+            lanes=np.require(program.groups.lane, np.int32, ["C"]),
+            frames=np.require(source.frames, np.float32, ["C", "A"]),
+            row_start=np.require(source.row_start, np.int64, ["C", "A"]),
+            frame_index=np.require(source.frame_index, np.int32, ["C", "A"]),
+            weight=np.require(source.weight, np.float64, ["C", "A"]),
+            slot_s=np.require(slot_s, np.float64, ["C", "A"]),
+            start_s=np.concatenate(([0.0], np.cumsum(slot_s))),
+            groups=self.groups,
+            present=present,
+            group_ids=self.group_ids,
+            entry_start=self.entry_start,
+            entries=self.entries,
+            operands=self.operands,
+            weights=self.weights,
+            signs=signs,
+            readout_register=np.array(
+                [names.index(readouts[b].register) for b in container.buckets], np.int64
+            ),
+            readout_gain=np.array([float(readouts[b].gain) for b in container.buckets]),
+            readout_wait_s=np.array([order[b] * waited_s for b in container.buckets], np.float64),
+        )
 
         def run(part: NDArray[np.int64]) -> NDArray[np.float64]:
-            sizes = self._sizes(len(part), light, frame, switches)
-            scratch = _scratch(sizes)
+            sizes = self._sizes(len(part), light, frame, effects, expected)
             out = np.empty((len(container.buckets), len(part)))
-            arrays = (sizes, *fixed, part, *scene, *scratch, out)
-            entry_point()(*(array.ctypes.data for array in arrays))
+            bound(sizes=sizes, chosen=part, out=out, **_scratch(sizes))
             return out
 
         out = np.empty((len(container.buckets), len(chosen)))
@@ -151,134 +150,127 @@ class Pixels:
         return out
 
     def _sizes(
-        self, count: int, light: Light, frame: int, switches: Sequence[tuple[Size, int]]
-    ) -> NDArray[np.int64]:
+        self, count: int, light: Light, frame: int, effects: Selection, expected: bool
+    ) -> Sizes:
         container = self.program.container
-        sizes = np.zeros(len(Size), np.int64)
-        sizes[Size.PIXELS] = count
-        sizes[Size.SLOTS] = container.slots
-        sizes[Size.ROWS], sizes[Size.COLS] = light.shape
-        sizes[Size.BUCKETS] = len(container.buckets)
-        sizes[Size.GROUPS] = len(self.group_ids)
-        sizes[Size.REGISTERS] = len(container.target.analog_registers)
-        sizes[Size.WHOLE] = 1 << (container.slots - 1).bit_length()
-        sizes[Size.FRAME] = frame
-        for size, value in switches:
-            sizes[size] = value
-        cols, each = int(sizes[Size.COLS]), _kept_bytes(sizes)
-        sizes[Size.KEPT_COLS] = cols if 3 * cols * each <= _MOST_KEPT else min(3, cols)
-        return sizes
+        rows, cols = light.shape
+        groups = len(self.group_ids)
+        whole = 1 << (container.slots - 1).bit_length()
+        # What the charge of one site takes: rates, counts and their stamps, of light and dark.
+        each = 16 * (container.slots + 2 * 2 * whole * groups)
+        random = 0 if expected else 1
 
+        def on(effect: Effect) -> int:
+            return int(effect in effects)
 
-def entry_point() -> Callable[..., None]:
-    """`run_pixels` as machine code."""
-    from nscc_runtime.plan.compiled import entry_points
-
-    return entry_points()["run_pixels"]
-
-
-def _row(word: AnalogWord, program: Reference) -> list[int]:
-    """The columns of a word, as it is where it acts."""
-    names = (*program.container.target.analog_registers, "PIX", "reset level", "IN")
-    row = [0] * ENTRY_COLUMNS
-    row[Entry.BOUNDARY], row[Entry.RESETS] = word.boundary, int(word.resets)
-    row[Entry.NUMBER] = word.number
-    if not word.resets:
-        row[Entry.READS_PIX] = int("PIX" in word.op.sources)
-        row[Entry.SOURCES], row[Entry.DESTINATIONS] = (
-            len(word.op.sources),
-            len(word.op.destinations),
+        return Sizes(
+            pixels=count,
+            slots=container.slots,
+            rows=rows,
+            cols=cols,
+            buckets=len(container.buckets),
+            groups=groups,
+            registers=len(container.target.analog_registers),
+            draws=self.weights.shape[1],
+            numbered=DESTINATIONS,
+            whole=whole,
+            kept_cols=cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
+            frame=frame,
+            shot=on(SHOT) * random,
+            dark=on(DARK) * (2 - random),
+            full_well=on(FULL_WELL),
+            read=on(READ) * random,
+            reset=on(RESET) * random,
+            dead_time=on(DEAD_TIME),
+            analog=on(ANALOG) * (2 - random),
+            register=on(REGISTER),
+            leakage=on(LEAKAGE),
+            crosstalk=on(CROSSTALK),
+            prnu=on(PRNU),
         )
-        for i, name in enumerate(word.op.sources):
-            row[Entry.FIRST_SOURCE + i] = names.index(name)
-        for i, name in enumerate(word.op.destinations):
-            row[Entry.FIRST_DESTINATION + i] = names.index(name)
-    return row
 
 
-def _times(word: AnalogWord, program: Reference) -> tuple[float, float]:
-    """When a word ends, in parts of the slot, and its divisor."""
+def _entries(program: Reference) -> tuple[NDArray[Any], NDArray[np.int64]]:
+    """The words as they are where they act, and the registers of all of them."""
     container = program.container
-    last = word.boundary == container.slots
-    end = word.after_us / container.slot_us[min(word.boundary, container.slots - 1)]
-    return end if last else min(end, 1.0), float(word.op.operation.divisor)
+    names = (*container.target.analog_registers, "PIX", "reset level", "IN")
+    rows: list[tuple[float, ...]] = []
+    operands: list[int] = []
+    for word in program.words:
+        sources, destinations = word.op.sources, word.op.destinations
+        if word.resets:
+            sources = destinations = ()
+        last = word.boundary == container.slots
+        end = word.after_us / container.slot_us[min(word.boundary, container.slots - 1)]
+        entry = {
+            "boundary": word.boundary,
+            "resets": word.resets,
+            "number": word.number,
+            "reads_pix": "PIX" in sources,
+            "sources": len(sources),
+            "destinations": len(destinations),
+            "operands": len(operands),
+            "end": end if last else min(end, 1.0),
+            "divisor": word.op.operation.divisor,
+            "acts": True,
+        }
+        rows.append(tuple(entry[name] for name in _ENTRY.names or ()))
+        operands += [names.index(name) for name in sources + destinations]
+    return np.array(rows, _ENTRY), np.array(operands, np.int64)
 
 
-def _numbers(sensor: Sensor, effects: Selection) -> NDArray[np.float64]:
-    values = {
-        Number.FULL_WELL: sensor.full_well_e,
-        Number.REGISTER_MIN: sensor.register_min_e,
-        Number.REGISTER_MAX: sensor.register_max_e,
-        Number.KNEE: sensor.register_knee_fraction,
-        Number.CROSSTALK: sensor.crosstalk_fraction,
-        Number.LAG: sensor.lag_fraction if LAG in effects else 0.0,
-        Number.PRNU: sensor.prnu_fraction,
-        Number.DARK: sensor.dark_current_e_per_s,
-        Number.DARK_VARIANCE: np.log1p(sensor.dark_spread_fraction**2),
-        Number.READ: sensor.read_noise_e,
-        Number.RESET: sensor.reset_noise_e,
-        Number.GAIN: sensor.analog_gain,
-        Number.ANALOG_NOISE: sensor.analog_noise_e,
-        Number.PATTERN: sensor.analog_pattern_e,
-        Number.BIAS: sensor.analog_bias_e,
-        Number.LEAK: 1.0 / sensor.leakage_tau_s,
-        Number.LEAK_VARIANCE: np.log1p(sensor.leakage_spread_fraction**2),
-        Number.RATE_CAP: RATE_CAP,
-    }
-    return np.array([values[number] for number in Number])
-
-
-def _keys(seed: int, device_seed: int) -> NDArray[np.uint64]:
-    values = [
-        base(device_seed, START),
-        *(key(device_seed, effect.stream) for effect in (PRNU, DARK, ANALOG, LEAKAGE)),
-        base(seed, SHOT.stream, LIGHT),
-        base(seed, DARK.stream, DARK_SOURCE),
-        base(seed, SHOT.stream, THINNED + LIGHT),
-        base(seed, DARK.stream, THINNED + DARK_SOURCE),
-        *(base(seed, effect.stream, SUM) for effect in _DRAWN),
-        *(base(seed, effect.stream, PART) for effect in _DRAWN),
-    ]
-    assert len(values) == Key.PART + len(_DRAWN)
-    return np.array(values, np.uint64)
-
-
-def _switches(effects: Selection, expected: bool) -> list[tuple[Size, int]]:
-    random = 0 if expected else 1
-
-    def on(effect: Effect) -> int:
-        return int(effect in effects)
-
-    return [
-        (Size.SHOT, on(SHOT) * random),
-        (Size.DARK, on(DARK) * (2 - random)),
-        (Size.FULL_WELL, on(FULL_WELL)),
-        (Size.READ, on(READ) * random),
-        (Size.RESET, on(RESET) * random),
-        (Size.DEAD_TIME, on(DEAD_TIME)),
-        (Size.ANALOG, on(ANALOG) * (2 - random)),
-        (Size.REGISTER, on(REGISTER)),
-        (Size.LEAKAGE, on(LEAKAGE)),
-        (Size.CROSSTALK, on(CROSSTALK)),
-        (Size.PRNU, on(PRNU)),
-    ]
-
-
-def _kept_bytes(sizes: NDArray[np.int64]) -> int:
-    """What the charge of one site takes: rates, counts and their stamps, of light and dark."""
-    room = 2 * int(sizes[Size.WHOLE]) * int(sizes[Size.GROUPS])
-    return 16 * (int(sizes[Size.SLOTS]) + 2 * room)
-
-
-def _scratch(sizes: NDArray[np.int64]) -> tuple[NDArray[np.generic], ...]:
-    slots, room = int(sizes[Size.SLOTS]), 2 * int(sizes[Size.WHOLE]) * int(sizes[Size.GROUPS])
-    sites = 3 * int(sizes[Size.KEPT_COLS]) if sizes[Size.CROSSTALK] else 1
-    return (
-        np.empty(2 * sites * slots),
-        np.empty(2 * sites * room),
-        np.full(2 * sites * room, -1, np.int64),
-        np.full(sites, -1, np.int64),
-        np.empty(len(_DRAWN) * int(sizes[Size.BUCKETS])),
-        np.empty(int(sizes[Size.REGISTERS]) + 3),
-        np.empty(_SITES, np.int64),
+def _numbers(sensor: Sensor, effects: Selection) -> Numbers:
+    return Numbers(
+        full_well=sensor.full_well_e,
+        register_min=sensor.register_min_e,
+        register_max=sensor.register_max_e,
+        knee=sensor.register_knee_fraction,
+        crosstalk=sensor.crosstalk_fraction,
+        lag=sensor.lag_fraction if LAG in effects else 0.0,
+        prnu=sensor.prnu_fraction,
+        dark=sensor.dark_current_e_per_s,
+        dark_variance=np.log1p(sensor.dark_spread_fraction**2),
+        read=sensor.read_noise_e,
+        reset=sensor.reset_noise_e,
+        gain=sensor.analog_gain,
+        analog_noise=sensor.analog_noise_e,
+        pattern=sensor.analog_pattern_e,
+        bias=sensor.analog_bias_e,
+        leak=1.0 / sensor.leakage_tau_s,
+        leak_variance=np.log1p(sensor.leakage_spread_fraction**2),
+        rate_cap=RATE_CAP,
     )
+
+
+def _keys(seed: int, device_seed: int) -> Keys:
+    return Keys(
+        start=base(device_seed, START),
+        prnu=key(device_seed, PRNU.stream),
+        dark=key(device_seed, DARK.stream),
+        pattern=key(device_seed, ANALOG.stream),
+        leak=key(device_seed, LEAKAGE.stream),
+        count_light=base(seed, SHOT.stream, LIGHT),
+        count_dark=base(seed, DARK.stream, DARK_SOURCE),
+        thin_light=base(seed, SHOT.stream, THINNED + LIGHT),
+        thin_dark=base(seed, DARK.stream, THINNED + DARK_SOURCE),
+        sum_read=base(seed, READ.stream, SUM),
+        sum_reset=base(seed, RESET.stream, SUM),
+        sum_analog=base(seed, ANALOG.stream, SUM),
+        part_read=base(seed, READ.stream, PART),
+        part_reset=base(seed, RESET.stream, PART),
+        part_analog=base(seed, ANALOG.stream, PART),
+    )
+
+
+def _scratch(sizes: Sizes) -> dict[str, NDArray[Any]]:
+    slots, room = sizes.slots, 2 * sizes.whole * sizes.groups
+    sites = 3 * sizes.kept_cols if sizes.crosstalk else 1
+    return {
+        "rates": np.empty(2 * sites * slots),
+        "heap": np.empty(2 * sites * room),
+        "stamps": np.full(2 * sites * room, -1, np.int64),
+        "tags": np.full(sites, -1, np.int64),
+        "missing": np.empty(len(_DRAWN) * sizes.buckets),
+        "registers": np.empty(sizes.registers + 3),
+        "places": np.empty(SITES, np.int64),
+    }

@@ -1,0 +1,76 @@
+"""What a plan asks of the gates, and the gates that answer it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.problem import Demand, Problem, Solution
+from nscc.lower.plan import ExposurePlan, Opens
+from nscc.lower.timeline import Before, Timeline, flag_actions
+from nscc.program.program import Program
+from nscc.words.container import DecodeTable
+
+
+@dataclass(frozen=True)
+class Decoding:
+    """A plan with the gates that compute its predicates.
+
+    `problem` is what the plan demands of them, `actions` what each of its steps does to FLAG.
+    """
+
+    plan: ExposurePlan
+    problem: Problem
+    actions: tuple[Before, ...]
+    solution: Solution
+
+
+def problem_of(
+    program: Program, plan: ExposurePlan, time: Timeline, opens: Opens
+) -> tuple[Problem, tuple[Before, ...]]:
+    """What the gates must compute for a plan, and what every step does to FLAG."""
+    actions = flag_actions(plan, time, program.target)
+    demands: list[Demand] = []
+    for step, action in zip(plan.steps, actions, strict=True):
+        if step.predicate is not None:
+            kept = action == "keep" and bool(demands)
+            last = demands[-1].boundary if demands else 0
+            quiet = not any(last < n <= step.boundary for n in time.refresh_at or ())
+            demands.append(
+                Demand(step.boundary, step.role, step.bucket, step.predicate, kept, quiet)
+            )
+    lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
+    values = _field_values(program)
+    return Problem(tuple(demands), plan.shutters, opens, lasts, values), tuple(actions)
+
+
+def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
+    """Every field's value in one code of each shutter; free bits are fields of their own.
+
+    Of several codes one is taken whose values other shutters need anyway.
+    """
+    codes = _code_of_shutter(program.table)
+    values: dict[str, NDArray[np.int64]] = {}
+    for index, field in enumerate(program.fields):
+        if field.bits is None:
+            values[field.name] = codes[:, index]
+        else:
+            bits = {f"{field.name}[{k}]": codes[:, index] >> k & 1 for k in range(field.bits)}
+            values.update(bits)
+    return values
+
+
+def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
+    """A row of `table.codes` for each shutter."""
+    if len(table.codes) == len(table.shutters):
+        return table.codes[np.argsort(table.shutter_of_code)]
+    meant = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
+    only = table.codes[meant[table.shutter_of_code] == 1]
+    needed = np.ones(len(table.codes), dtype=np.bool_)
+    for column, used in zip(table.codes.T, only.T, strict=True):
+        needed &= np.isin(column, used)
+    order = np.argsort(~needed, kind="stable")
+    _, first = np.unique(table.shutter_of_code[order], return_index=True)
+    return table.codes[order[first]]
