@@ -14,7 +14,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.requirements import extras, install_line
 from nscc.source import Source
 from nscc.syntax.parse import parse
-from nscc.target.load import builtin_names, load_target
+from nscc.target.load import load_target, target_names
 
 GOOD, ABSENT, WRONG = "ok", "absent", "WRONG"
 
@@ -68,7 +68,7 @@ def _grammar() -> Finding:
 
 def _targets() -> Finding:
     try:
-        names = [load_target(name, Path()).name for name in builtin_names()]
+        names = [load_target(name, Path()).name for name in target_names()]
     except Rejected as rejected:
         return Finding(WRONG, f"targets: {rejected}")
     return Finding(GOOD, f"targets: {', '.join(names)}")

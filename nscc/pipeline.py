@@ -24,7 +24,7 @@ from nscc.lower.fit import (
 )
 from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
-from nscc.lower.plan import LoweringOption, Planned, plan_exposures
+from nscc.lower.plan import LoweringOption, Planned, frame_time, plan_exposures
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, prove
@@ -105,7 +105,7 @@ def make_program(parsed: Parsed, job: Job) -> tuple[Program, Found]:
     return program, program.messages
 
 
-def plan(program: Program, job: Job) -> tuple[Planned, Found]:
+def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
     """A program becomes exposure plans, one for each lowering that can serve it.
 
     Refuses shutters beyond the states of a pixel (NS0412), buckets beyond its analog registers
@@ -113,12 +113,12 @@ def plan(program: Program, job: Job) -> tuple[Planned, Found]:
     """
     fault = capacity_fault(program)
     if fault is not None:
-        return Planned(program, (), (), {}), [fault]
+        return Planned(program, frame_time(program), (), (), {}), [fault]
     planned = plan_exposures(program, job.options.lowering)
     return planned, [] if planned.plans else [plan_fault(program, planned.misfits)]
 
 
-def gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
+def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
     """Plans become gates with their encodings, priced by laying them out; the best first.
 
     Plans that cannot be better than one that fits are not tried, unless all are to be priced.
@@ -146,7 +146,7 @@ def gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
     return gated, [gates_fault(gated.program, gated.misfits, level=options.level)]
 
 
-def schedule(gated: Gated, job: Job) -> tuple[Choice, Found]:
+def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
     """Gates become kernels and launches at the frame's boundaries; the best lowering is the first.
 
     Refuses what the store (NS0501), the slots' time (NS0601), the retention of memory (NS0602) or
@@ -158,15 +158,19 @@ def schedule(gated: Gated, job: Job) -> tuple[Choice, Found]:
     return choice, faults(choice, level=job.options.level)
 
 
-def words(choice: Choice, job: Job) -> tuple[Container, Found]:
+def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
     """The best lowering becomes a container of instruction code words. Refuses nothing."""
     return assemble(choice.best, job.options.level), []
 
 
-def proof(container: Container, job: Job) -> tuple[Proof, Found]:
+def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
     """A container's words, decoded and replayed, become a proof. Refuses nothing: words that do
     not satisfy the program are a fault of the compiler."""
-    return prove(container, decoded(container)), []
+    try:
+        kernels = decoded(container)
+    except Rejected as rejected:
+        raise checks.Inconsistent("words that the target does not have") from rejected
+    return prove(container, kernels), []
 
 
 @dataclass(frozen=True)
@@ -185,11 +189,11 @@ class Pass:
 PASSES = (
     Pass("parse", parse_text, lambda made: checks.check_tree(made.source, made.tree)),
     Pass("program", make_program, checks.check_program),
-    Pass("plan", plan, checks.check_plans),
-    Pass("gates", gates, checks.check_gates),
-    Pass("schedule", schedule, checks.check_schedule),
-    Pass("words", words, checks.check_words),
-    Pass("prove", proof, checks.check_proof),
+    Pass("plan", make_plans, checks.check_plans),
+    Pass("gates", choose_gates, checks.check_gates),
+    Pass("schedule", lay_out_words, checks.check_schedule),
+    Pass("words", make_container, checks.check_words),
+    Pass("prove", prove_words, checks.check_proof),
 )
 """What runs, in this order. `nscc build --print-after PASS` shows the value that a pass made."""
 
@@ -273,9 +277,8 @@ def _may_pass(wrong: Found, options: Options) -> bool:
     return not options.unproved_is_error and all(only_search_can_tell(d) for d in wrong)
 
 
-_LAST = ("schedule", "words", "prove")
-
-
 def _compiled(made: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
-    choice, container, proof = map(made.get if fits else lambda _: None, _LAST)
-    return Compiled(made["parse"].tree, made["program"], choice, container, proof, tuple(messages))
+    names = ("schedule", "words", "prove")
+    choice, container, proved = (made[name] if fits else None for name in names)
+    tree, program = made["parse"].tree, made["program"]
+    return Compiled(tree, program, choice, container, proved, tuple(messages))

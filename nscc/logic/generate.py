@@ -211,4 +211,6 @@ def _wrong(problem: Problem, machine: Machine, solution: object) -> str | None:
     if not isinstance(solution, Solution):
         return f"it is no Solution but {type(solution).__name__}"
     hash(solution)  # raises where anything in it is not frozen: solutions are keys
+    if not all(isinstance(text, str) for text in (solution.encoding, *solution.holders)):
+        return "its name or a holder is no text"
     return fault(problem, machine, solution)

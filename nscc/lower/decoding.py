@@ -3,15 +3,26 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.problem import Demand, Problem, Solution
-from nscc.lower.plan import ExposurePlan, Opens
-from nscc.lower.timeline import Before, Timeline, flag_actions
+from nscc.lower.plan import ExposurePlan, Opens, Step
+from nscc.lower.timeline import Timeline
+from nscc.operations import Effect
 from nscc.program.program import Program
+from nscc.target.target import Target
 from nscc.words.container import DecodeTable
+
+Before = Literal["nothing", "all", "keep", "load"]
+"""What a step needs done to FLAG before its words.
+
+"nothing": FLAG does not matter; "all": set it everywhere; "load": bring the step's predicate;
+"keep": FLAG still holds the last predicate that was loaded, or 1 everywhere if the step is for
+every pixel.
+"""
 
 
 @dataclass(frozen=True)
@@ -74,3 +85,42 @@ def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
     order = np.argsort(~needed, kind="stable")
     _, first = np.unique(table.shutter_of_code[order], return_index=True)
     return table.codes[order[first]]
+
+
+def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:
+    """What each step of a plan needs."""
+    lost_at = set(time.refresh_at or ())
+    actions: list[Before] = []
+    held: Literal["unknown", "all", "predicate"] = "unknown"
+    loaded: int | None = None
+    since_us = 0.0
+    boundary = 0
+    for step in plan.steps:
+        now_us = time.boundary_us[step.boundary]
+        crossed = any(boundary < n <= step.boundary for n in lost_at) if lost_at else False
+        if crossed or now_us - since_us > time.keep_us:
+            held = "unknown"
+        boundary = step.boundary
+        if step.predicate is not None:
+            actions.append("keep" if held == "predicate" else "load")
+            if held != "predicate" or step.predicate != loaded:
+                since_us = now_us
+            held, loaded = "predicate", step.predicate
+        elif not _needs_flag(step, target):
+            actions.append("nothing")
+        elif held == "all":
+            actions.append("keep")
+        else:
+            actions.append("all")
+            held, since_us = "all", now_us
+    return actions
+
+
+def _needs_flag(step: Step, target: Target) -> bool:
+    for word in step.words:
+        effect = word.operation.effect
+        if effect is Effect.BUS:
+            return True
+        if effect is Effect.RESET_PIX and target.reset_honours_flag != "no":
+            return True
+    return False

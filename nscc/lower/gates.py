@@ -10,7 +10,7 @@ from nscc.logic.problem import Machine, Solution
 from nscc.lower.decoding import Decoding, problem_of
 from nscc.lower.lowered import Lowered, lay_out
 from nscc.lower.plan import LOWERINGS, ExposurePlan, Lowering, Misfit, Planned
-from nscc.lower.timeline import Timeline, timeline
+from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
 
 # Solutions, the best of each encoding, that are worth steps of improvement at each level.
@@ -57,16 +57,11 @@ def find_gates(
     tried.sort(key=_rank)
     return Gated(
         planned.program,
-        frame_time(planned.program),
+        planned.time,
         tuple(lowered.decoding for lowered in tried),
         {name: misfits[name] for name in LOWERINGS if name in misfits},
         bool(tried) and tried[0].fits,
     )
-
-
-def frame_time(program: Program) -> Timeline:
-    """The timeline of the program's frame."""
-    return timeline(program.frame.slot_us, len(program.buckets), program.target)
 
 
 def _rank(lowered: Lowered) -> tuple[bool, float, int, int, int]:
@@ -90,7 +85,7 @@ def lower(
     comes from `results`.
     """
     program, target = planned.program, planned.program.target
-    time = frame_time(program)
+    time = planned.time
     problem, actions = problem_of(program, plan, time, planned.opens)
     machine = Machine.of(target)
 

@@ -121,7 +121,26 @@ class Lowered:
 
         Neither PIX between two resets nor a frame register may leave its range.
         """
-        return headroom_e(self.program, self.plan)
+        program, plan = self.program, self.plan
+        target = program.target
+        slot_us = np.array(program.frame.slot_us)
+        share = slot_us / slot_us.sum()
+        open_share = program.table.shutters @ share
+        register_share = float(open_share.max(initial=0.0))
+        reads = [s.boundary for s in plan.steps if s.bucket >= 0 and _reads_pix(s)]
+        if plan.lowering == "accumulate":
+            read_slots = [n - 1 for n in reads]
+            pix_share = float(share[read_slots].max(initial=0.0)) if read_slots else 0.0
+        elif any(s.role == "rise" and not _reads_pix(s) for s in plan.steps):
+            pix_share = _longest_bump_share(program.table.shutters, share)
+        else:
+            pix_share = float(share[: max(reads, default=0)].sum())
+            if plan.lowering == "edges":
+                register_share = max(register_share, _deepest_share(plan, share))
+        limits = [target.full_well_e / pix_share] if pix_share else []
+        if register_share:
+            limits.append(min(target.register_max_e, -target.register_min_e) / register_share)
+        return min(limits, default=target.full_well_e)
 
 
 @dataclass(frozen=True)
@@ -143,29 +162,6 @@ def lay_out(
     """The words of a decoding over the frame's boundaries. `most_words` as in Lowered."""
     laid = schedule(decoding, time, program.target)
     return Lowered(program, decoding, laid, time, most_words)
-
-
-def headroom_e(program: Program, plan: ExposurePlan) -> float:
-    """See `Lowered.headroom_e`."""
-    target = program.target
-    slot_us = np.array(program.frame.slot_us)
-    share = slot_us / slot_us.sum()
-    open_share = program.table.shutters @ share
-    register_share = float(open_share.max(initial=0.0))
-    reads = [s.boundary for s in plan.steps if s.bucket >= 0 and _reads_pix(s)]
-    if plan.lowering == "accumulate":
-        read_slots = [n - 1 for n in reads]
-        pix_share = float(share[read_slots].max(initial=0.0)) if read_slots else 0.0
-    elif any(s.role == "rise" and not _reads_pix(s) for s in plan.steps):
-        pix_share = _longest_bump_share(program.table.shutters, share)
-    else:
-        pix_share = float(share[: max(reads, default=0)].sum())
-        if plan.lowering == "edges":
-            register_share = max(register_share, _deepest_share(plan, share))
-    limits = [target.full_well_e / pix_share] if pix_share else []
-    if register_share:
-        limits.append(min(target.register_max_e, -target.register_min_e) / register_share)
-    return min(limits, default=target.full_well_e)
 
 
 def _reads_pix(step: Step) -> bool:

@@ -15,12 +15,14 @@ compute it is not its business.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Literal, NamedTuple, get_args
 
 import numpy as np
 
+from nscc.lower.timeline import Timeline, timeline
 from nscc.operations import Effect, Op, op
 from nscc.program.program import Program
 from nscc.truth import columns, members
@@ -91,6 +93,7 @@ class Planned:
     """A program with its exposure plans, fewest analog writes first, and why others are none."""
 
     program: Program
+    time: Timeline
     opens: Opens
     plans: tuple[ExposurePlan, ...]
     misfits: dict[Lowering, Misfit]
@@ -107,7 +110,13 @@ def plan_exposures(program: Program, wanted: LoweringOption) -> Planned:
             misfits[lowering] = plan
         else:
             plans.append(plan)
-    return Planned(program, opens, tuple(sorted(plans, key=lambda p: p.analog_writes[1])), misfits)
+    plans.sort(key=lambda plan: plan.analog_writes[1])
+    return Planned(program, frame_time(program), opens, tuple(plans), misfits)
+
+
+def frame_time(program: Program) -> Timeline:
+    """The timeline of the program's frame."""
+    return timeline(program.frame.slot_us, len(program.buckets), program.target)
 
 
 def levels(program: Program) -> Opens:
@@ -142,8 +151,11 @@ def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
     """See ExposurePlan."""
     shutters = len(program.table.shutters)
     counts = np.zeros(shutters, dtype=np.int64)
-    alike = Counter((s.predicate, s.words) for s in steps if s.bucket >= 0)
-    for (predicate, words), times in alike.items():
+    # By identity: there are few tuples of words, and comparing them takes long.
+    distinct = {id(s.words): s.words for s in steps}
+    alike = Counter((s.predicate, id(s.words)) for s in steps if s.bucket >= 0)
+    for (predicate, known), times in alike.items():
+        words = distinct[known]
         buses = times * sum(word.operation.effect is Effect.BUS for word in words)
         if predicate is None:
             counts += buses
@@ -201,7 +213,9 @@ class _Builder:
             _analog_writes(self.program, self.steps),
         )
 
-    def _step(self, boundary: int, role: Role, bucket: int, predicate: int, *words: Op) -> None:
+    def _step(
+        self, boundary: int, role: Role, bucket: int, predicate: int, words: tuple[Op, ...]
+    ) -> None:
         """Adds a step, unless no shutter takes part in it."""
         if predicate:
             where = None if predicate == self.everywhere else predicate
@@ -233,26 +247,24 @@ class _Builder:
     def _accumulate(self) -> None:
         adds = [self._add(register) for register in self.registers]
         reset = self._reset()
-        for slot in range(self.slots):
-            lit = [bucket[slot] for bucket in self.opens]
+        for slot, lit in enumerate(zip(*self.opens, strict=True)):
             if slot and any(lit):
                 self.steps.append(Step(slot, "reset", -1, None, reset))
             for bucket, add in enumerate(adds):
-                self._step(slot + 1, "open", bucket, lit[bucket], *add)
+                self._step(slot + 1, "open", bucket, lit[bucket], add)
 
     def _latch(self) -> None:
         """A pixel's last write is the one at its stop: only boundaries where one closes count."""
         assert self.reference is not None
-        for slot in range(self.slots):
-            for bucket, register in enumerate(self.registers):
-                now = self.opens[bucket][slot]
-                then = self.opens[bucket][slot + 1] if slot + 1 < self.slots else 0
-                if now != then:
-                    copy = (
-                        op("bus", (self.scratch,), ("PIX",)),
-                        op("bus", (register,), (self.scratch, self.reference)),
-                    )
-                    self._step(slot + 1, "open", bucket, now, *copy)
+        sample = op("bus", (self.scratch,), ("PIX",))
+        copies = [
+            (sample, op("bus", (register,), (self.scratch, self.reference)))
+            for register in self.registers
+        ]
+        for boundary, changes in self._changes():
+            for bucket, (before, after) in enumerate(changes):
+                if before != after:
+                    self._step(boundary, "open", bucket, before, copies[bucket])
 
     def _edges(self) -> None:
         """Falls before rises: a rise may reset what another bucket's fall still has to read."""
@@ -263,17 +275,20 @@ class _Builder:
             rises = [self._subtract(register) for register in self.registers]
         # With a reference, PIX stands at it at boundary 0: there is nothing to subtract.
         first_rise = 0 if self.reference is None else 1
-        for boundary in range(self.slots + 1):
-            changes = [
-                (levels_[boundary - 1] if boundary else 0,
-                 levels_[boundary] if boundary < self.slots else 0)
-                for levels_ in self.opens
-            ]  # fmt: skip
+        for boundary, changes in self._changes():
             for bucket, (before, after) in enumerate(changes):
-                self._step(boundary, "fall", bucket, before & ~after, *falls[bucket])
+                self._step(boundary, "fall", bucket, before & ~after, falls[bucket])
             if boundary >= first_rise:
                 for bucket, (before, after) in enumerate(changes):
-                    self._step(boundary, "rise", bucket, after & ~before, *rises[bucket])
+                    self._step(boundary, "rise", bucket, after & ~before, rises[bucket])
+
+    def _changes(self) -> Iterator[tuple[int, list[tuple[int, int]]]]:
+        """Boundaries where shutters change: for each bucket, which are open before and after."""
+        closed = (0,) * len(self.opens)
+        states = (closed, *zip(*self.opens, strict=True), closed)
+        for boundary, (before, after) in enumerate(pairwise(states)):
+            if before != after:
+                yield boundary, list(zip(before, after, strict=True))
 
     def _can_reset_at_rise(self) -> bool:
         """Whether a rising pixel may lose what PIX holds: no other bucket of it is still open."""

@@ -172,6 +172,9 @@ def _merged(boundaries: Sequence[Sequence[Words]], apart: Collection[Words]) -> 
     """One segment for each boundary, but for segments that stay `apart`."""
     merged: list[list[Words]] = []
     for segments in boundaries:
+        if len(segments) < 2:
+            merged.append(list(segments))
+            continue
         run: list[Words] = []
         for alone, group in groupby(segments, key=lambda segment: segment in apart):
             found = list(group)

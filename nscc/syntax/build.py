@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
 
-from lark import Token
+from lark import Token, Tree
 from lark.tree import Meta
 from lark.visitors import Transformer_NonRecursive
 
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.syntax.lexer import span_of
+
+MOST_DEPTH = 200
+"""Levels of nodes and brackets in a statement. Later passes recurse over the tree: with Python's
+usual limit of a thousand calls each may take four a level."""
 
 MOST_INTEGER = 10**18
 _MOST_DECIMALS = 18
@@ -30,59 +34,97 @@ class Refused(Exception):
         self.help_text = help_text
 
 
-class Builder(Transformer_NonRecursive[Token, Any]):
+class TooDeep(Exception):
+    """A statement is nested more than MOST_DEPTH deep, from the token at `span` on."""
+
+    def __init__(self, span: Span) -> None:
+        super().__init__(f"{span}")
+        self.span = span
+
+
+class _Part(NamedTuple):
+    """A node, its depth, and its first and last token: with the brackets that its span lacks."""
+
+    value: Any
+    depth: int
+    first: Token
+    last: Token
+
+
+class Builder(Transformer_NonRecursive[Token, _Part]):
     """Makes the nodes of one statement from lark's tree of it, from the leaves up.
 
-    Raises Refused: NS0111 for a number beyond 10^18, NS0112 for a time of zero.
+    Raises Refused (NS0111 for a number beyond 10^18, NS0112 for a time of zero) and TooDeep.
     """
 
     def __init__(self) -> None:
         super().__init__(visit_tokens=False)
 
-    def __default__(self, data: str, children: list[Any], meta: Meta) -> Any:
-        if data in _NO_NODE:
-            return children[0] if children else None
-        return _NODES[data](Span(meta.start_pos, meta.end_pos), *children)
+    def build(self, statement: Tree[Token]) -> tree.Statement:
+        """The statement's node."""
+        node: tree.Statement = self.transform(statement).value
+        return node
+
+    def __default__(self, data: str, children: list[Token | _Part], meta: Meta) -> _Part:
+        begin, end = children[0], children[-1]
+        first = begin.first if isinstance(begin, _Part) else begin
+        last = end.last if isinstance(end, _Part) else end
+        nodes = [child for child in children if isinstance(child, _Part)]
+        depth = 1 + max([node.depth for node in nodes], default=-1)
+        if depth > MOST_DEPTH:
+            raise TooDeep(span_of(last))
+        make = _OF_NODES.get(data)
+        parts: list[Token | _Part] | list[_Part] = nodes
+        if make is None:
+            make, parts = _OF_ALL[data], children
+        span = Span(span_of(first).start, span_of(last).end)
+        return _Part(make(span, *[part.value for part in parts]), depth, first, last)
 
 
-def _integer(span: Span, token: Token) -> tree.Int:
-    return tree.Int(span, _whole_number(token.value, span))
+def _integer(span: Span, text: str) -> tree.Int:
+    return tree.Int(span, _whole_number(text, span))
 
 
-def _time(span: Span, token: Token) -> tree.Time:
-    return tree.Time(span, _microseconds(token.value, span))
-
-
-def _call(span: Span, function: Token, *arguments: tree.Expr) -> tree.Call:
-    return tree.Call(span, tree.Name(span_of(function), function.value), arguments)
+def _time(span: Span, text: str) -> tree.Time:
+    return tree.Time(span, _microseconds(text, span))
 
 
 def _compare(span: Span, first: tree.Expr, *rest: Any) -> tree.Compare:
-    return tree.Compare(span, first, tuple(token.value for token in rest[::2]), rest[1::2])
+    return tree.Compare(span, first, rest[::2], rest[1::2])
 
 
-_NO_NODE = frozenset(("brackets", "key", "sha256"))
-"""Rules that stand for what is in them, or for nothing."""
+def _book_from_file(
+    span: Span, name: tree.Name, path: tree.Text, *options: tree.Name | tree.Text
+) -> tree.BookFromFile:
+    key = next((option for option in options if isinstance(option, tree.Name)), None)
+    sha256 = next((option for option in options if isinstance(option, tree.Text)), None)
+    return tree.BookFromFile(span, name, path, key, sha256)
 
-_NODES: dict[str, Callable[..., Any]] = {
+
+_OF_ALL: dict[str, Callable[..., Any]] = {
     "integer": _integer,
-    "name": lambda span, token: tree.Name(span, token.value),
-    "text": lambda span, token: tree.Text(span, token.value[1:-1]),
-    "row": lambda span, token: tree.BookRow(span, token.value.replace("_", "")),
+    "name": tree.Name,
+    "text": lambda span, text: tree.Text(span, text[1:-1]),
+    "row": lambda span, text: tree.BookRow(span, text.replace("_", "")),
     "time": _time,
-    "true": lambda span: tree.Bool(span, True),
-    "false": lambda span: tree.Bool(span, False),
-    "unary": lambda span, sign, operand: tree.Unary(span, sign.value, operand),
-    "binary": lambda span, left, sign, right: tree.Binary(span, sign.value, left, right),
+    "true": lambda span, _word: tree.Bool(span, True),
+    "false": lambda span, _word: tree.Bool(span, False),
+    "unary": tree.Unary,
+    "binary": lambda span, left, sign, right: tree.Binary(span, sign, left, right),
     "compare": _compare,
-    "call": _call,
+}
+"""What each rule makes of its span, its nodes and the texts of its tokens."""
+
+_OF_NODES: dict[str, Callable[..., Any]] = {
+    "brackets": lambda _span, node: node,
     "index": tree.Index,
+    "call": lambda span, function, *arguments: tree.Call(span, function, arguments),
     "if_else": tree.IfElse,
+    "key": lambda _span, name: name,
+    "sha256": lambda _span, text: text,
     "tile_row": lambda span, *values: tree.TileRow(span, values),
     "version": tree.Version,
-    "target_by_name": lambda span, token: tree.TargetByName(
-        span, tree.Name(span_of(token), token.value)
-    ),
+    "target_by_name": tree.TargetByName,
     "target_from_file": tree.TargetFromFile,
     "equal_slots": tree.EqualSlots,
     "listed_slots": lambda span, *lengths: tree.ListedSlots(span, lengths),
@@ -92,14 +134,14 @@ _NODES: dict[str, Callable[..., Any]] = {
     "code_row": tree.CodeRow,
     "require": tree.Require,
     "book_inline": lambda span, name, *rows: tree.BookInline(span, name, rows),
-    "book_from_file": tree.BookFromFile,
+    "book_from_file": _book_from_file,
     "open": tree.Open,
     "bucket": tree.Bucket,
     "pixels_expr": tree.PixelsExpr,
     "pixels_tile": lambda span, field, *rows: tree.PixelsTile(span, field, rows),
-    "pixels_from_file": tree.PixelsFromFile,
+    "pixels_from_file": lambda span, path, sha256=None: tree.PixelsFromFile(span, path, sha256),
 }
-"""What each rule makes of its span and its parts: nodes, and the tokens that the grammar names."""
+"""What the other rules make of their span and their nodes, whatever words stand in between."""
 
 
 def _whole_number(text: str, span: Span) -> int:

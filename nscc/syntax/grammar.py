@@ -27,7 +27,7 @@ _OPTIONS = {
     "parser": "lalr",
     "lexer": "basic",
     "start": [START, "unread"],
-    "propagate_positions": True,
+    "keep_all_tokens": True,  # the place of a node is that of its tokens
     "maybe_placeholders": False,
 }
 
@@ -36,6 +36,8 @@ class _PlainValues(pickle.Unpickler):
     """Reads numbers, texts and collections only: a file in the cache must not run code."""
 
     def find_class(self, module: str, name: str) -> Any:
+        if (module, name) == ("lark.lexer", "Token"):  # a text; lark 1.2 writes some
+            return lark.Token
         raise pickle.UnpicklingError(f"{module}.{name} is no plain value")
 
 

@@ -50,9 +50,10 @@ def lex(source: Source) -> Tokens:
     """All tokens of a text, in order; takes any text."""
     words = spellings()
     target_name = re.compile(parser().get_terminal("TARGET_NAME").pattern.value)
+    lexer = parser().parse_interactive(source.text, start=START).lexer_thread
     tokens = Tokens(source, [], [])
     taken = 0
-    for token in parser().parse_interactive(source.text, start=START).lexer_thread.lex(None):
+    for token in lexer.lex(None):  # type: ignore[no-untyped-call]
         start = span_of(token).start
         if start < taken:
             continue

@@ -6,10 +6,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
-from nscc.source import Span
+from nscc.source import Source, Span
+from nscc.syntax.build import MOST_DEPTH
 from nscc.syntax.grammar import END, spellings
 from nscc.syntax.lexer import Tokens
-from nscc.syntax.statement import MOST_DEPTH, Stuck
+from nscc.syntax.statement import Stuck
 from nscc.syntax.words import FORMS, STATEMENT_WORDS, expected_words, shown
 
 _UNITS = ("ns", "us", "ms", "s")
@@ -80,13 +81,13 @@ def _first_on_line(tokens: Tokens, index: int) -> bool:
     return "\n" in text[tokens.span(index - 1).end : tokens.span(index).start]
 
 
-def too_deep(tokens: Tokens, token: int) -> Diagnostic:
-    """NS0110: the statement nests too deeply; `token` is the last one that was read."""
+def too_deep(source: Source, place: Span) -> Diagnostic:
+    """NS0110: a statement nests too deeply from `place` on."""
     return Diagnostic(
         "NS0110",
         f"this expression is nested more than {MOST_DEPTH} deep",
-        source=tokens.source,
-        label=Label(tokens.span(token), "too deep from here on"),
+        source=source,
+        label=Label(place, "too deep from here on"),
         notes=("brackets in brackets count, and so does every operator of a chain",),
         helps=("name parts of it with `let`, or put data into a `tile` or a file",),
     )

@@ -11,11 +11,11 @@ from itertools import pairwise
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
 from nscc.source import Source, Span
 from nscc.syntax import tree
-from nscc.syntax.build import Builder, Refused
+from nscc.syntax.build import Builder, Refused, TooDeep
 from nscc.syntax.lexer import Tokens, lex
 from nscc.syntax.mistakes import misspelt_statement, mistake, too_deep, unknown_statement
 from nscc.syntax.reading import MOST_BYTES, read_source, too_large
-from nscc.syntax.statement import Stuck, TooDeep, read
+from nscc.syntax.statement import Stuck, read
 from nscc.syntax.words import STATEMENT_WORDS
 
 __all__ = ["MOST_BYTES", "MOST_ERRORS", "parse", "read_source"]
@@ -120,7 +120,7 @@ def _statement_starts(tokens: Tokens) -> list[int]:
 
 
 def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[tree.Statement]:
-    build = Builder()
+    builder = Builder()
     for begin, last in pairwise([*starts, len(tokens.kinds)]):
         first: int | None = begin
         while first is not None:
@@ -131,11 +131,11 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
                     first = _misspelt(tokens, at, last, stuck, errors)
                 if first is not None:
                     found, stuck = read(tokens, at, first)
-                statement = build.transform(found) if found is not None else None
+                statement = builder.build(found) if found is not None else None
             except Refused as refused:
                 errors.add(partial(_refusal, tokens.source, refused))
             except TooDeep as refused:
-                errors.add(partial(too_deep, tokens, refused.token))
+                errors.add(partial(too_deep, tokens.source, refused.span))
             else:
                 if stuck is not None:
                     errors.add(partial(mistake, tokens, at, first or last, stuck))

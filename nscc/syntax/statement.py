@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -10,19 +9,7 @@ from lark import Token, Tree, UnexpectedToken
 from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from nscc.syntax.grammar import END, START, parser, spellings
-from nscc.syntax.lexer import Tokens, span_of
-
-MOST_DEPTH = 200
-"""Levels of nodes and brackets in a statement. Later passes recurse over the tree: with Python's
-usual limit of a thousand calls each may take four a level."""
-
-
-class TooDeep(Exception):
-    """A statement is nested more than MOST_DEPTH deep; `token` is the one where that is so."""
-
-    def __init__(self, token: int) -> None:
-        super().__init__(f"token {token}")
-        self.token = token
+from nscc.syntax.lexer import Tokens
 
 
 @dataclass(frozen=True)
@@ -47,14 +34,15 @@ class Stuck:
         for token in self.before:
             machine.feed_token(token)
         words = spellings()
-        return frozenset(words.get(terminal, terminal) for terminal in machine.accepts())
+        terminals = machine.accepts()  # type: ignore[no-untyped-call]
+        return frozenset(words.get(terminal, terminal) for terminal in terminals)
 
 
 def read(tokens: Tokens, first: int, last: int) -> tuple[Tree[Token] | None, Stuck | None]:
     """Lark's tree of the statement that is the tokens `first` up to but not including `last`.
 
     Where the tokens are no statement, says where they stop being one; the tree is then that of the
-    part before if it is a whole statement, else None. Raises TooDeep.
+    part before if it is a whole statement, else None.
     """
     machine = _machine()
     stuck = None
@@ -65,24 +53,10 @@ def read(tokens: Tokens, first: int, last: int) -> tuple[Tree[Token] | None, Stu
             stuck = Stuck(index, tuple(tokens.found[first:index]))
             break
     try:
-        tree: Tree[Token] = machine.feed_token(Token(END, ""))
+        return machine.feed_token(Token(END, "")), stuck
     except UnexpectedToken:
         return None, stuck or Stuck(last, tuple(tokens.found[first:last]))
-    _check_depth(tree, tokens)
-    return tree, stuck
 
 
 def _machine() -> InteractiveParser:
     return parser().parse_interactive(start=START)
-
-
-def _check_depth(tree: Tree[Token], tokens: Tokens) -> None:
-    heights: dict[int, int] = {}
-    ends: list[int] = []
-    for node in tree.iter_subtrees():
-        inner = [heights[id(child)] for child in node.children if isinstance(child, Tree)]
-        height = heights[id(node)] = 1 + max(inner, default=-1)
-        if height == MOST_DEPTH + 1:
-            ends.append(node.meta.end_pos)
-    if ends:
-        raise TooDeep(bisect_left(tokens.found, min(ends), key=lambda t: span_of(t).end))

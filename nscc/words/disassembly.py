@@ -51,7 +51,7 @@ def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, 
     `.word`, with the reason as comment.
     """
     lines: list[tuple[int, str, str]] = []
-    ops = [matching(word) for word in words]
+    ops = [matching(word, target.words) for word in words]
     faults: dict[Op, str | None] = {op: target_fault(op, target) for op in ops if op is not None}
     at = 0
     while at < len(words):

@@ -30,7 +30,7 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
         ops: list[Op] = []
         for index, word in enumerate(kernel.words):
             where = f"word {index} of kernel '{kernel.name}'"
-            operation = matching(word)
+            operation = matching(word, container.target.words)
             if operation is None:
                 found.append(no_operation(word, where))
             else:

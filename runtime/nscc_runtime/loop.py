@@ -1,6 +1,9 @@
 """Compiled loops: a function's annotated signature says what its machine code is given.
 
-    class Sizes(Structure) ..   # see `record`
+    @record
+    class Sizes:
+        pixels: int
+        factor: float
 
     @loop
     def scaled(sizes: Sizes, lanes: Annotated[Ints, "pixels"], out: Written[Floats]) -> None:
@@ -75,15 +78,16 @@ def record(cls: type[_T]) -> type[_T]:
     Made by the names of all its fields; in a loop they are int64, float64 and uint64. An array of
     records has the dtype np.dtype(cls): `Annotated[NDArray[Any], cls]` in a loop's signature.
     """
-    fields = get_type_hints(cls)
+    fields = {name: _FIELDS[kind] for name, kind in get_type_hints(cls).items()}
+    places = [(name, field[0]) for name, field in fields.items()]
+    exact = {name: field[1] for name, field in fields.items()}
 
     def init(self: Any, **values: Any) -> None:
-        if values.keys() != fields.keys():
-            raise TypeError(f"{cls.__name__}: {_unlike(fields, values)}")
-        for name, value in values.items():
-            setattr(self, name, _FIELDS[fields[name]][1](value))
+        if values.keys() != exact.keys():
+            raise TypeError(f"{cls.__name__}: {_unlike(exact, values)}")
+        given = {name: exact[name](value) for name, value in values.items()}
+        ctypes.Structure.__init__(self, **given)
 
-    places = [(name, _FIELDS[kind][0]) for name, kind in fields.items()]
     body = {
         "_fields_": places,
         "__init__": init,
@@ -181,6 +185,26 @@ class Bound:
         self._loop.entry(*addresses.values())
 
 
+class _Interface(ctypes.Structure):
+    """What numpy says of an array in C: of its ways to the address by far the fastest."""
+
+    _fields_ = (
+        ("two", ctypes.c_int),
+        ("axes", ctypes.c_int),
+        ("kind", ctypes.c_char),
+        ("itemsize", ctypes.c_int),
+        ("flags", ctypes.c_int),
+        ("shape", ctypes.c_void_p),
+        ("strides", ctypes.c_void_p),
+        ("data", ctypes.c_void_p),
+    )
+
+
+_pointer = ctypes.PYFUNCTYPE(ctypes.c_void_p, ctypes.py_object, ctypes.c_char_p)(
+    ("PyCapsule_GetPointer", ctypes.pythonapi)
+)
+
+
 @dataclass(frozen=True)
 class Parameter:
     """What a loop is given under a name: a record, or an array of numbers or of records.
@@ -220,7 +244,9 @@ class Parameter:
             if type(value) is not self.record:
                 raise TypeError(f"{self.name} is {_kind(value)}, not {self.record.__name__}")
             for name in self.lengths:
-                self._agree(name, getattr(value, name), axes)
+                length = getattr(value, name)
+                if axes.setdefault(name, length) != length:
+                    raise self._unequal(name, length, axes)
             return ctypes.addressof(value)
         if not isinstance(value, np.ndarray) or value.dtype != self.kind:
             raise TypeError(f"{self.name} is {_kind(value)}, not an array of {self.kind}")
@@ -230,15 +256,17 @@ class Parameter:
         if self.written and not flags.writeable:
             raise TypeError(f"{self.name} is to be written, and is read-only")
         if self.axes is not None:
-            if len(value.shape) != len(self.axes):
-                raise TypeError(f"{self.name} has {value.ndim} axes, not {len(self.axes)}")
-            for length, (axis, more) in zip(value.shape, self.axes, strict=True):
-                self._agree(axis, length - more, axes)
-        return cast(int, value.__array_interface__["data"][0])
+            shape = value.shape
+            if len(shape) != len(self.axes):
+                raise TypeError(f"{self.name} has {len(shape)} axes, not {len(self.axes)}")
+            for length, (axis, more) in zip(shape, self.axes, strict=True):
+                if axes.setdefault(axis, length - more) != length - more:
+                    raise self._unequal(axis, length - more, axes)
+        capsule = value.__array_struct__
+        return cast(int, _Interface.from_address(_pointer(capsule, None)).data)
 
-    def _agree(self, axis: str, length: int, axes: dict[str, int]) -> None:
-        if axes.setdefault(axis, length) != length:
-            raise TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")
+    def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
+        return TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")
 
 
 @dataclass(frozen=True)

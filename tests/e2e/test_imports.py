@@ -50,7 +50,17 @@ ROOMS = (
 EXTERNAL = {"nscc": {"lark", "networkx", "numpy"}}
 """What a floor may import that is neither nscc's nor Python's, where that is limited."""
 
-HEAVY = ("cv2", "matplotlib", "networkx", "numba", "PIL", "scipy", "serial", "torch")
+HEAVY = (
+    "cv2",
+    "matplotlib",
+    "networkx",
+    "numba",
+    "numpy.random",
+    "PIL",
+    "scipy",
+    "serial",
+    "torch",
+)
 
 
 @cache

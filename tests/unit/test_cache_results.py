@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import sys
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -146,6 +148,32 @@ def test_the_version_is_that_of_the_sources(
     version_digest.cache_clear()
     assert version_digest() in seen
     version_digest.cache_clear()
+
+
+def test_the_version_is_also_that_of_added_generators(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    module = ModuleType("mine")
+    monkeypatch.setitem(sys.modules, "mine", module)
+    versions = {}
+    for name, file, text in (
+        ("none", None, None),
+        ("added", "mine.py", "x = 1\n"),
+        ("edited", "mine.py", "x = 2\n"),
+        ("a package", "mine/__init__.py", "x = 1\n"),
+        ("unreadable", "gone.py", None),
+    ):
+        if text is not None:
+            (tmp_path / file).parent.mkdir(exist_ok=True)
+            (tmp_path / file).write_text(text)
+        module.__file__ = str(tmp_path / (file or "none"))
+        found = {} if file is None else {"sums": "mine"}
+        monkeypatch.setattr(digests, "sources", lambda group, found=found: found)
+        version_digest.cache_clear()
+        versions[name] = version_digest()
+    version_digest.cache_clear()
+    assert versions.pop("unreadable") is None
+    assert len(set(versions.values())) == len(versions) == 4
 
 
 def test_switched_off(folder: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:

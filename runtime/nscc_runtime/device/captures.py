@@ -10,7 +10,7 @@ from time import monotonic, sleep
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
-from nscc.target.load import builtin_names, load_target
+from nscc.target.load import load_target, target_names
 from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc_runtime.device.chip import Chip
@@ -27,7 +27,7 @@ def target_of(chip: Chip, named: str | None = None) -> Target:
     Raises Rejected where the device was made for another table.
     """
     info = chip.info()
-    name = named or (info.target_name if info.target_name in builtin_names() else "scamp5")
+    name = named or (info.target_name if info.target_name in target_names() else "scamp5")
     target = load_target(name, Path())
     if target_digest(target) != info.target:
         raise wrong_target(chip.link.path, target, info)

@@ -77,7 +77,10 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
     sources = sorted(SOURCES.glob("core/*.cpp")) + sorted(SOURCES.glob("host/*.cpp"))
     if not sources:
         raise NotBuilt("its sources are not part of this installation")
-    header = target_header(target)
+    try:
+        header = target_header(target)
+    except ValueError as reason:
+        raise NotBuilt(str(reason)) from None
     flags = [*CORE_FLAGS, *WARNINGS, *extra]
     texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[ch]pp"))]
     key = sha256(b"\0".join([header.encode(), " ".join([found, *flags]).encode(), *texts]))

@@ -39,7 +39,13 @@ _LONGEST_REFRESH = 5
 
 
 def target_header(target: Target) -> str:
-    """`target.hpp` for a target: what the loader believes of words, and of nothing else."""
+    """`target.hpp` for a target: what the loader believes of words, and of nothing else.
+
+    Raises ValueError for a target with words of its own, which the loader does not know.
+    """
+    if target.words:
+        names = ", ".join(row.name for row in target.words)
+        raise ValueError(f"the loader's firmware knows no words of {target.name}'s own: {names}")
     return "\n".join([*_numbers(target), "", *_operations(), "", *_registers(target), "",
                       *_sequences(target), "", "}  // namespace nscc::target", "", "#endif",
                       ""])  # fmt: skip

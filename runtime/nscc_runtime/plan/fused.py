@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from nscc_runtime.effects.crosstalk import CROSSTALK
 from nscc_runtime.effects.dark import DARK
 from nscc_runtime.effects.photodiode import FULL_WELL
-from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, count_key
+from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT
+from nscc_runtime.effects.photons import count_key as key_of_counts
 from nscc_runtime.effects.readout import ADC_NOISE
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
 from nscc_runtime.effects.timing import DEAD_TIME, DECAY
@@ -123,6 +124,11 @@ class Fused:
         """Expose one bucket into `out`: exposures, codes, and whether they are numbers."""
         scene, kept, loop = self.scene, self.scene.plan.kept, self.buckets[bucket]
         noise_keys = [key(seed, stream, SUM, frame, draw) for stream, draw in self.sources]
+        count_key = readout_key = np.uint64(0)
+        if SHOT in kept:
+            count_key = key_of_counts(seed, SHOT, LIGHT, frame, 1 << bucket)
+        if ADC_NOISE in kept:
+            readout_key = key(seed, ADC_NOISE.stream, frame=frame, group=bucket)
         pixels = out[0].size
         given: dict[str, Any] = {
             **self.numbers,
@@ -135,8 +141,8 @@ class Fused:
             "clipped": FULL_WELL in kept and REGISTER not in kept,
             "readout_noisy": ADC_NOISE in kept,
             "read_out": read_out,
-            "count_key": count_key(seed, SHOT, LIGHT, frame, 1 << bucket),
-            "readout_key": key(seed, ADC_NOISE.stream, frame=frame, group=bucket),
+            "count_key": count_key,
+            "readout_key": readout_key,
         }
         exposure, codes, valid = out
         filled = {

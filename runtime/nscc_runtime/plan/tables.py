@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.reference.capture import DESTINATIONS, Reference
+from nscc_runtime.reference.capture import Reference, most_destinations
 from nscc_runtime.reference.trace import AnalogWord, analog_words
 from nscc_runtime.reference.weights import Backward, backward
 from nscc_runtime.sensor.sensor import Sensor
@@ -93,12 +93,12 @@ class Tables:
         return self._kept(f"noise of {name}", full, lambda: self._noise(name, full))
 
     def _noise(self, name: str, full: Model) -> tuple[Weights, Weights]:
-        weights = self.weights(full)
+        weights, most = self.weights(full), most_destinations(self.container.target)
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
         found: dict[int, Weights] = {
             "read": weights.reads,
             "reset": weights.resets,
-            "analog": {n * DESTINATIONS + i: e for (n, i), e in weights.errors.items()},
+            "analog": {n * most + i: e for (n, i), e in weights.errors.items()},
         }[name]
         drawn = self.program.draws[name]
         factor = np.zeros((lanes, buckets, buckets))

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.operations import OPERATIONS, Effect
+from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET, held
@@ -34,12 +35,19 @@ Values = NDArray[np.float64]
 
 _CELLS = 1 << 21
 """Most slots x pixels of a chunk of rows: some ten arrays of that size are alive at once."""
-_MOST = max(row.destinations[1] or 0 for row in OPERATIONS if row.effect is Effect.BUS)
-DESTINATIONS = 1 << (_MOST - 1).bit_length()
-"""At least what a word has: draws of errors are numbered word by word, destination by destination.
-"""
 START = 0
 """The stream of what registers hold when a frame starts; effects have streams from 1."""
+
+
+def most_destinations(target: Target) -> int:
+    """By how much the numbers of the draws of two words differ: at least what a word writes.
+
+    Draws of errors are numbered word by word, destination by destination; by a power of two, so
+    that few words of a target's own change the draws of the others.
+    """
+    rows = (*OPERATIONS, *target.words)
+    most = max(row.destinations[1] or 0 for row in rows if row.effect is Effect.BUS)
+    return 1 << (most - 1).bit_length()
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,7 +75,8 @@ class Reference:
             words = analog_words(container, sensor.digital_retention_us)
         # The sensor's gain and leakage, on or off: no effect changes the draws of another.
         weights = backward(container, fresh, sensor.analog_gain, 1.0 / sensor.leakage_tau_s)
-        errors = {number * DESTINATIONS + i: e for (number, i), e in weights.errors.items()}
+        most = most_destinations(container.target)
+        errors = {number * most + i: e for (number, i), e in weights.errors.items()}
         draws = {
             READ.name: orthonormal(weights.reads),
             RESET.name: orthonormal(weights.resets),
@@ -143,6 +152,7 @@ class _Pixels:
         self.program = program
         self.sensor, self.effects = program.sensor, program.effects
         self.container = program.container
+        self.most = most_destinations(self.container.target)
         self.lanes = program.groups.lane.reshape(-1)[places]
         names = ("PIX", *self.container.target.analog_registers)
         start = {
@@ -211,7 +221,7 @@ class _Pixels:
         for index, name in enumerate(word.op.destinations):
             value = result
             if ANALOG in self.effects:
-                random = self.noise[ANALOG.name].draw(word.number * DESTINATIONS + index)
+                random = self.noise[ANALOG.name].draw(word.number * self.most + index)
                 error = self.pattern + self.sensor.analog_noise_e * random
                 value = self.sensor.analog_gain * value + error_sign(name, self.container) * error
             if REGISTER in self.effects:
