@@ -43,6 +43,11 @@ def builtin_target(name: str) -> Target:
     return _target(found)
 
 
+def target_names() -> tuple[str, ...]:
+    """The names of all targets: the builtin ones, then those of `added_targets`."""
+    return (*builtin_names(), *added_targets())
+
+
 @cache
 def added_targets() -> dict[str, Target]:
     """The targets that installed packages add: each a `Target`, TOML text, or the path of a file.
@@ -73,10 +78,9 @@ def load_target(
         return parse_target(read_target(name_or_path, base, source, span), name_or_path)
     if name_or_path in builtin_names():
         return builtin_target(name_or_path)
-    others = added_targets()
-    if name_or_path in others:
-        return others[name_or_path]
-    names = (*builtin_names(), *others)
+    if name_or_path in added_targets():
+        return added_targets()[name_or_path]
+    names = target_names()
     near = closest(name_or_path, names)
     shown = ascii(name_or_path[:60])
     raise Rejected(
@@ -179,20 +183,22 @@ def _contradictions(found: Found, source: Source | None = None) -> list[Diagnost
 
 def _added(name: str, value: object) -> Target:
     """The target that a package adds under that name."""
+    reason = "its table is wrong"
+    wrong: tuple[Diagnostic, ...] = ()
     try:
-        if isinstance(value, Target):
-            target = target_from_dict(target_dict(value))
-        elif isinstance(value, Path):
+        if isinstance(value, Path):
             target = parse_target(file_bytes(SCHEMA, value), str(value))
-        elif isinstance(value, str):
-            target = parse_target(value.encode(), name)
+        elif isinstance(value, str | Target):
+            text = value if isinstance(value, str) else target_toml(value)
+            target = parse_target(text.encode(), name)
         else:
-            raise ValueError(f"a {type(value).__name__} is no target, no TOML text and no path")
-        if target.name != name:
-            raise ValueError(f"its table calls it {target.name}")
+            raise TypeError(f"a {type(value).__name__} is no target, no TOML text and no path")
+        if target.name == name:
+            return target
+        reason = f"its table calls it {target.name}"
     except Rejected as error:
-        refusal = unusable("nscc.targets", name, "its table is wrong")
-        raise Rejected([*refusal.diagnostics, *error.diagnostics], refusal.status) from error
-    except (ValueError, TypeError, AttributeError) as error:
-        raise unusable("nscc.targets", name, str(error)) from error
-    return target
+        wrong = error.diagnostics
+    except (TypeError, AttributeError) as error:
+        reason = str(error)
+    refusal = unusable("nscc.targets", name, reason)
+    raise Rejected([*refusal.diagnostics, *wrong], refusal.status)

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Literal
 
+from nscc.operations import Operation
 from nscc.target.words import OwnWords
 from nscc.toml.kinds import LINE, NAME, Flag, Integer, Number, Several, Text
 from nscc.toml.schema import Codes, Schema, key, keys_of
-from nscc.words.operations import Operation
 
 _SIDE = Integer(1, 8192)
 _REGISTER = Text(said="the name of a register", optional=True)
@@ -121,8 +121,7 @@ class Target:
 
 
 SCHEMA = Schema(
-    "a target",
-    "target file",
+    "target",
     keys_of(Target),
     {
         "": "",

@@ -1,4 +1,4 @@
-"""Words that a chip has beside those of `nscc.words.operations`: the `[[words]]` of its table.
+"""Words that a chip has beside those of `nscc.operations`: the `[[words]]` of its table.
 
     [[words]]
     name = "bus4"             # what the assembler calls it
@@ -22,10 +22,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
 from typing import Any
 
-from nscc.toml.kinds import Kind
-from nscc.toml.text import written
-from nscc.words.macros import MNEMONICS
-from nscc.words.operations import (
+from nscc.operations import (
     ANALOG_SOURCES,
     ANALOG_WRITE,
     BY_NAME,
@@ -37,6 +34,9 @@ from nscc.words.operations import (
     Effect,
     Operation,
 )
+from nscc.toml.kinds import Kind
+from nscc.toml.text import written
+from nscc.words.macros import MNEMONICS
 
 EFFECTS = {
     "nothing": Effect.NONE,

@@ -28,6 +28,7 @@ from pathlib import Path
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.suggest import closest
+from nscc.operations import READ_LINES, Operation
 from nscc.source import Source, Span
 from nscc.words.container import Container, Word
 from nscc.words.directives import DIRECTIVES
@@ -35,7 +36,6 @@ from nscc.words.draft import Block, Draft, Faults, Instruction, Token, shown
 from nscc.words.encoding import encode
 from nscc.words.linking import check_instructions, find_target, link
 from nscc.words.macros import OperandError, expand, mnemonics
-from nscc.words.operations import READ_LINES, Operation
 from nscc.words.text import read_block_line, read_string
 
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[^\s;#"]+')

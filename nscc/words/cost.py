@@ -6,10 +6,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import fsum
 
+from nscc.operations import Op, Phase
 from nscc.target.target import Target
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.encoding import matching
-from nscc.words.operations import Op, Phase
 
 _CLOCK_CLASS = 7 << 19
 

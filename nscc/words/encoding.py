@@ -15,8 +15,7 @@ from functools import cache, lru_cache
 from typing import NamedTuple
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.words.container import Word
-from nscc.words.operations import (
+from nscc.operations import (
     ANALOG_SOURCES,
     ANALOG_WRITE,
     BIT,
@@ -41,6 +40,7 @@ from nscc.words.operations import (
     Operation,
     made,
 )
+from nscc.words.container import Word
 
 _INTEGER = 0xFFFF_FFFF
 _CLOCK_SHIFT = 19
@@ -123,7 +123,7 @@ def _encoded(operation: Op) -> int:
 
 @lru_cache(maxsize=1 << 14)
 def encode(operation: Op) -> Word:
-    """The five 32-bit integers of an operation made by `nscc.words.operations`."""
+    """The five 32-bit integers of an operation made by `nscc.operations`."""
     return _split(_encoded(operation))
 
 

@@ -14,7 +14,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 
-from nscc.words.operations import (
+from nscc.operations import (
     ANALOG_SOURCES,
     ANALOG_WRITE,
     BY_NAME,

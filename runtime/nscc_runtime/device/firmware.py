@@ -18,7 +18,6 @@ from hashlib import sha256
 from pathlib import Path
 from select import select
 from struct import Struct
-from types import TracebackType
 from typing import TYPE_CHECKING, NamedTuple, Self
 
 from nscc.cache.store import cache_folder
@@ -186,12 +185,7 @@ class _Firmware:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> int:

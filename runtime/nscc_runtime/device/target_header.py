@@ -10,11 +10,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from nscc.target.load import load_target
-from nscc.target.target import Target
-from nscc.words.container import Word
-from nscc.words.encoding import encode, masks
-from nscc.words.operations import (
+from nscc.operations import (
     ANALOG_SOURCES,
     DIGITAL_SOURCES,
     OPERATIONS,
@@ -24,6 +20,10 @@ from nscc.words.operations import (
     op,
     pair,
 )
+from nscc.target.load import load_target
+from nscc.target.target import Target
+from nscc.words.container import Word
+from nscc.words.encoding import encode, masks
 from nscc_runtime.device.objects import target_digest
 
 _EFFECTS = {

@@ -3,7 +3,7 @@
 A word is one to a few steps, each of which writes one place: a plane (a one-bit register of
 all pixels) or a row (an analog register of all pixels). A word's sources are read before any of
 its destinations is written, so a word with several destinations passes through the bus plane or
-the sum row. What a word does comes from `nscc.words.operations`; this file only says how
+the sum row. What a word does comes from `nscc.operations`; this file only says how
 `nscc_runtime.emulator.loops` shall go about it.
 """
 
@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.operations import Effect, Op, Phase
 from nscc.words.legality import decoded
-from nscc.words.operations import Effect, Op, Phase
 
 if TYPE_CHECKING:
     from nscc.target.target import Target

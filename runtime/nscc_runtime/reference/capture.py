@@ -14,9 +14,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.operations import OPERATIONS, Effect
 from nscc.target.target import Target
 from nscc.words.container import Container
-from nscc.words.operations import OPERATIONS, Effect
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET, held
 from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER, leak_per_s, pattern_e, soft

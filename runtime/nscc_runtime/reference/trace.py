@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
-from nscc.words.operations import Effect, Op, Phase
 
 Bits = NDArray[np.bool_]
 

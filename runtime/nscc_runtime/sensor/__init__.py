@@ -10,21 +10,18 @@ from nscc_runtime.sensor.file import (
     read_sensor,
     sensor_toml,
 )
-from nscc_runtime.sensor.parameters import PARAMETERS, SCHEMA, Parameter, parameter, schema_of
+from nscc_runtime.sensor.parameters import PARAMETERS, SCHEMA
 from nscc_runtime.sensor.sensor import Sensor, sensor_sha256
 
 __all__ = [
     "PARAMETERS",
     "SCHEMA",
-    "Parameter",
     "Sensor",
     "completed",
     "default_sensor",
     "load_sensor",
-    "parameter",
     "parse_sensor",
     "read_sensor",
-    "schema_of",
     "sensor_sha256",
     "sensor_toml",
 ]

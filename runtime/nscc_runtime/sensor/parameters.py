@@ -47,8 +47,7 @@ def parameter(
 def schema_of(rows: Iterable[Parameter]) -> Schema[Parameter]:
     """The sensor file of these parameters; ValueError if two have one name."""
     return Schema(
-        "a sensor",
-        "sensor file",
+        "sensor",
         tuple(rows),
         HEADINGS,
         Codes("NS0751", "NS0752", unknown="NS0753", wrong="NS0754", change="NS0755"),
