@@ -1,6 +1,6 @@
 """Plans so simple that everything is done in one go over the pixels.
 
-They weigh the slots of a pixel 1 or 0: no effect on weights is kept, no crosstalk, no dark charge,
+They weigh the slots of a pixel 1 or 0: all effects that are kept declare that this loop has them,
 and no pixel needs a slot loop. Each open slot lies in one bucket.
 """
 
@@ -8,32 +8,25 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.crosstalk import CROSSTALK
-from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.photodiode import FULL_WELL
-from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, count_key
-from nscc_runtime.effects.readout import ADC_NOISE
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
-from nscc_runtime.effects.timing import DEAD_TIME, DECAY
+from nscc_runtime.effects import CannotHave
+from nscc_runtime.effects.counts import LIGHT, count_key
+from nscc_runtime.effects.parts import Converter, CountedLight, Soft, Well
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.plan.layout import FUSED_BLOCK
 from nscc_runtime.plan.masks import Masks
 from nscc_runtime.plan.pool import in_parts
+from nscc_runtime.plan.prepared import Prepared
+from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.sums import on_frames
 from nscc_runtime.reference.noise import SUM
 
-if TYPE_CHECKING:
-    from nscc_runtime.plan.capture import Planned
-    from nscc_runtime.plan.program import Program
-
-_COMPLEX = frozenset(effect.name for effect in (CROSSTALK, DARK, ANALOG, LEAKAGE, DEAD_TIME, DECAY))
 _NO_TABLE, _NO_MASKS = np.zeros((1, 1), np.float32), np.zeros(1, np.uint8)
 _SCRATCH = tuple(8 * FUSED_BLOCK * start for start in (0, 1, 2, 6, 7))
 _SCRATCH_BYTES = 8 * FUSED_BLOCK * 8
@@ -46,21 +39,27 @@ _DRAWN_FRAMES = 32
 
 @dataclass(frozen=True, eq=False)
 class Fused:
-    """A scene under a simple plan, laid out for the loop; everything but the keys of a frame."""
+    """A scene under a simple plan, laid out for the loop; everything but the keys of a frame.
 
-    scene: Planned
+    Streams of what counts light, with their draws of what is added as noise, and of the converter.
+    """
+
+    scene: Prepared
     frames: NDArray[np.float32]
     numbers: NDArray[np.float64]
     buckets: tuple[tuple[NDArray[Any], ...], ...]
+    counters: list[int]
     sources: tuple[tuple[int, int], ...]
+    read_by: list[int]
+    switches: tuple[int, ...]
 
     @classmethod
-    def of(cls, scene: Planned) -> Fused | None:
+    def of(cls, scene: Prepared) -> Fused | None:
         """None where the plan is not simple."""
-        program, kept = scene.program, scene.plan.kept
+        program, kept = scene.program, scene.kept
         if (
-            scene.plan.slot_loop == "all"
-            or kept.on & _COMPLEX
+            scene.plan.slot_loop in ("all", "reference")
+            or any(isinstance(effect.fused, CannotHave) for effect in kept.effects)
             or program.tables.decays
             or program.overlapping
             or len(scene.saturating)
@@ -70,21 +69,24 @@ class Fused:
         frames = np.require(source.frames, np.float32, ["C", "A"]).reshape(len(source.frames), -1)
         sensor, target = program.sensor, program.container.target
         sigmas, sources = [], []
-        for effect, sigma in program.noises:
-            if effect in kept:
-                factor = sigma * program.tables.noise(effect.name, scene.wanted)[0]
-                for draw in range(factor.shape[2]):
-                    if factor[:, :, draw].any():
-                        sigmas.append(factor[:, :, draw])
-                        sources.append((effect.stream, draw))
+        for effect, part in kept.errors():
+            factor = part.sigma_e(sensor) * program.tables.noise(part.at, scene.wanted)[0]
+            for draw in range(factor.shape[2]):
+                if factor[:, :, draw].any():
+                    sigmas.append(factor[:, :, draw])
+                    sources.append((effect.stream, draw))
         shape = len(sigmas), len(program.container.encoding), len(program.container.buckets)
         sigma_e = np.array(sigmas).reshape(shape)
-        single = program.tables.single(program.model(kept))
-        limit_e = np.where(np.isnan(single), np.inf, single * sensor.full_well_e)
-        response = scene.response if PRNU in kept else np.ones(1)
+        limit_e = np.full(shape[1:], np.inf)
+        clips = kept.part(Well) is not None and kept.part(Soft) is None
+        if clips:
+            single = program.tables.single(program.model(kept))
+            limit_e = np.where(np.isnan(single), np.inf, single * scene.full_e)
+        response = np.ones(1) if scene.response is None else scene.response
+        converters = kept.having(Converter)
         numbers = [
             scene.factor, RATE_CAP, sensor.electrons_per_lsb, sensor.adc_offset_lsb,
-            2.0**target.adc_bits - 1, sensor.adc_noise_lsb,
+            2.0**target.adc_bits - 1, *(part.sigma_lsb(sensor) for _, part in converters), 0.0,
         ]  # fmt: skip
         buckets = tuple(
             (
@@ -96,7 +98,15 @@ class Fused:
             )
             for bucket in range(shape[2])
         )
-        return cls(scene, frames, np.array(numbers), buckets, tuple(sources))
+        counters = [effect.stream for effect, _ in kept.having(CountedLight)]
+        switches = (
+            int(scene.response is not None), len(counters), int(clips), len(sources),
+            len(converters),
+        )  # fmt: skip
+        read_by = [effect.stream for effect, _ in converters]
+        return cls(
+            scene, frames, np.array(numbers), buckets, counters, tuple(sources), read_by, switches
+        )
 
     @cached_property
     def addresses(self) -> tuple[tuple[int, ...], ...]:
@@ -128,17 +138,14 @@ class Fused:
         """Expose one bucket into `out`: exposures, codes, and whether they are numbers."""
         from nscc_runtime.plan.compiled import entry_points
 
-        scene, kept, loop = self.scene, self.scene.plan.kept, entry_points()["fused"]
-        keys = [count_key(seed, SHOT, LIGHT, frame, 1 << bucket) if SHOT in kept else np.uint64(0)]
+        scene, loop = self.scene, entry_points()["fused"]
+        keys = [count_key(seed, each, LIGHT, frame, 1 << bucket) for each in self.counters]
+        keys = keys or [np.uint64(0)]
         keys += [key(seed, stream, SUM, frame, draw) for stream, draw in self.sources]
-        if ADC_NOISE in kept:
-            keys.append(key(seed, ADC_NOISE.stream, frame=frame, group=bucket))
+        keys += [key(seed, stream, frame=frame, group=bucket) for stream in self.read_by]
         pixels, count = out[0].size, len(self.frames)
         lanes = len(scene.program.container.encoding)
-        switches = (
-            int(PRNU in kept), int(SHOT in kept), int(FULL_WELL in kept and REGISTER not in kept),
-            len(self.sources), int(ADC_NOISE in kept), int(read_out),
-        )  # fmt: skip
+        switches = *self.switches, int(read_out)
         words = np.array(keys, np.uint64)
         given = (_address(self.numbers), _address(words), *self.addresses[bucket])
         filled = [_address(array) for array in out]
@@ -149,7 +156,7 @@ class Fused:
             at = _address(scratch)
             loop(_address(sizes), *given, *(at + start for start in _SCRATCH), *filled)
 
-        drawn = len(keys) > 1 or SHOT in kept
+        drawn = len(keys) > 1 or bool(self.counters)
         work = pixels * (count + _DRAWN_FRAMES * drawn)
         in_parts(run, pixels, scene.threads if work >= _MUCH else 1, FUSED_BLOCK)
 

@@ -6,20 +6,16 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import Effect, Selection
-from nscc_runtime.effects.crosstalk import CROSSTALK
-from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
-from nscc_runtime.effects.photons import DARK as DARK_SOURCE
-from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, THINNED
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
-from nscc_runtime.effects.timing import DEAD_TIME, LAG, MOTION
+from nscc_runtime.effects import CannotHave, Effect, InLoop, Selection, registered
+from nscc_runtime.effects.counts import LIGHT, THINNED, WITHOUT_LIGHT
+from nscc_runtime.effects.parts import CountedDark, CountedLight, Errors, Moving
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.noise.keys import base
@@ -28,9 +24,9 @@ from nscc_runtime.plan.pool import in_parts
 from nscc_runtime.reference.capture import DESTINATIONS, START, Reference
 from nscc_runtime.reference.noise import PART, SUM
 from nscc_runtime.reference.trace import AnalogWord
-from nscc_runtime.sensor.sensor import Sensor
 
-_DRAWN = (READ, RESET, ANALOG)
+_DRAWN = ("reads", "resets", "words")
+"""Small errors, in the order of the loop."""
 _SITES = 5
 _MOST_KEPT = 1 << 23
 """Bytes a thread may keep of neighbours' charge."""
@@ -57,12 +53,12 @@ class Pixels:
         lanes, buckets = len(container.encoding), len(container.buckets)
         acts = np.array([word.lanes for word in program.words]).reshape(-1, lanes)
         draws = np.zeros((len(program.words), 1 + MOST_DESTINATIONS, lanes, buckets))
-        for name, shift in ((READ.name, None), (RESET.name, None), (ANALOG.name, 1)):
-            for number, weight in program.draws[name].items():
-                if shift is None:
-                    draws[number, 0] = weight
+        for at in _DRAWN:
+            for number, weight in program.draws[at].items():
+                if at == "words":
+                    draws[number // DESTINATIONS, 1 + number % DESTINATIONS] = weight
                 else:
-                    draws[number // DESTINATIONS, number % DESTINATIONS + shift] = weight
+                    draws[number, 0] = weight
         needed = acts | draws.any(axis=(1, 3))
         lane, word = np.nonzero(needed.T)
         rows = np.array([_row(each, program) for each in program.words], np.int64)
@@ -90,18 +86,20 @@ class Pixels:
         seed: int = 0,
         device_seed: int = 0,
         frame: int = 0,
-        expected: bool = False,
         threads: int = 1,
     ) -> NDArray[np.float64]:
         """Electrons (buckets, pixels) at the places `chosen` = row * cols + col.
 
-        The frame before was the same scene. `expected` leaves everything random out: charge is not
-        counted, words and PIX have no noise. Threads and the order of places change no bit.
+        The frame before was the same scene. Threads and the order of places change no bit.
+        ValueError for effects that the loop cannot have.
         """
         program = self.program
-        source = light.motion if MOTION in effects and light.motion is not None else light
+        source = (effects.part(Moving) and light.motion) or light
         present = np.zeros((len(self.groups), len(self.group_ids)), np.uint8)
         np.put_along_axis(present, self.groups.astype(np.intp), 1, axis=1)
+        slow = [e.name for e in effects.effects if isinstance(e.words, CannotHave)]
+        if slow:
+            raise ValueError(f"the loop over words cannot have {', '.join(slow)}")
         container = program.container
         names = (*container.target.analog_registers, "PIX")
         signs = np.array([-1.0 if n == container.target.analog_scratch else 1.0 for n in names])
@@ -131,7 +129,7 @@ class Pixels:
             np.array([names.index(readouts[b].register) for b in container.buckets], np.int64),
             np.array([(readouts[b].gain, order[b] * waited_s) for b in container.buckets]),
         )
-        switches = _switches(effects, expected)
+        switches = _switches(effects)
         chosen = np.require(chosen, np.int64, ["C", "A"])
 
         def run(part: NDArray[np.int64]) -> NDArray[np.float64]:
@@ -205,63 +203,44 @@ def _times(word: AnalogWord, program: Reference) -> tuple[float, float]:
 
 
 def _numbers(sensor: Sensor, effects: Selection) -> NDArray[np.float64]:
-    values = {
-        Number.FULL_WELL: sensor.full_well_e,
-        Number.REGISTER_MIN: sensor.register_min_e,
-        Number.REGISTER_MAX: sensor.register_max_e,
-        Number.KNEE: sensor.register_knee_fraction,
-        Number.CROSSTALK: sensor.crosstalk_fraction,
-        Number.LAG: sensor.lag_fraction if LAG in effects else 0.0,
-        Number.PRNU: sensor.prnu_fraction,
-        Number.DARK: sensor.dark_current_e_per_s,
-        Number.DARK_VARIANCE: np.log1p(sensor.dark_spread_fraction**2),
-        Number.READ: sensor.read_noise_e,
-        Number.RESET: sensor.reset_noise_e,
-        Number.GAIN: sensor.analog_gain,
-        Number.ANALOG_NOISE: sensor.analog_noise_e,
-        Number.PATTERN: sensor.analog_pattern_e,
-        Number.BIAS: sensor.analog_bias_e,
-        Number.LEAK: 1.0 / sensor.leakage_tau_s,
-        Number.LEAK_VARIANCE: np.log1p(sensor.leakage_spread_fraction**2),
-        Number.RATE_CAP: RATE_CAP,
-    }
-    return np.array([values[number] for number in Number])
+    """The figures of the effects that are on; those of the others are not read, or 0."""
+    values = np.zeros(len(Number))
+    values[Number.FULL_WELL] = sensor.full_well_e
+    values[Number.REGISTER_MAX] = sensor.register_max_e
+    values[Number.RATE_CAP] = RATE_CAP
+    for _, loop in _in_loop(effects.effects):
+        for name, figure in loop.numbers.items():
+            values[Number[name]] = figure(sensor)
+    return values
 
 
 def _keys(seed: int, device_seed: int) -> NDArray[np.uint64]:
-    values = [
-        base(device_seed, START),
-        *(key(device_seed, effect.stream) for effect in (PRNU, DARK, ANALOG, LEAKAGE)),
-        base(seed, SHOT.stream, LIGHT),
-        base(seed, DARK.stream, DARK_SOURCE),
-        base(seed, SHOT.stream, THINNED + LIGHT),
-        base(seed, DARK.stream, THINNED + DARK_SOURCE),
-        *(base(seed, effect.stream, SUM) for effect in _DRAWN),
-        *(base(seed, effect.stream, PART) for effect in _DRAWN),
-    ]
-    assert len(values) == Key.PART + len(_DRAWN)
-    return np.array(values, np.uint64)
+    """Keys of the device, and those that a frame's follow from, whether effects are on or not."""
+    values = np.zeros(Key.PART + len(_DRAWN), np.uint64)
+    values[Key.START] = base(device_seed, START)
+    for effect, loop in _in_loop(registered()):
+        if loop.device_key is not None:
+            values[Key[loop.device_key]] = key(device_seed, effect.stream)
+        for kind, source in ((CountedLight, LIGHT), (CountedDark, WITHOUT_LIGHT)):
+            if effect.parts(kind):
+                values[Key.COUNT + source] = base(seed, effect.stream, source)
+                values[Key.THIN + source] = base(seed, effect.stream, THINNED + source)
+        for part in effect.parts(Errors):
+            values[Key.SUM + _DRAWN.index(part.at)] = base(seed, effect.stream, SUM)
+            values[Key.PART + _DRAWN.index(part.at)] = base(seed, effect.stream, PART)
+    return values
 
 
-def _switches(effects: Selection, expected: bool) -> list[tuple[Size, int]]:
-    random = 0 if expected else 1
+def _switches(effects: Selection) -> list[tuple[Size, int]]:
+    loops = (loop for _, loop in _in_loop(effects.effects))
+    return [(Size[loop.switch], 1) for loop in loops if loop.switch is not None]
 
-    def on(effect: Effect) -> int:
-        return int(effect in effects)
 
-    return [
-        (Size.SHOT, on(SHOT) * random),
-        (Size.DARK, on(DARK) * (2 - random)),
-        (Size.FULL_WELL, on(FULL_WELL)),
-        (Size.READ, on(READ) * random),
-        (Size.RESET, on(RESET) * random),
-        (Size.DEAD_TIME, on(DEAD_TIME)),
-        (Size.ANALOG, on(ANALOG) * (2 - random)),
-        (Size.REGISTER, on(REGISTER)),
-        (Size.LEAKAGE, on(LEAKAGE)),
-        (Size.CROSSTALK, on(CROSSTALK)),
-        (Size.PRNU, on(PRNU)),
-    ]
+def _in_loop(effects: Iterable[Effect]) -> Iterator[tuple[Effect, InLoop]]:
+    """Those that the loop has."""
+    for effect in effects:
+        if isinstance(effect.words, InLoop):
+            yield effect, effect.words
 
 
 def _kept_bytes(sizes: NDArray[np.int64]) -> int:

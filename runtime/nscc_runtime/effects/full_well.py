@@ -1,0 +1,55 @@
+"""Saturation of PIX."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nscc_runtime.effects.effect import ByParts, ByWords, Effect, InLoop
+from nscc_runtime.effects.field import Values
+from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
+from nscc_runtime.effects.parts import Well
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Pixels
+
+
+def _full(sensor: Sensor) -> float:
+    return sensor.full_well_e
+
+
+def _held(pixels: Pixels, charge: Values) -> Values:
+    # NaN stays NaN.
+    return np.asarray(np.minimum(charge, _full(pixels.sensor)))
+
+
+_PARAMETERS = (
+    parameter(
+        "full_well_e",
+        "range",
+        None,
+        "e",
+        0,
+        MOST_E,
+        "charge that PIX holds above its reset level",
+        TARGET,
+        low_excluded=True,
+    ),
+)  # fmt: skip
+
+FULL_WELL = Effect(
+    name="full_well",
+    stream=6,
+    kind="fixed",
+    title="saturation of PIX",
+    model="PIX holds min(charge since the last reset, full well), whether the shutter is open or "
+    "not, dark charge included.",
+    cost="none where the whole frame's charge stays below the well; else a slot loop",
+    applied="to PIX whenever charge falls on it",
+    absent="no pixel comes near it",
+    parameters=_PARAMETERS,
+    reference={"well": _held},
+    field=ByWords("rms and mean of the charge that is lost, of pixels that come near the well"),
+    sums=(Well(_full),),
+    fused=ByParts(),
+    words=InLoop("FULL_WELL"),
+    cost_ns=0.0,
+)

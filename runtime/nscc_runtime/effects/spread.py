@@ -1,0 +1,18 @@
+"""Factors that differ from pixel to pixel."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nscc_runtime.effects.field import Values
+
+
+def log_variance(fraction: float) -> float:
+    """The variance of the logarithm of lognormal numbers with this relative deviation."""
+    return float(np.log1p(fraction * fraction))
+
+
+def log_normal(fraction: float, z: Values) -> Values:
+    """Positive factors with mean 1 and standard deviation `fraction` from normal numbers."""
+    variance = log_variance(fraction)
+    return np.asarray(np.exp(np.sqrt(variance) * z - variance / 2))
