@@ -19,8 +19,6 @@ SHELL := /bin/bash
 
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip --disable-pip-version-check install --quiet --constraint constraints.txt
-LOOPS := nscc_runtime.emulator.compiled nscc_runtime.noise.compiled nscc_runtime.plan.compiled \
-  nscc_training.baselines.compiled
 EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
@@ -53,7 +51,7 @@ $(VENV)/.test-installed: $(VENV)/.installed
 # Compiled ahead, so that no command has to wait for a compiler, even where Python may not cache.
 $(VENV)/.compiled: $(VENV)/.installed $(wildcard runtime/nscc_runtime/*/*.py training/nscc_training/baselines/*.py)
 	@echo "compiling the emulator's loops"
-	for module in $(LOOPS); do $(BIN)/python -m $$module; done
+	$(BIN)/python -m nscc_runtime.compile_ahead nscc_runtime nscc_training
 	$(BIN)/python -m compileall -q nscc cli/nscc_cli runtime/nscc_runtime training/nscc_training
 	@touch $@
 

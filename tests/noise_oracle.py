@@ -29,7 +29,7 @@ def fast_distribution(rate: float, counts: np.ndarray) -> np.ndarray:
     low, high = np.full(len(counts), -8.3), np.full(len(counts), 8.3)
     for _ in range(80):
         middle = (low + high) / 2
-        over = quantile.py_func(middle, rate) >= counts + 1
+        over = quantile.function(middle, rate) >= counts + 1
         low, high = np.where(over, low, middle), np.where(over, middle, high)
     reached = ndtr(high)
     if rate < SETTLED_ABOVE:

@@ -104,10 +104,10 @@ def _cache() -> Finding:
 
 
 def _loops() -> Finding:
-    from nscc_runtime.emulator import compiled
+    from nscc_runtime.emulator.loops import expose_block
 
     try:
-        compiled.entry_point()
+        expose_block.load()
     except (ImportError, OSError, RuntimeError) as error:
         return WRONG, f"the emulator's loops do not compile: {error}"
     return GOOD, "the emulator's loops are compiled for this processor"

@@ -70,13 +70,13 @@ def sci8(
 
     The yardsticks see the truth, not the measurement, and say so in the result ("sees").
     """
-    from nscc_training.baselines.compiled import is_compiled
+    from nscc_training.baselines.loops import denoise
     from nscc_training.evaluation.sci8 import evaluate_sci8
 
     names = [path.name for path in clips]
     if twice := sorted({name for name in names if names.count(name) > 1}):
         raise click.UsageError(f"a clip counts once, and results know it by its name: {twice[0]}")
-    if method.endswith("-tv") and not is_compiled():
+    if method.endswith("-tv") and not denoise.is_compiled():
         done("compiling the loop of total variation for this processor: once, some seconds")
     found, arrays = evaluate_sci8(list(clips), method, iterations, weight)
     _finish(found, arrays, save, as_json, out)

@@ -27,7 +27,7 @@ def serve(options: dict[str, Any]) -> None:
     from nscc_runtime.device.board import EmulatedChip
     from nscc_runtime.device.faults import Faults, parse_faults
     from nscc_runtime.device.serving import Server
-    from nscc_runtime.emulator.compiled import entry_point, is_compiled
+    from nscc_runtime.emulator.loops import expose_block
     from nscc_runtime.sensor import load_sensor
 
     faults = parse_faults(options["fault"]) if options["fault"] else Faults()
@@ -35,9 +35,9 @@ def serve(options: dict[str, Any]) -> None:
     sensor = load_sensor(target, options["sensor"], options["sensor_set"])
     scene = _Scene(options, target)
     chip = EmulatedChip(scene.light, target, sensor, options["device_seed"], _report)
-    if not is_compiled():
+    if not expose_block.is_compiled():
         done("compiling the emulator's loops for this processor: once, some seconds")
-        entry_point()
+        expose_block.load()
     seconds = options["seconds"]
     with _loader(options["loader"], target, chip) as loader:
         server = Server(loader, faults, _moved)

@@ -110,16 +110,16 @@ def _exact(container: Container, light: Light, sensor: Sensor, wanted: Wanted) -
     repeat = wanted.repeat
     if wanted.effects.noiseless:
         from nscc_runtime.emulator import expose
-        from nscc_runtime.emulator.compiled import is_compiled
+        from nscc_runtime.emulator.loops import expose_block
 
-        _say_compiling(is_compiled(), "emulator")
+        _say_compiling(expose_block.is_compiled(), "emulator")
         exact = expose(container, light, device_seed=wanted.device_seed)
         frame = frame_file.read_out(exact, container.target, sensor)
         return frame_file.repeated(frame, repeat) if repeat else frame
-    from nscc_runtime.noise.compiled import is_compiled as noise_is_compiled
+    from nscc_runtime.noise.loops import fill_normals
     from nscc_runtime.reference import frames
 
-    _say_compiling(noise_is_compiled(), "noise")
+    _say_compiling(fill_normals.is_compiled(), "noise")
     made = frames(
         container, light, sensor, wanted.effects,
         seed=wanted.seed, device_seed=wanted.device_seed, count=repeat or 1,
@@ -137,11 +137,12 @@ def _planned(
     from nscc_runtime.capture import made_ready, planned_frames
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.plan.choose import plan_for, predicted_for
-    from nscc_runtime.plan.compiled import is_compiled
+    from nscc_runtime.plan.fused_loop import fused
+    from nscc_runtime.plan.pixel_loop import run_pixels
     from nscc_runtime.plan.tolerance import tolerance_e
 
     tolerance = tolerance_e(wanted.tolerance, sensor)
-    _say_compiling(is_compiled(), "planner")
+    _say_compiling(fused.is_compiled() and run_pixels.is_compiled(), "planner")
     check(container, light)
     program_bytes = to_bytes(container)
     digest = sha256(program_bytes).hexdigest()

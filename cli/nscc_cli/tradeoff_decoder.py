@@ -46,7 +46,7 @@ def command(runs: tuple[Path, ...], out: Path | None, csv_path: Path | None, png
     with 4, 2 and 1 blocks a pixel. All decode the captures of one code: that of the runs, those
     with other codes apart; without runs random bits, and 2 x 2 stops for stills.
     """
-    from nscc_training.baselines.compiled import is_compiled
+    from nscc_training.baselines.loops import denoise
     from nscc_training.run_folder import load_run
     from nscc_training.tradeoff.decoder import Settings, cases, measure
 
@@ -57,7 +57,7 @@ def command(runs: tuple[Path, ...], out: Path | None, csv_path: Path | None, png
     )  # fmt: skip
     folders = [load_run(path) for path in dict.fromkeys(runs)]
     todo = cases(folders, settings)
-    if not is_compiled():
+    if not denoise.is_compiled():
         done("compiling the loop of total variation for this processor: once, some seconds")
     points, repeats = measure(todo, settings, lambda turns: progress(turns, "decoding"))
     click.echo(_tables(points))

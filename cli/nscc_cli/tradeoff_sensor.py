@@ -81,7 +81,7 @@ def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **op
     them. Clips are decoded by GAP-TV, stills by merging neighbours: nothing is trained. What does
     not fit the chip is a row that says so. Ends with status 1 where nothing fits.
     """
-    from nscc_training.baselines.compiled import is_compiled
+    from nscc_training.baselines.loops import denoise
     from nscc_training.tradeoff.sensor import Settings, measure
 
     files = output_files(out, csv_path, png_path)
@@ -91,7 +91,7 @@ def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **op
         options["level"], options["effects"], options["slot_us"], options["data"],
         options["scenes"], options["seed"],
     )  # fmt: skip
-    if not is_compiled():
+    if not denoise.is_compiled():
         done("compiling the loop of total variation for this processor: once, some seconds")
     found = measure(settings, lambda todo: progress(todo, "capturing"))
     if found.points:

@@ -14,49 +14,10 @@ import os
 import re
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
-from functools import cached_property
 from pathlib import Path
 from typing import Any
 
 _DIGEST_BYTES = 32
-
-
-@dataclass(frozen=True, eq=False)
-class Loops:
-    """The loops of a package: loaded from a file, or compiled with numba on first use.
-
-    The file begins with `stem` and lies in `__pycache__` beside the module in file `module` or,
-    where that cannot be written, in the user's cache folder. `sources` is what the machine code
-    depends on. `parameters` are the loops by name, with how many addresses each takes; `listed`
-    gives the functions, each with its numba signature, and alone may import numba.
-    """
-
-    stem: str
-    module: str
-    sources: Sequence[Path]
-    parameters: Mapping[str, int]
-    listed: Callable[[], Iterable[tuple[Callable[..., None], str]]]
-
-    def entry_points(self) -> dict[str, Callable[..., None]]:
-        """The loops as machine code, by name."""
-        return self._linked
-
-    def is_compiled(self) -> bool:
-        """Whether the machine code is there: if not, its first use takes some seconds."""
-        return kept(self.name(), folders(self.module)) is not None
-
-    def object_code(self, places: Sequence[Path]) -> bytes:
-        """The object file: read from the first place that has it whole, else compiled and kept."""
-        return object_code(self.name(), places, lambda: build(self.listed()))
-
-    def name(self) -> str:
-        """The object file's name."""
-        return name(self.stem, self.sources)
-
-    @cached_property
-    def _linked(self) -> dict[str, Callable[..., None]]:
-        return load(self.object_code(folders(self.module)), self.parameters)
 
 
 def folders(module: str) -> tuple[Path, ...]:
@@ -92,7 +53,7 @@ def kept(name: str, places: Sequence[Path]) -> bytes | None:
     return None
 
 
-def build(loops: Iterable[tuple[Callable[..., None], str]]) -> bytes:
+def build(loops: Iterable[tuple[Callable[..., None], Any]]) -> bytes:
     """Compile functions, each with its numba signature, to one object file for this processor."""
     import llvmlite.binding as llvm
     import numba
@@ -140,15 +101,14 @@ def load(code: bytes, parameters: Mapping[str, int]) -> dict[str, Callable[..., 
     return functions
 
 
-def name(stem: str, sources: Iterable[Path]) -> str:
-    """The object file's name: a digest of the sources, of LLVM and of the processor."""
+def name(stem: str, sources: Iterable[str]) -> str:
+    """The object file's name: a digest of what is compiled, of LLVM and of the processor."""
     import llvmlite
     import llvmlite.binding as llvm
 
     digest = hashlib.sha256()
-    for source in sources:
-        digest.update(source.read_bytes())
     for part in (
+        *sources,
         llvmlite.__version__,
         llvm.get_process_triple(),
         llvm.get_host_cpu_name(),

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_training import metrics
-from nscc_training.baselines.compiled import entry_point
+from nscc_training.baselines.loops import denoise
 from nscc_training.baselines.sci import gap_tv
 from nscc_training.evaluation.sci8 import SciClip, read_sci_clip
 from nscc_training.protocols import load_protocol
@@ -67,7 +67,7 @@ def main() -> int:
     except ModuleNotFoundError:
         print("scikit-image is not installed: pip install 'nscc[bench]'")
         return 1
-    entry_point()
+    denoise.load()
     protocol = load_protocol("sci8")
     clips = {path.stem: read_sci_clip(path, protocol) for path in arguments.clips}
     for name, clip in (clips or {"made": made()}).items():

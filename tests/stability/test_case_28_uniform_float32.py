@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
 import pytest
 
+from nscc_runtime.loop import compiled
 from nscc_runtime.noise.counter import unit32
 
 
-@numba.njit
+@compiled
 def _all(first, out):
     for i in range(len(out)):
         out[i] = unit32(np.uint32(first + 256 * i))

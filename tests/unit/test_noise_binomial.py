@@ -51,7 +51,7 @@ def test_error_of_the_formula_is_within_what_is_checked(n, p):
     below, above = law.cdf(counts, n, p), law.sf(counts, n, p)
     inside = (below > 2e-16) & (above > 2e-16)
     z = np.where(below < 0.5, stats.norm.ppf(below), stats.norm.isf(above))[inside]
-    error = np.abs(quantile.py_func(z, n, p) - (counts[inside] + 1))
+    error = np.abs(quantile.function(z, n, p) - (counts[inside] + 1))
     # Half of what the sampler allows for.
     assert np.all(error <= 0.01 * (1 + z**4) / (n * p * (1 - p)) + 1e-12 * n)
 

@@ -10,6 +10,7 @@ from nscc.target.target import Target
 from nscc_runtime.effects.effect import AfterExposure, ByParts, Effect, InLoop
 from nscc_runtime.effects.field import Values
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
+from nscc_runtime.effects.parts import Codes
 from nscc_runtime.effects.sensor import Sensor
 
 
@@ -60,7 +61,7 @@ ADC = Effect(
         "`frame` only",
         lambda sensor: sensor.electrons_per_lsb / 12**0.5,
     ),
-    sums=(),
+    sums=(Codes(lambda sensor: sensor.electrons_per_lsb, lambda sensor: sensor.adc_offset_lsb),),
     fused=ByParts(),
     words=InLoop(),
     cost_ns=0.0,

@@ -108,9 +108,9 @@ ANALOG = Effect(
     sums=(WordGain(_gain, pattern_e, _bias, _spread), Errors("words", _noise)),
     fused=CannotHave("it weighs slots 1 or 0"),
     words=InLoop(
-        "ANALOG",
-        {"GAIN": _gain, "ANALOG_NOISE": _noise, "PATTERN": _spread, "BIAS": _bias},
-        "PATTERN",
+        "word_errors",
+        {"gain": _gain, "word_error": _noise, "pattern": _spread, "bias": _bias},
+        "pattern",
     ),
     cost_ns=14.0,
 )

@@ -74,6 +74,6 @@ CROSSTALK = Effect(
     sums=(Exchange(_fraction, smeared),),
     fused=CannotHave("it goes through pixels one by one"),
     # Neighbours multiply what has to be counted.
-    words=InLoop("CROSSTALK", {"CROSSTALK": _fraction}, cost_ns=60.0),
+    words=InLoop("exchanges", {"exchanged": _fraction}, cost_ns=60.0),
     cost_ns=60.0,
 )

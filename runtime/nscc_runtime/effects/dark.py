@@ -71,12 +71,12 @@ DARK = Effect(
     sums=(CountedDark(current_e_per_s),),
     fused=CannotHave("it counts light only"),
     words=InLoop(
-        "DARK",
+        "counts_dark",
         {
-            "DARK": lambda sensor: sensor.dark_current_e_per_s,
-            "DARK_VARIANCE": lambda sensor: log_variance(sensor.dark_spread_fraction),
+            "dark": lambda sensor: sensor.dark_current_e_per_s,
+            "dark_variance": lambda sensor: log_variance(sensor.dark_spread_fraction),
         },
-        "DARK",
+        "dark",
     ),
     cost_ns=14.0,
 )

@@ -34,6 +34,6 @@ DEAD_TIME = Effect(
     field=_field,
     sums=(SlowWords(),),
     fused=CannotHave("it takes slots wholly or not at all"),
-    words=InLoop("DEAD_TIME"),
+    words=InLoop("slow_words"),
     cost_ns=0.0,
 )

@@ -60,15 +60,16 @@ class ByParts:
 
 @dataclass(frozen=True)
 class InLoop:
-    """What the loop over the words of single pixels is told of an effect, by the loop's own names.
-
-    `switch` turns it on, `numbers` are its figures, `keys` names the keys of its stream.
-    `cost_ns`: nanoseconds a pixel that leaving it out saves there.
+    """What the loop over the words of single pixels is told of an effect, by the loop's own names
+    (`nscc_runtime.plan.layout`): `switch` turns it on, `numbers` are its figures, `device_key` is
+    that of its stream on the device, `function` what it calls. `cost_ns`: nanoseconds a pixel that
+    leaving it out saves there.
     """
 
     switch: str | None = None
     numbers: Mapping[str, Callable[[Sensor], float]] = field(default_factory=dict)
     device_key: str | None = None
+    function: Callable[..., float] | None = None
     cost_ns: float = 0.0
 
 

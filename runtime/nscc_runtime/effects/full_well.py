@@ -50,6 +50,6 @@ FULL_WELL = Effect(
     field=ByWords("rms and mean of the charge that is lost, of pixels that come near the well"),
     sums=(Well(_full),),
     fused=ByParts(),
-    words=InLoop("FULL_WELL"),
+    words=InLoop("holds", {"well": _full}),
     cost_ns=0.0,
 )

@@ -52,6 +52,6 @@ LAG = Effect(
     field=_field,
     sums=(Echo(_fraction),),
     fused=ByParts(),
-    words=InLoop(numbers={"LAG": _fraction}),
+    words=InLoop(numbers={"echo": _fraction}),
     cost_ns=0.0,
 )

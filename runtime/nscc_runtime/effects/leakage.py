@@ -78,12 +78,12 @@ LEAKAGE = Effect(
     sums=(Leak(leak_per_s, _tau_s, _spread),),
     fused=CannotHave("it weighs slots 1 or 0"),
     words=InLoop(
-        "LEAKAGE",
+        "leaks",
         {
-            "LEAK": lambda sensor: 1.0 / _tau_s(sensor),
-            "LEAK_VARIANCE": lambda sensor: log_variance(_spread(sensor)),
+            "leak": lambda sensor: 1.0 / _tau_s(sensor),
+            "leak_variance": lambda sensor: log_variance(_spread(sensor)),
         },
-        "LEAK",
+        "leak",
     ),
     cost_ns=8.0,
 )

@@ -147,3 +147,12 @@ class Converter(Part):
 
     sigma_lsb: OfSensor
     fused: ClassVar[bool] = True
+
+
+@dataclass(frozen=True)
+class Codes(Part):
+    """The converter's codes: electrons a code, and the code of no electrons."""
+
+    electrons: OfSensor
+    offset: OfSensor
+    fused: ClassVar[bool] = True

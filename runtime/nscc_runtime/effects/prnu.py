@@ -56,6 +56,6 @@ PRNU = Effect(
     field=_field,
     sums=(Response(response),),
     fused=ByParts(),
-    words=InLoop("PRNU", {"PRNU": lambda sensor: sensor.prnu_fraction}, "PRNU"),
+    words=InLoop("uneven", {"uneven": lambda sensor: sensor.prnu_fraction}, "uneven"),
     cost_ns=6.0,
 )

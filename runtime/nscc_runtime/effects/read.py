@@ -43,6 +43,6 @@ READ = Effect(
     field=_field,
     sums=(Errors("reads", _sigma),),
     fused=ByParts(),
-    words=InLoop("READ", {"READ": _sigma}),
+    words=InLoop("read_errors", {"read_error": _sigma}),
     cost_ns=7.0,
 )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from nscc_runtime.effects.effect import ByParts, ByWords, Effect, InLoop
@@ -10,6 +12,7 @@ from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels
+from nscc_runtime.loop import compiled
 
 
 def soft(value: Values, sensor: Sensor) -> Values:
@@ -22,6 +25,20 @@ def soft(value: Values, sensor: Sensor) -> Values:
     room = (1.0 - knee) * limit
     bent = knee * limit + room * np.tanh(np.maximum(size - knee * limit, 0.0) / room)
     return np.asarray(np.where(size > knee * limit, np.copysign(bent, value), value))
+
+
+@compiled
+def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
+    """The same for the loop over words."""
+    limit = -low if value < 0.0 else high
+    size = abs(value)
+    if size <= knee * limit:
+        return value
+    if knee == 1.0:
+        return math.copysign(limit, value)
+    room = (1.0 - knee) * limit
+    bend = 1.0 - 2.0 / (math.exp(2.0 * (size - knee * limit) / room) + 1.0)
+    return math.copysign(knee * limit + room * bend, value)
 
 
 def _high(sensor: Sensor) -> float:
@@ -96,11 +113,13 @@ REGISTER = Effect(
     sums=(Soft(_linear, _lost),),
     fused=ByParts(),
     words=InLoop(
-        "REGISTER",
+        "bends",
         {
-            "REGISTER_MIN": lambda sensor: sensor.register_min_e,
-            "KNEE": lambda sensor: sensor.register_knee_fraction,
+            "lowest": lambda sensor: sensor.register_min_e,
+            "highest": lambda sensor: sensor.register_max_e,
+            "knee": lambda sensor: sensor.register_knee_fraction,
         },
+        function=soft_in_loop,
     ),
     cost_ns=0.0,
 )

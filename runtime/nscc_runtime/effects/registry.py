@@ -5,6 +5,7 @@ What a declaration lacks is refused here, so that everybody else may take it as 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from nscc.diagnostics.rejection import rejected
@@ -89,6 +90,13 @@ def registered() -> tuple[Effect, ...]:
         for effect in added("nscc.effects").values():
             register(effect)
     return tuple(_registered.values())
+
+
+def in_loop(switch: str) -> Callable[..., float]:
+    """The function that the loop over words calls for the effect that has a switch there."""
+    loops = (each.words for each in _OURS)
+    found = (e.function for e in loops if isinstance(e, InLoop) and e.switch == switch)
+    return next(function for function in found if function is not None)
 
 
 def by_name() -> dict[str, Effect]:

@@ -51,6 +51,6 @@ RESET = Effect(
     field=_field,
     sums=(Errors("resets", _sigma),),
     fused=ByParts(),
-    words=InLoop("RESET", {"RESET": _sigma}),
+    words=InLoop("reset_errors", {"reset_error": _sigma}),
     cost_ns=7.0,
 )

@@ -34,6 +34,6 @@ SHOT = Effect(
     field=_field,
     sums=(CountedLight(),),
     fused=ByParts(),
-    words=InLoop(switch="SHOT"),
+    words=InLoop(switch="counts_light"),
     cost_ns=6.0,
 )

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from nscc_runtime.effects.field import Values
+from nscc_runtime.loop import compiled
 
 
 def log_variance(fraction: float) -> float:
@@ -16,3 +19,9 @@ def log_normal(fraction: float, z: Values) -> Values:
     """Positive factors with mean 1 and standard deviation `fraction` from normal numbers."""
     variance = log_variance(fraction)
     return np.asarray(np.exp(np.sqrt(variance) * z - variance / 2))
+
+
+@compiled
+def log_normal_in_loop(variance: float, z: float) -> float:
+    """The same for the loops, of the logarithm's variance."""
+    return math.exp(math.sqrt(variance) * z - variance / 2)

@@ -60,7 +60,7 @@ def expose(
     for words that the target cannot run (`nscc.words.legality`); ValueError for a container or
     light whose parts contradict each other.
     """
-    from nscc_runtime.emulator.compiled import entry_point
+    from nscc_runtime.emulator.loops import Block, expose_block
 
     check(container, light)
     if block < 64 or block % 64:
@@ -72,69 +72,55 @@ def expose(
     pixels = light.shape[0] * light.shape[1]
     exposure = np.empty((len(ordered), pixels), np.float64)
     block = min(block, (pixels + 63) // 64 * 64)
-    arrays = (
-        *_program(container, layout),
-        *_light(light),
-        _packed(codes.values(), pixels),
-        np.array([layout.planes[name] for name in codes], np.int64),
-        np.array([layout.rows[readout.register] for readout in ordered], np.int64),
-        np.array([readout.gain for readout in ordered], np.float64),
-        np.empty(len(layout.planes) * (block // 64), np.uint64),
-        np.empty(len(layout.rows) * block, np.float64),
-        np.empty(block, np.float32),
-        exposure,
+    frames = np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), pixels)
+    _check_matrix(light)
+    program = steps_of(container, layout)
+    run = expose_block.bound(
+        steps=program.steps,
+        operands=program.operands,
+        kernel_start=program.kernel_start,
+        launch_start=program.launch_start,
+        launch_kernel=program.launch_kernel,
+        frames=frames,
+        row_start=np.require(light.row_start, np.int64, ["C", "A"]),
+        frame_index=np.require(light.frame_index, np.int32, ["C", "A"]),
+        weight=np.require(light.weight, np.float64, ["C", "A"]),
+        frame_weight=np.bincount(light.frame_index, light.weight, minlength=len(frames)),
+        code_planes=_packed(codes.values(), pixels),
+        code_rows=np.array([layout.planes[name] for name in codes], np.int64),
+        readout_rows=np.array([layout.rows[readout.register] for readout in ordered], np.int64),
+        readout_gain=np.array([readout.gain for readout in ordered], np.float64),
+        planes=np.empty(len(layout.planes) * (block // 64), np.uint64),
+        rows=np.empty(len(layout.rows) * block, np.float64),
+        charge=np.empty(block, np.float32),
+        exposure=exposure,
     )
-    addresses = [array.ctypes.data for array in arrays]
-    run = entry_point()
-    seed = np.array(device_seed & 2**64 - 1, np.uint64).view(np.int64)
     for first in range(0, pixels, block):
-        sizes = np.array(
-            [
-                container.slots,
-                pixels,
-                first,
-                min(block, pixels - first),
-                len(light.frames),
-                len(codes),
-                len(ordered),
-                seed,
-                layout.planes["FLAG"],
-                layout.rows["PIX"],
-            ],
-            np.int64,
+        run(
+            block=Block(
+                slots=container.slots,
+                pixels=pixels,
+                first=first,
+                length=min(block, pixels - first),
+                frames=len(frames),
+                code_registers=len(codes),
+                buckets=len(ordered),
+                seed=np.uint64(device_seed & 2**64 - 1),
+                flag_plane=layout.planes["FLAG"],
+                pix_row=layout.rows["PIX"],
+            )
         )
-        run(sizes.ctypes.data, *addresses)
     shaped = exposure.reshape(len(ordered), *light.shape)
     return Exposure(shaped, np.isfinite(shaped))
 
 
-def _program(container: Container, layout: Layout) -> tuple[NDArray[np.int64], ...]:
-    """Kernels and schedule as `loops.expose_block` takes them."""
-    program = steps_of(container, layout)
-    return (
-        program.steps,
-        program.operands,
-        program.kernel_start,
-        program.launch_start,
-        program.launch_kernel,
-    )
-
-
-def _light(light: Light) -> tuple[NDArray[np.generic], ...]:
-    """Frames and matrix as `loops.expose_block` takes them: it does no checks of its own."""
-    frames = len(light.frames)
+def _check_matrix(light: Light) -> None:
+    """Refuse a matrix that contradicts itself: the loop does no checks of its own."""
     starts, index = light.row_start, light.frame_index
     if starts[0] != 0 or np.any(np.diff(starts) < 0):
         raise ValueError("the rows of the light's matrix are out of order")
-    if index.size and not (index.min() >= 0 and index.max() < frames):
+    if index.size and not (index.min() >= 0 and index.max() < len(light.frames)):
         raise ValueError("the light's matrix names a frame that does not exist")
-    return (
-        np.require(light.frames, np.float32, ["C", "A"]),
-        np.require(starts, np.int64, ["C", "A"]),
-        np.require(index, np.int32, ["C", "A"]),
-        np.require(light.weight, np.float64, ["C", "A"]),
-        np.bincount(index, light.weight, minlength=frames),
-    )
 
 
 def check(container: Container, light: Light) -> None:

@@ -1,9 +1,4 @@
-"""The loops to be compiled: a block of pixels through a whole frame, step by step.
-
-The entry point is `expose_block`; `nscc_runtime.emulator.compiled` compiles it. Only that module
-imports this one, because it imports numba. Everything here works on bare pointers, allocates
-nothing and raises nothing, so that its machine code needs nothing of numba or of Python once it is
-made. That is why arrays are flat and lengths are arguments.
+"""The loop of the emulator, to be compiled: a block of pixels through a whole frame, step by step.
 
 A block is a run of consecutive pixels that starts at a multiple of 64. Its planes are 64-bit words,
 pixel i in bit i % 64 of word i // 64; its rows are float64. Plane p starts at p * words in
@@ -17,21 +12,22 @@ value itself LLVM makes a masked store, which takes twice as long (AMD Zen 3, me
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TypeVar, cast
+from typing import Annotated
 
-import numba
 import numpy as np
-from numpy.typing import NDArray
 
 from nscc_runtime.emulator.steps import COLUMNS, Step
-
-_F = TypeVar("_F", bound=Callable[..., object])
-
-
-def _compiled(function: _F) -> _F:
-    return cast(_F, numba.njit(nogil=True, error_model="numpy")(function))
-
+from nscc_runtime.loop import (
+    Floats,
+    Floats32,
+    Ints,
+    Ints32,
+    Words,
+    Written,
+    compiled,
+    loop,
+    record,
+)
 
 _COMBINE, _STORE = int(Step.COMBINE), int(Step.STORE)
 _BUS2, _BUS4, _DIVIDE, _COPY = int(Step.BUS2), int(Step.BUS4), int(Step.DIVIDE), int(Step.COPY)
@@ -45,15 +41,8 @@ _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
 _FULL = np.uint64(0xFFFF_FFFF_FFFF_FFFF)
 
-# Pointers; typed as arrays, which is how they are used.
-Ints = NDArray[np.int64]
-Ints32 = NDArray[np.int32]
-Planes = NDArray[np.uint64]
-Rows = NDArray[np.float64]
-Frames = NDArray[np.float32]
 
-
-@_compiled
+@compiled
 def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
     """64 random-looking bits of (seed, stream, counter): two rounds of splitmix64's finaliser."""
     z = seed + np.uint64(stream + 1) * np.uint64(0x9E37_79B9_7F4A_7C15)
@@ -66,8 +55,8 @@ def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
     return z
 
 
-@_compiled
-def _any_all(planes: Planes, flag: int, words: int) -> int:
+@compiled
+def _any_all(planes: Words, flag: int, words: int) -> int:
     """Whether no, some or every pixel of the plane that starts at `flag` is 1."""
     some, every = _ZERO, _FULL
     for i in range(words):
@@ -78,9 +67,9 @@ def _any_all(planes: Planes, flag: int, words: int) -> int:
     return _ALL if every == _FULL else _SOME
 
 
-@_compiled
+@compiled
 def _combine(
-    planes: Planes, words: int, out: int, operands: Ints, first: int, count: int, flip: np.uint64
+    planes: Words, words: int, out: int, operands: Ints, first: int, count: int, flip: np.uint64
 ) -> None:
     """Plane at `out` := OR of `count` planes operands[first..], each bit XOR that of `flip`."""
     if count == 0:
@@ -108,9 +97,9 @@ def _combine(
         planes[out + i] = (planes[out + i] | planes[b + i]) ^ flip
 
 
-@_compiled
+@compiled
 def _bus2(
-    rows: Rows, out: int, a: int, b: int, planes: Planes, flag: int, words: int, state: int
+    rows: Floats, out: int, a: int, b: int, planes: Words, flag: int, words: int, state: int
 ) -> None:
     """Row at `out` := -(a + b) where FLAG = 1; `out` is neither a nor b."""
     if state == _ALL:
@@ -127,9 +116,9 @@ def _bus2(
             rows[x + j] = new if (word >> np.uint64(j)) & _ONE else old
 
 
-@_compiled
+@compiled
 def _bus4(
-    rows: Rows, out: int, a: int, b: int, c: int, d: int, planes: Planes, flag: int, words: int
+    rows: Floats, out: int, a: int, b: int, c: int, d: int, planes: Words, flag: int, words: int
 ) -> None:
     """Row at `out` := -(a + b + c + d) where FLAG = 1; `out` is none of the others."""
     for g in range(words):
@@ -143,9 +132,9 @@ def _bus4(
             rows[out + i] = new if (word >> np.uint64(j)) & _ONE else old
 
 
-@_compiled
+@compiled
 def _divide(
-    rows: Rows, out: int, a: int, divisor: float, planes: Planes, flag: int, words: int
+    rows: Floats, out: int, a: int, divisor: float, planes: Words, flag: int, words: int
 ) -> None:
     """Row at `out` := a / divisor where FLAG = 1; `out` is not a."""
     for g in range(words):
@@ -158,9 +147,9 @@ def _divide(
             rows[x + j] = new if (word >> np.uint64(j)) & _ONE else old
 
 
-@_compiled
+@compiled
 def _compare(
-    rows: Rows, a: int, b: int, c: int, d: int, planes: Planes, flag: int, words: int, within: int
+    rows: Floats, a: int, b: int, c: int, d: int, planes: Words, flag: int, words: int, within: int
 ) -> None:
     """FLAG := a + b + c + d > 0, and its old value if `within`."""
     for g in range(words):
@@ -172,14 +161,14 @@ def _compare(
         planes[flag + g] = word & planes[flag + g] if within else word
 
 
-@_compiled
+@compiled
 def _run_steps(
     steps: Ints,
     first: int,
     stop: int,
     operands: Ints,
-    planes: Planes,
-    rows: Rows,
+    planes: Words,
+    rows: Floats,
     words: int,
     flag_plane: int,
     state: int,
@@ -217,10 +206,10 @@ def _run_steps(
     return state
 
 
-@_compiled
+@compiled
 def _start(
-    planes: Planes,
-    rows: Rows,
+    planes: Words,
+    rows: Floats,
     words: int,
     flag_plane: int,
     pix: int,
@@ -256,8 +245,8 @@ def _start(
             rows[r * pixels + i] = value * lowest if spread < 0.0 else value
 
 
-@_compiled
-def _same_light(row_start: Ints, frame_index: Ints32, weight: Rows, slot: int) -> bool:
+@compiled
+def _same_light(row_start: Ints, frame_index: Ints32, weight: Floats, slot: int) -> bool:
     """Whether a slot has the light of the slot before it."""
     if slot == 0:
         return False
@@ -272,40 +261,59 @@ def _same_light(row_start: Ints, frame_index: Ints32, weight: Rows, slot: int) -
     return True
 
 
+@record
+class Block:
+    """A block of pixels, and how much there is of everything.
+
+    `pixels` are those of the array, `first` (a multiple of 64) and `length` say which of them are
+    exposed; `flag_plane` is FLAG's plane, `pix_row` PIX's row.
+    """
+
+    slots: int
+    pixels: int
+    first: int
+    length: int
+    frames: int
+    code_registers: int
+    buckets: int
+    seed: np.uint64
+    flag_plane: int
+    pix_row: int
+
+
+@loop
 def expose_block(
-    sizes: Ints,
-    steps: Ints,
+    block: Block,
+    steps: Annotated[Ints, "steps columns"],
     operands: Ints,
     kernel_start: Ints,
-    launch_start: Ints,
+    launch_start: Annotated[Ints, "slots+2"],
     launch_kernel: Ints,
-    frames: Frames,
-    row_start: Ints,
-    frame_index: Ints32,
-    weight: Rows,
-    frame_weight: Rows,
-    code_planes: Planes,
-    code_rows: Ints,
-    readout_rows: Ints,
-    readout_gain: Rows,
-    planes: Planes,
-    rows: Rows,
-    charge: Frames,
-    exposure: Rows,
+    frames: Annotated[Floats32, "frames pixels"],
+    row_start: Annotated[Ints, "slots+1"],
+    frame_index: Annotated[Ints32, "entries"],
+    weight: Annotated[Floats, "entries"],
+    frame_weight: Annotated[Floats, "frames"],
+    code_planes: Annotated[Words, "code_registers words"],
+    code_rows: Annotated[Ints, "code_registers"],
+    readout_rows: Annotated[Ints, "buckets"],
+    readout_gain: Annotated[Floats, "buckets"],
+    planes: Written[Words],
+    rows: Written[Floats],
+    charge: Written[Floats32],
+    exposure: Written[Annotated[Floats, "buckets pixels"]],
 ) -> None:
-    """Expose some pixels and write them into `exposure` (buckets, pixels of the array).
+    """Expose some pixels and write them into `exposure`.
 
-    `sizes` are, in order: slots, pixels of the array, first pixel of the block (a multiple of 64),
-    its length, frames, code registers, buckets, seed, FLAG's plane, PIX's row. `frames` (frames,
-    pixels) with the matrix of `nscc_runtime.light.Light`; `frame_weight` is the weight of each
-    frame in the whole frame's light. `code_planes` (code registers, words of the array) start the
+    `row_start`, `frame_index` and `weight` are the matrix of `nscc_runtime.light.Light`;
+    `frame_weight` is the weight of each frame in the whole frame's light. `code_planes` start the
     planes `code_rows`. `planes`, `rows` and `charge` (block) are working memory: planes up to two
     after FLAG's, rows up to four after PIX's (see `nscc_runtime.emulator.steps.Layout`), the last
     of them used here.
     """
-    slots, pixels, first, length = sizes[0], sizes[1], sizes[2], sizes[3]
-    frame_count, code_count, bucket_count = sizes[4], sizes[5], sizes[6]
-    seed, flag_plane, pix_row = np.uint64(sizes[7]), sizes[8], sizes[9]
+    slots, pixels, first, length = block.slots, block.pixels, block.first, block.length
+    frame_count, code_count, bucket_count = block.frames, block.code_registers, block.buckets
+    seed, flag_plane, pix_row = block.seed, block.flag_plane, block.pix_row
     words = (length + 63) // 64
     row_length = 64 * words
     pix = pix_row * row_length
@@ -356,12 +364,3 @@ def expose_block(
         for i in range(length):
             # -0 + 0 is +0.
             exposure[out + i] = rows[row + i] * gain + 0.0
-
-
-SIGNATURE = (
-    "void(CPointer(int64), CPointer(int64), CPointer(int64), CPointer(int64), CPointer(int64), "
-    "CPointer(int64), CPointer(float32), CPointer(int64), CPointer(int32), CPointer(float64), "
-    "CPointer(float64), CPointer(uint64), CPointer(int64), CPointer(int64), CPointer(float64), "
-    "CPointer(uint64), CPointer(float64), CPointer(float32), CPointer(float64))"
-)
-"""The types of `expose_block`'s parameters, for numba."""

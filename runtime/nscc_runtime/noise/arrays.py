@@ -7,8 +7,6 @@ which changes no bit.
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -23,7 +21,11 @@ _COUNT_CAP = 2.0**53
 
 def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
     """Numbers strictly inside (0, 1): odd multiples of 2**-53."""
-    return _filled("fill_uniforms", key, pixels)
+    from nscc_runtime.noise.loops import Draws, fill_uniforms
+
+    places, out = _places(pixels), np.empty(np.shape(pixels))
+    fill_uniforms(draws=Draws(count=places.size, key=key), pixels=places, out=out.reshape(-1))
+    return out
 
 
 def normals(key: np.uint64, pixels: Pixels) -> Floats:
@@ -31,7 +33,11 @@ def normals(key: np.uint64, pixels: Pixels) -> Floats:
 
     The quantile of that uniform number, to a relative error of 1e-12; so they end at +-8.21.
     """
-    return _filled("fill_normals", key, pixels)
+    from nscc_runtime.noise.loops import Draws, fill_normals
+
+    places, out = _places(pixels), np.empty(np.shape(pixels))
+    fill_normals(draws=Draws(count=places.size, key=key), pixels=places, out=out.reshape(-1))
+    return out
 
 
 def poisson(
@@ -49,9 +55,18 @@ def poisson(
     """
     if np.shape(rate) != np.shape(pixels):
         raise ValueError(f"rates {np.shape(rate)} for pixels {np.shape(pixels)}")
+    from nscc_runtime.noise.loops import Counts, fill_poisson
+
+    places, out = _places(pixels), np.empty(np.shape(pixels))
     valid = np.empty(np.shape(pixels), np.bool_)
-    parts = (np.array([RATE_CAP]), _floats(rate))
-    return _filled("fill_poisson", key, pixels, int(exact), *parts, after=(valid,)), valid
+    fill_poisson(
+        counts=Counts(count=places.size, key=key, exact=exact, cap=RATE_CAP),
+        pixels=places,
+        rate=_floats(rate).reshape(-1),
+        out=out.reshape(-1),
+        valid=valid.view(np.uint8).reshape(-1),
+    )
+    return out, valid
 
 
 def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floats:
@@ -79,31 +94,26 @@ def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floa
         raise ValueError("a share is negative, or a sum of shares is not finite")
     if np.any((counts > 0) & (total == 0)):
         raise ValueError("a count has no slot to go to: all shares are 0")
-    sizes = (slots, slots if shares.ndim == 2 else 0)
-    return _filled("fill_thin", key, pixels, *sizes, counts, shares, shape=(pixel_count, slots))
+    from nscc_runtime.noise.loops import Spread, fill_thin
+
+    out = np.empty((pixel_count, slots))
+    stride = slots if shares.ndim == 2 else 0
+    fill_thin(
+        spread=Spread(count=pixel_count, key=key, slots=slots, stride=stride),
+        pixels=_places(pixels),
+        counts=counts,
+        shares=np.atleast_2d(shares),
+        out=out,
+    )
+    return out
 
 
-def _filled(
-    loop: str,
-    key: np.uint64,
-    pixels: Pixels,
-    *parts: int | Floats,
-    after: tuple[NDArray[Any], ...] = (),
-    shape: tuple[int, ...] | None = None,
-) -> Floats:
-    """What a loop makes of the pixels; `parts` are its further sizes and arrays, in order."""
-    from nscc_runtime.noise.compiled import entry_points
-
+def _places(pixels: Pixels) -> Pixels:
+    """Places as the loops take them; raises ValueError for what is no place."""
     pixels = np.asarray(pixels)
     if not (np.issubdtype(pixels.dtype, np.integer) and (pixels.size == 0 or pixels.min() >= 0)):
         raise ValueError("a pixel's place is a whole number from 0 on")
-    places = np.require(pixels, np.int64, ["C", "A"])
-    sizes = np.array([pixels.size, *(part for part in parts if isinstance(part, int))], np.int64)
-    given = [part for part in parts if not isinstance(part, int)]
-    out = np.empty(pixels.shape if shape is None else shape)
-    arrays = (sizes, np.array([key], np.uint64), places, *given, out, *after)
-    entry_points()[loop](*(array.ctypes.data for array in arrays))
-    return out
+    return np.require(pixels, np.int64, ["C", "A"]).reshape(-1)
 
 
 def _floats(values: Floats) -> Floats:

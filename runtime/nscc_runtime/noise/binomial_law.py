@@ -1,8 +1,7 @@
 """Binomial counts from one uniform number, for spreading a count over slots.
 
 The count never decreases in u, in the chance p of each trial or in the number n of trials while
-the other two stay, up to rounding (see `nscc_runtime.noise.poisson_law`). Importing this module
-imports numba.
+the other two stay, up to rounding (see `nscc_runtime.noise.poisson_law`).
 """
 
 from __future__ import annotations
@@ -11,7 +10,7 @@ import math
 
 import numpy as np
 
-from nscc_runtime.noise.counter import compiled
+from nscc_runtime.loop import compiled
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.poisson_law import deviance, stirling_error
 

@@ -3,30 +3,14 @@
 Philox4x32-10: Salmon, Moraes, Dror and Shaw, "Parallel random numbers: as easy as 1, 2, 3",
 SC 2011, which passes BigCrush. `nscc_runtime.noise.keys.philox` is the same function for Python.
 
-The functions are scalar and compiled by numba: other loops may call them, and LLVM makes vectors of
-them. Importing this module imports numba.
+The functions are scalar: loops (`nscc_runtime.loop`) call them, and LLVM makes vectors of them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TypeVar, cast
-
-import numba
 import numpy as np
 
-_F = TypeVar("_F", bound=Callable[..., object])
-
-
-def compiled(function: _F) -> _F:
-    """A function that compiled loops may call."""
-    return cast(_F, numba.njit(nogil=True, error_model="numpy")(function))
-
-
-def inlined(function: _F) -> _F:
-    """The same, made part of each loop that calls it: LLVM makes vectors of no other calls."""
-    return cast(_F, numba.njit(nogil=True, error_model="numpy", forceinline=True)(function))
-
+from nscc_runtime.loop import inlined
 
 _HALF = np.uint64(32)
 _MASK = np.uint64(0xFFFF_FFFF)

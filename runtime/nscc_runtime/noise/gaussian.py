@@ -16,7 +16,7 @@ from statistics import NormalDist
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.noise.counter import inlined
+from nscc_runtime.loop import inlined, table
 
 _TERMS = 8
 _CELL_BITS = 5
@@ -43,7 +43,7 @@ def taylor(z: float) -> list[float]:
 def _table() -> NDArray[np.float64]:
     """`_TERMS` coefficients for each cell, flat; the cell of the smallest v comes first."""
     width = 2.0**-_CELL_BITS
-    table = np.empty((_CELLS, _TERMS))
+    cells = np.empty((_CELLS, _TERMS))
     below = 0.0
     for cell in reversed(range(_CELLS)):
         octave, step = divmod(cell, 1 << _CELL_BITS)
@@ -51,14 +51,14 @@ def _table() -> NDArray[np.float64]:
         upper = size * (1 + (step + 1) * width)
         terms = taylor(-NormalDist().inv_cdf(upper) if upper < 0.5 else 0.0)
         terms[0] = max(terms[0], below)
-        table[cell] = terms
+        cells[cell] = terms
         below = 0.0
         for term in reversed(terms):
             below = term + size * width * below
-    return table.reshape(-1)
+    return cells.reshape(-1)
 
 
-_TABLE = _table()
+_TABLE = table(_table)
 
 
 @inlined

@@ -6,10 +6,12 @@ fastest cache. Within 2e-6 of the exact number where |z| < 6.
 
 from __future__ import annotations
 
+from statistics import NormalDist
+
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.noise.counter import inlined
+from nscc_runtime.loop import inlined, table
 from nscc_runtime.noise.gaussian import taylor
 
 _CELL_BITS = 5
@@ -21,20 +23,18 @@ _CELLS = (52 << _CELL_BITS) + 1
 
 def _table() -> NDArray[np.float32]:
     """Three coefficients of each cell: all constants, then all slopes, then all bends."""
-    from statistics import NormalDist
-
-    table = np.zeros((3, _CELLS))
+    cells = np.zeros((3, _CELLS))
     for cell in range(_CELLS - 1):
         octave, step = divmod(cell, 1 << _CELL_BITS)
         middle = 2.0 ** (octave - 53) * (1 + (step + 0.5) / (1 << _CELL_BITS))
         # `taylor` is in the distance towards 0.
         value, slope, bend = taylor(-NormalDist().inv_cdf(middle))[:3]
-        table[:, cell] = value, -slope, bend
+        cells[:, cell] = value, -slope, bend
     # The last cell holds 1/2 alone, half a cell away from its middle.
-    return table.astype(np.float32).reshape(-1)
+    return cells.astype(np.float32).reshape(-1)
 
 
-_TABLE = _table()
+_TABLE = table(_table)
 
 
 @inlined

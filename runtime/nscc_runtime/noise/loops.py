@@ -1,17 +1,18 @@
-"""The loops over pixels that `nscc_runtime.noise.compiled` makes machine code of.
+"""The loops over pixels that draw random numbers; `nscc_runtime.noise.arrays` calls them.
 
-They take bare pointers, allocate nothing and raise nothing; `nscc_runtime.noise.arrays` has checked
-what they are given. Every number depends on its key and pixel alone, and nothing is rounded
+Every number depends on its key and pixel alone, and nothing is rounded
 otherwise in a vector than alone, so that how pixels are split over calls changes no bit.
 """
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
+from typing import Annotated
 
+import numpy as np
+
+from nscc_runtime.loop import Bytes, Floats, Ints, Written, compiled, inlined, loop, record
 from nscc_runtime.noise.binomial_law import binomial
-from nscc_runtime.noise.counter import bits, compiled, inlined, unit
+from nscc_runtime.noise.counter import bits, unit
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.poisson_law import (
     SEARCH_BELOW,
@@ -22,11 +23,8 @@ from nscc_runtime.noise.poisson_law import (
     search,
 )
 
-# Pointers; typed as arrays, which is how they are used.
-Keys = NDArray[np.uint64]
-Ints = NDArray[np.int64]
-Floats = NDArray[np.float64]
-Flags = NDArray[np.uint8]
+_Places = Annotated[Ints, "count"]
+_Drawn = Written[Annotated[Floats, "count"]]
 
 _BLOCK = 512
 """Pixels drawn together: light differs little along a row, so most blocks are of one kind."""
@@ -63,26 +61,45 @@ def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> No
         out[i] = x if x > 0.0 else 0.0
 
 
-def fill_uniforms(sizes: Ints, key: Keys, pixels: Ints, out: Floats) -> None:
-    """out[i] := the uniform number at pixels[i]; `sizes` is how many, `key` one word."""
-    for i in range(sizes[0]):
-        out[i] = uniform(key[0], pixels[i])
+@record
+class Draws:
+    """How many numbers are drawn, and with which key."""
+
+    count: int
+    key: np.uint64
 
 
-def fill_normals(sizes: Ints, key: Keys, pixels: Ints, out: Floats) -> None:
-    """out[i] := the normal number at pixels[i]; `sizes` is how many, `key` one word."""
-    for i in range(sizes[0]):
-        out[i] = normal(uniform(key[0], pixels[i]))
+@loop
+def fill_uniforms(draws: Draws, pixels: _Places, out: _Drawn) -> None:
+    """out[i] := the uniform number at pixels[i]."""
+    for i in range(draws.count):
+        out[i] = uniform(draws.key, pixels[i])
 
 
+@loop
+def fill_normals(draws: Draws, pixels: _Places, out: _Drawn) -> None:
+    """out[i] := the normal number at pixels[i]."""
+    for i in range(draws.count):
+        out[i] = normal(uniform(draws.key, pixels[i]))
+
+
+@record
+class Counts:
+    """What `fill_poisson` draws: rates above `cap` count as `cap`; `exact` is 0 or 1."""
+
+    count: int
+    key: np.uint64
+    exact: int
+    cap: float
+
+
+@loop
 def fill_poisson(
-    sizes: Ints, key: Keys, pixels: Ints, cap: Floats, rate: Floats, out: Floats, valid: Flags
-) -> None:
-    """out[i] := a count of rate[i], drawn at pixels[i]; valid[i] := whether that is a number.
-
-    `sizes` are how many, and 1 for exact counts; `cap` is one number.
-    """
-    count, top, stream = sizes[0], cap[0], key[0]
+    counts: Counts, pixels: _Places, rate: Annotated[Floats, "count"], out: _Drawn,
+    valid: Written[Annotated[Bytes, "count"]],
+) -> None:  # fmt: skip
+    """out[i] := a count of rate[i], drawn at pixels[i]; valid[i] := whether that is a number."""
+    count, top, stream = counts.count, counts.cap, counts.key
     for first in range(0, count, _BLOCK):
         stop = min(first + _BLOCK, count)
         low = 0
@@ -91,7 +108,7 @@ def fill_poisson(
             low += not rate[i] >= SETTLED_ABOVE
         for i in range(first, stop):
             out[i] = uniform(stream, pixels[i])
-        if sizes[1]:
+        if counts.exact:
             for i in range(first, stop):
                 out[i] = poisson_exact(out[i], _drawable(rate[i], top))
         elif low == stop - first:
@@ -121,19 +138,30 @@ def halved(
     return binomial(u, count, left / (left + right))
 
 
+@record
+class Spread:
+    """What `fill_thin` spreads: `stride` is `slots`, or 0 for shares that all have in common."""
+
+    count: int
+    key: np.uint64
+    slots: int
+    stride: int
+
+
+@loop
 def fill_thin(
-    sizes: Ints, key: Keys, pixels: Ints, counts: Floats, shares: Floats, out: Floats
-) -> None:
+    spread: Spread, pixels: _Places, counts: Annotated[Floats, "count"],
+    shares: Annotated[Floats, "sharers slots"], out: Written[Annotated[Floats, "count slots"]],
+) -> None:  # fmt: skip
     """Spread counts[i] over the slots of out[i] in proportion to shares[i * stride ..].
 
-    `sizes` are how many pixels, how many slots, and the stride: slots, or 0 for shares that all
-    pixels have in common. Halves are numbered as in a heap: 1 is the whole.
+    Halves are numbered as in a heap: 1 is the whole.
     """
-    slots, stride, stream = sizes[1], sizes[2], key[0]
+    slots, stride, stream = spread.slots, spread.stride, spread.key
     whole = 1
     while whole < slots:
         whole *= 2
-    for i in range(sizes[0]):
+    for i in range(spread.count):
         first, row = i * stride, i * slots
         if slots > 0:
             out[row] = counts[i]
@@ -152,14 +180,3 @@ def fill_thin(
                     out[row + start] = drawn
                     out[row + middle] = count - drawn
             size //= 2
-
-
-_HEAD = "void(CPointer(int64), CPointer(uint64), CPointer(int64), "
-_DOUBLES = "CPointer(float64)"
-SIGNATURES = {
-    "fill_uniforms": f"{_HEAD}{_DOUBLES})",
-    "fill_normals": f"{_HEAD}{_DOUBLES})",
-    "fill_poisson": f"{_HEAD}{_DOUBLES}, {_DOUBLES}, {_DOUBLES}, CPointer(uint8))",
-    "fill_thin": f"{_HEAD}{_DOUBLES}, {_DOUBLES}, {_DOUBLES})",
-}
-"""The types of each loop's parameters, for numba."""

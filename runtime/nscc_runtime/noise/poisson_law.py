@@ -5,8 +5,7 @@ uniform number, so that a small change of the rate is a small change of the coun
 to rounding: where u is within about 1e-13 of a step of the distribution function, rates that differ
 by less than that may change places.
 
-Rates are finite and at least 0; u lies in [2**-53, 1 - 2**-53]. Importing this module imports
-numba.
+Rates are finite and at least 0; u lies in [2**-53, 1 - 2**-53].
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ import math
 
 import numpy as np
 
-from nscc_runtime.noise.counter import compiled, inlined
+from nscc_runtime.loop import compiled, inlined
 from nscc_runtime.noise.gaussian import normal
 
 SEARCH_BELOW = 10.0

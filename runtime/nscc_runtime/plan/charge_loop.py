@@ -1,54 +1,30 @@
 """What falls on a pixel in a run of slots: rates, counts spread by halving, neighbours' charge.
 
-Part of the loop over single pixels (`nscc_runtime.plan.pixel_loop`). Importing this module imports
-numba.
+Part of the loop over single pixels (`nscc_runtime.plan.pixel_loop`).
 """
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
-from numpy.typing import NDArray
 
-from nscc_runtime.noise.counter import bits, compiled
+from nscc_runtime.effects.spread import log_normal_in_loop
+from nscc_runtime.loop import Bytes, Floats, Floats32, Ints, Ints32, Words, compiled
+from nscc_runtime.noise.counter import bits
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import halved, uniform
 from nscc_runtime.noise.poisson_law import poisson_exact
-from nscc_runtime.plan.layout import Key, Number, Size
-
-# Pointers; typed as arrays, which is how they are used.
-Keys = NDArray[np.uint64]
-Ints = NDArray[np.int64]
-Ints32 = NDArray[np.int32]
-Floats = NDArray[np.float64]
-Frames = NDArray[np.float32]
-Flags = NDArray[np.uint8]
+from nscc_runtime.plan.layout import Keys, Numbers, Sizes
 
 SITES = 5
 """A pixel and its four neighbours."""
-
-# numba takes enum members for what they are only as plain numbers.
-_S = {member.name: int(member) for member in Size}
-_SLOTS, _ROWS, _COLS, _KEPT_COLS = _S["SLOTS"], _S["ROWS"], _S["COLS"], _S["KEPT_COLS"]
-_GROUPS, _WHOLE, _FRAME = _S["GROUPS"], _S["WHOLE"], _S["FRAME"]
-_SHOT, _DARK, _SMEARS, _UNEVEN = _S["SHOT"], _S["DARK"], _S["CROSSTALK"], _S["PRNU"]
-_N = {member.name: int(member) for member in Number}
-_N_SMEAR, _N_LAG, _N_PRNU, _N_CAP = _N["CROSSTALK"], _N["LAG"], _N["PRNU"], _N["RATE_CAP"]
-_N_DARK, _N_DARK_VARIANCE = _N["DARK"], _N["DARK_VARIANCE"]
-_K = {member.name: int(member) for member in Key}
-_K_PRNU, _K_DARK, _K_COUNT, _K_THIN = _K["PRNU"], _K["DARK"], _K["COUNT"], _K["THIN"]
+_LIGHT, _DARK = 0, 1
+"""Where charge comes from."""
 
 
 @compiled
 def stream_key(base: np.uint64, frame: int, group: np.uint64) -> np.uint64:
     """`nscc_runtime.noise.key`, from the half of it that seed, effect and source decide."""
     return bits(base, frame, group)
-
-
-@compiled
-def log_normal(variance: float, z: float) -> float:
-    return math.exp(math.sqrt(variance) * z - variance / 2)
 
 
 @compiled
@@ -125,17 +101,18 @@ def _counted(
 
 @compiled
 def _prepared(
-    sizes: Ints, numbers: Floats, keys: Keys, source: int, place: int, stamp: int,
-    rates: Floats, at: int, groups: Ints32, present: Flags, lane: int, group_ids: Keys,
+    sizes: Sizes, numbers: Numbers, keys: Keys, source: int, place: int, stamp: int,
+    rates: Floats, at: int, groups: Ints32, present: Bytes, lane: int, group_ids: Words,
     heap: Floats, stamps: Ints, first: int,
 ) -> None:  # fmt: skip
     """Draw the counts of a site's groups and put them at the tops of their heaps."""
-    slots, whole, count = sizes[_SLOTS], sizes[_WHOLE], sizes[_GROUPS]
+    slots, whole, count = sizes.slots, sizes.whole, sizes.groups
     for group in range(count):
         if present[lane * count + group]:
             rate = _share(rates, at, groups, lane * slots, group, 0, slots)
-            rate = rate if rate < numbers[_N_CAP] else numbers[_N_CAP]
-            stream = stream_key(keys[_K_COUNT + source], sizes[_FRAME], group_ids[group])
+            rate = rate if rate < numbers.rate_cap else numbers.rate_cap
+            counted = keys.count_light if source == _LIGHT else keys.count_dark
+            stream = stream_key(counted, sizes.frame, group_ids[group])
             top = first + 2 * whole * group + 1
             heap[top] = poisson_exact(uniform(stream, place), rate)
             stamps[top] = stamp
@@ -143,20 +120,21 @@ def _prepared(
 
 @compiled
 def _between(
-    sizes: Ints, keys: Keys, source: int, counted: bool, place: int, stamp: int, begin: int,
-    stop: int, rates: Floats, at: int, groups: Ints32, present: Flags, lane: int, group_ids: Keys,
+    sizes: Sizes, keys: Keys, source: int, counted: bool, place: int, stamp: int, begin: int,
+    stop: int, rates: Floats, at: int, groups: Ints32, present: Bytes, lane: int, group_ids: Words,
     heap: Floats, stamps: Ints, first: int,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 at a site, of one source."""
     total = 0.0
-    slots, whole, count = sizes[_SLOTS], sizes[_WHOLE], sizes[_GROUPS]
+    slots, whole, count = sizes.slots, sizes.whole, sizes.groups
     if not counted:
         for n in range(begin, stop):
             total += rates[at + n]
         return total
     for group in range(count):
         if present[lane * count + group]:
-            stream = stream_key(keys[_K_THIN + source], sizes[_FRAME], group_ids[group])
+            thinned = keys.thin_light if source == _LIGHT else keys.thin_dark
+            stream = stream_key(thinned, sizes.frame, group_ids[group])
             total += _counted(
                 heap, stamps, stamp, first + 2 * whole * group, begin, stop, slots, whole,
                 rates, at, groups, lane * slots, group, stream, place,
@@ -165,38 +143,38 @@ def _between(
 
 
 @compiled
-def kept_at(sizes: Ints, place: int) -> int:
+def kept_at(sizes: Sizes, place: int) -> int:
     """Where the charge of a site is kept: next to those of its neighbours, never in their place."""
-    if not sizes[_SMEARS]:
+    if not sizes.exchanges:
         return 0
-    row, col = place // sizes[_COLS], place % sizes[_COLS]
-    found: int = (row % 3) * sizes[_KEPT_COLS] + col % sizes[_KEPT_COLS]
+    row, col = place // sizes.cols, place % sizes.cols
+    found: int = (row % 3) * sizes.kept_cols + col % sizes.kept_cols
     return found
 
 
 @compiled
 def charge(
-    sizes: Ints, numbers: Floats, keys: Keys, places: Ints, begin: int, stop: int,
-    rates: Floats, groups: Ints32, present: Flags, lanes: Ints32, group_ids: Keys,
+    sizes: Sizes, numbers: Numbers, keys: Keys, places: Ints, begin: int, stop: int,
+    rates: Floats, groups: Ints32, present: Bytes, lanes: Ints32, group_ids: Words,
     heap: Floats, stamps: Ints,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 that falls on the pixel, smeared."""
     if begin >= stop:
         return 0.0
-    slots, room = sizes[_SLOTS], 2 * sizes[_WHOLE] * sizes[_GROUPS]
+    slots, room = sizes.slots, 2 * sizes.whole * sizes.groups
     own, flow = 0.0, 0.0
-    for site in range(SITES if sizes[_SMEARS] else 1):
+    for site in range(SITES if sizes.exchanges else 1):
         place = places[site]
         if place < 0:
             continue
         kept = 2 * kept_at(sizes, place)
         total = _between(
-            sizes, keys, 0, sizes[_SHOT] == 1, place, place, begin, stop, rates, kept * slots,
-            groups, present, lanes[place], group_ids, heap, stamps, kept * room,
+            sizes, keys, _LIGHT, sizes.counts_light == 1, place, place, begin, stop, rates,
+            kept * slots, groups, present, lanes[place], group_ids, heap, stamps, kept * room,
         )  # fmt: skip
-        if sizes[_DARK]:
+        if sizes.counts_dark:
             total += _between(
-                sizes, keys, 1, sizes[_DARK] == 1, place, place, begin, stop, rates,
+                sizes, keys, _DARK, True, place, place, begin, stop, rates,
                 (kept + 1) * slots, groups, present, lanes[place], group_ids, heap, stamps,
                 (kept + 1) * room,
             )  # fmt: skip
@@ -204,22 +182,22 @@ def charge(
             own = total
         else:
             flow += total - own
-    return own + numbers[_N_SMEAR] * flow if sizes[_SMEARS] else own
+    return own + numbers.exchanged * flow if sizes.exchanges else own
 
 
 @compiled
 def lit(
-    sizes: Ints, numbers: Floats, keys: Keys, place: int,
-    frames: Frames, row_start: Ints, frame_index: Ints32, weight: Floats, slot_s: Floats,
-    groups: Ints32, present: Flags, lanes: Ints32, group_ids: Keys,
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int,
+    frames: Floats32, row_start: Ints, frame_index: Ints32, weight: Floats, slot_s: Floats,
+    groups: Ints32, present: Bytes, lanes: Ints32, group_ids: Words,
     rates: Floats, heap: Floats, stamps: Ints,
 ) -> None:  # fmt: skip
     """The rates of a site, slot by slot, and the counts of its groups, where they are kept."""
-    slots, pixels = sizes[_SLOTS], sizes[_ROWS] * sizes[_COLS]
-    room = 2 * sizes[_WHOLE] * sizes[_GROUPS]
+    slots, pixels = sizes.slots, sizes.rows * sizes.cols
+    room = 2 * sizes.whole * sizes.groups
     response = 1.0
-    if sizes[_UNEVEN]:
-        response += numbers[_N_PRNU] * normal(uniform(keys[_K_PRNU], place))
+    if sizes.uneven:
+        response += numbers.uneven * normal(uniform(keys.uneven, place))
         response = response if response > 0.0 else 0.0
     kept = 2 * kept_at(sizes, place)
     at = kept * slots
@@ -228,22 +206,21 @@ def lit(
         for k in range(row_start[n], row_start[n + 1]):
             total += float(frames[frame_index[k] * pixels + place]) * weight[k]
         rate = float(np.float32(total))
-        rate = (rate + numbers[_N_LAG] * rate) * response
+        rate = (rate + numbers.echo * rate) * response
         rate = rate if rate > 0.0 else 0.0
-        rates[at + n] = rate if rate < numbers[_N_CAP] else numbers[_N_CAP]
-    if sizes[_SHOT]:
+        rates[at + n] = rate if rate < numbers.rate_cap else numbers.rate_cap
+    if sizes.counts_light:
         _prepared(
-            sizes, numbers, keys, 0, place, place, rates, at, groups, present, lanes[place],
+            sizes, numbers, keys, _LIGHT, place, place, rates, at, groups, present, lanes[place],
             group_ids, heap, stamps, kept * room,
         )  # fmt: skip
-    if sizes[_DARK]:
+    if sizes.counts_dark:
         at += slots
-        z = normal(uniform(keys[_K_DARK], place))
-        current = numbers[_N_DARK] * log_normal(numbers[_N_DARK_VARIANCE], z)
+        z = normal(uniform(keys.dark, place))
+        current = numbers.dark * log_normal_in_loop(numbers.dark_variance, z)
         for n in range(slots):
             rates[at + n] = slot_s[n] * current
-        if sizes[_DARK] == 1:
-            _prepared(
-                sizes, numbers, keys, 1, place, place, rates, at, groups, present, lanes[place],
-                group_ids, heap, stamps, (kept + 1) * room,
-            )  # fmt: skip
+        _prepared(
+            sizes, numbers, keys, _DARK, place, place, rates, at, groups, present, lanes[place],
+            group_ids, heap, stamps, (kept + 1) * room,
+        )  # fmt: skip

@@ -7,7 +7,6 @@ and no pixel needs a slot loop. Each open slot lies in one bucket.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,11 +14,12 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import CannotHave
 from nscc_runtime.effects.counts import LIGHT, count_key
-from nscc_runtime.effects.parts import Converter, CountedLight, Soft, Well
+from nscc_runtime.effects.parts import Codes, Converter, CountedLight, Soft, Well
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
+from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
-from nscc_runtime.plan.layout import FUSED_BLOCK
+from nscc_runtime.plan.fused_loop import BLOCK, Simple, fused
 from nscc_runtime.plan.masks import Masks
 from nscc_runtime.plan.pool import in_parts
 from nscc_runtime.plan.prepared import Prepared
@@ -28,9 +28,6 @@ from nscc_runtime.plan.sums import on_frames
 from nscc_runtime.reference.noise import SUM
 
 _NO_TABLE, _NO_MASKS = np.zeros((1, 1), np.float32), np.zeros(1, np.uint8)
-_SCRATCH = tuple(8 * FUSED_BLOCK * start for start in (0, 1, 2, 6, 7))
-_SCRATCH_BYTES = 8 * FUSED_BLOCK * 8
-"""Rows of the loop's scratch, in the order of its parameters; one has four of them."""
 _MUCH = 1 << 21
 """Pixels x frames from which on a second thread is worth waking."""
 _DRAWN_FRAMES = 32
@@ -41,17 +38,16 @@ _DRAWN_FRAMES = 32
 class Fused:
     """A scene under a simple plan, laid out for the loop; everything but the keys of a frame.
 
-    Streams of what counts light, with their draws of what is added as noise, and of the converter.
+    `counter` and `converter` are the streams of what counts light and of the converter's noise, 0
+    where there is none; `sources` those of what is added as noise, with their draws.
     """
 
     scene: Prepared
-    frames: NDArray[np.float32]
-    numbers: NDArray[np.float64]
-    buckets: tuple[tuple[NDArray[Any], ...], ...]
-    counters: list[int]
+    given: dict[str, float]
+    buckets: tuple[Bound, ...]
+    counter: int
+    converter: int
     sources: tuple[tuple[int, int], ...]
-    read_by: list[int]
-    switches: tuple[int, ...]
 
     @classmethod
     def of(cls, scene: Prepared) -> Fused | None:
@@ -78,42 +74,40 @@ class Fused:
         shape = len(sigmas), len(program.container.encoding), len(program.container.buckets)
         sigma_e = np.array(sigmas).reshape(shape)
         limit_e = np.full(shape[1:], np.inf)
-        clips = kept.part(Well) is not None and kept.part(Soft) is None
-        if clips:
+        clipped = kept.part(Well) is not None and kept.part(Soft) is None
+        if clipped:
             single = program.tables.single(program.model(kept))
             limit_e = np.where(np.isnan(single), np.inf, single * scene.full_e)
-        response = np.ones(1) if scene.response is None else scene.response
-        converters = kept.having(Converter)
-        numbers = [
-            scene.factor, RATE_CAP, sensor.electrons_per_lsb, sensor.adc_offset_lsb,
-            2.0**target.adc_bits - 1, *(part.sigma_lsb(sensor) for _, part in converters), 0.0,
-        ]  # fmt: skip
+        counters, converters = kept.having(CountedLight), kept.having(Converter)
+        codes = kept.part(Codes)
+        given = {
+            "factor": scene.factor,
+            "rate_cap": RATE_CAP,
+            "electrons_per_code": codes.electrons(sensor) if codes else 1.0,
+            "offset": codes.offset(sensor) if codes else 0.0,
+            "top": 2.0**target.adc_bits - 1,
+            "readout_noise": sum(part.sigma_lsb(sensor) for _, part in converters),
+            "count": len(frames),
+            "lane_count": shape[1],
+            "sources": len(sources),
+            "uneven": scene.response is not None,
+            "counted": len(counters),
+            "clipped": clipped,
+            "readout_noisy": len(converters),
+        }
         buckets = tuple(
-            (
-                *_layout(program, source, 1 << bucket),
-                program.lanes,
-                response,
-                np.ascontiguousarray(limit_e[:, bucket]),
-                np.ascontiguousarray(sigma_e[:, :, bucket]),
+            fused.bound(
+                frames=frames,
+                lanes=program.lanes,
+                response=np.ones(1) if scene.response is None else scene.response,
+                limit=np.ascontiguousarray(limit_e[:, bucket]),
+                sigma=np.ascontiguousarray(sigma_e[:, :, bucket]),
+                **_layout(program, source, 1 << bucket),
             )
             for bucket in range(shape[2])
         )
-        counters = [effect.stream for effect, _ in kept.having(CountedLight)]
-        switches = (
-            int(scene.response is not None), len(counters), int(clips), len(sources),
-            len(converters),
-        )  # fmt: skip
-        read_by = [effect.stream for effect, _ in converters]
-        return cls(
-            scene, frames, np.array(numbers), buckets, counters, tuple(sources), read_by, switches
-        )
-
-    @cached_property
-    def addresses(self) -> tuple[tuple[int, ...], ...]:
-        """The addresses of the arrays that the loop reads, in each bucket."""
-        return tuple(
-            tuple(_address(array) for array in (self.frames, *arrays)) for arrays in self.buckets
-        )
+        counter, converter = (each[0][0].stream if each else 0 for each in (counters, converters))
+        return cls(scene, given, buckets, counter, converter, tuple(sources))
 
     def expose(self, seed: int, frame: int, *, read_out: bool) -> Frame:
         """Frame number `frame`; without `read_out` its codes are left 0."""
@@ -136,44 +130,63 @@ class Fused:
         out: tuple[NDArray[np.float64], NDArray[np.uint8], NDArray[np.bool_]],
     ) -> None:
         """Expose one bucket into `out`: exposures, codes, and whether they are numbers."""
-        from nscc_runtime.plan.compiled import entry_points
-
-        scene, loop = self.scene, entry_points()["fused"]
-        keys = [count_key(seed, each, LIGHT, frame, 1 << bucket) for each in self.counters]
-        keys = keys or [np.uint64(0)]
-        keys += [key(seed, stream, SUM, frame, draw) for stream, draw in self.sources]
-        keys += [key(seed, stream, frame=frame, group=bucket) for stream in self.read_by]
-        pixels, count = out[0].size, len(self.frames)
-        lanes = len(scene.program.container.encoding)
-        switches = *self.switches, int(read_out)
-        words = np.array(keys, np.uint64)
-        given = (_address(self.numbers), _address(words), *self.addresses[bucket])
-        filled = [_address(array) for array in out]
+        loop = self.buckets[bucket]
+        noise_keys = [key(seed, stream, SUM, frame, draw) for stream, draw in self.sources]
+        counted = readout = np.uint64(0)
+        if self.counter:
+            counted = count_key(seed, self.counter, LIGHT, frame, 1 << bucket)
+        if self.converter:
+            readout = key(seed, self.converter, frame=frame, group=bucket)
+        pixels = out[0].size
+        given: dict[str, Any] = {
+            **self.given,
+            "pixels": pixels,
+            "read_out": read_out,
+            "count_key": counted,
+            "readout_key": readout,
+        }
+        exposure, codes, valid = out
+        filled = {
+            "noise_keys": np.array(noise_keys, np.uint64),
+            "exposure": exposure.reshape(-1),
+            "frame": codes.reshape(-1),
+            "valid": valid.view(np.uint8).reshape(-1),
+        }
 
         def run(begin: int, end: int) -> None:
-            sizes = np.array([pixels, begin, end, count, lanes, *switches], np.int64)
-            scratch = np.empty(_SCRATCH_BYTES, np.uint8)
-            at = _address(scratch)
-            loop(_address(sizes), *given, *(at + start for start in _SCRATCH), *filled)
+            loop(plan=Simple(**given, begin=begin, end=end), **_scratch(), **filled)
 
-        drawn = len(keys) > 1 or bool(self.counters)
-        work = pixels * (count + _DRAWN_FRAMES * drawn)
-        in_parts(run, pixels, scene.threads if work >= _MUCH else 1, FUSED_BLOCK)
+        drawn = bool(noise_keys or self.counter or self.converter)
+        work = pixels * (self.given["count"] + _DRAWN_FRAMES * drawn)
+        in_parts(run, pixels, self.scene.threads if work >= _MUCH else 1, BLOCK)
 
 
-def _address(array: NDArray[Any]) -> int:
-    """Where an array begins."""
-    return int(array.__array_interface__["data"][0])
+def _scratch() -> dict[str, NDArray[Any]]:
+    return {
+        "part": np.empty(BLOCK, np.float32),
+        "values": np.empty(BLOCK),
+        "scratch": np.empty(4 * BLOCK),
+        "few": np.empty(BLOCK),
+        "places": np.empty(BLOCK, np.int64),
+    }
 
 
-def _layout(program: Program, light: Light, group: int) -> tuple[NDArray[Any], ...]:
-    """What becomes of each frame of a light in a group of slots: kinds, weights, rows of masks,
-    masks, table.
-    """
+def _layout(program: Program, light: Light, group: int) -> dict[str, NDArray[Any]]:
+    """What becomes of each frame of a light in a group of slots."""
     masks = program.masks(group)
     if light.in_order and masks is not None:
-        return masks.kinds, light.weight.astype(np.float32), masks.rows, masks.planes, _NO_TABLE
-    table = np.ascontiguousarray(on_frames(light, program.members(group)), np.float32)
+        return {
+            "kinds": masks.kinds,
+            "frame_weight": light.weight.astype(np.float32),
+            "mask_row": masks.rows,
+            "masks": masks.planes,
+            "table": _NO_TABLE,
+        }
     count = len(light.frames)
-    kinds = np.full(count, Masks.TABLED, np.int64)
-    return kinds, np.ones(count, np.float32), np.zeros(count, np.int64), _NO_MASKS, table
+    return {
+        "kinds": np.full(count, Masks.TABLED, np.int64),
+        "frame_weight": np.ones(count, np.float32),
+        "mask_row": np.zeros(count, np.int64),
+        "masks": _NO_MASKS,
+        "table": np.ascontiguousarray(on_frames(light, program.members(group)), np.float32),
+    }

@@ -1,30 +1,35 @@
 """The loop for plans without slot loops and without weights: light is added up, counted, made
 noisy, clipped and read out while it is in the cache.
 
-It takes bare pointers, allocates nothing and raises nothing; `nscc_runtime.plan.fused` makes what
-it is given. Importing this module imports numba.
+`nscc_runtime.plan.fused` makes what it is given.
 """
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
+from typing import Annotated
 
-from nscc_runtime.noise.counter import bits, compiled, inlined, unit
+import numpy as np
+
+from nscc_runtime.loop import (
+    Bytes,
+    Floats,
+    Floats32,
+    Ints,
+    Ints32,
+    Words,
+    Written,
+    compiled,
+    inlined,
+    loop,
+    record,
+)
+from nscc_runtime.noise.counter import bits, unit
 from nscc_runtime.noise.gaussian_fast import normal_fast
 from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
-from nscc_runtime.plan.layout import FUSED_BLOCK
 from nscc_runtime.plan.masks import Masks
 
-# Pointers; typed as arrays, which is how they are used.
-Ints = NDArray[np.int64]
-Ints32 = NDArray[np.int32]
-Floats = NDArray[np.float64]
-Keys = NDArray[np.uint64]
-Frames = NDArray[np.float32]
-Flags = NDArray[np.uint8]
-
-BLOCK = FUSED_BLOCK
+BLOCK = 1024
+"""Pixels that go through all steps together."""
 
 MOST_COUNTED = 80
 _NOTHING = 1e-17
@@ -40,9 +45,9 @@ SKIPPED, EVEN, MASKED, TABLED = Masks.SKIPPED, Masks.EVEN, Masks.MASKED, Masks.T
 
 @compiled
 def _added(
-    frames: Frames, pixels: int, k: int, kind: int, frame_weight: Frames, mask_row: Ints,
-    masks: Flags, table: Frames, lane_count: int, lanes: Ints32, first: int, stop: int,
-    part: Frames,
+    frames: Floats32, pixels: int, k: int, kind: int, frame_weight: Floats32, mask_row: Ints,
+    masks: Bytes, table: Floats32, lane_count: int, lanes: Ints32, first: int, stop: int,
+    part: Floats32,
 ) -> None:  # fmt: skip
     """part[i] += a frame's light at pixel first + i."""
     row, weight, mask = k * pixels, frame_weight[k], mask_row[k] * pixels
@@ -59,8 +64,8 @@ def _added(
 
 @compiled
 def _added_four(
-    frames: Frames, pixels: int, k: int, kind: int, frame_weight: Frames, mask_row: Ints,
-    masks: Flags, first: int, stop: int, part: Frames,
+    frames: Floats32, pixels: int, k: int, kind: int, frame_weight: Floats32, mask_row: Ints,
+    masks: Bytes, first: int, stop: int, part: Floats32,
 ) -> None:  # fmt: skip
     """The same of four frames of one kind and weight, for one time through `part`."""
     weight = frame_weight[k]
@@ -79,7 +84,7 @@ def _added_four(
 
 
 @compiled
-def _alike(kinds: Ints, frame_weight: Frames, k: int, count: int) -> bool:
+def _alike(kinds: Ints, frame_weight: Floats32, k: int, count: int) -> bool:
     """Whether four frames from k on are even or masked alike, with one weight."""
     if k + 4 > count or (kinds[k] != EVEN and kinds[k] != MASKED):
         return False
@@ -91,8 +96,8 @@ def _alike(kinds: Ints, frame_weight: Frames, k: int, count: int) -> bool:
 
 @compiled
 def _summed(
-    frames: Frames, pixels: int, count: int, kinds: Ints, frame_weight: Frames, mask_row: Ints,
-    masks: Flags, table: Frames, lane_count: int, lanes: Ints32, p: int,
+    frames: Floats32, pixels: int, count: int, kinds: Ints, frame_weight: Floats32, mask_row: Ints,
+    masks: Bytes, table: Floats32, lane_count: int, lanes: Ints32, p: int,
 ) -> float:  # fmt: skip
     """The light of one pixel in float64: what float32 has no room for."""
     total = 0.0
@@ -212,25 +217,69 @@ def _code(value: float, noise: float, lsb: float, offset: float, top: float) -> 
     return float(np.rint(code if code < top else top))
 
 
+@record
+class Simple:
+    """What a simple plan does to one bucket of one frame.
+
+    Of all `pixels` those from `begin` to `end` - 1 are to be done; `sources` are those of noise.
+    Numbers in codes are `offset`, `top` (the highest code) and `readout_noise`.
+    """
+
+    pixels: int
+    begin: int
+    end: int
+    count: int
+    lane_count: int
+    sources: int
+    uneven: int
+    """Whether the response is given; so on with the switches below."""
+    counted: int
+    clipped: int
+    readout_noisy: int
+    read_out: int
+    factor: float
+    """Of all light."""
+    rate_cap: float
+    electrons_per_code: float
+    offset: float
+    top: float
+    readout_noise: float
+    count_key: np.uint64
+    readout_key: np.uint64
+
+
+@loop
 def fused(
-    sizes: Ints, numbers: Floats, keys: Keys, frames: Frames, kinds: Ints, frame_weight: Frames,
-    mask_row: Ints, masks: Flags, table: Frames, lanes: Ints32, response: Floats, limit: Floats,
-    sigma: Floats, part: Frames, values: Floats, scratch: Floats, few: Floats, places: Ints,
-    exposure: Floats, frame: Flags, valid: Flags,
-) -> None:  # fmt: skip
+    plan: Simple,
+    noise_keys: Annotated[Words, "sources"],
+    frames: Annotated[Floats32, "count pixels"],
+    kinds: Annotated[Ints, "count"],
+    frame_weight: Annotated[Floats32, "count"],
+    mask_row: Annotated[Ints, "count"],
+    masks: Bytes,
+    table: Floats32,
+    lanes: Annotated[Ints32, "pixels"],
+    response: Floats,
+    limit: Annotated[Floats, "lane_count"],
+    sigma: Annotated[Floats, "sources lane_count"],
+    part: Written[Floats32],
+    values: Written[Floats],
+    scratch: Written[Floats],
+    few: Written[Floats],
+    places: Written[Ints],
+    exposure: Written[Annotated[Floats, "pixels"]],
+    frame: Written[Annotated[Bytes, "pixels"]],
+    valid: Written[Annotated[Bytes, "pixels"]],
+) -> None:
     """One bucket of one frame.
 
-    `sizes`: pixels in all, first and last + 1 of those to do, frames, lanes; switches: response
-    given, counted, clipped, sources of noise, noise of the readout, read out. `numbers`: factor of
-    all light, rate cap, electrons a code, offset, top code, noise of the readout in codes. `keys`:
-    of the counts, of each source of noise, of the readout. `kinds`, `frame_weight`, `mask_row`
-    (frames,); `masks` (rows, pixels); `table` (frames, lanes); `limit` (lanes,); `sigma` (sources,
-    lanes). `part`, `values`, `few`, `places`: scratch for `BLOCK` pixels; `scratch` for four times
-    as many. `valid` comes filled with 1, and is 0 where light is no number.
+    `masks` (rows, pixels) and `table` (frames, lanes) where a frame's kind asks for them,
+    `response` (pixels,) where it is given. `part`, `values`, `few`, `places`: scratch for `BLOCK`
+    pixels; `scratch` for four times as many. `valid` comes filled with 1, and is 0 where light is
+    no number.
     """
-    pixels, begin, end, count, lane_count = sizes[0], sizes[1], sizes[2], sizes[3], sizes[4]
-    sources = sizes[8]
-    for first in range(begin, end, BLOCK):
+    pixels, end, count, lane_count = plan.pixels, plan.end, plan.count, plan.lane_count
+    for first in range(plan.begin, end, BLOCK):
         stop = min(first + BLOCK, end)
         for i in range(stop - first):
             values[i] = 0.0
@@ -271,43 +320,31 @@ def fused(
                         lane_count, lanes, first + i,
                     )  # fmt: skip
         for i in range(stop - first):
-            values[i] *= numbers[0]
-        if sizes[5]:
+            values[i] *= plan.factor
+        if plan.uneven:
             for i in range(stop - first):
                 values[i] *= response[first + i]
-        if sizes[6]:
-            _counted(keys[0], numbers[1], first, stop, values, scratch, few, places)
-        if sizes[7]:
+        if plan.counted:
+            _counted(plan.count_key, plan.rate_cap, first, stop, values, scratch, few, places)
+        if plan.clipped:
             for i in range(stop - first):
                 most = limit[lanes[first + i]]
                 values[i] = values[i] if values[i] < most else most
-        for source in range(sources):
+        for source in range(plan.sources):
             _noisy(
-                keys[1 + source], sigma, source * lane_count, lanes, first, stop, values, scratch
+                noise_keys[source], sigma, source * lane_count, lanes, first, stop, values, scratch
             )
         for i in range(stop - first):
             exposure[first + i] = values[i] + 0.0
-        if not sizes[10]:
+        if not plan.read_out:
             continue
-        if sizes[9]:
+        if plan.readout_noisy:
             for i in range(stop - first):
-                z = float(normal_fast(unit(bits(keys[1 + sources], first + i, _FIRST_LANE))))
-                scratch[i] = numbers[5] * z
+                z = float(normal_fast(unit(bits(plan.readout_key, first + i, _FIRST_LANE))))
+                scratch[i] = plan.readout_noise * z
         else:
             for i in range(stop - first):
                 scratch[i] = 0.0
         for i in range(stop - first):
-            code = _code(values[i], scratch[i], numbers[2], numbers[3], numbers[4])
+            code = _code(values[i], scratch[i], plan.electrons_per_code, plan.offset, plan.top)
             frame[first + i] = np.uint8(np.int32(code))
-
-
-_POINTERS = {
-    Ints: "int64", Floats: "float64", Keys: "uint64", Ints32: "int32", Frames: "float32",
-    Flags: "uint8",
-}  # fmt: skip
-_TYPES = (
-    Ints, Floats, Keys, Frames, Ints, Frames, Ints, Flags, Frames, Ints32, Floats, Floats, Floats,
-    Frames, Floats, Floats, Floats, Ints, Floats, Flags, Flags,
-)  # fmt: skip
-SIGNATURE = f"void({', '.join(f'CPointer({_POINTERS[kind]})' for kind in _TYPES)})"
-"""The types of `fused`'s parameters, for numba."""

@@ -1,96 +1,113 @@
-"""Where the loop over pixels finds what: the columns and places of the arrays it is given."""
+"""What the loop over pixels is given beside arrays, by name."""
 
 from __future__ import annotations
 
-from enum import IntEnum
+import numpy as np
+
+from nscc_runtime.loop import record
 
 
-class Size(IntEnum):
-    """What each of the whole numbers `sizes` is; from SHOT on a switch: 0 is off."""
+@record
+class Sizes:
+    """How much there is of everything, and what effects do: 0 is off. Their declarations say which
+    switches, numbers and keys are theirs (`nscc_runtime.effects.effect.InLoop`).
+    """
 
-    PIXELS = 0
-    SLOTS = 1
-    ROWS = 2
-    COLS = 3
-    BUCKETS = 4
-    GROUPS = 5
-    REGISTERS = 6
-    WHOLE = 7
+    pixels: int
+    slots: int
+    rows: int
+    cols: int
+    buckets: int
+    groups: int
+    registers: int
+    draws: int
+    """Of a word: one for what it reads or resets, and one for each destination."""
+    numbered: int
+    """By how much the numbers of the draws of two words differ."""
+    whole: int
     """The least power of two that is not below the number of slots."""
-    FRAME = 8
-    SHOT = 9
-    DARK = 10
-    """1: counted; 2: its mean."""
-    FULL_WELL = 11
-    READ = 12
-    RESET = 13
-    DEAD_TIME = 14
-    ANALOG = 15
-    """1: gain, pattern and noise; 2: gain and pattern."""
-    REGISTER = 16
-    LEAKAGE = 17
-    CROSSTALK = 18
-    PRNU = 19
-    KEPT_COLS = 20
-    """Columns of the three rows of sites whose charge is kept; no switch."""
+    kept_cols: int
+    """Columns of the three rows of sites whose charge is kept."""
+    frame: int
+    counts_light: int
+    """Charge of light, and that without, comes in whole electrons; and so on."""
+    counts_dark: int
+    exchanges: int
+    uneven: int
+    holds: int
+    reset_errors: int
+    read_errors: int
+    slow_words: int
+    word_errors: int
+    bends: int
+    leaks: int
 
 
-class Number(IntEnum):
-    """What each of the numbers `numbers` is."""
+@record
+class Numbers:
+    """What effects depend on; a variance is that of the logarithm.
 
-    FULL_WELL = 0
-    REGISTER_MIN = 1
-    REGISTER_MAX = 2
-    KNEE = 3
-    CROSSTALK = 4
-    LAG = 5
-    PRNU = 6
-    DARK = 7
-    DARK_VARIANCE = 8
-    """Of the logarithm."""
-    READ = 9
-    RESET = 10
-    GAIN = 11
-    ANALOG_NOISE = 12
-    PATTERN = 13
-    BIAS = 14
-    LEAK = 15
-    LEAK_VARIANCE = 16
-    """Of the logarithm."""
-    RATE_CAP = 17
+    `pix_start` and `register_start`: twice the most that they hold when a frame begins.
+    """
 
-
-class Key(IntEnum):
-    """What each of the words `keys` is: a key of the device, or one that a frame's follow from."""
-
-    START = 0
-    PRNU = 1
-    DARK = 2
-    PATTERN = 3
-    LEAK = 4
-    COUNT = 5
-    """Of light, then of dark charge."""
-    THIN = 7
-    SUM = 9
-    """Of reads, resets and analog words."""
-    PART = 12
+    pix_start: float
+    register_start: float
+    rate_cap: float
+    echo: float
+    uneven: float
+    dark: float
+    dark_variance: float
+    exchanged: float
+    well: float
+    reset_error: float
+    read_error: float
+    gain: float
+    word_error: float
+    pattern: float
+    bias: float
+    lowest: float
+    highest: float
+    knee: float
+    leak: float
+    leak_variance: float
 
 
-class Entry(IntEnum):
-    """The columns of a word in the list of a lane; sources and destinations follow."""
+@record
+class Keys:
+    """Keys of the device, then those that a frame's follow from: of counts, of how counts spread
+    over slots, of the sums of small errors in the buckets, and of each of them in the words.
+    """
 
-    BOUNDARY = 0
-    RESETS = 1
-    ACTS = 2
-    NUMBER = 3
-    READS_PIX = 4
-    SOURCES = 5
-    DESTINATIONS = 6
-    FIRST_SOURCE = 7
-    FIRST_DESTINATION = 11
+    start: np.uint64
+    uneven: np.uint64
+    dark: np.uint64
+    pattern: np.uint64
+    leak: np.uint64
+    count_light: np.uint64
+    count_dark: np.uint64
+    thin_light: np.uint64
+    thin_dark: np.uint64
+    sum_reads: np.uint64
+    sum_resets: np.uint64
+    sum_words: np.uint64
+    part_reads: np.uint64
+    part_resets: np.uint64
+    part_words: np.uint64
 
 
-MOST_DESTINATIONS = 3
-ENTRY_COLUMNS = int(Entry.FIRST_DESTINATION) + MOST_DESTINATIONS
-FUSED_BLOCK = 1024
-"""Pixels that go through all steps of a simple plan together."""
+@record
+class Entry:
+    """A word in the list of a lane."""
+
+    boundary: int
+    resets: int
+    acts: int
+    number: int
+    reads_pix: int
+    sources: int
+    destinations: int
+    operands: int
+    """Where its registers begin among all operands: sources, then destinations."""
+    end: float
+    """In parts of the slot."""
+    divisor: float

@@ -4,190 +4,193 @@ It does what `nscc_runtime.reference` does with the same keyed numbers, but move
 instead of from slot to slot: charge between two words is found by halving counts
 (`nscc_runtime.noise.thin`), so a program of few words costs little however many slots it has.
 
-It takes bare pointers, allocates nothing and raises nothing; `nscc_runtime.plan.pixels` makes what
-it is given. Importing this module imports numba.
+`nscc_runtime.plan.pixels` makes what it is given.
 """
 
 from __future__ import annotations
 
 import math
+from typing import Annotated, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from nscc_runtime.noise.counter import compiled
-from nscc_runtime.noise.gaussian import normal
-from nscc_runtime.noise.loops import uniform
-from nscc_runtime.plan.charge_loop import (
-    SITES,
-    Flags,
+from nscc_runtime.effects.registry import in_loop
+from nscc_runtime.effects.spread import log_normal_in_loop
+from nscc_runtime.loop import (
+    Bytes,
     Floats,
-    Frames,
+    Floats32,
     Ints,
     Ints32,
-    Keys,
-    charge,
-    kept_at,
-    lit,
-    log_normal,
-    stream_key,
+    Words,
+    Written,
+    compiled,
+    loop,
 )
-from nscc_runtime.plan.layout import ENTRY_COLUMNS, MOST_DESTINATIONS, Entry, Key, Number, Size
+from nscc_runtime.noise.gaussian import normal
+from nscc_runtime.noise.loops import uniform
+from nscc_runtime.plan.charge_loop import SITES, charge, kept_at, lit, stream_key
+from nscc_runtime.plan.layout import Entry, Keys, Numbers, Sizes
 
-_PART_DESTINATIONS = 4
-_READ, _RESET, _ANALOG = 0, 1, 2
+_READS, _RESETS, _WORDS = 0, 1, 2
+ERRORS = 3
+"""Kinds of small errors."""
+_bent = in_loop("bends")
+"""What a register holds of a value, by the effect that bends it."""
 
-# numba takes enum members for what they are only as plain numbers.
-_S = {member.name: int(member) for member in Size}
-_SLOTS, _ROWS, _COLS, _BUCKETS = _S["SLOTS"], _S["ROWS"], _S["COLS"], _S["BUCKETS"]
-_REGISTERS, _FRAME, _FULL_WELL = _S["REGISTERS"], _S["FRAME"], _S["FULL_WELL"]
-_READS, _RESETS, _DEAD, _WORDS = _S["READ"], _S["RESET"], _S["DEAD_TIME"], _S["ANALOG"]
-_SOFT, _LEAKS, _SMEARS = _S["REGISTER"], _S["LEAKAGE"], _S["CROSSTALK"]
-_N = {member.name: int(member) for member in Number}
-_N_WELL, _N_MIN, _N_MAX = _N["FULL_WELL"], _N["REGISTER_MIN"], _N["REGISTER_MAX"]
-_N_KNEE, _N_READ, _N_RESET, _N_GAIN = _N["KNEE"], _N["READ"], _N["RESET"], _N["GAIN"]
-_N_NOISE, _N_PATTERN, _N_BIAS = _N["ANALOG_NOISE"], _N["PATTERN"], _N["BIAS"]
-_N_LEAK, _N_LEAK_VARIANCE = _N["LEAK"], _N["LEAK_VARIANCE"]
-_K = {member.name: int(member) for member in Key}
-_K_START, _K_PATTERN, _K_LEAK = _K["START"], _K["PATTERN"], _K["LEAK"]
-_K_SUM, _K_PART = _K["SUM"], _K["PART"]
-_E = {member.name: int(member) for member in Entry}
-_E_BOUNDARY, _E_RESETS, _E_ACTS, _E_NUMBER = (
-    _E["BOUNDARY"], _E["RESETS"], _E["ACTS"], _E["NUMBER"],
-)  # fmt: skip
-_E_READS_PIX, _E_SOURCES, _E_DESTINATIONS = _E["READS_PIX"], _E["SOURCES"], _E["DESTINATIONS"]
-_E_SOURCE, _E_DESTINATION = _E["FIRST_SOURCE"], _E["FIRST_DESTINATION"]
-_E_COLUMNS, _E_DRAWS = ENTRY_COLUMNS, 1 + MOST_DESTINATIONS
+Entries = Annotated[NDArray[Any], Entry]
 
 
 @compiled
-def soft(value: float, low: float, high: float, knee: float) -> float:
-    """What a register holds of a value: `nscc_runtime.effects.registers.soft`."""
-    limit = -low if value < 0.0 else high
-    size = abs(value)
-    if size <= knee * limit:
-        return value
-    if knee == 1.0:
-        return math.copysign(limit, value)
-    room = (1.0 - knee) * limit
-    bend = 1.0 - 2.0 / (math.exp(2.0 * (size - knee * limit) / room) + 1.0)
-    return math.copysign(knee * limit + room * bend, value)
+def _sum_key(keys: Keys, kind: int) -> np.uint64:
+    if kind == _READS:
+        return keys.sum_reads
+    return keys.sum_resets if kind == _RESETS else keys.sum_words
+
+
+@compiled
+def _part_key(keys: Keys, kind: int) -> np.uint64:
+    if kind == _READS:
+        return keys.part_reads
+    return keys.part_resets if kind == _RESETS else keys.part_words
 
 
 @compiled
 def _missing(
-    sizes: Ints, keys: Keys, place: int, first: int, stop: int, entries: Ints, weights: Floats,
+    sizes: Sizes, keys: Keys, place: int, first: int, stop: int, entries: Entries, weights: Floats,
     kind: int, missing: Floats,
 ) -> None:  # fmt: skip
     """What the draws of the words lack of the draws of the buckets: z - Q^T x."""
-    buckets = sizes[_BUCKETS]
+    buckets = sizes.buckets
     for bucket in range(buckets):
-        stream = stream_key(keys[_K_SUM + kind], sizes[_FRAME], np.uint64(bucket))
+        stream = stream_key(_sum_key(keys, kind), sizes.frame, np.uint64(bucket))
         missing[kind * buckets + bucket] = normal(uniform(stream, place))
     for e in range(first, stop):
-        row = e * _E_COLUMNS
-        for draw in range(_E_DRAWS):
-            if not _draws(entries, row, kind, draw):
+        for draw in range(sizes.draws):
+            if not _draws(entries[e], kind, draw):
                 continue
-            number = np.uint64(_drawn_number(entries, row, kind, draw))
-            stream = stream_key(keys[_K_PART + kind], sizes[_FRAME], number)
+            number = _drawn_number(sizes, entries[e], kind, draw)
+            stream = stream_key(_part_key(keys, kind), sizes.frame, number)
             x = normal(uniform(stream, place))
             for bucket in range(buckets):
-                at = (e * _E_DRAWS + draw) * buckets + bucket
+                at = (e * sizes.draws + draw) * buckets + bucket
                 missing[kind * buckets + bucket] -= weights[at] * x
 
 
 @compiled
-def _draws(entries: Ints, row: int, kind: int, draw: int) -> bool:
+def _draws(entry: Entry, kind: int, draw: int) -> bool:
     """Whether a word has this draw of this kind of noise."""
-    if kind == _RESET:
-        return draw == 0 and entries[row + _E_RESETS] == 1
-    if kind == _READ:
-        return draw == 0 and entries[row + _E_READS_PIX] == 1
-    return draw > 0 and draw <= entries[row + _E_DESTINATIONS]
+    if kind == _RESETS:
+        return draw == 0 and entry.resets == 1
+    if kind == _READS:
+        return draw == 0 and entry.reads_pix == 1
+    return draw > 0 and draw <= entry.destinations
 
 
 @compiled
-def _drawn_number(entries: Ints, row: int, kind: int, draw: int) -> int:
+def _drawn_number(sizes: Sizes, entry: Entry, kind: int, draw: int) -> np.uint64:
     """The number under which the reference draws it."""
-    number: int = entries[row + _E_NUMBER]
-    return number * _PART_DESTINATIONS + draw - 1 if kind == _ANALOG else number
+    number = entry.number
+    return np.uint64(number * sizes.numbered + draw - 1 if kind == _WORDS else number)
 
 
 @compiled
 def _error(
-    sizes: Ints, keys: Keys, place: int, e: int, entries: Ints, weights: Floats, kind: int,
+    sizes: Sizes, keys: Keys, place: int, e: int, entries: Entries, weights: Floats, kind: int,
     draw: int, missing: Floats,
 ) -> float:  # fmt: skip
     """The unit normal error of one draw of a word."""
-    buckets = sizes[_BUCKETS]
-    number = np.uint64(_drawn_number(entries, e * _E_COLUMNS, kind, draw))
-    stream = stream_key(keys[_K_PART + kind], sizes[_FRAME], number)
+    buckets = sizes.buckets
+    number = _drawn_number(sizes, entries[e], kind, draw)
+    stream = stream_key(_part_key(keys, kind), sizes.frame, number)
     found = normal(uniform(stream, place))
     for bucket in range(buckets):
-        at = (e * _E_DRAWS + draw) * buckets + bucket
+        at = (e * sizes.draws + draw) * buckets + bucket
         found += weights[at] * missing[kind * buckets + bucket]
     return found
 
 
 @compiled
 def _execute(
-    sizes: Ints, numbers: Floats, keys: Keys, place: int, e: int, entries: Ints, divisor: float,
-    weights: Floats, signs: Floats, missing: Floats, pattern: float, registers: Floats,
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, e: int, entries: Entries,
+    operands: Ints, weights: Floats, signs: Floats, missing: Floats, pattern: float,
+    registers: Floats,
 ) -> None:  # fmt: skip
-    """Run one word. PIX is register `REGISTERS`, its reset level the next one, then IN."""
-    row, pix = e * _E_COLUMNS, sizes[_REGISTERS]
-    if entries[row + _E_RESETS]:
+    """Run one word. PIX is register `registers`, its reset level the next one, then IN."""
+    entry, pix = entries[e], sizes.registers
+    if entry.resets:
         registers[pix] = 0.0
-        if sizes[_RESETS]:
-            z = _error(sizes, keys, place, e, entries, weights, _RESET, 0, missing)
-            registers[pix + 1] = numbers[_N_RESET] * z
+        if sizes.reset_errors:
+            z = _error(sizes, keys, place, e, entries, weights, _RESETS, 0, missing)
+            registers[pix + 1] = numbers.reset_error * z
         return
     total = 0.0
-    for i in range(entries[row + _E_SOURCES]):
-        source = entries[row + _E_SOURCE + i]
+    for i in range(entry.sources):
+        source = operands[entry.operands + i]
         total += registers[source]
         if source == pix:
             total += registers[pix + 1]
-            if sizes[_READS]:
-                z = _error(sizes, keys, place, e, entries, weights, _READ, 0, missing)
-                total += numbers[_N_READ] * z
-    result = total / -divisor
-    for i in range(entries[row + _E_DESTINATIONS]):
-        register = entries[row + _E_DESTINATION + i]
+            if sizes.read_errors:
+                z = _error(sizes, keys, place, e, entries, weights, _READS, 0, missing)
+                total += numbers.read_error * z
+    result = total / -entry.divisor
+    for i in range(entry.destinations):
+        register = operands[entry.operands + entry.sources + i]
         value = result
-        if sizes[_WORDS]:
-            error = pattern
-            if sizes[_WORDS] == 1:
-                z = _error(sizes, keys, place, e, entries, weights, _ANALOG, i + 1, missing)
-                error += numbers[_N_NOISE] * z
-            value = numbers[_N_GAIN] * value + signs[register] * error
-        if sizes[_SOFT]:
-            value = soft(value, numbers[_N_MIN], numbers[_N_MAX], numbers[_N_KNEE])
+        if sizes.word_errors:
+            z = _error(sizes, keys, place, e, entries, weights, _WORDS, i + 1, missing)
+            error = pattern + numbers.word_error * z
+            value = numbers.gain * value + signs[register] * error
+        if sizes.bends:
+            value = _bent(value, numbers.lowest, numbers.highest, numbers.knee)
         registers[register] = value
 
 
+@loop
 def run_pixels(
-    sizes: Ints, numbers: Floats, keys: Keys, chosen: Ints, lanes: Ints32,
-    frames: Frames, row_start: Ints, frame_index: Ints32, weight: Floats,
-    slot_s: Floats, start_s: Floats, groups: Ints32, present: Flags, group_ids: Keys,
-    entry_start: Ints, entries: Ints, times: Floats, weights: Floats, signs: Floats,
-    readout_register: Ints, readout: Floats,
-    rates: Floats, heap: Floats, stamps: Ints, tags: Ints, missing: Floats, registers: Floats,
-    places: Ints, out: Floats,
-) -> None:  # fmt: skip
-    """out[b * PIXELS + i] := the exposure of pixel chosen[i] in bucket b, in electrons.
+    sizes: Sizes,
+    numbers: Numbers,
+    keys: Keys,
+    chosen: Annotated[Ints, "pixels"],
+    lanes: Annotated[Ints32, "rows cols"],
+    frames: Annotated[Floats32, "frames rows cols"],
+    row_start: Annotated[Ints, "slots+1"],
+    frame_index: Annotated[Ints32, "shares"],
+    weight: Annotated[Floats, "shares"],
+    slot_s: Annotated[Floats, "slots"],
+    start_s: Annotated[Floats, "slots+1"],
+    groups: Annotated[Ints32, "lanes slots"],
+    present: Annotated[Bytes, "lanes groups"],
+    group_ids: Annotated[Words, "groups"],
+    entry_start: Annotated[Ints, "lanes+1"],
+    entries: Annotated[Entries, "entries"],
+    operands: Ints,
+    weights: Annotated[Floats, "entries draws buckets"],
+    signs: Annotated[Floats, "registers+1"],
+    readout_register: Annotated[Ints, "buckets"],
+    readout_gain: Annotated[Floats, "buckets"],
+    readout_wait_s: Annotated[Floats, "buckets"],
+    rates: Written[Floats],
+    heap: Written[Floats],
+    stamps: Written[Ints],
+    tags: Written[Ints],
+    missing: Written[Floats],
+    registers: Written[Annotated[Floats, "registers+3"]],
+    places: Written[Ints],
+    out: Written[Annotated[Floats, "buckets pixels"]],
+) -> None:
+    """out[b, i] := the exposure of pixel chosen[i] in bucket b, in electrons.
 
-    `lanes` (rows * cols): lane of each pixel. `groups` (lanes, N): index of the group of each slot;
-    `present` (lanes, GROUPS); `group_ids`: what keys call them. `entries`: the words of lane l are
-    rows entry_start[l] .. entry_start[l + 1]; `times` (entries, 2): end in parts of the slot, and
-    divisor; `weights` (entries, draws, buckets): of the draws in the buckets. `readout` (buckets,
-    2): gain, and seconds waited. From `rates` to `places`: scratch, `stamps` and `tags` once filled
-    with -1. Places in rising order find most of their neighbours' charge already there.
+    `lanes`: the lane of each pixel. `groups`: the index of the group of each slot; `group_ids`:
+    what keys call them. The words of lane l are entry_start[l] .. entry_start[l + 1] of `entries`;
+    `weights`: of their draws in the buckets. From `rates` to `places`: scratch, `stamps` and `tags`
+    once filled with -1. Places in rising order find most of their neighbours' charge already there.
     """
-    slots, rows, cols = sizes[_SLOTS], sizes[_ROWS], sizes[_COLS]
-    buckets, pix = sizes[_BUCKETS], sizes[_REGISTERS]
-    well = numbers[_N_WELL]
-    for i in range(sizes[0]):
+    slots, rows, cols = sizes.slots, sizes.rows, sizes.cols
+    buckets, pix = sizes.buckets, sizes.registers
+    well = numbers.well
+    for i in range(sizes.pixels):
         place = chosen[i]
         row, col = place // cols, place % cols
         places[0] = place
@@ -195,7 +198,7 @@ def run_pixels(
         places[2] = place + cols if row + 1 < rows else -1
         places[3] = place - 1 if col > 0 else -1
         places[4] = place + 1 if col + 1 < cols else -1
-        for site in range(SITES if sizes[_SMEARS] else 1):
+        for site in range(SITES if sizes.exchanges else 1):
             if places[site] < 0:
                 continue
             site_at = kept_at(sizes, places[site])
@@ -207,30 +210,30 @@ def run_pixels(
                 tags[site_at] = places[site]
         lane = lanes[place]
         first, stop = entry_start[lane], entry_start[lane + 1]
-        if sizes[_READS]:
-            _missing(sizes, keys, place, first, stop, entries, weights, _READ, missing)
-        if sizes[_RESETS]:
-            _missing(sizes, keys, place, first, stop, entries, weights, _RESET, missing)
+        if sizes.read_errors:
+            _missing(sizes, keys, place, first, stop, entries, weights, _READS, missing)
+        if sizes.reset_errors:
+            _missing(sizes, keys, place, first, stop, entries, weights, _RESETS, missing)
         pattern, leak = 0.0, 0.0
-        if sizes[_WORDS] == 1:
-            _missing(sizes, keys, place, first, stop, entries, weights, _ANALOG, missing)
-        if sizes[_WORDS]:
-            z = normal(uniform(keys[_K_PATTERN], place))
-            pattern = numbers[_N_BIAS] + numbers[_N_PATTERN] * z
-        if sizes[_LEAKS]:
-            z = normal(uniform(keys[_K_LEAK], place))
-            leak = numbers[_N_LEAK] * log_normal(numbers[_N_LEAK_VARIANCE], z)
+        if sizes.word_errors:
+            _missing(sizes, keys, place, first, stop, entries, weights, _WORDS, missing)
+            z = normal(uniform(keys.pattern, place))
+            pattern = numbers.bias + numbers.pattern * z
+        if sizes.leaks:
+            z = normal(uniform(keys.leak, place))
+            leak = numbers.leak * log_normal_in_loop(numbers.leak_variance, z)
         for register in range(pix + 1):
             # PIX comes first in the stream of what registers hold at the start.
             stream = np.uint64(0 if register == pix else register + 1)
-            held = uniform(stream_key(keys[_K_START], 0, stream), place) / 2.0
-            registers[register] = held * (well if register == pix else numbers[_N_MAX])
+            held = uniform(stream_key(keys.start, 0, stream), place) / 2.0
+            most = numbers.pix_start if register == pix else numbers.register_start
+            registers[register] = held * most
         registers[pix + 1] = 0.0
         registers[pix + 2] = 0.0
         at, fallen = 0, 0.0
         for e in range(first, stop + 1):
-            boundary = slots if e == stop else entries[e * _E_COLUMNS + _E_BOUNDARY]
-            if e < stop and not entries[e * _E_COLUMNS + _E_ACTS]:
+            boundary = slots if e == stop else entries[e].boundary
+            if e < stop and not entries[e].acts:
                 continue
             if at < boundary:
                 fallen_e = charge(
@@ -242,44 +245,31 @@ def run_pixels(
                     lanes, group_ids, heap, stamps,
                 )  # fmt: skip
                 registers[pix] += fallen_e
-                if sizes[_FULL_WELL] and registers[pix] > well:
+                if sizes.holds and registers[pix] > well:
                     registers[pix] = well
-                if sizes[_LEAKS]:
+                if sizes.leaks:
                     kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
                     for register in range(pix):
                         registers[register] *= kept
                 at, fallen = boundary, 0.0
             if e == stop:
                 break
-            if sizes[_DEAD]:
-                now = times[2 * e]
+            if sizes.slow_words:
+                now = entries[e].end
                 slot = at if at < slots else slots - 1
                 registers[pix] += (now - fallen) * charge(
                     sizes, numbers, keys, places, slot, slot + 1, rates, groups, present,
                     lanes, group_ids, heap, stamps,
                 )  # fmt: skip
-                if sizes[_FULL_WELL] and registers[pix] > well:
+                if sizes.holds and registers[pix] > well:
                     registers[pix] = well
                 fallen = now
             _execute(
-                sizes, numbers, keys, place, e, entries, times[2 * e + 1], weights, signs, missing,
-                pattern, registers,
+                sizes, numbers, keys, place, e, entries, operands, weights, signs, missing, pattern,
+                registers,
             )  # fmt: skip
         for bucket in range(buckets):
-            value = registers[readout_register[bucket]] * readout[2 * bucket]
-            if sizes[_LEAKS]:
-                value *= math.exp(-leak * readout[2 * bucket + 1])
-            out[bucket * sizes[0] + i] = value + 0.0
-
-
-_POINTERS = {
-    Ints: "int64", Floats: "float64", Keys: "uint64", Ints32: "int32", Frames: "float32",
-    Flags: "uint8",
-}  # fmt: skip
-_TYPES = (
-    Ints, Floats, Keys, Ints, Ints32, Frames, Ints, Ints32, Floats, Floats, Floats, Ints32, Flags,
-    Keys, Ints, Ints, Floats, Floats, Floats, Ints, Floats, Floats, Floats, Ints, Ints, Floats,
-    Floats, Ints, Floats,
-)  # fmt: skip
-SIGNATURE = f"void({', '.join(f'CPointer({_POINTERS[kind]})' for kind in _TYPES)})"
-"""The types of `run_pixels`'s parameters, for numba."""
+            value = registers[readout_register[bucket]] * readout_gain[bucket]
+            if sizes.leaks:
+                value *= math.exp(-leak * readout_wait_s[bucket])
+            out[bucket * sizes.pixels + i] = value + 0.0

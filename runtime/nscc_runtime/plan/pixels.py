@@ -6,8 +6,9 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,15 +20,14 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.noise.keys import base
-from nscc_runtime.plan.layout import ENTRY_COLUMNS, MOST_DESTINATIONS, Entry, Key, Number, Size
+from nscc_runtime.plan.charge_loop import SITES
+from nscc_runtime.plan.layout import Entry, Keys, Numbers, Sizes
+from nscc_runtime.plan.pixel_loop import ERRORS, run_pixels
 from nscc_runtime.plan.pool import in_parts
 from nscc_runtime.reference.capture import DESTINATIONS, START, Reference
 from nscc_runtime.reference.noise import PART, SUM
-from nscc_runtime.reference.trace import AnalogWord
 
-_DRAWN = ("reads", "resets", "words")
-"""Small errors, in the order of the loop."""
-_SITES = 5
+_ENTRY = np.dtype(Entry)
 _MOST_KEPT = 1 << 23
 """Bytes a thread may keep of neighbours' charge."""
 _FEWEST = 64
@@ -40,8 +40,8 @@ class Pixels:
 
     program: Reference
     entry_start: NDArray[np.int64]
-    entries: NDArray[np.int64]
-    times: NDArray[np.float64]
+    entries: NDArray[Any]
+    operands: NDArray[np.int64]
     weights: NDArray[np.float64]
     groups: NDArray[np.int32]
     group_ids: NDArray[np.uint64]
@@ -52,25 +52,25 @@ class Pixels:
         container = program.container
         lanes, buckets = len(container.encoding), len(container.buckets)
         acts = np.array([word.lanes for word in program.words]).reshape(-1, lanes)
-        draws = np.zeros((len(program.words), 1 + MOST_DESTINATIONS, lanes, buckets))
-        for at in _DRAWN:
-            for number, weight in program.draws[at].items():
+        most = max((len(word.op.destinations) for word in program.words), default=0)
+        draws = np.zeros((len(program.words), 1 + most, lanes, buckets))
+        for at, drawn in program.draws.items():
+            for number, weight in drawn.items():
                 if at == "words":
                     draws[number // DESTINATIONS, 1 + number % DESTINATIONS] = weight
                 else:
                     draws[number, 0] = weight
         needed = acts | draws.any(axis=(1, 3))
         lane, word = np.nonzero(needed.T)
-        rows = np.array([_row(each, program) for each in program.words], np.int64)
-        entries = rows.reshape(-1, ENTRY_COLUMNS)[word]
-        entries[:, Entry.ACTS] = acts[word, lane]
-        times = np.array([_times(each, program) for each in program.words]).reshape(-1, 2)
+        rows, operands = _entries(program)
+        entries = rows[word]
+        entries["acts"] = acts[word, lane]
         ids, groups = np.unique(program.groups.of_slot, return_inverse=True)
         return cls(
             program,
             np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64),
-            np.ascontiguousarray(entries),
-            np.ascontiguousarray(times[word]),
+            entries,
+            operands,
             np.ascontiguousarray(draws[word, :, lane]),
             groups.reshape(program.groups.of_slot.shape).astype(np.int32),
             ids.astype(np.uint64),
@@ -93,51 +93,49 @@ class Pixels:
         The frame before was the same scene. Threads and the order of places change no bit.
         ValueError for effects that the loop cannot have.
         """
+        slow = [e.name for e in effects.effects if isinstance(e.words, CannotHave)]
+        if slow:
+            raise ValueError(f"the loop over words cannot have {', '.join(slow)}")
         program = self.program
         source = (effects.part(Moving) and light.motion) or light
         present = np.zeros((len(self.groups), len(self.group_ids)), np.uint8)
         np.put_along_axis(present, self.groups.astype(np.intp), 1, axis=1)
-        slow = [e.name for e in effects.effects if isinstance(e.words, CannotHave)]
-        if slow:
-            raise ValueError(f"the loop over words cannot have {', '.join(slow)}")
         container = program.container
         names = (*container.target.analog_registers, "PIX")
         signs = np.array([-1.0 if n == container.target.analog_scratch else 1.0 for n in names])
         readouts = {readout.bucket: readout for readout in container.readouts}
         order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
         waited_s = container.target.readout_us * 1e-6
-        fixed = (
-            _numbers(program.sensor, effects),
-            _keys(seed, device_seed),
-        )
-        scene = (
-            np.require(program.groups.lane, np.int32, ["C"]),
-            np.require(source.frames, np.float32, ["C", "A"]),
-            np.require(source.row_start, np.int64, ["C", "A"]),
-            np.require(source.frame_index, np.int32, ["C", "A"]),
-            np.require(source.weight, np.float64, ["C", "A"]),
-            np.require(slot_s, np.float64, ["C", "A"]),
-            np.concatenate(([0.0], np.cumsum(slot_s))),
-            self.groups,
-            present,
-            self.group_ids,
-            self.entry_start,
-            self.entries,
-            self.times,
-            self.weights,
-            signs,
-            np.array([names.index(readouts[b].register) for b in container.buckets], np.int64),
-            np.array([(readouts[b].gain, order[b] * waited_s) for b in container.buckets]),
-        )
-        switches = _switches(effects)
         chosen = np.require(chosen, np.int64, ["C", "A"])
+        bound = run_pixels.bound(
+            numbers=_numbers(program.sensor, effects),
+            keys=_keys(seed, device_seed),
+            lanes=np.require(program.groups.lane, np.int32, ["C"]),
+            frames=np.require(source.frames, np.float32, ["C", "A"]),
+            row_start=np.require(source.row_start, np.int64, ["C", "A"]),
+            frame_index=np.require(source.frame_index, np.int32, ["C", "A"]),
+            weight=np.require(source.weight, np.float64, ["C", "A"]),
+            slot_s=np.require(slot_s, np.float64, ["C", "A"]),
+            start_s=np.concatenate(([0.0], np.cumsum(slot_s))),
+            groups=self.groups,
+            present=present,
+            group_ids=self.group_ids,
+            entry_start=self.entry_start,
+            entries=self.entries,
+            operands=self.operands,
+            weights=self.weights,
+            signs=signs,
+            readout_register=np.array(
+                [names.index(readouts[b].register) for b in container.buckets], np.int64
+            ),
+            readout_gain=np.array([float(readouts[b].gain) for b in container.buckets]),
+            readout_wait_s=np.array([order[b] * waited_s for b in container.buckets], np.float64),
+        )
 
         def run(part: NDArray[np.int64]) -> NDArray[np.float64]:
-            sizes = self._sizes(len(part), light, frame, switches)
-            scratch = _scratch(sizes)
+            sizes = self._sizes(len(part), light, frame, effects)
             out = np.empty((len(container.buckets), len(part)))
-            arrays = (sizes, *fixed, part, *scene, *scratch, out)
-            entry_point()(*(array.ctypes.data for array in arrays))
+            bound(sizes=sizes, chosen=part, out=out, **_scratch(sizes))
             return out
 
         out = np.empty((len(container.buckets), len(chosen)))
@@ -148,92 +146,92 @@ class Pixels:
         in_parts(fill, len(chosen), threads, _FEWEST)
         return out
 
-    def _sizes(
-        self, count: int, light: Light, frame: int, switches: Sequence[tuple[Size, int]]
-    ) -> NDArray[np.int64]:
+    def _sizes(self, count: int, light: Light, frame: int, effects: Selection) -> Sizes:
         container = self.program.container
-        sizes = np.zeros(len(Size), np.int64)
-        sizes[Size.PIXELS] = count
-        sizes[Size.SLOTS] = container.slots
-        sizes[Size.ROWS], sizes[Size.COLS] = light.shape
-        sizes[Size.BUCKETS] = len(container.buckets)
-        sizes[Size.GROUPS] = len(self.group_ids)
-        sizes[Size.REGISTERS] = len(container.target.analog_registers)
-        sizes[Size.WHOLE] = 1 << (container.slots - 1).bit_length()
-        sizes[Size.FRAME] = frame
-        for size, value in switches:
-            sizes[size] = value
-        cols, each = int(sizes[Size.COLS]), _kept_bytes(sizes)
-        sizes[Size.KEPT_COLS] = cols if 3 * cols * each <= _MOST_KEPT else min(3, cols)
-        return sizes
-
-
-def entry_point() -> Callable[..., None]:
-    """`run_pixels` as machine code."""
-    from nscc_runtime.plan.compiled import entry_points
-
-    return entry_points()["run_pixels"]
-
-
-def _row(word: AnalogWord, program: Reference) -> list[int]:
-    """The columns of a word, as it is where it acts."""
-    names = (*program.container.target.analog_registers, "PIX", "reset level", "IN")
-    row = [0] * ENTRY_COLUMNS
-    row[Entry.BOUNDARY], row[Entry.RESETS] = word.boundary, int(word.resets)
-    row[Entry.NUMBER] = word.number
-    if not word.resets:
-        row[Entry.READS_PIX] = int("PIX" in word.op.sources)
-        row[Entry.SOURCES], row[Entry.DESTINATIONS] = (
-            len(word.op.sources),
-            len(word.op.destinations),
+        rows, cols = light.shape
+        groups = len(self.group_ids)
+        whole = 1 << (container.slots - 1).bit_length()
+        # What the charge of one site takes: rates, counts and their stamps, of light and dark.
+        each = 16 * (container.slots + 2 * 2 * whole * groups)
+        switches = {loop.switch: effect in effects for effect, loop in _in_loop(registered())}
+        switches.pop(None, None)
+        return Sizes(
+            pixels=count,
+            slots=container.slots,
+            rows=rows,
+            cols=cols,
+            buckets=len(container.buckets),
+            groups=groups,
+            registers=len(container.target.analog_registers),
+            draws=self.weights.shape[1],
+            numbered=DESTINATIONS,
+            whole=whole,
+            kept_cols=cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
+            frame=frame,
+            **switches,
         )
-        for i, name in enumerate(word.op.sources):
-            row[Entry.FIRST_SOURCE + i] = names.index(name)
-        for i, name in enumerate(word.op.destinations):
-            row[Entry.FIRST_DESTINATION + i] = names.index(name)
-    return row
 
 
-def _times(word: AnalogWord, program: Reference) -> tuple[float, float]:
-    """When a word ends, in parts of the slot, and its divisor."""
+def _entries(program: Reference) -> tuple[NDArray[Any], NDArray[np.int64]]:
+    """The words as they are where they act, and the registers of all of them."""
     container = program.container
-    last = word.boundary == container.slots
-    end = word.after_us / container.slot_us[min(word.boundary, container.slots - 1)]
-    return end if last else min(end, 1.0), float(word.op.operation.divisor)
+    names = (*container.target.analog_registers, "PIX", "reset level", "IN")
+    rows: list[tuple[float, ...]] = []
+    operands: list[int] = []
+    for word in program.words:
+        sources, destinations = word.op.sources, word.op.destinations
+        if word.resets:
+            sources = destinations = ()
+        last = word.boundary == container.slots
+        end = word.after_us / container.slot_us[min(word.boundary, container.slots - 1)]
+        entry = {
+            "boundary": word.boundary,
+            "resets": word.resets,
+            "number": word.number,
+            "reads_pix": "PIX" in sources,
+            "sources": len(sources),
+            "destinations": len(destinations),
+            "operands": len(operands),
+            "end": end if last else min(end, 1.0),
+            "divisor": word.op.operation.divisor,
+            "acts": True,
+        }
+        rows.append(tuple(entry[name] for name in _ENTRY.names or ()))
+        operands += [names.index(name) for name in sources + destinations]
+    return np.array(rows, _ENTRY), np.array(operands, np.int64)
 
 
-def _numbers(sensor: Sensor, effects: Selection) -> NDArray[np.float64]:
-    """The figures of the effects that are on; those of the others are not read, or 0."""
-    values = np.zeros(len(Number))
-    values[Number.FULL_WELL] = sensor.full_well_e
-    values[Number.REGISTER_MAX] = sensor.register_max_e
-    values[Number.RATE_CAP] = RATE_CAP
-    for _, loop in _in_loop(effects.effects):
-        for name, figure in loop.numbers.items():
-            values[Number[name]] = figure(sensor)
-    return values
+def _numbers(sensor: Sensor, effects: Selection) -> Numbers:
+    """The figures of the effects; 0 of those that are off."""
+    figures = {
+        name: figure(sensor) if effect in effects else 0.0
+        for effect, loop in _in_loop(registered())
+        for name, figure in loop.numbers.items()
+    }
+    return Numbers(
+        pix_start=sensor.full_well_e,
+        register_start=sensor.register_max_e,
+        rate_cap=RATE_CAP,
+        **figures,
+    )
 
 
-def _keys(seed: int, device_seed: int) -> NDArray[np.uint64]:
+def _keys(seed: int, device_seed: int) -> Keys:
     """Keys of the device, and those that a frame's follow from, whether effects are on or not."""
-    values = np.zeros(Key.PART + len(_DRAWN), np.uint64)
-    values[Key.START] = base(device_seed, START)
+    found = {"start": base(device_seed, START)}
     for effect, loop in _in_loop(registered()):
         if loop.device_key is not None:
-            values[Key[loop.device_key]] = key(device_seed, effect.stream)
-        for kind, source in ((CountedLight, LIGHT), (CountedDark, WITHOUT_LIGHT)):
+            found[loop.device_key] = key(device_seed, effect.stream)
+        for kind, source, name in (
+            (CountedLight, LIGHT, "light"), (CountedDark, WITHOUT_LIGHT, "dark"),
+        ):  # fmt: skip
             if effect.parts(kind):
-                values[Key.COUNT + source] = base(seed, effect.stream, source)
-                values[Key.THIN + source] = base(seed, effect.stream, THINNED + source)
+                found[f"count_{name}"] = base(seed, effect.stream, source)
+                found[f"thin_{name}"] = base(seed, effect.stream, THINNED + source)
         for part in effect.parts(Errors):
-            values[Key.SUM + _DRAWN.index(part.at)] = base(seed, effect.stream, SUM)
-            values[Key.PART + _DRAWN.index(part.at)] = base(seed, effect.stream, PART)
-    return values
-
-
-def _switches(effects: Selection) -> list[tuple[Size, int]]:
-    loops = (loop for _, loop in _in_loop(effects.effects))
-    return [(Size[loop.switch], 1) for loop in loops if loop.switch is not None]
+            found[f"sum_{part.at}"] = base(seed, effect.stream, SUM)
+            found[f"part_{part.at}"] = base(seed, effect.stream, PART)
+    return Keys(**found)
 
 
 def _in_loop(effects: Iterable[Effect]) -> Iterator[tuple[Effect, InLoop]]:
@@ -243,21 +241,15 @@ def _in_loop(effects: Iterable[Effect]) -> Iterator[tuple[Effect, InLoop]]:
             yield effect, effect.words
 
 
-def _kept_bytes(sizes: NDArray[np.int64]) -> int:
-    """What the charge of one site takes: rates, counts and their stamps, of light and dark."""
-    room = 2 * int(sizes[Size.WHOLE]) * int(sizes[Size.GROUPS])
-    return 16 * (int(sizes[Size.SLOTS]) + 2 * room)
-
-
-def _scratch(sizes: NDArray[np.int64]) -> tuple[NDArray[np.generic], ...]:
-    slots, room = int(sizes[Size.SLOTS]), 2 * int(sizes[Size.WHOLE]) * int(sizes[Size.GROUPS])
-    sites = 3 * int(sizes[Size.KEPT_COLS]) if sizes[Size.CROSSTALK] else 1
-    return (
-        np.empty(2 * sites * slots),
-        np.empty(2 * sites * room),
-        np.full(2 * sites * room, -1, np.int64),
-        np.full(sites, -1, np.int64),
-        np.empty(len(_DRAWN) * int(sizes[Size.BUCKETS])),
-        np.empty(int(sizes[Size.REGISTERS]) + 3),
-        np.empty(_SITES, np.int64),
-    )
+def _scratch(sizes: Sizes) -> dict[str, NDArray[Any]]:
+    slots, room = sizes.slots, 2 * sizes.whole * sizes.groups
+    sites = 3 * sizes.kept_cols if sizes.exchanges else 1
+    return {
+        "rates": np.empty(2 * sites * slots),
+        "heap": np.empty(2 * sites * room),
+        "stamps": np.full(2 * sites * room, -1, np.int64),
+        "tags": np.full(sites, -1, np.int64),
+        "missing": np.empty(ERRORS * sizes.buckets),
+        "registers": np.empty(sizes.registers + 3),
+        "places": np.empty(SITES, np.int64),
+    }

@@ -1,35 +1,48 @@
-"""The loop that adds up light, each frame weighted by the pixel's lane.
+"""The loops that add up light, each frame weighted by the pixel's lane, and smear it.
 
-It takes bare pointers, allocates nothing and raises nothing; `nscc_runtime.plan.sums` has checked
-what it is given. Importing this module imports numba.
+`nscc_runtime.plan.sums` has checked what they are given.
 """
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
-from numpy.typing import NDArray
 
-# Pointers; typed as arrays, which is how they are used.
-Ints = NDArray[np.int64]
-Ints32 = NDArray[np.int32]
-Floats = NDArray[np.float64]
-Frames = NDArray[np.float32]
+from nscc_runtime.loop import Floats, Floats32, Ints32, Written, loop, record
 
-_BLOCK = 512
+BLOCK = 512
 """Pixels whose sums stay in the cache while the frames go by."""
 
 
-def weighted_sums(sizes: Ints, frames: Frames, lanes: Ints32, table: Floats, out: Floats) -> None:
+@record
+class SumSizes:
+    """How much there is of everything; `begin` and `end` say which pixels are to be done."""
+
+    pixels: int
+    begin: int
+    end: int
+    count: int
+    lane_count: int
+    sums: int
+
+
+@loop
+def weighted_sums(
+    sizes: SumSizes,
+    frames: Annotated[Floats32, "count pixels"],
+    lanes: Annotated[Ints32, "pixels"],
+    table: Annotated[Floats, "sums count lane_count"],
+    out: Written[Annotated[Floats, "sums pixels"]],
+) -> None:
     """out[j, p] := the sum over k of table[j, k, lanes[p]] * frames[k, p].
 
-    `sizes`: pixels in all, the first and the last + 1 of those to do, frames, lanes, sums. Products
-    and sums in float64, frame after frame.
+    Products and sums in float64, frame after frame.
     """
-    pixels, begin, end, count, lane_count, sums = (
-        sizes[0], sizes[1], sizes[2], sizes[3], sizes[4], sizes[5],
-    )  # fmt: skip
-    for first in range(begin, end, _BLOCK):
-        stop = min(first + _BLOCK, end)
+    pixels, end, count, lane_count = sizes.pixels, sizes.end, sizes.count, sizes.lane_count
+    sums = sizes.sums
+    for first in range(sizes.begin, end, BLOCK):
+        stop = min(first + BLOCK, end)
         for j in range(sums):
             for p in range(first, stop):
                 out[j * pixels + p] = 0.0
@@ -40,16 +53,26 @@ def weighted_sums(sizes: Ints, frames: Frames, lanes: Ints32, table: Floats, out
                     out[j * pixels + p] += table[row + lanes[p]] * frames[k * pixels + p]
 
 
-def smeared_frames(
-    sizes: Ints, fraction: Floats, frames: Frames, scale: Floats, out: Frames
-) -> None:
-    """out[k] := q + fraction laplacian(q), q = scale * frames[k] (rows, cols); the border reflects.
+@record
+class SmearSizes:
+    """The size of a frame; `begin` and `end` say which frames are to be done."""
 
-    `sizes`: first frame and last + 1, rows, cols.
-    """
-    rows, cols = sizes[2], sizes[3]
-    c = np.float32(fraction[0])
-    for k in range(sizes[0], sizes[1]):
+    begin: int
+    end: int
+    rows: int
+    cols: int
+    fraction: float
+
+
+@loop
+def smeared_frames(
+    sizes: SmearSizes, frames: Annotated[Floats32, "frames rows cols"],
+    scale: Annotated[Floats, "rows cols"], out: Written[Annotated[Floats32, "frames rows cols"]],
+) -> None:  # fmt: skip
+    """out[k] := q + fraction laplacian(q), q = scale * frames[k]; the border reflects."""
+    rows, cols = sizes.rows, sizes.cols
+    c = np.float32(sizes.fraction)
+    for k in range(sizes.begin, sizes.end):
         at = k * rows * cols
         for row in range(rows):
             here = row * cols
@@ -66,16 +89,3 @@ def smeared_frames(
                     + np.float32(scale[here + right]) * frames[at + here + right]
                 )
                 out[at + here + col] = own + c * (four - np.float32(4.0) * own)
-
-
-SIGNATURES = {
-    "weighted_sums": (
-        "void(CPointer(int64), CPointer(float32), CPointer(int32), CPointer(float64), "
-        "CPointer(float64))"
-    ),
-    "smeared_frames": (
-        "void(CPointer(int64), CPointer(float64), CPointer(float32), CPointer(float64), "
-        "CPointer(float32))"
-    ),
-}
-"""The types of the loops' parameters, for numba."""

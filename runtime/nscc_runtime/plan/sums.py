@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.light import Light
+from nscc_runtime.plan import sum_loop
 from nscc_runtime.plan.pool import in_parts
+from nscc_runtime.plan.sum_loop import SmearSizes, SumSizes
 
-_BLOCK = 512
 _MOST_ENTRIES = 1 << 23
 """Of tables in memory at once, unless a single one is larger."""
 
@@ -25,8 +26,6 @@ def weighted_sums(
 
     `frames` (T, pixels), `lanes` (pixels,), `tables` (J, T, lanes). Threads change no bit.
     """
-    from nscc_runtime.plan.compiled import entry_points
-
     count, pixels = frames.shape
     sums, _, lane_count = tables.shape
     if tables.shape[1] != count or lanes.shape != (pixels,):
@@ -34,19 +33,21 @@ def weighted_sums(
     if pixels and not (lanes.min() >= 0 and lanes.max() < lane_count):
         raise ValueError("a lane that the tables do not have")
     out = np.empty((sums, pixels))
-    arrays = (
-        np.require(frames, np.float32, ["C", "A"]),
-        np.require(lanes, np.int32, ["C", "A"]),
-        np.require(tables, np.float64, ["C", "A"]),
-        out,
+    bound = sum_loop.weighted_sums.bound(
+        frames=np.require(frames, np.float32, ["C", "A"]),
+        lanes=np.require(lanes, np.int32, ["C", "A"]),
+        table=np.require(tables, np.float64, ["C", "A"]),
+        out=out,
     )
-    loop = entry_points()["weighted_sums"]
 
     def run(begin: int, end: int) -> None:
-        sizes = np.array([pixels, begin, end, count, lane_count, sums], np.int64)
-        loop(sizes.ctypes.data, *(array.ctypes.data for array in arrays))
+        bound(
+            sizes=SumSizes(
+                pixels=pixels, begin=begin, end=end, count=count, lane_count=lane_count, sums=sums
+            )
+        )
 
-    in_parts(run, pixels, threads, _BLOCK)
+    in_parts(run, pixels, threads, sum_loop.BLOCK)
     return out
 
 
@@ -54,20 +55,16 @@ def smeared_frames(
     frames: NDArray[np.float32], scale: NDArray[np.float64], fraction: float, threads: int = 1
 ) -> NDArray[np.float32]:
     """Frames (T, rows, cols) times `scale` (rows, cols), smeared by crosstalk; in float32."""
-    from nscc_runtime.plan.compiled import entry_points
-
     out = np.empty(frames.shape, np.float32)
-    arrays = (
-        np.array([fraction]),
-        np.require(frames, np.float32, ["C", "A"]),
-        np.require(scale, np.float64, ["C", "A"]),
-        out,
+    rows, cols = scale.shape
+    bound = sum_loop.smeared_frames.bound(
+        frames=np.require(frames, np.float32, ["C", "A"]),
+        scale=np.require(scale, np.float64, ["C", "A"]),
+        out=out,
     )
-    loop = entry_points()["smeared_frames"]
 
     def run(begin: int, end: int) -> None:
-        sizes = np.array([begin, end, *frames.shape[1:]], np.int64)
-        loop(sizes.ctypes.data, *(array.ctypes.data for array in arrays))
+        bound(sizes=SmearSizes(begin=begin, end=end, rows=rows, cols=cols, fraction=fraction))
 
     in_parts(run, len(frames), threads)
     return out

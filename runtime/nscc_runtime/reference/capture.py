@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc.words.operations import OPERATIONS, Effect
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Errors, Leak, WordGain
 from nscc_runtime.effects.sensor import Sensor
@@ -33,8 +34,10 @@ Values = NDArray[np.float64]
 
 _CELLS = 1 << 21
 """Most slots x pixels of a chunk of rows: some ten arrays of that size are alive at once."""
-DESTINATIONS = 4
-"""More than a word has: draws of errors are numbered word by word, destination by destination."""
+_MOST = max(row.destinations[1] or 0 for row in OPERATIONS if row.effect is Effect.BUS)
+DESTINATIONS = 1 << (_MOST - 1).bit_length()
+"""At least what a word has: draws of errors are numbered word by word, destination by destination.
+"""
 START = 0
 """The stream of what registers hold when a frame starts; effects have streams from 1."""
 

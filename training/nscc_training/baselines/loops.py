@@ -1,36 +1,21 @@
-"""The loop that `nscc_training.baselines.compiled` makes machine code of. It imports numba.
-
-It takes bare pointers, allocates nothing and raises nothing; `nscc_training.baselines.tv` has
-checked what it is given. Volumes are (frames, rows, cols), flat.
-"""
+"""The loop of total variation; `nscc_training.baselines.tv` calls it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import TypeVar, cast
+from typing import Annotated
 
-import numba
 import numpy as np
-from numpy.typing import NDArray
 
-_F = TypeVar("_F", bound=Callable[..., object])
-
-# Pointers; typed as arrays, which is how they are used.
-Floats = NDArray[np.float32]
-Ints = NDArray[np.int64]
+from nscc_runtime.loop import Floats32, Written, inlined, loop, record
 
 _ONE = np.float32(1.0)
 _ZERO = np.float32(0.0)
 
 
-def _inlined(function: _F) -> _F:
-    return cast(_F, numba.njit(inline="always", error_model="numpy")(function))
-
-
-@_inlined
+@inlined
 def _primal_row(
     cols: int, at: int, plane: int, links: int, time: np.float32,
-    image: Floats, later: Floats, down: Floats, right: Floats, out: Floats,
+    image: Floats32, later: Floats32, down: Floats32, right: Floats32, out: Floats32,
 ) -> None:  # fmt: skip
     """out = image + div(field) in the row that begins at `at`.
 
@@ -61,10 +46,10 @@ def _primal_row(
     out[at] = first
 
 
-@_inlined
+@inlined
 def _dual_row(
     cols: int, at: int, plane: int, links: int, step: np.float32, pull: np.float32,
-    time: np.float32, out: Floats, later: Floats, down: Floats, right: Floats,
+    time: np.float32, out: Floats32, later: Floats32, down: Floats32, right: Floats32,
 ) -> None:  # fmt: skip
     """A descent step of the field in one row, back into the ball of radius `weight`.
 
@@ -107,22 +92,39 @@ def _dual_row(
         later[end] = (later[end] - step * last_later) * scale
 
 
+@record
+class Volume:
+    """The size of a clip and how it is denoised: `time` weighs differences in time relative to
+    those in space.
+    """
+
+    frames: int
+    rows: int
+    cols: int
+    iterations: int
+    weight: float
+    time: float
+
+
+_Clip = Annotated[Floats32, "frames rows cols"]
+
+
+@loop
 def denoise(
-    sizes: Ints, weights: Floats, image: Floats, later: Floats, down: Floats, right: Floats,
-    out: Floats,
+    volume: Volume, image: _Clip, later: Written[_Clip], down: Written[_Clip],
+    right: Written[_Clip], out: Written[_Clip],
 ) -> None:  # fmt: skip
     """Chambolle's projection (2004) of a volume: least |out - image|^2 / 2 + weight TV(out).
 
-    `sizes` = frames, rows, cols, iterations; `weights` = weight, weight of differences in time
-    relative to those in space. `later`, `down` and `right` are the dual field, from where it is to
-    where it has come, 0 where a neighbour is missing.
+    `later`, `down` and `right` are the dual field, from where it is to where it has come, 0 where a
+    neighbour is missing.
     """
-    frames, rows, cols, iterations = sizes[0], sizes[1], sizes[2], sizes[3]
+    frames, rows, cols, iterations = volume.frames, volume.rows, volume.cols, volume.iterations
     plane = rows * cols
-    time = weights[1]
+    time, weight = np.float32(volume.time), np.float32(volume.weight)
     # 1 / (2 dimensions) is where the projection is known to converge.
     step = _ONE / (np.float32(4.0) + np.float32(2.0) * time * time)
-    pull = step / weights[0]
+    pull = step / weight
     for turn in range(iterations + 1):
         for frame in range(frames):
             before = 2 if frame > 0 else 0
@@ -140,9 +142,3 @@ def denoise(
                 links = 1 if row < rows - 1 else 0
                 at = (frames - 1) * plane + row * cols
                 _dual_row(cols, at, plane, links, step, pull, time, out, later, down, right)
-
-
-_INTS, _FLOATS = "CPointer(int64)", "CPointer(float32)"
-
-SIGNATURE = f"void({_INTS}, {', '.join([_FLOATS] * 6)})"
-"""The types of its parameters, for numba."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_training.baselines.loops import Volume, denoise
+
 Clip = NDArray[np.float32]
 
 
@@ -19,15 +21,18 @@ def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) ->
         raise ValueError(f"a clip of the shape {clip.shape}")
     if not weight > 0 or iterations < 0 or not time >= 0:
         raise ValueError(f"weight {weight}, {iterations} iterations, time {time}")
-    from nscc_training.baselines.compiled import entry_point
-
     image = np.ascontiguousarray(clip, np.float32)
     field = np.zeros((3, *image.shape), np.float32)
     out = np.empty_like(image)
-    arrays = (
-        np.array([*image.shape, iterations], np.int64),
-        np.array([weight, time], np.float32),
-        image, field[0], field[1], field[2], out,
-    )  # fmt: skip
-    entry_point()(*(array.ctypes.data for array in arrays))
+    frames, rows, cols = image.shape
+    denoise(
+        volume=Volume(
+            frames=frames, rows=rows, cols=cols, iterations=iterations, weight=weight, time=time
+        ),
+        image=image,
+        later=field[0],
+        down=field[1],
+        right=field[2],
+        out=out,
+    )
     return out

@@ -104,9 +104,9 @@ def evaluate_sci8(
             helps=("a trained decoder is evaluated by the name of its run folder",),
         )
     if chosen.name in ("gap-tv", "admm-tv"):
-        from nscc_training.baselines.compiled import entry_point
+        from nscc_training.baselines.loops import denoise
 
-        entry_point()  # compiled or loaded now: it is no part of a clip's time
+        denoise.load()  # compiled or loaded now: it is no part of a clip's time
     if chosen.name == "dictionary":
         made_dictionary(int(protocol["frames"]))  # learned now, for the same reason
     items: list[Item] = []

@@ -1,0 +1,32 @@
+"""Compiles all loops of packages ahead, so that no command has to wait for a compiler.
+
+    python -m nscc_runtime.compile_ahead nscc_runtime nscc_training
+
+is an installer's last step: half a minute once. Loops lie in modules whose names end in `loop` or
+`loops` (see `nscc_runtime.loop`).
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from importlib import import_module
+from pathlib import Path
+
+from nscc_runtime.loop import object_file
+
+
+def modules(package: str) -> Iterator[str]:
+    """The modules of a package that have loops; imports the package, and none of its modules."""
+    (root,) = import_module(package).__path__
+    for path in sorted(Path(root).rglob("*.py")):
+        if path.stem.endswith(("loop", "loops")):
+            yield ".".join((package, *path.relative_to(root).with_suffix("").parts))
+
+
+if __name__ == "__main__":
+    for package in sys.argv[1:]:
+        for module in modules(package):
+            import_module(module)
+            if object_file(module).loops:
+                object_file(module).code()

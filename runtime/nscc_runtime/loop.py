@@ -1,0 +1,405 @@
+"""Compiled loops: a function's annotated signature says what its machine code is given.
+
+    @record
+    class Sizes:
+        pixels: int
+        factor: float
+
+    @loop
+    def scaled(sizes: Sizes, lanes: Annotated[Ints, "pixels"], out: Written[Floats]) -> None:
+        for p in range(sizes.pixels):
+            out[p] = sizes.factor * lanes[p]
+
+    scaled(sizes=Sizes(pixels=9, factor=0.5), lanes=lanes, out=out)
+
+From that one declaration numba learns the types, and every call its order and what to check: an
+array's type, that it is contiguous, that it may be written where it is `Written`, and, where the
+declaration names its axes, its shape. Loops are called by name only.
+
+In a loop an array is a bare pointer: flat whatever its shape, and without bounds. A loop allocates
+nothing and raises nothing, and calls only functions that are `compiled` or `inlined`. Importing a
+module of loops does not import numba; compiling does (see `nscc_runtime.machine_code`).
+"""
+
+from __future__ import annotations
+
+import ctypes
+import operator
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
+from pathlib import Path
+from types import CodeType, FunctionType, ModuleType
+from typing import (
+    Annotated,
+    Any,
+    Generic,
+    ParamSpec,
+    TypeVar,
+    cast,
+    dataclass_transform,
+    get_args,
+    get_origin,
+    get_type_hints,
+)
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime import machine_code
+
+_P = ParamSpec("_P")
+_T = TypeVar("_T")
+_F = TypeVar("_F", bound=Callable[..., object])
+
+Ints = NDArray[np.int64]
+Ints32 = NDArray[np.int32]
+Words = NDArray[np.uint64]
+Floats = NDArray[np.float64]
+Floats32 = NDArray[np.float32]
+Bytes = NDArray[np.uint8]
+
+_WRITTEN = object()
+Written = Annotated[_T, _WRITTEN]
+"""An array that the loop writes."""
+
+_FIELDS: dict[type, tuple[Any, Callable[[Any], Any]]] = {
+    int: (ctypes.c_int64, operator.index),
+    float: (ctypes.c_double, float),
+    np.uint64: (ctypes.c_uint64, int),
+}
+
+
+@dataclass_transform(kw_only_default=True)
+def record(cls: type[_T]) -> type[_T]:
+    """A class of annotated fields (int, float or np.uint64) as a record that a loop reads.
+
+    Made by the names of all its fields; in a loop they are int64, float64 and uint64. An array of
+    records has the dtype np.dtype(cls): `Annotated[NDArray[Any], cls]` in a loop's signature.
+    """
+    fields = {name: _FIELDS[kind] for name, kind in get_type_hints(cls).items()}
+    places = [(name, field[0]) for name, field in fields.items()]
+    exact = {name: field[1] for name, field in fields.items()}
+
+    def init(self: Any, **values: Any) -> None:
+        if values.keys() != exact.keys():
+            raise TypeError(f"{cls.__name__}: {_unlike(exact, values)}")
+        given = {name: exact[name](value) for name, value in values.items()}
+        ctypes.Structure.__init__(self, **given)
+
+    body = {
+        "_fields_": places,
+        "__init__": init,
+        "__doc__": cls.__doc__,
+        "__module__": cls.__module__,
+    }
+    return cast("type[_T]", type(cls.__name__, (ctypes.Structure,), body))
+
+
+def compiled(function: _F) -> _F:
+    """A function that compiled loops may call."""
+    return cast(_F, _Part(cast(FunctionType, function), _jitted))
+
+
+def inlined(function: _F) -> _F:
+    """The same, made part of each loop that calls it: LLVM makes vectors of no other calls."""
+    return cast(_F, _Part(cast(FunctionType, function), partial(_jitted, forceinline=True)))
+
+
+def table(make: Callable[[], _T]) -> _T:
+    """An array of constants that loops read by the global name it is given; made when compiled."""
+    return cast(_T, _Part(cast(FunctionType, make), lambda function: function()))
+
+
+def loop(function: Callable[_P, None]) -> Loop[_P]:
+    """The loop that a function declares: one of the object file of its module."""
+    return Loop(cast(FunctionType, function))
+
+
+class Loop(Generic[_P]):
+    """A loop as machine code: read from its module's object file, or compiled on first use."""
+
+    def __init__(self, function: FunctionType) -> None:
+        self.function = function
+        self.name, self.module = function.__name__, function.__module__
+        self.__doc__ = function.__doc__
+        object_file(self.module).loops.append(self)
+
+    def __call__(self, *args: _P.args, **values: _P.kwargs) -> None:
+        """Run it. Drops the GIL. Raises TypeError for what the declaration does not allow."""
+        if args:
+            raise TypeError(f"{self.name} takes what it is given by name")
+        self.bound()(**values)
+
+    def bound(self, **values: Any) -> Bound:
+        """The loop with some of its parameters checked and given."""
+        return Bound(self, values)
+
+    def is_compiled(self) -> bool:
+        """Whether the machine code is there: if not, its first use takes some seconds."""
+        return object_file(self.module).is_compiled()
+
+    def load(self) -> None:
+        """Have the machine code ready, compiled if need be."""
+        object_file(self.module).linked  # noqa: B018  # made when it is asked for
+
+    @cached_property
+    def parameters(self) -> dict[str, Parameter]:
+        """What it is given, in order."""
+        hints = get_type_hints(self.function, include_extras=True)
+        found = [Parameter.of(name, hints[name]) for name in hints if name != "return"]
+        axes = {name for each in found for name, _ in each.axes or ()}
+        return {
+            each.name: replace(each, lengths=tuple(n for n in each.kind.names or () if n in axes))
+            for each in found
+        }
+
+    @cached_property
+    def entry(self) -> Callable[..., None]:
+        """The machine code, which checks nothing; takes addresses."""
+        return object_file(self.module).linked[self.name]
+
+
+class Bound:
+    """A loop that has been given some of its parameters; see `Loop.bound`."""
+
+    def __init__(self, whole: Loop[Any], values: dict[str, Any]) -> None:
+        self._loop = whole
+        self._values = values  # what is given lives as long as its address
+        self._axes: dict[str, int] = {}
+        self._open = {name: each for name, each in whole.parameters.items() if name not in values}
+        if len(values) + len(self._open) != len(whole.parameters):
+            raise TypeError(f"{whole.name}: {_unlike(whole.parameters, values)}")
+        self._addresses = dict.fromkeys(whole.parameters, 0)
+        for name, value in values.items():
+            self._addresses[name] = whole.parameters[name].address(value, self._axes)
+
+    def __call__(self, **values: Any) -> None:
+        """Run the loop with the rest of its parameters; see `Loop.__call__`."""
+        if self._open.keys() != values.keys():
+            raise TypeError(f"{self._loop.name}: {_unlike(self._open, values)}")
+        addresses, axes = self._addresses.copy(), self._axes.copy()
+        for name, parameter in self._open.items():
+            addresses[name] = parameter.address(values[name], axes)
+        self._loop.entry(*addresses.values())
+
+
+class _Interface(ctypes.Structure):
+    """What numpy says of an array in C: of its ways to the address by far the fastest."""
+
+    _fields_ = (
+        ("two", ctypes.c_int),
+        ("axes", ctypes.c_int),
+        ("kind", ctypes.c_char),
+        ("itemsize", ctypes.c_int),
+        ("flags", ctypes.c_int),
+        ("shape", ctypes.c_void_p),
+        ("strides", ctypes.c_void_p),
+        ("data", ctypes.c_void_p),
+    )
+
+
+_pointer = ctypes.PYFUNCTYPE(ctypes.c_void_p, ctypes.py_object, ctypes.c_char_p)(
+    ("PyCapsule_GetPointer", ctypes.pythonapi)
+)
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """What a loop is given under a name: a record, or an array of numbers or of records.
+
+    `axes` are the name and the surplus of each axis, None where any shape will do: an axis is as
+    long as the field of that name in a record, one of its `lengths`, and as in the other arrays.
+    """
+
+    name: str
+    kind: np.dtype[Any]
+    record: type[ctypes.Structure] | None = None
+    written: bool = False
+    axes: tuple[tuple[str, int], ...] | None = None
+    lengths: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, name: str, hint: Any) -> Parameter:
+        """A parameter from its annotation."""
+        hint, *notes = get_args(hint) if get_origin(hint) is Annotated else (hint,)
+        if not get_origin(hint):
+            return cls(name, np.dtype(hint), hint)
+        records = [note for note in notes if isinstance(note, type)]
+        axes = [tuple(map(_axis, note.split())) for note in notes if isinstance(note, str)]
+        return cls(
+            name,
+            np.dtype(records[0] if records else get_args(get_args(hint)[1])[0]),
+            written=_WRITTEN in notes,
+            axes=axes[0] if axes else None,
+        )
+
+    def address(self, value: Any, axes: dict[str, int]) -> int:
+        """Where a value begins; raises TypeError for one that is not as declared.
+
+        `axes` are the lengths that are known, and are added to.
+        """
+        if self.record is not None:
+            if type(value) is not self.record:
+                raise TypeError(f"{self.name} is {_kind(value)}, not {self.record.__name__}")
+            for name in self.lengths:
+                length = getattr(value, name)
+                if axes.setdefault(name, length) != length:
+                    raise self._unequal(name, length, axes)
+            return ctypes.addressof(value)
+        if not isinstance(value, np.ndarray) or value.dtype != self.kind:
+            raise TypeError(f"{self.name} is {_kind(value)}, not an array of {self.kind}")
+        flags = value.flags
+        if not (flags.c_contiguous and flags.aligned):
+            raise TypeError(f"{self.name} does not lie in one piece, row after row")
+        if self.written and not flags.writeable:
+            raise TypeError(f"{self.name} is to be written, and is read-only")
+        if self.axes is not None:
+            shape = value.shape
+            if len(shape) != len(self.axes):
+                raise TypeError(f"{self.name} has {len(shape)} axes, not {len(self.axes)}")
+            for length, (axis, more) in zip(shape, self.axes, strict=True):
+                if axes.setdefault(axis, length - more) != length - more:
+                    raise self._unequal(axis, length - more, axes)
+        capsule = value.__array_struct__
+        return cast(int, _Interface.from_address(_pointer(capsule, None)).data)
+
+    def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
+        return TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")
+
+
+@dataclass(frozen=True)
+class ObjectFile:
+    """The machine code of a module's loops.
+
+    It lies in `__pycache__` beside the module or, where that cannot be written, in the user's cache
+    folder, under a digest of all that it depends on.
+    """
+
+    module: str
+    loops: list[Loop[Any]] = field(default_factory=list)
+
+    def is_compiled(self) -> bool:
+        """Whether the machine code is there: if not, its first use takes some seconds."""
+        return machine_code.kept(self.name, self.folders) is not None
+
+    def code(self) -> bytes:
+        """The object code, read or compiled."""
+
+        def build() -> bytes:
+            from nscc_runtime.loop_types import signature
+
+            return machine_code.build(
+                (_for_numba(each.function), signature(each.parameters.values()))
+                for each in self.loops
+            )
+
+        return machine_code.object_code(self.name, self.folders, build)
+
+    @cached_property
+    def linked(self) -> dict[str, Callable[..., None]]:
+        """The loops of this process, by name."""
+        return machine_code.load(self.code(), {e.name: len(e.parameters) for e in self.loops})
+
+    @cached_property
+    def name(self) -> str:
+        """The file's name."""
+        known: dict[FunctionType, str] = {}
+        for each in self.loops:
+            _depend(each.function, known)
+        parts = [repr([*each.parameters.values()]) for each in self.loops]
+        stem = "-".join(self.module.split(".")[-2:])
+        return machine_code.name(stem, [*known.values(), *parts])
+
+    @property
+    def folders(self) -> tuple[Path, ...]:
+        """Where it may lie, best first."""
+        return machine_code.folders(cast(str, sys.modules[self.module].__file__))
+
+
+_FILES: dict[str, ObjectFile] = {}
+
+
+def object_file(module: str) -> ObjectFile:
+    """The object file of a module that has been imported."""
+    return _FILES.setdefault(module, ObjectFile(module))
+
+
+@dataclass(frozen=True, eq=False)
+class _Part:
+    """A function or a table for loops: what numba knows of it is made when it is needed."""
+
+    function: FunctionType
+    for_loops: Callable[[FunctionType], Any]
+
+    @cached_property
+    def made(self) -> Any:
+        return self.for_loops(self.function)
+
+    def __call__(self, *values: Any) -> Any:
+        return self.made(*values)
+
+
+def _jitted(function: FunctionType, **options: Any) -> Any:
+    import numba
+
+    return numba.njit(nogil=True, error_model="numpy", **options)(_for_numba(function))
+
+
+def _for_numba(function: FunctionType) -> FunctionType:
+    """A function whose globals are what numba knows."""
+    names, code = function.__globals__, function.__code__
+    made = {
+        name: value.made for name in code.co_names if isinstance(value := names.get(name), _Part)
+    }
+    return FunctionType(code, {**names, **made}, function.__name__)
+
+
+def _depend(function: FunctionType, known: dict[FunctionType, str]) -> None:
+    """Add to `known` what machine code of a function depends on: code, constants, functions."""
+    if function in known:
+        return
+    known[function] = ""
+    texts = []
+    for code in _codes(function.__code__):
+        plain = [value for value in code.co_consts if not isinstance(value, CodeType)]
+        texts += [code.co_code.hex(), repr((plain, code.co_names, code.co_varnames))]
+        for name in code.co_names:
+            value = function.__globals__.get(name)
+            if isinstance(value, _Part):
+                value = value.function
+            if isinstance(value, FunctionType):
+                _depend(value, known)
+            elif isinstance(value, np.ndarray):
+                texts.append(value.tobytes().hex())
+            elif not isinstance(value, ModuleType | type):
+                texts.append(repr(value))
+    known[function] = "\n".join(texts)
+
+
+def _codes(code: CodeType) -> Iterator[CodeType]:
+    yield code
+    for constant in code.co_consts:
+        if isinstance(constant, CodeType):
+            yield from _codes(constant)
+
+
+def _axis(text: str) -> tuple[str, int]:
+    """An axis as declared: `slots`, or `slots+1`."""
+    name, _, more = text.partition("+")
+    return name, int(more or 0)
+
+
+def _kind(value: Any) -> str:
+    return f"an array of {value.dtype}" if isinstance(value, np.ndarray) else type(value).__name__
+
+
+def _unlike(wanted: Iterable[str], given: Iterable[str]) -> str:
+    """Which names are missing, and which are not known."""
+    missing, unknown = sorted({*wanted} - {*given}), sorted({*given} - {*wanted})
+    return "; ".join(
+        f"{word} {', '.join(names)}"
+        for word, names in (("lacks", missing), ("does not take", unknown))
+        if names
+    )

@@ -1,0 +1,210 @@
+"""Compiled loops: what a declaration allows, and where the machine code comes from."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import subprocess
+import sys
+from typing import Annotated, Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from nscc_runtime import loop as loops
+from nscc_runtime import machine_code
+from nscc_runtime.compile_ahead import modules
+from nscc_runtime.emulator.loops import expose_block
+from nscc_runtime.loop import Floats, Ints, Written, compiled, loop, object_file, record
+
+
+@record
+class Sizes:
+    """For `scaled`."""
+
+    count: int
+    factor: float
+    word: np.uint64
+
+
+@record
+class Step:
+    """For `scaled`."""
+
+    index: int
+    part: float
+
+
+@compiled
+def product(sizes: Sizes, step: Step) -> float:
+    return sizes.factor * step.part
+
+
+@loop
+def scaled(
+    sizes: Sizes, steps: Annotated[NDArray[Any], Step, "count"],
+    start: Annotated[Ints, "count+1"], out: Written[Annotated[Floats, "count"]],
+) -> None:  # fmt: skip
+    for i in range(sizes.count):
+        out[steps[i].index] = product(sizes, steps[i]) + start[i + 1]
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _own_folder(tmp_path_factory):
+    """No machine code of this file's loops beside the tests."""
+    folder = tmp_path_factory.mktemp("code")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(machine_code, "folders", lambda module: (folder,))
+        yield
+
+
+def given(**changed):
+    values = {
+        "sizes": Sizes(count=2, factor=0.5, word=2**64 - 1),
+        "steps": np.array([(1, 10.0), (0, 20.0)], np.dtype(Step)),
+        "start": np.array([0, 100, 200]),
+        "out": np.zeros(2),
+    }
+    return {**values, **changed}
+
+
+def test_a_loop_reads_records_and_arrays_of_them():
+    values = given()
+    scaled(**values)
+    assert values["out"].tolist() == [210.0, 105.0]
+
+
+def test_a_bound_loop_takes_the_rest():
+    values = given()
+    sizes = values.pop("sizes")
+    bound = scaled.bound(**values)
+    bound(sizes=sizes)
+    assert values["out"].tolist() == [210.0, 105.0]
+    with pytest.raises(TypeError, match="sizes has 1 count, others have 2"):
+        bound(sizes=Sizes(count=1, factor=0.5, word=0))
+
+
+def read_only():
+    out = np.zeros(2)
+    out.flags.writeable = False
+    return out
+
+
+@pytest.mark.parametrize(
+    ("changed", "message"),
+    [
+        ({"sizes": Step(index=0, part=1.0)}, "sizes is Step, not Sizes"),
+        ({"start": np.zeros(3)}, "start is an array of float64, not an array of int64"),
+        ({"start": [0, 1, 2]}, "start is list, not an array of int64"),
+        ({"start": np.zeros(3, ">i8")}, "start is an array of >i8, not an array of int64"),
+        ({"start": np.zeros(2, np.int64)}, "start has 1 count, others have 2"),
+        ({"start": np.zeros((3, 1), np.int64)}, "start has 2 axes, not 1"),
+        ({"out": np.zeros(4)[::2]}, "out does not lie in one piece, row after row"),
+        ({"out": read_only()}, "out is to be written, and is read-only"),
+        ({"steps": np.zeros(2)}, "steps is an array of float64, not an array of"),
+        ({"other": 1, "also": 1}, "scaled: does not take also, other"),
+    ],
+)
+def test_what_is_not_as_declared_is_refused_by_name(changed, message):
+    with pytest.raises(TypeError, match=message):
+        scaled(**given(**changed))
+
+
+def test_missing_and_nameless_values_are_refused():
+    with pytest.raises(TypeError, match="scaled: lacks out, start, steps"):
+        scaled(sizes=given()["sizes"])
+    with pytest.raises(TypeError, match="by name"):
+        scaled(given()["sizes"])
+
+
+def test_a_record_has_all_its_fields():
+    with pytest.raises(TypeError, match="Sizes: lacks word; does not take words"):
+        Sizes(count=1, factor=1.0, words=0)
+    with pytest.raises(TypeError):
+        Sizes(count=1.5, factor=1.0, word=0)
+
+
+def test_the_files_name_hangs_on_constants_and_called_functions(monkeypatch):
+    def name():
+        return loops.ObjectFile(__name__, [scaled]).name
+
+    before = name()
+    assert name() == before
+    other = compiled(lambda sizes, step: sizes.factor - step.part)
+    with monkeypatch.context() as patch:
+        patch.setitem(scaled.function.__globals__, "product", other)
+        assert name() != before
+    assert name() == before
+
+
+@pytest.fixture
+def no_compiler(monkeypatch):
+    """Compiling takes seconds: count it instead."""
+    calls = []
+
+    def build(_loops):
+        calls.append(1)
+        return b"machine code"
+
+    monkeypatch.setattr(machine_code, "build", build)
+    return calls
+
+
+def code(monkeypatch, *places):
+    monkeypatch.setattr(machine_code, "folders", lambda module: places)
+    return object_file(expose_block.module).code()
+
+
+def test_compiled_once_and_read_afterwards(tmp_path, no_compiler, monkeypatch):
+    place = tmp_path / "cache"
+    assert code(monkeypatch, place) == b"machine code"
+    assert code(monkeypatch, place) == b"machine code"
+    assert len(no_compiler) == 1
+    assert len(list(place.iterdir())) == 1
+
+
+def test_damaged_code_is_never_run(tmp_path, no_compiler, monkeypatch):
+    code(monkeypatch, tmp_path)
+    (file,) = tmp_path.iterdir()
+    data = file.read_bytes()
+    assert hashlib.sha256(b"machine code").digest() + b"machine code" == data
+    for damaged in (b"", data[:20], data[:-1], data[:-1] + b"x"):
+        file.write_bytes(damaged)
+        assert code(monkeypatch, tmp_path) == b"machine code"
+        assert file.read_bytes() == data
+    assert len(no_compiler) == 5
+
+
+def test_next_place_where_the_first_cannot_be_written(tmp_path, no_compiler, monkeypatch):
+    blocked = tmp_path / "file"
+    blocked.write_text("not a folder")
+    second = tmp_path / "second"
+    for _ in range(2):
+        assert code(monkeypatch, blocked, second) == b"machine code"
+    assert len(no_compiler) == 1
+    assert code(monkeypatch, blocked) == b"machine code"
+
+
+def test_a_warm_start_imports_neither_numba_nor_scipy():
+    program = """
+import importlib, sys
+from nscc_runtime.compile_ahead import modules
+from nscc_runtime.loop import object_file
+for module in modules("nscc_runtime"):
+    importlib.import_module(module)
+    for each in object_file(module).loops:
+        each.load()
+sys.exit(any(name in sys.modules for name in ("numba", "scipy")))
+"""
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    for _ in range(2):  # the first may have to compile
+        done = subprocess.run([sys.executable, "-c", program], check=False, env=environment)
+    assert done.returncode == 0
+
+
+def test_every_loop_is_found():
+    found = [name for package in ("nscc_runtime", "nscc_training") for name in modules(package)]
+    for name in ("emulator.loops", "noise.loops", "plan.pixel_loop", "plan.fused_loop"):
+        assert f"nscc_runtime.{name}" in found
+    assert "nscc_training.baselines.loops" in found
