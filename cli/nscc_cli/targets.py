@@ -9,9 +9,16 @@ from pathlib import Path
 
 import click
 
-from nscc.target.load import DEFAULT_NAME, builtin_names, builtin_target, load_target, target_toml
-from nscc.target.schema import KEYS
-from nscc.target.target import Target
+from nscc.target.load import (
+    DEFAULT_NAME,
+    added_targets,
+    builtin_names,
+    builtin_target,
+    load_target,
+    target_toml,
+)
+from nscc.target.target import SCHEMA, Target
+from nscc.toml.schema import Key
 from nscc_cli.support import CommonCommand, progress
 
 DEFAULT_SLOTS = ("1ms", "10us")
@@ -90,13 +97,13 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
 
 
 def listing() -> str:
-    """One line a builtin target."""
+    """One line a target: nscc's own, and those that installed packages add."""
     rows = [("name", "array", "digital", "analog", "")]
-    for name in builtin_names():
-        target = builtin_target(name)
+    targets = [*map(builtin_target, builtin_names()), *added_targets().values()]
+    for target in targets:
         rows.append(
             (
-                name,
+                target.name,
                 f"{target.rows} x {target.cols}",
                 str(len(target.digital_registers)),
                 str(len(target.analog_registers)),
@@ -112,18 +119,15 @@ def listing() -> str:
 def details(target: Target) -> str:
     """Every key of a target, by section, with what is not public about it."""
     lines = [f"{target.name}: {target.description}" if target.description else target.name]
-    width = max(len(_value(target, key.attribute)) for key in KEYS if key.section)
+    rows = [(key, _value(target, key)) for key in SCHEMA.keys if key.section]
+    width = max(len(value) for _, value in rows)
     section = ""
-    for key in KEYS:
-        if not key.section:
-            continue
+    for key, value in rows:
         if key.section != section:
             section = key.section
             lines += ["", section]
-        mark = "" if key.public else " (not public)"
-        lines.append(
-            f"  {key.key:<22} {_value(target, key.attribute):<{width}}  {key.comment}{mark}"
-        )
+        mark = f" ({key.source})" if key.source else ""
+        lines.append(f"  {key.name:<22} {value:<{width}}  {key.meaning}{mark}")
     lines += [
         "",
         f"electrons a code of the readout: {target.electrons_per_lsb:.6g}",
@@ -133,10 +137,10 @@ def details(target: Target) -> str:
     return "\n".join(lines)
 
 
-def _value(target: Target, attribute: str) -> str:
-    value = getattr(target, attribute)
+def _value(target: Target, key: Key) -> str:
+    value = getattr(target, key.attribute)
     if value is None:
-        return "any" if attribute.endswith("_sources") else "none"
+        return str(key.kind.plain(value))
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, tuple):

@@ -1,26 +1,27 @@
-"""Targets by name or from a file: the builtin tables and a user's own.
+"""Targets by name or from a file: the builtin tables, those that packages add, a user's own.
 
-A name that ends in `.toml` or holds a `/` is a file, anything else one of the builtin tables. In a
-user's file every key must be known; keys about what is not public may be left out and then
-have scamp5's value.
+A name that ends in `.toml` or holds a `/` is a file, anything else a target's name. In a user's
+file every key must be known; keys about what is not public may be left out and then have scamp5's
+value.
 """
 
 from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import replace
-from functools import lru_cache
+from dataclasses import MISSING, replace
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.diagnostics.suggest import closest
+from nscc.plugins import added, unusable
 from nscc.source import Source, Span
-from nscc.target.schema import KEYS, SECTIONS
-from nscc.target.target import Target
-from nscc.target.values import Problem, read_values, target_values
-from nscc.toml.text import LARGEST_FILE, NotToml, parsed, span_of
+from nscc.target.registers import contradictions
+from nscc.target.target import SCHEMA, Target
+from nscc.toml.files import file_bytes, file_text, file_values
+from nscc.toml.schema import Found, Key
 
 DEFAULT_NAME = "scamp5"
 _TABLES = Path(__file__).with_name("tables")
@@ -31,15 +32,27 @@ def builtin_names() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in _TABLES.glob("*.toml")))
 
 
-@lru_cache(maxsize=16)
+@cache
 def builtin_target(name: str) -> Target:
     """The builtin table of that name, which must exist."""
     text = (_TABLES / f"{name}.toml").read_text(encoding="utf-8")
-    defaults = None if name == DEFAULT_NAME else builtin_target(DEFAULT_NAME)
-    target, problems = read_values(tomllib.loads(text), defaults)
-    if target is None:
+    found, problems = SCHEMA.read(tomllib.loads(text), complete=name == DEFAULT_NAME)
+    if problems:
         raise ValueError(f"the builtin target {name} is broken: {problems[0].message}")
-    return target
+    return _target(found)
+
+
+@cache
+def added_targets() -> dict[str, Target]:
+    """The targets that installed packages add: each a `Target`, TOML text, or the path of a file.
+
+    Raises Rejected (NS0905) for one that is none of these, has a name of nscc's own or not the
+    name that its table gives, with what is wrong in its table.
+    """
+    return {
+        name: _added(name, value)
+        for name, value in added("nscc.targets", builtin_names()).items()
+    }  # fmt: skip
 
 
 def load_target(
@@ -56,11 +69,13 @@ def load_target(
     is wrong in it, all at once.
     """
     if name_or_path.endswith(".toml") or "/" in name_or_path or "\\" in name_or_path:
-        data = read_target(name_or_path, base, source=source, span=span)
-        return parse_target(data, name_or_path)
-    names = builtin_names()
-    if name_or_path in names:
+        return parse_target(read_target(name_or_path, base, source, span), name_or_path)
+    if name_or_path in builtin_names():
         return builtin_target(name_or_path)
+    others = added_targets()
+    if name_or_path in others:
+        return others[name_or_path]
+    names = (*builtin_names(), *others)
     near = closest(name_or_path, names)
     shown = ascii(name_or_path[:60])
     raise Rejected(
@@ -81,82 +96,46 @@ def load_target(
 
 
 def target_dict(target: Target) -> dict[str, Any]:
-    """The target as JSON values: sections of keys, every key present."""
-    return target_values(target)
+    """The target as JSON values: sections of keys, every key present, in the order of a file."""
+    return SCHEMA.plain(_values(target))
 
 
 def target_from_dict(values: Mapping[str, Any]) -> Target:
     """The target of `target_dict`'s values; ValueError with the first fault if they are none."""
-    target, problems = read_values(values, None)
-    if target is None:
+    found, problems = SCHEMA.read(values, complete=True)
+    problems += _contradictions(found)
+    if problems:
         raise ValueError(problems[0].message)
-    return target
+    return _target(found)
 
 
 def target_toml(target: Target) -> str:
     """A complete, commented table that `load_target` reads back as this target."""
-    values = target_values(target)
-    lines = [
-        "# A target of nscc: what the compiler, the checker and the emulator know of a chip.",
-        "# Keys marked (not public) are this project's defaults; they may be left out.",
-        *(line for key in KEYS if not key.section for line in _key_line(key.key, values)),
-    ]
-    for section, remark in SECTIONS.items():
-        if section:
-            header = f"[{section}]"
-            lines += ["", f"{header:<42} # {remark}" if remark else header]
-            for key in KEYS:
-                if key.section == section:
-                    lines += _key_line(key.key, values[section], key.comment, key.public)
-    return "\n".join(lines) + "\n"
 
+    def remark(key: Key) -> str:
+        return f"{key.meaning} ({key.source})" if key.source else key.meaning if key.section else ""
 
-def _key_line(
-    name: str, values: Mapping[str, Any], comment: str = "", public: bool = True
-) -> list[str]:
-    remark = comment if public else f"{comment} (not public)"
-    text = f"{name} = {_toml_value(values[name])}"
-    if len(text) > 60:
-        return [*([f"# {remark}"] if remark else []), text]
-    return [f"{text:<42} # {remark}" if remark else text]
-
-
-def _toml_value(value: Any) -> str:
-    if isinstance(value, str):
-        import json  # only where a table is printed: keeps start-up short
-
-        return json.dumps(value, ensure_ascii=False)
-    if isinstance(value, bool):
-        return "true" if value else "false"
-    if isinstance(value, list):
-        return "[" + ", ".join(_toml_value(item) for item in value) + "]"
-    return repr(value)
+    head = (
+        "A target of nscc: what the compiler, the checker and the emulator know of a chip.",
+        "Keys marked (not public) are this project's defaults; they may be left out.",
+    )
+    return file_text(SCHEMA, _values(target), remark, head, beside=True)
 
 
 def read_target(
-    name: str, base: Path, *, source: Source | None = None, span: Span | None = None
+    name: str, base: Path, source: Source | None = None, span: Span | None = None
 ) -> bytes:
     """What a user's file holds, for `parse_target`; arguments and NS0231 as of `load_target`."""
-    at = Label(span, "this file") if source and span else None
     try:
-        with open(base / name, "rb") as file:
-            return file.read(LARGEST_FILE + 1)
-    except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        shown = ascii(name[:200])
-        raise Rejected(
-            Diagnostic(
-                "NS0231",
-                f"the target file {shown} cannot be read: {reason}",
-                source=source,
-                label=at,
-                helps=(
-                    "a target file is looked up beside the program that names it; "
-                    "the builtin targets need no file: " + ", ".join(builtin_names()),
-                ),
-            ),
-            status=2,
-        ) from None
+        return file_bytes(SCHEMA, base / name, name)
+    except Rejected as error:
+        label = Label(span, "this file") if source and span else None
+        looked = (
+            "a target file is looked up beside the program that names it; "
+            f"the builtin targets need no file: {', '.join(builtin_names())}"
+        )
+        found = replace(error.diagnostics[0], source=source, label=label, helps=(looked,))
+        raise Rejected(found, error.status) from None
 
 
 def parse_target(data: bytes, name: str) -> Target:
@@ -164,29 +143,53 @@ def parse_target(data: bytes, name: str) -> Target:
 
     Raises Rejected, NS0232 to NS0236, with everything that is wrong.
     """
-    text, values = _parsed(name, data)
-    target, problems = read_values(values, builtin_target(DEFAULT_NAME))
-    if target is None:
-        origin = Source(name, text)
-        raise Rejected([_diagnostic(problem, origin) for problem in problems])
-    return target
+    found, problems, source = file_values(SCHEMA, data, name, status=1)
+    problems += _contradictions(found, source)
+    if problems:
+        raise Rejected(problems)
+    return _target(found)
 
 
-def _parsed(name: str, data: bytes) -> tuple[str, dict[str, Any]]:
-    """The text of a target file and its TOML values; raises Rejected (NS0232)."""
+def _target(found: Found) -> Target:
+    """The target of values that are right; scamp5's where they say nothing, nor the key does."""
+    values = {}
+    for key in SCHEMA.keys:
+        if key.path in found:
+            values[key.attribute] = found[key.path]
+        elif key.default is MISSING:
+            values[key.attribute] = getattr(builtin_target(DEFAULT_NAME), key.attribute)
+    return Target(**values)
+
+
+def _values(target: Target) -> dict[str, Any]:
+    return {key.path: getattr(target, key.attribute) for key in SCHEMA.keys}
+
+
+def _contradictions(found: Found, source: Source | None = None) -> list[Diagnostic]:
+    begin = "registers."
+    given = {path.removeprefix(begin): v for path, v in found.items() if path.startswith(begin)}
+    return [
+        SCHEMA.problem("NS0236", message, "registers", key, source, help_text)
+        for key, message, help_text in contradictions(given)
+    ]
+
+
+def _added(name: str, value: object) -> Target:
+    """The target that a package adds under that name."""
     try:
-        return parsed(data)
-    except NotToml as reason:
-        raise Rejected(
-            Diagnostic(
-                "NS0232",
-                f"the target file {name[:200]!a} is not a TOML table: {reason}",
-                helps=("`nscc targets scamp5 --toml` prints a complete file to start from",),
-            )
-        ) from None
-
-
-def _diagnostic(problem: Problem, source: Source) -> Diagnostic:
-    span = span_of(source.text, problem.section, problem.key)
-    found = Diagnostic(problem.code, problem.message, source=source, label=Label(span))
-    return replace(found, helps=(problem.help,)) if problem.help else found
+        if isinstance(value, Target):
+            target = target_from_dict(target_dict(value))
+        elif isinstance(value, Path):
+            target = parse_target(file_bytes(SCHEMA, value), str(value))
+        elif isinstance(value, str):
+            target = parse_target(value.encode(), name)
+        else:
+            raise ValueError(f"a {type(value).__name__} is no target, no TOML text and no path")
+        if target.name != name:
+            raise ValueError(f"its table calls it {target.name}")
+    except Rejected as error:
+        refusal = unusable("nscc.targets", name, "its table is wrong")
+        raise Rejected([*refusal.diagnostics, *error.diagnostics], refusal.status) from error
+    except (ValueError, TypeError, AttributeError) as error:
+        raise unusable("nscc.targets", name, str(error)) from error
+    return target

@@ -17,8 +17,11 @@ WIDTH = 100
 _REMARK_COLUMN = 42
 
 
-def file_bytes(schema: Schema[Row], path: Path) -> bytes:
-    """What a user's file holds, for `file_values`; Rejected (status 2) if it cannot be read."""
+def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
+    """What a user's file holds, for `file_values`; Rejected (status 2) if it cannot be read.
+
+    `name` is the file's for messages, by default its path.
+    """
     try:
         with open(path, "rb") as file:
             return file.read(LARGEST_FILE + 1)
@@ -26,15 +29,17 @@ def file_bytes(schema: Schema[Row], path: Path) -> bytes:
         reason = getattr(error, "strerror", None) or str(error)
         raise rejected(
             schema.codes.unreadable,
-            f"the {schema.file} {str(path)[:200]!a} cannot be read: {reason}",
+            f"the {schema.file} {(name or str(path))[:200]!a} cannot be read: {reason}",
             helps=(schema.start,),
         ) from None
 
 
-def file_values(schema: Schema[Row], data: bytes, name: str) -> tuple[Found, list[Diagnostic]]:
-    """The values of a file's bytes that are right, and what is wrong with the others.
+def file_values(
+    schema: Schema[Row], data: bytes, name: str, *, status: int = 2
+) -> tuple[Found, list[Diagnostic], Source]:
+    """The values of a file's bytes that are right, what is wrong with the others, and its text.
 
-    `name` is the file's for messages. Rejected (status 2) if it is no TOML at all.
+    `name` is the file's for messages. Rejected (`status`) if it is no TOML at all.
     """
     try:
         text, values = parsed(data)
@@ -43,14 +48,16 @@ def file_values(schema: Schema[Row], data: bytes, name: str) -> tuple[Found, lis
             schema.codes.not_toml,
             f"the {schema.file} {name[:200]!a} is not a TOML table: {reason}",
             helps=(schema.start,),
+            status=status,
         ) from None
-    return schema.read(values, Source(name, text))
+    source = Source(name, text)
+    return *schema.read(values, source), source
 
 
 def file_text(
     schema: Schema[Row],
     values: Mapping[str, Any],
-    remark: Callable[[Row], str] | None = None,
+    remark: Callable[[Row], str],
     head: Sequence[str] = (),
     *,
     beside: bool = False,
@@ -69,7 +76,7 @@ def file_text(
             lines.append(_beside(title, said if rows[0].section and beside else ""))
         for key in rows:
             line = f"{key.name} = {written(key.kind.plain(values[key.path]))}"
-            text = remark(key) if remark else ""
+            text = remark(key)
             if beside and len(line) <= 60:
                 lines.append(_beside(line, text))
             else:

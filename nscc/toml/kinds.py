@@ -6,23 +6,18 @@ A kind reads the value of a file, says in words what it allows, and gives back w
 from __future__ import annotations
 
 import re
-from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from math import isfinite
-from typing import Any
+from typing import Any, Protocol
 
 
-class Kind(ABC):
-    """A set of values. `allowed` ends the sentence "the key must be .."."""
-
-    __slots__ = ()
+class Kind(Protocol):
+    """A set of values."""
 
     @property
-    @abstractmethod
     def allowed(self) -> str:
-        """What values there are, in words."""
+        """What ends the sentence "the key must be .."."""
 
-    @abstractmethod
     def read(self, value: Any) -> Any:
         """The value as Python keeps it; ValueError for one that is not allowed."""
 
@@ -105,93 +100,59 @@ class Flag(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Text(Kind):
-    """A text, one of `choices` where there are some; `longest` ones are a line of text."""
+    """A text: one of `choices` where there are some, all of it a `pattern`, `said` in words.
+
+    `optional` ones may be "none", which is None.
+    """
 
     choices: tuple[str, ...] = ()
-    longest: int | None = None
+    pattern: str = ""
+    said: str = "a text"
+    optional: bool = False
 
     @property
     def allowed(self) -> str:
         if self.choices:
             return "one of " + ", ".join(f'"{choice}"' for choice in self.choices)
-        if self.longest is not None:
-            return f"one line of text, {self.longest} characters at most"
-        return "a text"
+        return self.said
 
-    def read(self, value: Any) -> str:
+    def read(self, value: Any) -> str | None:
         # Bytes of the command line that are no UTF-8 arrive as halves of characters.
         if not isinstance(value, str) or any("\ud800" <= c <= "\udfff" for c in value):
             raise ValueError
         if self.choices and value not in self.choices:
             raise ValueError
-        if self.longest is not None and not (value.isprintable() and len(value) <= self.longest):
+        if self.pattern and not (value.isprintable() and re.fullmatch(self.pattern, value)):
             raise ValueError
-        return value
-
-
-@dataclass(frozen=True, slots=True)
-class Name(Kind):
-    """A name that messages, reports and the command line can use."""
-
-    @property
-    def allowed(self) -> str:
-        return "a name of letters, digits, `-`, `_`, `.` (64 at most, a letter first)"
-
-    def read(self, value: Any) -> str:
-        if not isinstance(value, str) or not re.fullmatch(r"[A-Za-z][A-Za-z0-9_.+-]{0,63}", value):
-            raise ValueError
-        return value
-
-
-@dataclass(frozen=True, slots=True)
-class Register(Kind):
-    """The name of a register, or "none", which is None."""
-
-    @property
-    def allowed(self) -> str:
-        return "the name of a register"
-
-    def read(self, value: Any) -> str | None:
-        if not isinstance(value, str):
-            raise ValueError
-        return None if value == "none" else value
+        return None if self.optional and value == "none" else value
 
     def plain(self, value: Any) -> Any:
         return "none" if value is None else value
 
 
 @dataclass(frozen=True, slots=True)
-class Registers(Kind):
-    """A list of register names."""
-
-    @property
-    def allowed(self) -> str:
-        return "a list of register names"
-
-    def read(self, value: Any) -> tuple[str, ...]:
-        if not isinstance(value, list | tuple) or not all(isinstance(name, str) for name in value):
-            raise ValueError
-        return tuple(value)
-
-    def plain(self, value: Any) -> Any:
-        return list(value)
-
-
-@dataclass(frozen=True, slots=True)
 class Several(Kind):
-    """`count` values of one kind."""
+    """A list of values of one kind, `count` of them where that is given, `said` in words."""
 
-    count: int
     each: Kind
+    count: int | None = None
+    said: str = ""
 
     @property
     def allowed(self) -> str:
-        return f"a list of {self.count}, each {self.each.allowed}"
+        return self.said or f"a list of {self.count}, each {self.each.allowed}"
 
     def read(self, value: Any) -> tuple[Any, ...]:
-        if not isinstance(value, list | tuple) or len(value) != self.count:
+        if not isinstance(value, list | tuple) or self.count not in (None, len(value)):
             raise ValueError
         return tuple(self.each.read(part) for part in value)
 
     def plain(self, value: Any) -> Any:
         return [self.each.plain(part) for part in value]
+
+
+NAME = Text(
+    pattern=r"[A-Za-z][A-Za-z0-9_.+-]{0,63}",
+    said="a name of letters, digits, `-`, `_`, `.` (64 at most, a letter first)",
+)
+LINE = Text(pattern=".{0,400}", said="one line of text, 400 characters at most")

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import dataclasses
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import MISSING, dataclass, field, fields, replace
 from functools import cached_property
 from typing import Any, Generic, TypeVar
 
@@ -34,7 +33,7 @@ class Key:
     name: str
     kind: Kind
     meaning: str
-    default: Any = None
+    default: Any = MISSING
     source: str = ""
     required: bool = False
     heading: str = ""
@@ -60,6 +59,29 @@ class Codes:
     wrong: str
     missing: str = ""
     change: str = ""
+
+
+def key(
+    kind: Kind, meaning: str, default: Any = MISSING, *, section: str = "", name: str = "",
+    source: str = "", required: bool = False,
+) -> Any:  # fmt: skip
+    """A field of a dataclass that is a key of a file, called `name` where that is not its own."""
+    row = Key(section, name, kind, meaning, default, source, required)
+    return field(default=default, metadata={"key": row})
+
+
+def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
+    """The keys that the fields of a dataclass are, in its order; those in no table in `section`."""
+    return tuple(
+        replace(
+            row := each.metadata["key"],
+            section=row.section or section,
+            name=row.name or each.name,
+            heading=row.section or section,
+            attribute=each.name,
+        )
+        for each in fields(settings)
+    )
 
 
 Row = TypeVar("Row", bound=Key)
@@ -99,12 +121,17 @@ class Schema(Generic[Row]):
 
     @cached_property
     def sections(self) -> dict[str, tuple[str, ...]]:
-        """The names of the keys of each table, the top's first, with those of the tables."""
+        """The names of the keys of each table; the top's first, with those of the tables."""
         found: dict[str, list[str]] = {"": []}
         for key in self.keys:
             found.setdefault(key.section, []).append(key.name)
-        tables = [name for name in found if name]
-        return {name: tuple(names) if name else (*names, *tables) for name, names in found.items()}
+        found[""] += [name for name in found if name]
+        return {name: tuple(names) for name, names in found.items()}
+
+    @property
+    def tables(self) -> tuple[str, ...]:
+        """The names of the tables."""
+        return tuple(name for name in self.sections if name)
 
     def read(
         self, values: Mapping[str, Any], source: Source | None = None, *, complete: bool = False
@@ -115,18 +142,19 @@ class Schema(Generic[Row]):
         values none may.
         """
         found: Found = {}
-        problems: list[Diagnostic] = []
+        problems: list[Diagnostic | None] = []
         for name, value in values.items():
-            if not name or name not in self.sections:
-                self._take("", name, value, found, problems, source)
-            elif isinstance(value, Mapping):
-                for inner, each in value.items():
-                    self._take(name, inner, each, found, problems, source)
+            if name and name in self.sections and isinstance(value, Mapping):
+                problems += (self._take(found, name, *each, source) for each in value.items())
             else:
-                message = f"{name} must be a table of keys (a line `[{name}]`), not {shown(value)}"
-                problems.append(self._problem(self.codes.wrong, message, "", name, source))
-        problems += self._missing(values, source, complete=complete)
-        return found, problems
+                problems.append(self._take(found, "", name, value, source))
+        for key in self.keys:
+            place = values.get(key.section, {}) if key.section else values
+            if (key.required or complete) and isinstance(place, Mapping) and key.name not in place:
+                message = f"the key {key.path} is missing: {key.meaning}"
+                missing = self.codes.missing, message, key.section, key.name, source, self.start
+                problems.append(self.problem(*missing))
+        return found, [each for each in problems if each]
 
     def changed(self, changes: Sequence[str]) -> tuple[Found, list[Diagnostic]]:
         """The values of changes, each KEY=VALUE, the last of a key, and what is wrong with them.
@@ -137,26 +165,15 @@ class Schema(Generic[Row]):
         problems: list[Diagnostic] = []
         for change in changes:
             path, equals, spelled = (part.strip() for part in change.partition("="))
-            section, _, name = path.rpartition(".")
+            section, _, name = path.rpartition(".") if self.tables else ("", "", path)
             key = self.by_path.get(path)
-            empty = not spelled and not (key and isinstance(key.kind, Text))
-            if not name or not equals or empty:
-                form = (
-                    "NAME=VALUE"
-                    if "" in (key.section for key in self.keys)
-                    else "SECTION.KEY=VALUE"
-                )
-                problems.append(Diagnostic(
-                    self.codes.change, f"{self.option} takes {form}, not {change[:60]!a}",
-                    helps=(f"for instance {self.option} {self.example}",),
-                ))  # fmt: skip
-            else:
-                wrong: list[Diagnostic] = []
-                self._take(section, name, spelled_value(spelled), found, wrong, None)
-                problems += (
-                    dataclasses.replace(each, message=f"{self.option}: {each.message}")
-                    for each in wrong
-                )
+            if not name or not equals or not (spelled or (key and isinstance(key.kind, Text))):
+                form = "SECTION.KEY=VALUE" if self.tables else "NAME=VALUE"
+                message = f"{self.option} takes {form}, not {change[:60]!a}"
+                help_text = f"for instance {self.option} {self.example}"
+                problems.append(Diagnostic(self.codes.change, message, helps=(help_text,)))
+            elif wrong := self._take(found, section, name, spelled_value(spelled), None):
+                problems.append(replace(wrong, message=f"{self.option}: {wrong.message}"))
         return found, problems
 
     def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -168,61 +185,57 @@ class Schema(Generic[Row]):
         return tables
 
     def _take(
-        self, section: str, name: str, value: Any, found: Found, problems: list[Diagnostic],
-        source: Source | None,
-    ) -> None:  # fmt: skip
+        self, found: Found, section: str, name: str, value: Any, source: Source | None
+    ) -> Diagnostic | None:
+        """Puts a value that is right into `found`; says what is wrong with one that is not."""
         key = self.by_path.get(f"{section}.{name}" if section else name)
         if key is None or key.section != section:
-            problems.append(self._unknown(section, name, source))
-            return
+            return self._unknown(section, name, value, source)
         try:
             found[key.path] = key.kind.read(value)
         except ValueError:
             message = f"{key.path} must be {key.kind.allowed}, not {shown(value)}"
             note = f"{key.path}: {key.meaning}"
-            problems.append(
-                self._problem(self.codes.wrong, message, section, name, source, note=note)
-            )
+            return self.problem(self.codes.wrong, message, section, name, source, note=note)
+        return None
 
-    def _missing(
-        self, values: Mapping[str, Any], source: Source | None, *, complete: bool
-    ) -> Iterable[Diagnostic]:
-        for key in self.keys:
-            place = values.get(key.section, {}) if key.section else values
-            if (key.required or complete) and isinstance(place, Mapping) and key.name not in place:
-                message = f"the key {key.path} is missing: {key.meaning}"
-                yield self._problem(
-                    self.codes.missing, message, key.section, key.name, source, self.start
-                )
-
-    def _unknown(self, section: str, name: str, source: Source | None) -> Diagnostic:
-        where = f"[{section}] of {self.what}" if section else self.what
-        message = f"{where} has no {self.noun} {shown(name)}"
+    def _unknown(self, section: str, name: str, value: Any, source: Source | None) -> Diagnostic:
         known = self.sections.get(section, ())
-        homes = [key.section for key in self.keys if key.name == name]
-        near = closest(name, known)
-        elsewhere = closest(name, [key.name for key in self.keys])
-        if section not in self.sections:
-            tables = [each for each in self.sections if each]
-            near = closest(section, tables)
-            message = f"{self.what} has no table {shown(section)}"
-            help_text = f"did you mean `{near}`?" if near else self.start
-        elif homes:
-            help_text = f"`{name}` belongs " + (f"under [{homes[0]}]" if homes[0] else "at the top")
-        elif near:
-            help_text = f"did you mean `{near}`?"
-        elif elsewhere:
-            home = next(key.section for key in self.keys if key.name == elsewhere)
-            help_text = f"did you mean `{elsewhere}` under [{home}]?"
+        tables = self.tables
+        if not section and name in tables:
+            message = f"{name} must be a table of keys (a line `[{name}]`), not {shown(value)}"
+            return self.problem(self.codes.wrong, message, section, name, source)
+        table = section if section not in self.sections else name
+        if tables and (table == section or (not section and isinstance(value, Mapping))):
+            message, near = f"{self.what} has no table {shown(table)}", closest(table, tables)
+            help_text = f"did you mean `{near}`?" if near else f"the tables are {', '.join(tables)}"
         else:
-            few = len(known) <= _FEW
-            help_text = f"the {self.noun}s here are {', '.join(known)}" if few else self.start
-        return self._problem(self.codes.unknown, message, section, name, source, help_text)
+            where = f"[{section}] of {self.what}" if section else self.what
+            message = f"{where} has no {self.noun} {shown(name)}"
+            help_text = self._meant(section, name, known)
+        return self.problem(self.codes.unknown, message, section, name, source, help_text)
 
-    def _problem(
+    def _meant(self, section: str, name: str, known: Sequence[str]) -> str:
+        """The help for a name that the table `section`, whose names are `known`, does not have."""
+        homes = {key.name: key.section for key in reversed(self.keys)}
+        near, elsewhere = closest(name, known), closest(name, homes)
+        if name in homes:
+            home = homes[name]
+            return f"`{name}` belongs " + (f"under [{home}]" if home else "at the top")
+        if near:
+            return f"did you mean `{near}`?"
+        if elsewhere:
+            home = homes[elsewhere]
+            return f"did you mean `{elsewhere}` " + (f"under [{home}]?" if home else "at the top?")
+        if len(known) > _FEW:
+            return self.start
+        return f"the {self.noun}s here are {', '.join(known)}"
+
+    def problem(
         self, code: str, message: str, section: str, name: str, source: Source | None,
         help_text: str = "", note: str = "",
     ) -> Diagnostic:  # fmt: skip
+        """What is wrong at a key of a file ("" and a table's name: the table)."""
         return Diagnostic(
             code,
             message,

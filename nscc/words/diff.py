@@ -7,7 +7,7 @@ from difflib import unified_diff
 
 import numpy as np
 
-from nscc.target.values import target_values
+from nscc.target.load import target_dict
 from nscc.words.container import Container, Kernel
 from nscc.words.cost import FrameCost, frame_cost
 from nscc.words.disassembly import instruction_lines
@@ -47,7 +47,7 @@ def _change(what: str, old: object, new: object) -> str:
 
 
 def _target(first: Container, second: Container) -> Iterator[str]:
-    old, new = target_values(first.target), target_values(second.target)
+    old, new = target_dict(first.target), target_dict(second.target)
     for name in old:
         if not isinstance(old[name], dict):
             if old[name] != new[name]:

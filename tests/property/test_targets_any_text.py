@@ -8,9 +8,14 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.load import builtin_target, parse_target, target_dict, target_toml
-from nscc.target.target import Target
-from nscc.target.values import read_values
+from nscc.target.load import (
+    builtin_target,
+    parse_target,
+    target_dict,
+    target_from_dict,
+    target_toml,
+)
+from nscc.target.target import SCHEMA
 
 WHOLE = target_toml(builtin_target("scamp5"))
 PIECES = st.sampled_from(
@@ -58,11 +63,14 @@ def test_random_bytes_are_explained(data: bytes) -> None:
 def test_any_value_of_any_key_is_taken_or_explained(place: tuple[str, str], value: object) -> None:
     values = target_dict(builtin_target("scamp5"))
     values[place[0]][place[1]] = value
-    target, problems = read_values(values, None)
-    assert isinstance(target, Target) != bool(problems)
-    for problem in problems:
-        assert problem.message.isprintable()
-        assert len(problem.message) < 400
+    _, problems = SCHEMA.read(values, complete=True)
+    try:
+        assert target_dict(target_from_dict(values)) == values
+    except ValueError as error:
+        told = [str(error), *(problem.message for problem in problems)]
+        assert all(message.isprintable() and len(message) < 400 for message in told)
+    else:
+        assert not problems
 
 
 @settings(max_examples=60, deadline=None)

@@ -16,8 +16,7 @@ from nscc.target.load import (
     target_from_dict,
     target_toml,
 )
-from nscc.target.schema import KEYS
-from nscc.target.target import Target
+from nscc.target.target import SCHEMA, Target
 
 MINIMAL = """\
 name = "mine"
@@ -43,7 +42,7 @@ def rejected(text: str | bytes, folder: Path) -> list[Diagnostic]:
 
 
 def test_the_schema_covers_every_attribute_once() -> None:
-    assert sorted(key.attribute for key in KEYS) == sorted(f.name for f in fields(Target))
+    assert sorted(key.attribute for key in SCHEMA.keys) == sorted(f.name for f in fields(Target))
 
 
 def test_builtin_targets_are_what_is_public() -> None:
@@ -96,14 +95,14 @@ def test_an_unknown_name_gets_a_suggestion(tmp_path: Path) -> None:
     ("old", "new", "code", "words"),
     [
         ("rows = 4", "rows = 0", "NS0235", "whole number from 1 to 8192"),
-        ("rows = 4", "rows = true", "NS0235", "a whole number, not true"),
-        ("rows = 4", "rows = 4.0", "NS0235", "a whole number, not 4.0"),
+        ("rows = 4", "rows = true", "NS0235", "a whole number from 1 to 8192, not true"),
+        ("rows = 4", "rows = 4.0", "NS0235", "a whole number from 1 to 8192, not 4.0"),
         ("rows = 4", f"rows = {9**99}", "NS0235", "a huge number"),
         ("rows = 4", "", "NS0234", "array.rows is missing"),
         ("rows = 4", "rosw = 4", "NS0233", "no key 'rosw'"),
         ("rows = 4", "launch_us = 4.0", "NS0233", "no key 'launch_us'"),
         ("[array]", "time = 3\n[array]", "NS0235", "time must be a table"),
-        ("[array]", "[arrays]", "NS0233", "no key 'arrays'"),
+        ("[array]", "[arrays]", "NS0233", "no table 'arrays'"),
         ('"B"', '"A"', "NS0236", "lists 'A' twice"),
         ('"B"', '"Q"', "NS0236", "lists 'Q'"),
         ('"B"', "3", "NS0235", "list of register names"),

@@ -57,7 +57,7 @@ def read_sensor(path: Path) -> bytes:
 
 def parse_sensor(target: Target, data: bytes, name: str, changes: Sequence[str] = ()) -> Sensor:
     """The sensor of a file's bytes; `name` is the file's for messages. Raises as `load_sensor`."""
-    given, wrong = file_values(schema(), data, name)
+    given, wrong, _ = file_values(schema(), data, name)
     changed, wrong_too = schema().changed(changes)
     if wrong or wrong_too:
         raise Rejected([*wrong, *wrong_too], status=2)

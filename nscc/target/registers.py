@@ -1,0 +1,51 @@
+"""What registers of a target must be together, each of them being well formed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import islice
+from typing import Any
+
+from nscc.diagnostics.suggest import closest
+from nscc.toml.text import shown
+from nscc.words.operations import ANALOG_WRITE, DIGITAL_WRITE
+
+_MOST_TOLD = 10
+
+
+def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
+    """Everything that is wrong, each as its key, a message and a help ("" for none).
+
+    `registers` are the keys of [registers] that could be read, by name.
+    """
+    for key, known in (("analog", tuple(ANALOG_WRITE)), ("digital", tuple(DIGITAL_WRITE))):
+        for message, help_text in islice(_listed(registers.get(key, ()), known), _MOST_TOLD):
+            yield key, f"registers.{key} lists {message}", help_text
+    analog, digital = registers.get("analog"), registers.get("digital")
+    scratch, mask, masked = map(registers.get, ("analog_scratch", "mask", "masked"))
+    if analog is not None and "analog_scratch" in registers and scratch not in analog:
+        message = f"analog_scratch is {shown(scratch)}, not in registers.analog"
+        yield "analog_scratch", message, ""
+    if (mask is None) != (masked is None):
+        one, other = ("mask", "masked") if masked is None else ("masked", "mask")
+        message = f"registers.{one} is given and registers.{other} is not: give both or neither"
+        yield one, message, ""
+    elif mask is not None and mask == masked:
+        yield "masked", f"registers.mask and registers.masked are both {shown(mask)}", ""
+    for key, name in (("mask", mask), ("masked", masked)):
+        if name is not None and digital is not None and name not in digital:
+            yield key, f"registers.{key} is {shown(name)}, not in registers.digital", ""
+
+
+def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, str]]:
+    """What is wrong with a list of registers that words know as `known`."""
+    for index, name in enumerate(names):
+        if name in names[:index]:
+            yield f"{shown(name)} twice", ""
+        elif name not in known:
+            near = closest(name, known)
+            some = ", ".join(known) if len(known) < 10 else f"{known[0]} to {known[-1]}"
+            yield (
+                f"{shown(name)}, which no instruction word can name",
+                f"did you mean {near}?" if near else f"words name {some}",
+            )
