@@ -97,7 +97,7 @@ INCOMPLETE = [
     ({"reference": {"nowhere": abs}}, "`reference`, a function"),
     ({"reference": {"codes": abs}}, "it is that of `adc`"),
     ({"field": None}, "`field`, a function"),
-    ({"field": lambda sample: Field()}, "`predicted`, a text"),
+    ({"field": lambda sample: Field()}, "what `field` is: its docstring"),
     ({"kind": "after"}, "a `field` that goes with its `kind`"),
     ({"sums": None}, "`sums`, its parts"),
     ({"sums": (1,)}, "`sums` of known parts only"),

@@ -22,6 +22,7 @@ from nscc_runtime.effects.effect import (
     InLoop,
 )
 from nscc_runtime.effects.field import Field
+from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.registry import effects_json, optional, register, registered
 from nscc_runtime.effects.selection import Selection, everything, named, selected
 
@@ -38,6 +39,7 @@ __all__ = [
     "everything",
     "named",
     "optional",
+    "parameter",
     "register",
     "registered",
     "selected",

@@ -32,11 +32,11 @@ STAGES = {
     "digital": "(sensor) -> microseconds for which a digital register keeps its value",
     "time": "(word) -> microseconds after its boundary at which a word ends",
     "well": "(pixels, charge) -> charge that PIX holds",
-    "reset": "(pixels, level, word) -> level that a reset leaves on PIX",
-    "read": "(pixels, level, word) -> level of PIX as a word reads it",
+    "resets": "(pixels, level, word) -> level that a reset leaves on PIX",
+    "reads": "(pixels, level, word) -> level of PIX as a word reads it",
     "word": "(pixels, value, word, destination, sign) -> what a word writes, of its exact result; "
     "-1 is the sign of a register that holds inverted values",
-    "register": "(pixels, value) -> what a register holds of what is written to it",
+    "registers": "(pixels, value) -> what a register holds of what is written to it",
     "hold": "(pixels, seconds) -> the part of its value that a register keeps so long",
     "readout": "(pixels, exposure, bucket) -> exposure as it leaves the pixels",
     "converter": "(where, bucket) -> codes by which the converter is off before it rounds",
@@ -137,7 +137,7 @@ class Effect:
         """What this declaration lacks, in words."""
         found = [
             f"`{name}`, a text"
-            for name in ("name", "title", "model", "cost", "applied", "absent", "predicted")
+            for name in ("name", "title", "model", "cost", "applied", "absent")
             if not (isinstance(getattr(self, name), str) and getattr(self, name).strip())
         ]
         if not (isinstance(self.stream, int) and 0 < self.stream < 1 << 32):
@@ -155,6 +155,8 @@ class Effect:
             found.append(f"`reference`, a function at one of the stages {', '.join(STAGES)}")
         if not (callable(self.field) or isinstance(self.field, ByWords | AfterExposure)):
             found.append("`field`, a function that tells the planner what it does")
+        elif not self.predicted:
+            found.append("a text that says what `field` is: its docstring")
         elif (self.kind == "after") != isinstance(self.field, AfterExposure):
             found.append(
                 "a `field` that goes with its `kind`: AfterExposure(..) for after, else not"

@@ -105,7 +105,7 @@ REGISTER = Effect(
     applied="to every result of a bus word",
     absent="no pixel comes near it",
     parameters=_PARAMETERS,
-    reference={"register": _held},
+    reference={"registers": _held},
     field=ByWords(
         "rms and mean of what is lost by the largest partial sums, of pixels that come near the "
         "knee; of those that noise alone takes there, what a frame loses to it"

@@ -13,7 +13,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import AfterExposure, ByWords, CannotHave, Field, Selection, registered
+from nscc_runtime.effects import (
+    AfterExposure,
+    ByWords,
+    CannotHave,
+    Effect,
+    Field,
+    Selection,
+    registered,
+)
 from nscc_runtime.effects.parts import Exchange, Part, Saturates, Soft, Well
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
@@ -53,7 +61,7 @@ class Fields:
     neighbours: dict[bool, Values]
     noise_cut: Values
     clipped: NDArray[np.bool_]
-    after: dict[str, Values | float]
+    after: dict[str, Values]
 
 
 def fields_of(
@@ -67,11 +75,7 @@ def fields_of(
     near saturation lack as well.
     """
     scene = SampledScene(program, light, sample, device_seed)
-    found = {
-        effect.name: effect.field(scene)
-        for effect in registered()
-        if not isinstance(effect.field, ByWords | AfterExposure)
-    }
+    found = {effect.name: _field(effect, scene) for effect in registered()}
     fixed = {name: each.fixed for name, each in found.items() if each.fixed is not None}
     expected = scene.base + scene.dark_s * (scene.dark + scene.spilt) + scene.pattern
     noise_cut = np.zeros(expected.shape)
@@ -93,6 +97,24 @@ def fields_of(
     if not sample.near.any():
         return fields
     return _Near(scene, device_seed, forced_off).added(fields, found)
+
+
+def _field(effect: Effect, scene: SampledScene) -> Field:
+    """What an effect does on the sample, all of it (buckets, pixels); ValueError for what has
+    another shape.
+    """
+    if isinstance(effect.field, ByWords | AfterExposure):
+        return Field()
+    found, shape = effect.field(scene), (len(scene.buckets), len(scene.places))
+
+    def whole(values: Values | float | None) -> Values | None:
+        return None if values is None else np.broadcast_to(np.asarray(values, np.float64), shape)
+
+    try:
+        parts = (found.fixed, found.variance, found.shift, found.behind_well)
+        return Field(*(whole(values) for values in parts))
+    except ValueError as error:
+        raise ValueError(f"the field of the effect {effect.name!a}: {error}") from None
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,7 +156,7 @@ class _Near:
         pattern, passed = self.scene.pattern, np.ones_like(expected)
         free = np.maximum((fields.expected - pattern)[:, near], 1.0)
         passed[:, near] = (held[(register,)] - pattern[:, near]) / free
-        after: dict[str, Values | float] = {}
+        after: dict[str, Values] = {}
         for name, each in found.items():
             if each.behind_well is not None:
                 rest = 0.0 if each.fixed is None else (each.fixed - each.behind_well) * passed

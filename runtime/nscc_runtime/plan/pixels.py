@@ -153,8 +153,8 @@ class Pixels:
         whole = 1 << (container.slots - 1).bit_length()
         # What the charge of one site takes: rates, counts and their stamps, of light and dark.
         each = 16 * (container.slots + 2 * 2 * whole * groups)
-        switches = {loop.switch: effect in effects for effect, loop in _in_loop(registered())}
-        switches.pop(None, None)
+        loops = _in_loop(registered())
+        switches = {loop.switch: effect in effects for effect, loop in loops if loop.switch}
         return Sizes(
             pixels=count,
             slots=container.slots,

@@ -274,7 +274,7 @@ class Forecast:
             yield "the noise of words as at the mean leakage", means["noise"]
         if self._stays(Leak, dropped):
             many = "s" * (self.leak_nodes > 1)
-            yield f"leakage from sums at {self.leak_nodes} rate{many}", means["leakage"]
+            yield f"leakage from sums at {self.leak_nodes} rate{many}", means["leak"]
 
     def _means(self, state: str) -> dict[str, NDArray[np.float64]]:
         """The mean squares of the short cuts."""
@@ -290,7 +290,7 @@ class Forecast:
             "thinning": mean(fields.thinning[self.closed] * where),
             "neighbours": mean(fields.neighbours[self.closed] * where),
             "noise": mean(fields.noise_cut * after),
-            "leakage": relative**2 * mean(fields.expected**2 * after),
+            "leak": relative**2 * mean(fields.expected**2 * after),
         }
         return found
 

@@ -221,7 +221,7 @@ class _Pixels(Where):
         if word.resets:
             self.charge = np.where(here, 0.0, self.charge)
             level = np.zeros(len(self.lanes))
-            for left in self.at("reset"):
+            for left in self.at("resets"):
                 level = left(self, level, word)
             self.reset_e = np.where(here, level, self.reset_e)
             return
@@ -233,7 +233,7 @@ class _Pixels(Where):
             value = result
             for written in self.at("word"):
                 value = written(self, value, word, index, error_sign(name, self.container))
-            for held in self.at("register"):
+            for held in self.at("registers"):
                 value = held(self, value)
             self.register[name] = np.where(here, value, self.register[name])
 
@@ -243,7 +243,7 @@ class _Pixels(Where):
         if name != "PIX":
             return self.register[name]
         level = self.charge + self.reset_e
-        for found in self.at("read"):
+        for found in self.at("reads"):
             level = found(self, level, word)
         return level
 
