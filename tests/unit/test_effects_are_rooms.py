@@ -63,7 +63,9 @@ def test_every_effect_has_a_room_of_its_own() -> None:
 
 
 def test_nothing_else_names_an_effect() -> None:
-    names, modules = {effect.name for effect in registered()}, rooms()
+    # Three have names that are words of the chip as well.
+    names = {effect.name for effect in registered()} - {"read", "reset", "register"}
+    modules = rooms()
     assert len(OTHERS) > 150
     for path in OTHERS:
         tree = ast.parse(path.read_text())

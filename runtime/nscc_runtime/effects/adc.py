@@ -22,27 +22,17 @@ ELECTRONS_PER_LSB = parameter(
     "electrons_per_lsb", "readout", _top_code_is_full_well, "e/lsb", 0, MOST_E,
     "electrons a code of the ADC", "full_well_e over the top code", low_excluded=True,
 )  # fmt: skip
+OFFSET = parameter(
+    "adc_offset_lsb", "readout", None, "lsb", -65536, 65536,
+    "code of a register that holds nothing", TARGET,
+)  # fmt: skip
 
 
 def _codes(sensor: Sensor, exposure: Values, noise: Values | float, top: int) -> Values:
-    scaled = exposure / sensor.electrons_per_lsb
-    codes = np.clip(np.rint(scaled + noise) + sensor.adc_offset_lsb, 0, top)
+    scaled = exposure / ELECTRONS_PER_LSB(sensor)
+    codes = np.clip(np.rint(scaled + noise) + OFFSET(sensor), 0, top)
     return np.asarray(np.rint(codes))
 
-
-_PARAMETERS = (
-    ELECTRONS_PER_LSB,
-    parameter(
-        "adc_offset_lsb",
-        "readout",
-        None,
-        "lsb",
-        -65536,
-        65536,
-        "code of a register that holds nothing",
-        TARGET,
-    ),
-)  # fmt: skip
 
 ADC = Effect(
     name="adc",
@@ -54,16 +44,15 @@ ADC = Effect(
     cost="one rounding a pixel and bucket",
     applied="to `frame`, always",
     absent="it is always there",
-    parameters=_PARAMETERS,
+    parameters=(ELECTRONS_PER_LSB, OFFSET),
     reference={"codes": _codes},
     field=AfterExposure(
         "rms = electrons_per_lsb / sqrt(12) where the noise before it is 0.5 codes or more; in "
         "`frame` only",
-        lambda sensor: sensor.electrons_per_lsb / 12**0.5,
+        lambda sensor: ELECTRONS_PER_LSB(sensor) / 12**0.5,
     ),
-    sums=(Codes(lambda sensor: sensor.electrons_per_lsb, lambda sensor: sensor.adc_offset_lsb),),
+    sums=(Codes(ELECTRONS_PER_LSB, OFFSET),),
     fused=ByParts(),
     words=InLoop(),
-    cost_ns=0.0,
     always=True,
 )

@@ -7,34 +7,19 @@ from nscc_runtime.effects.effect import AfterExposure, ByParts, Effect, InLoop
 from nscc_runtime.effects.field import Values
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Converter
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Where
 from nscc_runtime.noise import key, normals
 
-
-def _sigma(sensor: Sensor) -> float:
-    return sensor.adc_noise_lsb
+SIGMA = parameter(
+    "adc_noise_lsb", "readout", 0.65, "lsb", 0, 1e6, "temporal noise of the readout",
+    "the scamp5c project's noise model", place=1,
+)  # fmt: skip
 
 
 def _off(where: Where, bucket: int) -> Values:
     stream = key(where.seed, ADC_NOISE.stream, frame=where.frame, group=bucket)
-    return _sigma(where.sensor) * normals(stream, where.places)
+    return SIGMA(where.sensor) * normals(stream, where.places)
 
-
-_PARAMETERS = (
-    parameter(
-        "adc_noise_lsb",
-        "readout",
-        0.65,
-        "lsb",
-        0,
-        1e6,
-        "temporal noise of the readout",
-        "the scamp5c project's noise model",
-        place=1,
-    ),
-    ELECTRONS_PER_LSB,
-)  # fmt: skip
 
 ADC_NOISE = Effect(
     name="adc_noise",
@@ -46,14 +31,13 @@ ADC_NOISE = Effect(
     cost="one normal number a pixel and bucket",
     applied="to `frame` before rounding",
     absent="this sensor has none",
-    parameters=_PARAMETERS,
+    parameters=(SIGMA, ELECTRONS_PER_LSB),
     reference={"converter": _off},
     field=AfterExposure(
         "rms = sigma electrons_per_lsb, in `frame` only",
-        lambda sensor: sensor.adc_noise_lsb * sensor.electrons_per_lsb,
+        lambda sensor: SIGMA(sensor) * ELECTRONS_PER_LSB(sensor),
     ),
-    sums=(Converter(_sigma),),
+    sums=(Converter(SIGMA),),
     fused=ByParts(),
     words=InLoop(),
-    cost_ns=0.0,
 )

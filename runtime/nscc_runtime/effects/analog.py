@@ -14,22 +14,33 @@ from nscc_runtime.effects.views import Pixels, Word
 from nscc_runtime.noise import key, normals
 
 _MEASURED = "fit to the errors of a 9-word kernel measured by Guillard 2019"
-
-
-def _gain(sensor: Sensor) -> float:
-    return sensor.analog_gain
+GAIN = parameter(
+    "analog_gain", "analog", 0.996, "1/word", 0.5, 1.5, "gain of one analog word", _MEASURED
+)
+NOISE = parameter(
+    "analog_noise_lsb", "analog", 0.75, "lsb/sqrt(word)", 0, 1e6, "random error of one analog word",
+    _MEASURED,
+)  # fmt: skip
+PATTERN = parameter(
+    "analog_pattern_lsb", "analog", 0.030, "lsb/word", 0, 1e6,
+    "standard deviation over the pixels of a word's fixed error", _MEASURED,
+)  # fmt: skip
+BIAS = parameter(
+    "analog_bias_lsb", "analog", 0.42, "lsb/word", -1e6, 1e6, "mean error of one analog word",
+    "3.75 codes a 9-word kernel, Guillard 2019",
+)  # fmt: skip
 
 
 def _noise(sensor: Sensor) -> float:
-    return sensor.analog_noise_lsb * sensor.electrons_per_lsb
+    return NOISE(sensor) * ELECTRONS_PER_LSB(sensor)
 
 
 def _spread(sensor: Sensor) -> float:
-    return sensor.analog_pattern_lsb * sensor.electrons_per_lsb
+    return PATTERN(sensor) * ELECTRONS_PER_LSB(sensor)
 
 
 def _bias(sensor: Sensor) -> float:
-    return sensor.analog_bias_lsb * sensor.electrons_per_lsb
+    return BIAS(sensor) * ELECTRONS_PER_LSB(sensor)
 
 
 def pattern_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
@@ -40,7 +51,7 @@ def pattern_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
 
 def _written(pixels: Pixels, value: Values, word: Word, destination: int, sign: float) -> Values:
     random = _noise(pixels.sensor) * pixels.error("analog", word, destination)
-    return _gain(pixels.sensor) * value + sign * (pixels.fixed(pattern_e) + random)
+    return GAIN(pixels.sensor) * value + sign * (pixels.fixed(pattern_e) + random)
 
 
 def _field(sample: Sampled) -> Field:
@@ -52,43 +63,6 @@ def _field(sample: Sampled) -> Field:
         behind_well=sample.pattern,
     )
 
-
-_PARAMETERS = (
-    parameter(
-        "analog_gain", "analog", 0.996, "1/word", 0.5, 1.5, "gain of one analog word", _MEASURED
-    ),
-    parameter(
-        "analog_noise_lsb",
-        "analog",
-        0.75,
-        "lsb/sqrt(word)",
-        0,
-        1e6,
-        "random error of one analog word",
-        _MEASURED,
-    ),
-    parameter(
-        "analog_pattern_lsb",
-        "analog",
-        0.030,
-        "lsb/word",
-        0,
-        1e6,
-        "standard deviation over the pixels of a word's fixed error",
-        _MEASURED,
-    ),
-    parameter(
-        "analog_bias_lsb",
-        "analog",
-        0.42,
-        "lsb/word",
-        -1e6,
-        1e6,
-        "mean error of one analog word",
-        "3.75 codes a 9-word kernel, Guillard 2019",
-    ),
-    ELECTRONS_PER_LSB,
-)  # fmt: skip
 
 ANALOG = Effect(
     name="analog",
@@ -102,14 +76,14 @@ ANALOG = Effect(
     "word",
     applied="to every bus word, before the register saturates",
     absent="this sensor has none",
-    parameters=_PARAMETERS,
+    parameters=(GAIN, NOISE, PATTERN, BIAS, ELECTRONS_PER_LSB),
     reference={"word": _written},
     field=_field,
-    sums=(WordGain(_gain, pattern_e, _bias, _spread), Errors("words", _noise)),
+    sums=(WordGain(GAIN, pattern_e, _bias, _spread), Errors("words", _noise)),
     fused=CannotHave("it weighs slots 1 or 0"),
     words=InLoop(
         "word_errors",
-        {"gain": _gain, "word_error": _noise, "pattern": _spread, "bias": _bias},
+        {"gain": GAIN, "word_error": _noise, "pattern": _spread, "bias": _bias},
         "pattern",
     ),
     cost_ns=14.0,

@@ -8,12 +8,12 @@ from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
 from nscc_runtime.effects.field import Field, Sampled, Values
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Exchange
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Slots
 
-
-def _fraction(sensor: Sensor) -> float:
-    return sensor.crosstalk_fraction
+FRACTION = parameter(
+    "crosstalk_fraction", "light", 0.005, "1", 0, 0.2,
+    "part of a pixel's charge that each of its four neighbours gets",
+)  # fmt: skip
 
 
 def smeared(charge: Values, fraction: float) -> Values:
@@ -29,13 +29,13 @@ def smeared(charge: Values, fraction: float) -> Values:
 
 
 def _smear(slots: Slots, charge: Values) -> Values:
-    return smeared(charge, _fraction(slots.sensor))
+    return smeared(charge, FRACTION(slots.sensor))
 
 
 def _field(sample: Sampled) -> Field:
     """rms and mean of c sum S laplacian(E), dark charge included, and of the noise of the counts
     that pass between pixels; worst at saturated and moving edges"""
-    part = _fraction(sample.sensor)
+    part = FRACTION(sample.sensor)
     if part == 0:
         return Field()
     # Of dark charge four neighbours' counts, and four parts of the pixel's own.
@@ -44,18 +44,6 @@ def _field(sample: Sampled) -> Field:
         sample.base - sample.alone + sample.dark_s * sample.spilt, variance=part**2 * counts
     )
 
-
-_PARAMETERS = (
-    parameter(
-        "crosstalk_fraction",
-        "light",
-        0.005,
-        "1",
-        0,
-        0.2,
-        "part of a pixel's charge that each of its four neighbours gets",
-    ),
-)  # fmt: skip
 
 CROSSTALK = Effect(
     name="crosstalk",
@@ -68,12 +56,12 @@ CROSSTALK = Effect(
     cost="five reads a sample; a halo of one pixel around each tile",
     applied="to the charge of every slot, drawn, before it falls on PIX",
     absent="exactly nothing with this sensor, scene and program",
-    parameters=_PARAMETERS,
+    parameters=(FRACTION,),
     reference={"neighbours": _smear},
     field=_field,
-    sums=(Exchange(_fraction, smeared),),
+    sums=(Exchange(FRACTION, smeared),),
     fused=CannotHave("it goes through pixels one by one"),
     # Neighbours multiply what has to be counted.
-    words=InLoop("exchanges", {"exchanged": _fraction}, cost_ns=60.0),
+    words=InLoop("exchanges", {"exchanged": FRACTION}, cost_ns=60.0),
     cost_ns=60.0,
 )

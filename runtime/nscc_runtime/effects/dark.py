@@ -12,11 +12,19 @@ from nscc_runtime.effects.spread import log_normal, log_variance
 from nscc_runtime.effects.views import Slots
 from nscc_runtime.noise import key, normals
 
+CURRENT = parameter(
+    "dark_current_e_per_s", "dark", 1000.0, "e/s", 0, MOST_E, "dark current, mean over the pixels"
+)
+SPREAD = parameter(
+    "dark_spread_fraction", "dark", 0.2, "1", 0, 10,
+    "its standard deviation over the pixels, relative to the mean",
+)  # fmt: skip
+
 
 def current_e_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
     """The dark current of each pixel."""
     z = normals(key(device_seed, DARK.stream), pixels)
-    return sensor.dark_current_e_per_s * log_normal(sensor.dark_spread_fraction, z)
+    return CURRENT(sensor) * log_normal(SPREAD(sensor), z)
 
 
 def _fall(slots: Slots, charge: Values) -> Values:
@@ -32,27 +40,6 @@ def _field(sample: Sampled) -> Field:
     )
 
 
-_PARAMETERS = (
-    parameter(
-        "dark_current_e_per_s",
-        "dark",
-        1000.0,
-        "e/s",
-        0,
-        MOST_E,
-        "dark current, mean over the pixels",
-    ),
-    parameter(
-        "dark_spread_fraction",
-        "dark",
-        0.2,
-        "1",
-        0,
-        10,
-        "its standard deviation over the pixels, relative to the mean",
-    ),
-)  # fmt: skip
-
 DARK = Effect(
     name="dark",
     stream=3,
@@ -65,7 +52,7 @@ DARK = Effect(
     cost="one Poisson number a pixel and group of slots",
     applied="with the light of every slot, open or not",
     absent="this sensor has none",
-    parameters=_PARAMETERS,
+    parameters=(CURRENT, SPREAD),
     reference={"charge": _fall},
     field=_field,
     sums=(CountedDark(current_e_per_s),),
@@ -73,8 +60,8 @@ DARK = Effect(
     words=InLoop(
         "counts_dark",
         {
-            "dark": lambda sensor: sensor.dark_current_e_per_s,
-            "dark_variance": lambda sensor: log_variance(sensor.dark_spread_fraction),
+            "dark": CURRENT,
+            "dark_variance": lambda sensor: log_variance(SPREAD(sensor)),
         },
         "dark",
     ),

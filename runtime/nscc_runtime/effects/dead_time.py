@@ -29,11 +29,9 @@ DEAD_TIME = Effect(
     cost="a factor for each code; a slot loop in the reference",
     applied="between the words of a boundary",
     absent="exactly nothing with this sensor, scene and program",
-    parameters=(),
     reference={"time": _ends},
     field=_field,
     sums=(SlowWords(),),
     fused=CannotHave("it takes slots wholly or not at all"),
     words=InLoop("slow_words"),
-    cost_ns=0.0,
 )

@@ -6,31 +6,17 @@ from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
 from nscc_runtime.effects.field import Field, Sampled
 from nscc_runtime.effects.parameters import TARGET, parameter
 from nscc_runtime.effects.parts import Fading
-from nscc_runtime.effects.sensor import Sensor
 
-
-def _retention_us(sensor: Sensor) -> float:
-    return sensor.digital_retention_us
+RETENTION = parameter(
+    "digital_retention_us", "memory", None, "us", 0, 1e15,
+    "a digital register reads 0 when it was not written for longer", TARGET, low_excluded=True,
+)  # fmt: skip
 
 
 def _field(sample: Sampled) -> Field:
     """rms and mean of the difference that wrong bits make; from the schedule"""
     return Field(sample.base - sample.without("decay") * sample.echo)
 
-
-_PARAMETERS = (
-    parameter(
-        "digital_retention_us",
-        "memory",
-        None,
-        "us",
-        0,
-        1e15,
-        "a digital register reads 0 when it was not written for longer",
-        TARGET,
-        low_excluded=True,
-    ),
-)  # fmt: skip
 
 DECAY = Effect(
     name="decay",
@@ -42,11 +28,10 @@ DECAY = Effect(
     cost="none; a property of the schedule",
     applied="when the digital words are replayed",
     absent="every register is written again in time",
-    parameters=_PARAMETERS,
-    reference={"digital": _retention_us},
+    parameters=(RETENTION,),
+    reference={"digital": RETENTION},
     field=_field,
     sums=(Fading(),),
     fused=CannotHave("it takes shutters as they were meant"),
     words=InLoop(),
-    cost_ns=0.0,
 )

@@ -111,13 +111,13 @@ class Effect:
     cost: str
     applied: str
     absent: str
-    parameters: tuple[Parameter, ...]
     reference: Mapping[str, Callable[..., Any]]
     field: Callable[[Sampled], Field] | ByWords | AfterExposure
     sums: tuple[Part, ...] | CannotHave
     fused: ByParts | CannotHave
     words: InLoop | CannotHave
-    cost_ns: float
+    parameters: tuple[Parameter, ...] = ()
+    cost_ns: float = 0.0
     always: bool = False
 
     @property

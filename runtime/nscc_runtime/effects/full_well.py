@@ -8,32 +8,18 @@ from nscc_runtime.effects.effect import ByParts, ByWords, Effect, InLoop
 from nscc_runtime.effects.field import Values
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Well
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels
 
-
-def _full(sensor: Sensor) -> float:
-    return sensor.full_well_e
+FULL = parameter(
+    "full_well_e", "range", None, "e", 0, MOST_E, "charge that PIX holds above its reset level",
+    TARGET, low_excluded=True,
+)  # fmt: skip
 
 
 def _held(pixels: Pixels, charge: Values) -> Values:
     # NaN stays NaN.
-    return np.asarray(np.minimum(charge, _full(pixels.sensor)))
+    return np.asarray(np.minimum(charge, FULL(pixels.sensor)))
 
-
-_PARAMETERS = (
-    parameter(
-        "full_well_e",
-        "range",
-        None,
-        "e",
-        0,
-        MOST_E,
-        "charge that PIX holds above its reset level",
-        TARGET,
-        low_excluded=True,
-    ),
-)  # fmt: skip
 
 FULL_WELL = Effect(
     name="full_well",
@@ -45,11 +31,10 @@ FULL_WELL = Effect(
     cost="none where the whole frame's charge stays below the well; else a slot loop",
     applied="to PIX whenever charge falls on it",
     absent="no pixel comes near it",
-    parameters=_PARAMETERS,
+    parameters=(FULL,),
     reference={"well": _held},
     field=ByWords("rms and mean of the charge that is lost, of pixels that come near the well"),
-    sums=(Well(_full),),
+    sums=(Well(FULL),),
     fused=ByParts(),
-    words=InLoop("holds", {"well": _full}),
-    cost_ns=0.0,
+    words=InLoop("holds", {"well": FULL}),
 )

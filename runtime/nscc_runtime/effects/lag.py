@@ -6,36 +6,23 @@ from nscc_runtime.effects.effect import ByParts, Effect, InLoop
 from nscc_runtime.effects.field import Field, Sampled, Values
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Echo
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Slots
 
-
-def _fraction(sensor: Sensor) -> float:
-    return sensor.lag_fraction
+FRACTION = parameter(
+    "lag_fraction", "light", 0.002, "1", 0, 1,
+    "part of the previous frame's light that comes again in the same slot", place=1,
+)  # fmt: skip
 
 
 def _again(slots: Slots, light: Values) -> Values:
-    return light + _fraction(slots.sensor) * slots.electrons(slots.scene.previous)
+    return light + FRACTION(slots.sensor) * slots.electrons(slots.scene.previous)
 
 
 def _field(sample: Sampled) -> Field:
     """rms and mean of l times the light of the frame before, the same scene"""
-    part = _fraction(sample.sensor)
+    part = FRACTION(sample.sensor)
     return Field(sample.light * part, shift=sample.alone * (part / sample.echo))
 
-
-_PARAMETERS = (
-    parameter(
-        "lag_fraction",
-        "light",
-        0.002,
-        "1",
-        0,
-        1,
-        "part of the previous frame's light that comes again in the same slot",
-        place=1,
-    ),
-)  # fmt: skip
 
 LAG = Effect(
     name="lag",
@@ -47,11 +34,10 @@ LAG = Effect(
     cost="none for the same scene; else one more sum over the slots",
     applied="to the light of every slot",
     absent="exactly nothing with this sensor, scene and program",
-    parameters=_PARAMETERS,
+    parameters=(FRACTION,),
     reference={"light": _again},
     field=_field,
-    sums=(Echo(_fraction),),
+    sums=(Echo(FRACTION),),
     fused=ByParts(),
-    words=InLoop(numbers={"echo": _fraction}),
-    cost_ns=0.0,
+    words=InLoop(numbers={"echo": FRACTION}),
 )

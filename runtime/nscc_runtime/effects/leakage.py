@@ -13,19 +13,20 @@ from nscc_runtime.effects.spread import log_normal, log_variance
 from nscc_runtime.effects.views import Pixels
 from nscc_runtime.noise import key, normals
 
-
-def _tau_s(sensor: Sensor) -> float:
-    return sensor.leakage_tau_s
-
-
-def _spread(sensor: Sensor) -> float:
-    return sensor.leakage_spread_fraction
+TAU = parameter(
+    "leakage_tau_s", "memory", 10.0, "s", 0, 1e9,
+    "time constant with which an analog register loses its value", low_excluded=True,
+)  # fmt: skip
+SPREAD = parameter(
+    "leakage_spread_fraction", "memory", 0.1, "1", 0, 10,
+    "standard deviation over the pixels of 1/tau, relative to the mean",
+)  # fmt: skip
 
 
 def leak_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
     """1 / tau of each pixel."""
     z = normals(key(device_seed, LEAKAGE.stream), pixels)
-    return np.asarray(log_normal(_spread(sensor), z) / _tau_s(sensor))
+    return np.asarray(log_normal(SPREAD(sensor), z) / TAU(sensor))
 
 
 def _kept(pixels: Pixels, seconds: float) -> Values:
@@ -39,28 +40,6 @@ def _field(sample: Sampled) -> Field:
     return Field(leaked + sample.by_rate(pattern=True), behind_well=0.0)
 
 
-_PARAMETERS = (
-    parameter(
-        "leakage_tau_s",
-        "memory",
-        10.0,
-        "s",
-        0,
-        1e9,
-        "time constant with which an analog register loses its value",
-        low_excluded=True,
-    ),
-    parameter(
-        "leakage_spread_fraction",
-        "memory",
-        0.1,
-        "1",
-        0,
-        10,
-        "standard deviation over the pixels of 1/tau, relative to the mean",
-    ),
-)  # fmt: skip
-
 LEAKAGE = Effect(
     name="leakage",
     stream=9,
@@ -72,16 +51,16 @@ LEAKAGE = Effect(
     cost="weights of age for each code; none a slot",
     applied="to every analog register at the end of each slot and before its readout",
     absent="exactly nothing with this sensor, scene and program",
-    parameters=_PARAMETERS,
+    parameters=(TAU, SPREAD),
     reference={"hold": _kept},
     field=_field,
-    sums=(Leak(leak_per_s, _tau_s, _spread),),
+    sums=(Leak(leak_per_s, TAU, SPREAD),),
     fused=CannotHave("it weighs slots 1 or 0"),
     words=InLoop(
         "leaks",
         {
-            "leak": lambda sensor: 1.0 / _tau_s(sensor),
-            "leak_variance": lambda sensor: log_variance(_spread(sensor)),
+            "leak": lambda sensor: 1.0 / TAU(sensor),
+            "leak_variance": lambda sensor: log_variance(SPREAD(sensor)),
         },
         "leak",
     ),

@@ -34,7 +34,6 @@ MOTION = Effect(
     cost="one more sum over the slots",
     applied="to the light of every slot",
     absent="the scene's frames are the slots' integrals",
-    parameters=(),
     reference={"scene": _moving},
     field=_field,
     sums=(Moving(),),

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from nscc.target.target import Target
 from nscc.toml.kinds import Number
 from nscc.toml.schema import Key
+from nscc_runtime.effects.sensor import Sensor
 
 OURS = "this project's default: not public"
 TARGET = "the target table"
@@ -24,11 +25,15 @@ for what the target says under the same name."""
 @dataclass(frozen=True, slots=True)
 class Parameter(Key):
     """A row of the sensor's schema: a number in `kind`'s unit and range with a `Default`. Under a
-    heading those of a greater `place` stand below the others.
+    heading those of a greater `place` stand below the others. Called, it gives a sensor's value.
     """
 
     kind: Number
     place: int = 0
+
+    def __call__(self, sensor: Sensor) -> float:
+        """Its value on a sensor."""
+        return sensor.values[self.name]
 
     def default_for(self, target: Target, values: Mapping[str, float]) -> float:
         """The default on that target, where the parameters before have these values."""

@@ -12,11 +12,16 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Slots
 from nscc_runtime.noise import key, normals
 
+SPREAD = parameter(
+    "prnu_fraction", "light", 0.01, "1", 0, 0.2,
+    "standard deviation of the pixels' response to light",
+)  # fmt: skip
+
 
 def response(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
     """The factor of each pixel."""
     z = normals(key(device_seed, PRNU.stream), pixels)
-    return np.asarray(np.maximum(1.0 + sensor.prnu_fraction * z, 0.0))
+    return np.asarray(np.maximum(1.0 + SPREAD(sensor) * z, 0.0))
 
 
 def _uneven(slots: Slots, light: Values) -> Values:
@@ -29,18 +34,6 @@ def _field(sample: Sampled) -> Field:
     return Field(sample.base - sample.alike, shift=sample.alone * (1.0 - 1.0 / factor))
 
 
-_PARAMETERS = (
-    parameter(
-        "prnu_fraction",
-        "light",
-        0.01,
-        "1",
-        0,
-        0.2,
-        "standard deviation of the pixels' response to light",
-    ),
-)  # fmt: skip
-
 PRNU = Effect(
     name="prnu",
     stream=2,
@@ -51,11 +44,11 @@ PRNU = Effect(
     cost="one product a pixel",
     applied="to the light of every slot, before it is counted",
     absent="exactly nothing with this sensor, scene and program",
-    parameters=_PARAMETERS,
+    parameters=(SPREAD,),
     reference={"response": _uneven},
     field=_field,
     sums=(Response(response),),
     fused=ByParts(),
-    words=InLoop("uneven", {"uneven": lambda sensor: sensor.prnu_fraction}, "uneven"),
+    words=InLoop("uneven", {"uneven": SPREAD}, "uneven"),
     cost_ns=6.0,
 )

@@ -6,27 +6,20 @@ from nscc_runtime.effects.effect import ByParts, Effect, InLoop
 from nscc_runtime.effects.field import Field, Sampled, Values
 from nscc_runtime.effects.parameters import MOST_E, parameter
 from nscc_runtime.effects.parts import Errors
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Word
 
-
-def _sigma(sensor: Sensor) -> float:
-    return sensor.read_noise_e
+SIGMA = parameter("read_noise_e", "noise", 10.0, "e", 0, MOST_E, "of one read of PIX")
 
 
 def _found(pixels: Pixels, level: Values, word: Word) -> Values:
-    return level + _sigma(pixels.sensor) * pixels.error("read", word)
+    return level + SIGMA(pixels.sensor) * pixels.error("read", word)
 
 
 def _field(sample: Sampled) -> Field:
     """rms = sigma sqrt(reads), reads weighted with their squared coefficients: a reset level that
     is subtracted k times counts k^2"""
-    return Field(variance=sample.errors("reads", _sigma(sample.sensor)), behind_well=0.0)
+    return Field(variance=sample.errors("reads", SIGMA(sample.sensor)), behind_well=0.0)
 
-
-_PARAMETERS = (
-    parameter("read_noise_e", "noise", 10.0, "e", 0, MOST_E, "of one read of PIX"),
-)  # fmt: skip
 
 READ = Effect(
     name="read",
@@ -38,11 +31,11 @@ READ = Effect(
     cost="one normal number a pixel and bucket; the reference adds one a read",
     applied="to PIX as a source of an analog word",
     absent="this sensor has none",
-    parameters=_PARAMETERS,
+    parameters=(SIGMA,),
     reference={"reads": _found},
     field=_field,
-    sums=(Errors("reads", _sigma),),
+    sums=(Errors("reads", SIGMA),),
     fused=ByParts(),
-    words=InLoop("read_errors", {"read_error": _sigma}),
+    words=InLoop("read_errors", {"read_error": SIGMA}),
     cost_ns=7.0,
 )

@@ -14,11 +14,24 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels
 from nscc_runtime.loop import compiled
 
+LOWEST = parameter(
+    "register_min_e", "range", None, "e", -MOST_E, 0, "least value of an analog register", TARGET,
+    high_excluded=True,
+)  # fmt: skip
+HIGHEST = parameter(
+    "register_max_e", "range", None, "e", 0, MOST_E, "largest value of an analog register", TARGET,
+    low_excluded=True,
+)  # fmt: skip
+KNEE = parameter(
+    "register_knee_fraction", "range", 0.9, "1", 0, 1,
+    "a register is linear up to this part of its range and soft beyond; 1: clips hard",
+)  # fmt: skip
+
 
 def soft(value: Values, sensor: Sensor) -> Values:
     """What a register holds when `value` is written to it; exactly `value` up to the knee."""
-    knee = sensor.register_knee_fraction
-    limit = np.where(value < 0, -sensor.register_min_e, sensor.register_max_e)
+    knee = KNEE(sensor)
+    limit = np.where(value < 0, -LOWEST(sensor), HIGHEST(sensor))
     size = np.abs(value)
     if knee == 1.0:
         return np.asarray(np.where(size > limit, np.copysign(limit, value), value))
@@ -43,11 +56,11 @@ def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
 
 def _high(sensor: Sensor) -> float:
     """The lesser of the two ends."""
-    return min(abs(sensor.register_min_e), sensor.register_max_e)
+    return min(abs(LOWEST(sensor)), HIGHEST(sensor))
 
 
 def _linear(sensor: Sensor) -> float:
-    return sensor.register_knee_fraction * _high(sensor)
+    return KNEE(sensor) * _high(sensor)
 
 
 def _lost(sensor: Sensor, size: Values) -> Values:
@@ -60,40 +73,6 @@ def _held(pixels: Pixels, value: Values) -> Values:
     return soft(value, pixels.sensor)
 
 
-_PARAMETERS = (
-    parameter(
-        "register_min_e",
-        "range",
-        None,
-        "e",
-        -MOST_E,
-        0,
-        "least value of an analog register",
-        TARGET,
-        high_excluded=True,
-    ),
-    parameter(
-        "register_max_e",
-        "range",
-        None,
-        "e",
-        0,
-        MOST_E,
-        "largest value of an analog register",
-        TARGET,
-        low_excluded=True,
-    ),
-    parameter(
-        "register_knee_fraction",
-        "range",
-        0.9,
-        "1",
-        0,
-        1,
-        "a register is linear up to this part of its range and soft beyond; 1: clips hard",
-    ),
-)  # fmt: skip
-
 REGISTER = Effect(
     name="register",
     stream=8,
@@ -104,7 +83,7 @@ REGISTER = Effect(
     cost="none where no partial sum passes the knee; else a slot loop",
     applied="to every result of a bus word",
     absent="no pixel comes near it",
-    parameters=_PARAMETERS,
+    parameters=(LOWEST, HIGHEST, KNEE),
     reference={"registers": _held},
     field=ByWords(
         "rms and mean of what is lost by the largest partial sums, of pixels that come near the "
@@ -114,12 +93,7 @@ REGISTER = Effect(
     fused=ByParts(),
     words=InLoop(
         "bends",
-        {
-            "lowest": lambda sensor: sensor.register_min_e,
-            "highest": lambda sensor: sensor.register_max_e,
-            "knee": lambda sensor: sensor.register_knee_fraction,
-        },
+        {"lowest": LOWEST, "highest": HIGHEST, "knee": KNEE},
         function=soft_in_loop,
     ),
-    cost_ns=0.0,
 )

@@ -6,35 +6,22 @@ from nscc_runtime.effects.effect import ByParts, Effect, InLoop
 from nscc_runtime.effects.field import Field, Sampled, Values
 from nscc_runtime.effects.parameters import MOST_E, parameter
 from nscc_runtime.effects.parts import Errors
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Word
 
-
-def _sigma(sensor: Sensor) -> float:
-    return sensor.reset_noise_e
+SIGMA = parameter(
+    "reset_noise_e", "noise", 40.0, "e", 0, MOST_E,
+    "of one reset of PIX; sqrt(kTC) of 10 fF at 300 K", place=1,
+)  # fmt: skip
 
 
 def _left(pixels: Pixels, level: Values, word: Word) -> Values:
-    return level + _sigma(pixels.sensor) * pixels.error("reset", word)
+    return level + SIGMA(pixels.sensor) * pixels.error("reset", word)
 
 
 def _field(sample: Sampled) -> Field:
     """rms = sigma sqrt(resets), resets weighted with their squared coefficients"""
-    return Field(variance=sample.errors("resets", _sigma(sample.sensor)), behind_well=0.0)
+    return Field(variance=sample.errors("resets", SIGMA(sample.sensor)), behind_well=0.0)
 
-
-_PARAMETERS = (
-    parameter(
-        "reset_noise_e",
-        "noise",
-        40.0,
-        "e",
-        0,
-        MOST_E,
-        "of one reset of PIX; sqrt(kTC) of 10 fF at 300 K",
-        place=1,
-    ),
-)  # fmt: skip
 
 RESET = Effect(
     name="reset",
@@ -46,11 +33,11 @@ RESET = Effect(
     cost="one normal number a pixel and bucket; the reference adds one a reset",
     applied="to PIX by every rpix",
     absent="this sensor has none",
-    parameters=_PARAMETERS,
+    parameters=(SIGMA,),
     reference={"resets": _left},
     field=_field,
-    sums=(Errors("resets", _sigma),),
+    sums=(Errors("resets", SIGMA),),
     fused=ByParts(),
-    words=InLoop("reset_errors", {"reset_error": _sigma}),
+    words=InLoop("reset_errors", {"reset_error": SIGMA}),
     cost_ns=7.0,
 )

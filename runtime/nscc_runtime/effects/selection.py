@@ -53,6 +53,13 @@ class Selection:
         """The part of that kind; None where nothing that is on has one."""
         return next((part for _, part in self.having(kind)), None)
 
+    def the(self, kind: type[P]) -> P:
+        """The part of that kind; ValueError where nothing that is on has one."""
+        found = self.part(kind)
+        if found is None:
+            raise ValueError(f"no effect has a part {kind.__name__}")
+        return found
+
     def errors(self) -> list[tuple[Effect, Errors]]:
         """Those that have small errors: of reads, then of resets, then of words."""
         return sorted(self.having(Errors), key=lambda each: each[1].at)

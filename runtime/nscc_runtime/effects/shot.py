@@ -29,7 +29,6 @@ SHOT = Effect(
     cost="one Poisson number a pixel and group of slots; the reference adds one binomial a slot",
     applied="when the charge of the slots is drawn, before it falls on PIX",
     absent="exactly nothing with this sensor, scene and program",
-    parameters=(),
     reference={"count": _count},
     field=_field,
     sums=(CountedLight(),),

@@ -160,15 +160,14 @@ class _Near:
         for name, each in found.items():
             if each.behind_well is not None:
                 rest = 0.0 if each.fixed is None else (each.fixed - each.behind_well) * passed
-                after[name] = each.behind_well + rest
+                after[name] = np.asarray(each.behind_well + rest)
         return replace(fields, expected=expected, fixed=fixed, clipped=clipped, after=after)
 
     def _rarely_lost(self, expected: Values) -> Values:
         """The RMS of what registers lose of exposures (buckets, pixels) that noise takes beyond
         their linear range: a few pixels in a frame, which no sample shows.
         """
-        scene, reach, soft = self.scene, self.scene.program.reach, self.scene.all.part(Soft)
-        assert soft is not None
+        scene, reach, soft = self.scene, self.scene.program.reach, self.scene.all.the(Soft)
         lanes = scene.lanes[scene.sample.near]
         z = np.linspace(-_SIGMAS, _SIGMAS, 16 * _SIGMAS + 1)[:, None, None]
         density = np.exp(-z * z / 2)

@@ -249,12 +249,10 @@ class Forecast:
     @cached_property
     def leak_nodes(self) -> int:
         """At how many rates of leakage sums are made."""
-        age_s, leak = float(self.program.slot_s.sum()), everything().part(Leak)
+        age_s, leak = float(self.program.slot_s.sum()), everything().the(Leak)
         size = math.sqrt(float(np.max(self.fields.sample.mean(self.fields.expected**2))))
         for count in range(1, leak_nodes.MOST):
-            error = (
-                leak_nodes.error(leak, self.program.sensor, count, age_s) * size if leak else 0.0
-            )
+            error = leak_nodes.error(leak, self.program.sensor, count, age_s) * size
             if error <= _LEAK_PART * self.tolerance_e:
                 return count
         return leak_nodes.MOST
@@ -282,9 +280,9 @@ class Forecast:
         if found is not None:
             return found
         fields, mean, where = self.fields, self.fields.sample.mean, self._where(state)
-        age_s, leak = float(self.program.slot_s.sum()), everything().part(Leak)
+        age_s, leak = float(self.program.slot_s.sum()), everything().the(Leak)
         sensor = self.program.sensor
-        relative = leak_nodes.error(leak, sensor, self.leak_nodes, age_s) if leak else 0.0
+        relative = leak_nodes.error(leak, sensor, self.leak_nodes, age_s)
         after = np.ones(1) if state == "clip" else where
         found = self._kept_means[state] = {
             "thinning": mean(fields.thinning[self.closed] * where),

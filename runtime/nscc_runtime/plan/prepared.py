@@ -183,8 +183,7 @@ class Prepared:
             # Leakage that is left out is still the better account of where errors go.
             model = replace(self.wanted, leak_per_s=rate) if rate else self.wanted
             total = total + program.tables.pattern(model).T[:, program.lanes] * between
-        gain = self.kept.part(WordGain)
-        return np.asarray(0.0 if gain is None else total * self.device.fixed(gain.error_e))
+        return np.asarray(total * self.device.fixed(self.kept.the(WordGain).error_e))
 
     @cached_property
     def limits(self) -> Values:

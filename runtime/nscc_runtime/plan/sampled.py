@@ -52,9 +52,8 @@ class SampledScene:
         self.buckets = range(len(program.container.buckets))
         self.all = everything()
         self.moving = light.motion or light
-        exchange, echo = self.all.part(Exchange), self.all.part(Echo)
-        self.exchanged = exchange.fraction(self.sensor) if exchange else 0.0
-        self.echo = 1.0 + (echo.fraction(self.sensor) if echo else 0.0)
+        self.exchanged = self.all.the(Exchange).fraction(self.sensor)
+        self.echo = 1.0 + self.all.the(Echo).fraction(self.sensor)
         flat = light.frames.reshape(len(light.frames), -1)
         self.frames: Frames = np.minimum(flat[:, self.places], _MOST_LIGHT)
         self.beside = self._beside() if self.exchanged > 0 else []
@@ -67,30 +66,26 @@ class SampledScene:
     @cached_property
     def response(self) -> Values:
         """The response of the pixels to light."""
-        part = self.all.part(Response)
-        return np.ones(len(self.places)) if part is None else self.on_device(part.factor)
+        return self.on_device(self.all.the(Response).factor)
 
     @cached_property
     def dark(self) -> Values:
         """The pixels' charge without light, electrons a second."""
-        part = self.all.part(CountedDark)
-        return np.zeros(len(self.places)) if part is None else self.on_device(part.per_s)
+        return self.on_device(self.all.the(CountedDark).per_s)
 
     @cached_property
     def spilt(self) -> Values:
         """What neighbours add to it."""
-        found, part = np.zeros_like(self.dark), self.all.part(CountedDark)
-        for beside in self.beside if part else ():
-            other = self.device.fixed(part.per_s)[beside.place] if part else 0.0
-            found += beside.there * (other - self.dark)
+        found, dark = np.zeros_like(self.dark), self.device.fixed(self.all.the(CountedDark).per_s)
+        for beside in self.beside:
+            found += beside.there * (dark[beside.place] - self.dark)
         return self.exchanged * found
 
     def _beside(self) -> list[Beside]:
         rows, cols = self.shape
         row, col = self.places // cols, self.places % cols
         flat = self.scene.frames.reshape(len(self.scene.frames), -1)
-        part = self.all.part(Response)
-        response = np.ones(flat.shape[1]) if part is None else self.device.fixed(part.factor)
+        response = self.device.fixed(self.all.the(Response).factor)
         found = []
         for inside, step in (
             (row > 0, -cols), (row < rows - 1, cols), (col > 0, -1), (col < cols - 1, 1),
@@ -185,16 +180,13 @@ class SampledScene:
         return self._errors(self.program.full)
 
     def _errors(self, model: Model) -> Values:
-        part = self.all.part(WordGain)
-        error = 0.0 if part is None else self.on_device(part.error_e)
+        error = self.on_device(self.all.the(WordGain).error_e)
         return self.program.tables.pattern(model).T[:, self.lanes] * error
 
     def by_rate(self, pattern: bool = False) -> Values:
         """What the pixels' own rates of leakage add to `light`, or to `pattern`."""
-        part, full = self.all.part(Leak), self.program.full
-        if part is None:
-            return np.zeros_like(self.light)
-        off = (self.on_device(part.per_s) / full.leak_per_s - 1.0) / _LEAK_STEP
+        per_s = self.on_device(self.all.the(Leak).per_s)
+        off = (per_s / self.program.full.leak_per_s - 1.0) / _LEAK_STEP
         if pattern:
             return np.asarray(off * (self._errors(self._faster) - self.pattern))
         return np.asarray(off * (self.lit(self._faster) - self.light))
@@ -234,10 +226,9 @@ class SampledScene:
 
     def errors_cut(self, at: str, sigma_e: float) -> Values:
         """The variance that is left out where they are drawn as at the mean leakage."""
-        part, tables = self.all.part(Leak), self.program.tables
+        spread, tables = self.all.the(Leak).spread(self.sensor), self.program.tables
         factor, rest = tables.noise(at, self.program.full)
         other = tables.noise(at, self._faster)[0] - factor
-        spread = part.spread(self.sensor) if part else 0.0
         cut = rest + (other**2).sum(axis=2) * (spread / _LEAK_STEP) ** 2
         return np.asarray(sigma_e**2 * cut.T[:, self.lanes])
 

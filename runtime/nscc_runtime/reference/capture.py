@@ -67,13 +67,8 @@ class Reference:
         retentions = [retention(sensor) for retention in effects.at("digital")]
         words = analog_words(container, min(retentions)) if retentions else fresh
         # The sensor's gain and leakage, on or off: no effect changes the draws of another.
-        gain, leak = everything().part(WordGain), everything().part(Leak)
-        weights = backward(
-            container,
-            fresh,
-            gain.gain(sensor) if gain else 1.0,
-            1.0 / leak.tau_s(sensor) if leak else 0.0,
-        )
+        gain, leak = everything().the(WordGain), everything().the(Leak)
+        weights = backward(container, fresh, gain.gain(sensor), 1.0 / leak.tau_s(sensor))
         draws = {at: orthonormal(found) for at, found in numbered_errors(weights).items()}
         lane = container.table.shutter_of_code[container.pixel_codes].astype(np.intp)
         groups = Groups(np.ascontiguousarray((opened @ bits).T), lane)
