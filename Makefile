@@ -3,7 +3,6 @@
 # make test-slow  the tests that take minutes
 # make bench      measure: speed beside numpy, words of logic beside the best known; minutes
 # make lint       ruff; make types: mypy; make format: put right what ruff can
-# make grammar    the parser's tables, from grammars/nsl.lark
 # make clean      remove what was built; the environment stays
 #
 # PYTHON=python3.12 chooses the interpreter (3.11 or newer), VENV=.. and OUT=.. the folders.
@@ -23,7 +22,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test test-slow bench lint format types grammar clean
+.PHONY: help demo test test-slow bench lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -40,12 +39,12 @@ $(VENV)/.made:
 $(VENV)/.installed: $(VENV)/.made pyproject.toml constraints.txt
 	@echo "installing nscc"
 	$(PIP) hatchling
-	$(PIP) --no-build-isolation --editable .
+	$(PIP) --no-build-isolation --editable '.[run,view]'
 	@touch $@
 
 $(VENV)/.test-installed: $(VENV)/.installed
 	@echo "installing the test environment, torch included: this takes some minutes, once"
-	$(PIP) --no-build-isolation --editable '.[device,test,train]'
+	$(PIP) --no-build-isolation --editable '.[test]'
 	@touch $@
 
 # Compiled ahead, so that no command has to wait for a compiler, even where Python may not cache.
@@ -92,12 +91,9 @@ test-slow: $(VENV)/.test-installed $(VENV)/.compiled
 	$(BIN)/pytest --numprocesses auto --dist loadgroup -m slow
 
 bench: $(VENV)/.test-installed $(VENV)/.compiled
-	$(PIP) --no-build-isolation --editable '.[bench,device,test,train]'
+	$(PIP) --no-build-isolation --editable '.[bench,test]'
 	@status=0; for file in tests/benchmarks/bench_*.py; do \
 	  echo "$$file"; $(BIN)/python $$file || status=1; done; exit $$status
-
-grammar: $(VENV)/.test-installed
-	$(BIN)/python -m nscc.syntax.generate
 
 clean:
 	rm -rf $(OUT) dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

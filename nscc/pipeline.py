@@ -1,44 +1,43 @@
-"""The way through the compiler: one visible list of passes, and the proof at its end."""
+"""The way through the compiler: one visible list of passes, and the proof at its end.
+
+`nscc.compiler` stands above it, and offers ways out where a program does not fit.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from nscc import checks
 from nscc.cache.results import Results, results_of_user
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower.assemble import assemble
-from nscc.lower.choose import Choice, LoweringOption, choose
 from nscc.lower.fit import (
     as_note,
     capacity_fault,
     faults,
-    has_ways_out,
-    misfit_fault,
+    gates_fault,
     only_search_can_tell,
+    plan_fault,
 )
-from nscc.lower.lowered import Lowered
-from nscc.lower.ways_out import ways_out
+from nscc.lower.gates import Gated, find_gates
+from nscc.lower.lowered import Choice, Lowered, lay_out
+from nscc.lower.plan import LoweringOption, Planned, frame_time, plan_exposures
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, prove
 from nscc.source import Source
-from nscc.syntax.parse import parse, read_source
+from nscc.syntax.parse import parse
 from nscc.syntax.tree import File
 from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc.words.container import Container
-
-PASSES = ("parse", "program", "lower", "plan", "gates", "schedule", "words", "prove")
-"""Every value between two passes can be seen with `nscc build --print-after PASS`."""
+from nscc.words.legality import decoded
 
 LEVELS = (0, 1, 2, 3)
 """How many steps the search for gates may take: the same level always takes the same ones."""
-
-QUICK_LEVEL = 1
-"""Several programs are compiled for one error message: with no more effort than this each."""
 
 
 @dataclass(frozen=True)
@@ -47,9 +46,8 @@ class Options:
 
     `level` is one of LEVELS. `target` (a value, or a name or file as `--target` takes it) overrides
     the program's own. `price_all` lowers in every way, for the report's alternatives. Without
-    `unproved_is_error`, what only a search can tell is a note. With `suggest`, nearby programs
-    that fit are looked for when one does not. Without `cache`, no search result is read or kept.
-    `max_words_per_slot` limits the words, digital and analog, of every boundary.
+    `unproved_is_error`, what only a search can tell is a note. Without `cache`, no search result is
+    read or kept. `max_words_per_slot` limits the words, digital and analog, of every boundary.
     """
 
     level: int = 2
@@ -58,159 +56,229 @@ class Options:
     target: Target | str | None = None
     price_all: bool = False
     unproved_is_error: bool = True
-    suggest: bool = True
     cache: bool = True
     max_words_per_slot: int | None = None
 
 
 @dataclass(frozen=True)
-class Compiled:
-    """A program that compiled: its words, proved, and what there is to say about it.
+class Job:
+    """What every pass may know beside the value before it: the options, the folder that paths in
+    the program are relative to, and the search results that are known."""
 
-    `lowered`, `container` and `proof` are None only where `unproved_is_error` is off and only a
-    search can tell whether the program fits.
-    """
+    options: Options
+    base: Path
+    results: Results | None
 
+
+@dataclass(frozen=True)
+class Parsed:
+    """A program's text with its tree."""
+
+    source: Source
     tree: File
-    program: Program
-    choice: Choice
-    lowered: Lowered | None
-    container: Container | None
-    proof: Proof | None
-    diagnostics: tuple[Diagnostic, ...]
 
 
-class ProofFailed(Exception):
-    """The compiler's own words do not satisfy the program: a fault of the compiler."""
+Found = Sequence[Diagnostic]
+"""What a pass has to say; an error among it ends the compilation."""
 
 
-Observer = Callable[[str, Any], None]
-"""Sees (pass name, value) after each pass."""
+def parse_text(source: Source, job: Job) -> tuple[Parsed, Found]:
+    """A source becomes a tree, whole or with gaps.
+
+    Refuses what the grammar does not know: NS01xx.
+    """
+    tree, found = parse(source)
+    return Parsed(source, tree), found
 
 
-def compile_file(
-    path: Path, options: Options | None = None, see: Observer | None = None
-) -> Compiled:
-    """Compiles a `.nsl` file. Raises Rejected with everything that is wrong with it."""
-    return compile_source(read_source(path), path.parent, options or Options(), see)
+def make_program(parsed: Parsed, job: Job) -> tuple[Program, Found]:
+    """A tree becomes a decode table for a target: names, ranges, classes, codes x slots.
 
-
-def compile_source(
-    source: Source, base: Path, options: Options, see: Observer | None = None
-) -> Compiled:
-    """Compiles a program's text; `base` is the folder that its paths are relative to."""
-    if options.level not in LEVELS:
-        raise ValueError(f"level {options.level} is none of {LEVELS}")
-    see = see or (lambda _name, _value: None)
-    results = results_of_user() if options.cache else None
-    try:
-        return _compile(source, base, options, see, results)
-    except Exception:
-        if results is None or not results.read:
-            raise
-    # What came from the cache led nowhere: a file there is not what it says it is.
-    results.distrust()
-    return _compile(source, base, options, see, results)
-
-
-def _compile(
-    source: Source, base: Path, options: Options, see: Observer, results: Results | None
-) -> Compiled:
-    """The passes themselves."""
-    chip = options.target
+    Refuses what has no meaning (NS02xx, NS03xx, NS04xx), and targets and files that cannot be read.
+    """
+    chip = job.options.target
     if isinstance(chip, str):
         chip = load_target(chip, Path())
-    tree, found = parse(source)
-    see("parse", (tree, source))
-    _stop_on_errors(found)
-    program = analyse(source, tree, base=base, codes=options.codes, target=chip)
-    see("program", program)
-    messages = [*found, *program.messages]
+    program = analyse(
+        parsed.source, parsed.tree, base=job.base, codes=job.options.codes, target=chip
+    )
+    return program, program.messages
+
+
+def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
+    """A program becomes exposure plans, one for each lowering that can serve it.
+
+    Refuses shutters beyond the states of a pixel (NS0412), buckets beyond its analog registers
+    (NS0413) and a lowering that cannot serve them (NS0414).
+    """
     fault = capacity_fault(program)
     if fault is not None:
-        raise Rejected([*messages, *_with_ways_out([fault], program, base, options)])
-    choice = _choose(program, options, results)
-    see("lower", choice)
-    lowered = choice.best
-    if lowered is None:
-        fault = misfit_fault(program, choice, level=options.level)
-        return _unfit(tree, program, choice, [fault], messages, base, options)
-    see("plan", lowered.plan)
-    see("gates", lowered)
-    see("schedule", lowered)
-    wrong = faults(choice, lowered, level=options.level)
-    if wrong:
-        return _unfit(tree, program, choice, wrong, messages, base, options)
-    container = assemble(lowered, options.level)
-    see("words", container)
-    proof = prove(container, lowered.schedule.kernels)
-    see("prove", proof)
-    if proof.failure is not None:
-        raise ProofFailed(f"{source.name}: {proof.failure}")
-    return Compiled(tree, program, choice, lowered, container, proof, tuple(messages))
+        return Planned(program, frame_time(program), (), (), {}), [fault]
+    planned = plan_exposures(program, job.options.lowering)
+    return planned, [] if planned.plans else [plan_fault(program, planned.misfits)]
 
 
-def _choose(program: Program, options: Options, results: Results | None) -> Choice:
-    """The lowerings; that none of them fits is never taken from the cache."""
+def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
+    """Plans become gates with their encodings, priced by laying them out; the best first.
 
-    def tried() -> Choice:
-        return choose(
-            program,
-            options.lowering,
+    Plans that cannot be better than one that fits are not tried, unless all are to be priced.
+    Refuses programs for which no gates are found (NS0502), which proves nothing, and what a
+    generator from outside does not do as it says (NS0905).
+    """
+    options, results = job.options, job.results
+
+    def found() -> Gated:
+        return find_gates(
+            planned,
             options.level,
             price_all=options.price_all,
             results=results,
             most_words=options.max_words_per_slot,
         )
 
-    choice = tried()
-    if results is not None and results.read and (choice.best is None or not choice.best.fits):
+    gated = found()
+    if results is not None and results.read and not gated.fits:
+        # That nothing fits is never taken from the cache.
         results.distrust()
-        choice = tried()
-    return choice
+        gated = found()
+    if gated.tried:
+        return gated, []
+    return gated, [gates_fault(gated.program, gated.misfits, level=options.level)]
 
 
-def _unfit(
-    tree: File,
-    program: Program,
-    choice: Choice,
-    wrong: list[Diagnostic],
-    messages: list[Diagnostic],
-    base: Path,
-    options: Options,
+def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
+    """Gates become kernels and launches at the frame's boundaries; the best lowering is the first.
+
+    Refuses what the store (NS0501), the slots' time (NS0601), the retention of memory (NS0602) or
+    the user's limit (NS0603) does not allow.
+    """
+    most_words = job.options.max_words_per_slot
+    tried = (lay_out(gated.program, each, gated.time, most_words) for each in gated.tried)
+    choice = Choice(tuple(tried), gated.misfits)
+    return choice, faults(choice, level=job.options.level)
+
+
+def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
+    """The best lowering becomes a container of instruction code words. Refuses nothing."""
+    return assemble(choice.best, job.options.level), []
+
+
+def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
+    """A container's words, decoded and replayed, become a proof. Refuses nothing: words that do
+    not satisfy the program are a fault of the compiler."""
+    try:
+        kernels = decoded(container)
+    except Rejected as rejected:
+        raise checks.Inconsistent("words that the target does not have") from rejected
+    return prove(container, kernels), []
+
+
+@dataclass(frozen=True)
+class Pass:
+    """A step from one value to the next.
+
+    `run` takes the value before and the job, and gives its own value with what it found. `verify`
+    raises checks.Inconsistent where the value is not what it promises.
+    """
+
+    name: str
+    run: Callable[[Any, Job], tuple[Any, Found]]
+    verify: Callable[[Any], None]
+
+
+PASSES = (
+    Pass("parse", parse_text, lambda made: checks.check_tree(made.source, made.tree)),
+    Pass("program", make_program, checks.check_program),
+    Pass("plan", make_plans, checks.check_plans),
+    Pass("gates", choose_gates, checks.check_gates),
+    Pass("schedule", lay_out_words, checks.check_schedule),
+    Pass("words", make_container, checks.check_words),
+    Pass("prove", prove_words, checks.check_proof),
+)
+"""What runs, in this order. `nscc build --print-after PASS` shows the value that a pass made."""
+
+Observer = Callable[[str, Any], None]
+"""Sees (pass name, value) after each pass, before the value is verified."""
+
+
+@dataclass(frozen=True)
+class Compiled:
+    """A program that compiled: its words, proved, and what there is to say about it.
+
+    `choice`, `container` and `proof` are None only where `unproved_is_error` is off and only a
+    search can tell whether the program fits.
+    """
+
+    tree: File
+    program: Program
+    choice: Choice | None
+    container: Container | None
+    proof: Proof | None
+    diagnostics: tuple[Diagnostic, ...]
+
+    @property
+    def lowered(self) -> Lowered | None:
+        """The lowering that was chosen."""
+        return None if self.choice is None else self.choice.best
+
+
+class Unfit(Rejected):
+    """A program without faults of its own that does not fit its target."""
+
+    def __init__(self, program: Program, diagnostics: Sequence[Diagnostic]) -> None:
+        super().__init__(diagnostics)
+        self.program = program
+
+
+def run_passes(
+    source: Source, base: Path, options: Options, see: Observer | None = None
 ) -> Compiled:
-    """Rejects what does not fit; what only a search can tell may pass as a note."""
-    if options.unproved_is_error or not all(only_search_can_tell(d) for d in wrong):
-        raise Rejected([*messages, *_with_ways_out(wrong, program, base, options)])
-    notes = [as_note(d) for d in wrong]
-    return Compiled(tree, program, choice, None, None, None, (*messages, *notes))
+    """Compiles a program's text; `base` is the folder that its paths are relative to.
+
+    Raises Rejected with everything that is wrong with it: Unfit if it is only too large.
+    """
+    if options.level not in LEVELS:
+        raise ValueError(f"level {options.level} is none of {LEVELS}")
+    see = see or (lambda _name, _value: None)
+    results = results_of_user() if options.cache else None
+    job = Job(options, base, results)
+    try:
+        return _run(source, job, see)
+    except Exception:
+        if results is None or not results.read:
+            raise
+    # What came from the cache led nowhere: a file there is not what it says it is.
+    results.distrust()
+    return _run(source, job, see)
 
 
-def _with_ways_out(
-    wrong: list[Diagnostic], program: Program, base: Path, options: Options
-) -> list[Diagnostic]:
-    """The same diagnostics; nearby programs are compiled for those that ask for less."""
-    if not options.suggest or not any(has_ways_out(d) for d in wrong):
-        return wrong
-    alike = replace(
-        options, target=program.target, suggest=False, price_all=False, unproved_is_error=True
-    )
-
-    def attempt(source: Source, codes: Codes, *, patient: bool = False) -> Lowered | None:
-        level = options.level if patient else min(options.level, QUICK_LEVEL)
-        try:
-            return compile_source(source, base, replace(alike, codes=codes, level=level)).lowered
-        except Rejected:
-            return None
-
-    found = ways_out(program, attempt)
-    texts = tuple(way.text for way in found)
-    data = {key: value for way in found for key, value in way.data.items()}
-    return [
-        replace(d, ways_out=texts, data={**d.data, **data}) if has_ways_out(d) else d for d in wrong
-    ]
+def _run(source: Source, job: Job, see: Observer) -> Compiled:
+    """One pass after the other, each value seen and verified before the next one takes it."""
+    made: dict[str, Any] = {}
+    messages: list[Diagnostic] = []
+    value: Any = source
+    for each in PASSES:
+        value, found = each.run(value, job)
+        made[each.name] = value
+        see(each.name, value)
+        wrong = [d for d in found if d.severity is Severity.ERROR]
+        if wrong and not _may_pass(wrong, job.options):
+            said = [*messages, *found]
+            raise Unfit(made["program"], said) if "program" in made else Rejected(said)
+        if wrong:
+            return _compiled(made, [*messages, *map(as_note, wrong)], fits=False)
+        messages += found
+        each.verify(value)
+    return _compiled(made, messages, fits=True)
 
 
-def _stop_on_errors(found: tuple[Diagnostic, ...]) -> None:
-    if any(d.severity is Severity.ERROR for d in found):
-        raise Rejected(found)
+def _may_pass(wrong: Found, options: Options) -> bool:
+    """Whether errors become notes: they are all such that only a search can tell."""
+    return not options.unproved_is_error and all(only_search_can_tell(d) for d in wrong)
+
+
+def _compiled(made: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
+    names = ("schedule", "words", "prove")
+    choice, container, proved = (made[name] if fits else None for name in names)
+    tree, program = made["parse"].tree, made["program"]
+    return Compiled(tree, program, choice, container, proved, tuple(messages))

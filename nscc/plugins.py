@@ -31,21 +31,26 @@ def added(group: Group, taken: Collection[str] = frozenset()) -> dict[str, Any]:
     for name in found:
         if name in taken:
             raise unusable(group, name, "nscc has one of that name itself")
-    return found
+    return {name: value for name, (value, _) in found.items()}
+
+
+def sources(group: Group) -> dict[str, str]:
+    """The names of the modules that those objects come from. Raises as `added` does."""
+    return {name: module for name, (_, module) in _loaded(group).items()}
 
 
 @cache
-def _loaded(group: Group) -> dict[str, Any]:
-    """The objects by name, loaded once."""
+def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
+    """The objects by name, each with its module, loaded once."""
     # A fiftieth of a second, which commands that need no more than nscc's own do not spend.
     from importlib.metadata import entry_points
 
-    found: dict[str, Any] = {}
+    found: dict[str, tuple[Any, str]] = {}
     for entry in sorted(entry_points(group=group), key=lambda each: (each.name, each.value)):
         if entry.name in found:
             raise unusable(group, entry.name, "another distribution adds one of that name")
         try:
-            found[entry.name] = entry.load()
+            found[entry.name] = entry.load(), entry.module
         except Exception as error:  # whatever a module of somebody else's raises
             reason = " ".join(str(error).split())[:200]
             raise unusable(group, entry.name, f"{type(error).__name__}: {reason}") from error

@@ -15,15 +15,16 @@ from pathlib import Path
 from time import perf_counter
 
 from device_sessions import TARGET, Example, chip_of, examples, new_host, python_loader, session
+from device_simulation import Hung, Simulation
 from emulator_programs import container_of, target_of
 
-from nscc.words.operations import op
+from nscc.operations import op
 from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.host import Silent, Stalled
 from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.objects import Upload, upload_of
-from nscc_runtime.device.simulation import Hung, Loaded, Simulation
+from nscc_runtime.device.serving import Loaded
 
 SESSIONS = 10_000
 LIMIT_LINE_S = 0.50

@@ -26,7 +26,7 @@ LIMIT_S = 100
 
 def environment() -> dict[str, str]:
     """That of a process that runs this checkout."""
-    folders = [ROOT, ROOT / "runtime", ROOT / "training"]
+    folders = [ROOT, ROOT / "cli", ROOT / "runtime", ROOT / "training"]
     return {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, folders))}
 
 

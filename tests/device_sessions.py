@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from device_simulation import Simulation
 from emulator_programs import bumps, target_of
 
 from nscc.target.target import Target
@@ -20,7 +21,7 @@ from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.objects import Upload, upload_of
-from nscc_runtime.device.simulation import Loaded, Simulation
+from nscc_runtime.device.serving import Loaded
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 

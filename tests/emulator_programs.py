@@ -2,50 +2,21 @@
 
 from __future__ import annotations
 
-import tomllib
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 
-import nscc.target.target
+from nscc.operations import Op, op, pair
+from nscc.target.load import builtin_target
 from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.encoding import encode
-from nscc.words.operations import Op, op, pair
-
-_TABLES = Path(nscc.target.target.__file__).parent / "tables"
 
 
 def target_of(shape: tuple[int, int], name: str = "scamp5", **changes: object) -> Target:
     """A built-in target with an array of another size, and further keys changed."""
-    table = tomllib.loads((_TABLES / f"{name}.toml").read_text())
-    registers, behaviour = table["registers"], table["behaviour"]
-
-    def limit(value: object) -> int | None:
-        return None if value == "any" else int(str(value))
-
-    target = Target(
-        name=table["name"],
-        description=table["description"],
-        rows=shape[0],
-        cols=shape[1],
-        analog_registers=tuple(registers["analog"]),
-        analog_scratch=registers["analog_scratch"],
-        digital_registers=tuple(registers["digital"]),
-        mask_register=registers["mask"],
-        masked_register=registers["masked"],
-        reset_honours_flag=behaviour["reset_honours_flag"],
-        where_reads_flag=behaviour["where_reads_flag"],
-        where_obeys_flag=behaviour["where_obeys_flag"],
-        or_sources=limit(behaviour["or_sources"]),
-        where_sources=limit(behaviour["where_sources"]),
-        store_words=table["store"]["words"],
-        tables_count_against_store=table["store"]["tables_count"],
-        **table["time"],
-        **table["range"],
-    )
+    target = replace(builtin_target(name), rows=shape[0], cols=shape[1])
     return replace(target, **changes)  # type: ignore[arg-type]
 
 

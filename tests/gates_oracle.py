@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from lowering_oracle import program_from
 
-from nscc.lower.lowered import problem_of
+from nscc.lower.decoding import problem_of
 from nscc.lower.plan import levels, plan_exposure
 from nscc.lower.timeline import timeline
 

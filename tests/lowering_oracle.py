@@ -12,16 +12,18 @@ from pathlib import Path
 import numpy as np
 from emulator_oracle import Chip
 
+from nscc.checks import check_gates, check_plans, check_schedule
 from nscc.lower.assemble import assemble
-from nscc.lower.lowered import Lowered, analog_writes, lower
-from nscc.lower.plan import Misfit, levels, plan_exposure
+from nscc.lower.gates import find_gates
+from nscc.lower.lowered import Choice, Lowered, lay_out
+from nscc.lower.plan import Misfit, plan_exposures
+from nscc.operations import Op
 from nscc.program.program import BucketRule, Frame, Program
 from nscc.source import Source, Span
 from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable
 from nscc.words.legality import decoded
-from nscc.words.operations import Op
 
 FRAMES = 2
 REPLICAS = 6
@@ -95,13 +97,16 @@ def program_from(shutters, slot_us=None, target: Target | str = "scamp5") -> Pro
 
 def lowered_as(program: Program, lowering: str, level: int = 1) -> Lowered | Misfit:
     """`program` lowered in one way, or why it cannot be."""
-    opens = levels(program)
-    plan = plan_exposure(program, lowering, opens)
-    return (
-        plan
-        if isinstance(plan, Misfit)
-        else lower(program, plan, level, opens, analog_writes(program, plan))
-    )
+    planned = plan_exposures(program, lowering)
+    check_plans(planned)
+    gated = find_gates(planned, level)
+    check_gates(gated)
+    if not gated.tried:
+        return gated.misfits[lowering]
+    (decoding,) = gated.tried
+    choice = Choice((lay_out(program, decoding, gated.time, None),), gated.misfits)
+    check_schedule(choice)
+    return choice.best
 
 
 def container_of(lowered: Lowered, level: int = 1) -> Container:

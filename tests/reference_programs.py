@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 from emulator_programs import target_of
 
-from nscc.pipeline import Options, compile_source
+from nscc.compiler import compile_source
+from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.effects import selected

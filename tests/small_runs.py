@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from scipy.io import savemat
 
-from nscc_cli.support import write_together
 from nscc_training.config import settings_of
 from nscc_training.loop.train import train
 
@@ -22,7 +21,7 @@ def trained(out: Path, **sections: dict[str, Any]) -> Path:
     values = {
         name: {**SMALL.get(name, {}), **sections.get(name, {})} for name in {*SMALL, *sections}
     }
-    train(settings_of(values), out, write=write_together)
+    train(settings_of(values), out)
     return out
 
 

@@ -8,11 +8,12 @@ from pathlib import Path
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.files import write_whole
 from nscc.source import Source
 from nscc.words.assembly import assemble, assemble_words
 from nscc.words.encoding import word_text
 from nscc.words.file import to_bytes
-from nscc_cli.support import CommonCommand, write_whole
+from nscc_cli.support import CommonCommand
 
 _LARGEST_TEXT = 1 << 30
 

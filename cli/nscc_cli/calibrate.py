@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 
 import click
 
+from nscc.files import write_whole
 from nscc.target.load import DEFAULT_NAME, load_target
 from nscc_cli.programs import BuildChoice, load_program
-from nscc_cli.support import CommonCommand, NumberRange, done, progress, say, write_whole
+from nscc_cli.support import CommonCommand, NumberRange, done, progress, say
 
 if TYPE_CHECKING:
     from nscc_runtime.calibrate import Chain
@@ -94,30 +95,15 @@ def command(
     .npz, .npy or .mat, a picture or a folder of pictures. PATH@TIME, such as flats/3@2ms, says how
     long its pixels were open; frame files know.
     """
-    from nscc_runtime.calibrate import (
-        as_json as json_text,
-    )
-    from nscc_runtime.calibrate import (
-        as_table,
-        as_toml,
-        calibrated,
-        grouped,
-        load_stack,
-        messages,
-        parameters,
-    )
+    from nscc_runtime import calibrate
 
     chip = load_target(target, Path())
     chain = _chain(program)
-    top = (1 << chip.adc_bits) - 1
-    named = [*flats, *darks]
-    stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]
-    found = calibrated(grouped(stacks[: len(flats)]), grouped(stacks[len(flats) :]), top, crosstalk)
-    chosen = parameters(found, chip, chain)
-    text = as_toml(found, chosen)
-    say(messages(found))
-    write_whole(out, text.encode())
-    click.echo(json_text(found, chosen) if as_json else as_table(found))
+    found = calibrate.calibrate_files(flats, darks, chip, crosstalk, progress)
+    chosen = calibrate.parameters(found, chip, chain)
+    say(calibrate.messages(found))
+    write_whole(out, calibrate.as_toml(found, chosen).encode())
+    click.echo(calibrate.as_json(found, chosen) if as_json else calibrate.as_table(found))
     done(f"wrote {out}")
 
 

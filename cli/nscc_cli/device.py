@@ -84,8 +84,8 @@ def serve(**options: Any) -> None:
 @link_options
 def info(port: str, as_json: bool, baud: int, patience: float) -> None:
     """Say what the loader at PORT is, what it has room for and what it holds."""
-    from nscc_cli.device_frames import info_json, info_text
     from nscc_runtime.device.chip import Chip
+    from nscc_runtime.device.description import info_json, info_text
     from nscc_runtime.device.link import Link
 
     with Link(port, baud=baud, patience_s=patience) as link:
@@ -102,7 +102,7 @@ def info(port: str, as_json: bool, baud: int, patience: float) -> None:
 @build_options
 def upload(port: str, program: Path, **options: Any) -> None:
     """Bring a program to the device at PORT; what it has of it already is not sent again."""
-    from nscc_cli.run import with_pixels
+    from nscc.containers import with_pixels
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.link import Link
 

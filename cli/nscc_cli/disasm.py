@@ -6,9 +6,10 @@ from pathlib import Path
 
 import click
 
+from nscc.files import write_whole
 from nscc.words.disassembly import disassemble
 from nscc.words.file import read_container
-from nscc_cli.support import CommonCommand, write_whole
+from nscc_cli.support import CommonCommand
 
 
 @click.command(name="disasm", cls=CommonCommand)

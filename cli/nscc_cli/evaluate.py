@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import io
-import json
-from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc_cli.support import CommonCommand, NumberRange, Product, done, progress, write_together
+from nscc.files import Product, write_together
+from nscc_cli.support import CommonCommand, NumberRange, done, progress
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -125,11 +123,12 @@ def tables(
     Baselines are evaluated on the data, which takes minutes; rows of decoders need runs of `nscc
     train`. Rows that were not run say so.
     """
+    from nscc_training.evaluation.result_text import result_json
     from nscc_training.evaluation.tables import tables as filled
     from nscc_training.evaluation.tables import text_of
 
     rows = filled(data, runs, results, lambda rows: progress(rows, "evaluating"))
-    text = json.dumps(rows, indent=2, allow_nan=False) + "\n"
+    text = result_json(rows)
     if out is not None:
         write_together({out: text.encode()})
     click.echo(text if as_json else text_of(rows), nl=False)
@@ -148,33 +147,16 @@ def compare(results: tuple[Path, ...], metric: str, as_json: bool, out: Path | N
     """
     if len(results) % 2:
         raise click.UsageError("results are compared in pairs: A.json B.json, for each seed")
+    from nscc_training.evaluation.result_text import comparison_text, result_json
     from nscc_training.evaluation.results import compare as compared
     from nscc_training.evaluation.results import read_result
 
     read = [read_result(path) for path in results]
     found = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
-    text = json.dumps(found, indent=2, allow_nan=False) + "\n"
+    text = result_json(found)
     if out is not None:
         write_together({out: text.encode()})
-    if as_json:
-        click.echo(text, nl=False)
-        return
-    gain, interval = found["gain_db"], found["ci95"]
-    if gain is None:
-        click.echo("no pair of items has finite scores")
-        return
-    unit = " dB" if metric.endswith("_db") else ""
-    between = "one scene" if interval is None else f"95 % {interval[0]:+.3f} to {interval[1]:+.3f}"
-    click.echo(
-        f"{found['second']['method']} over {found['first']['method']}: {gain:+.3f}{unit}, "
-        f"{between} ({metric}, {found['items']} items of {found['scenes']} scenes"
-        f"{_seeds(found['pairs'])}, "
-        f"protocol {found['protocol']})"
-    )
-
-
-def _seeds(count: int) -> str:
-    return f" with {count} seeds" if count > 1 else ""
+    click.echo(text.rstrip("\n") if as_json else comparison_text(found, metric))
 
 
 def _finish(
@@ -182,44 +164,13 @@ def _finish(
     out: Path | None,
 ) -> None:  # fmt: skip
     """Write and print a result."""
-    import numpy as np
+    from nscc_training.evaluation.result_text import arrays_in, result_json, result_text
 
-    text = json.dumps(found, indent=2, allow_nan=False) + "\n"
+    text = result_json(found)
     products: dict[Path, Product] = {}
     if out is not None:
         products[out] = text.encode()
     if save is not None:
-        save.mkdir(parents=True, exist_ok=True)
-        for name, values in arrays.items():
-            stream = io.BytesIO()
-            np.save(stream, values)
-            products[save / f"{name}.npy"] = stream.getvalue()
+        products |= arrays_in(save, arrays)
     write_together(products)
-    click.echo(text if as_json else _lines(found), nl=False)
-
-
-def _lines(found: dict[str, Any]) -> str:
-    """A result as a few lines."""
-    lines = [f"{found['method']}, protocol {found['protocol']} ({found['protocol_sha256'][:12]})"]
-    if found["sees"] == "truth":
-        lines.append("  a yardstick: it sees the truth, not the capture")
-    files = list(dict.fromkeys(item["file"] for item in found["items"]))
-    for file in files:
-        items = [item for item in found["items"] if item["file"] == file]
-        finite = [item["psnr_db"] for item in items if item["psnr_db"] != "inf"]
-        mean = f"{sum(finite) / len(finite):.2f} dB" if finite else "inf"
-        ssim = sum(item["ssim"] for item in items) / len(items)
-        lines.append(f"  {file:32} {mean}, SSIM {ssim:.4f}, {len(items)} items")
-    passed = Counter(f"{entry['file']}: {entry['reason']}" for entry in found["left_out"])
-    for reason, count in passed.items():
-        lines.append(f"  left out: {reason}" + (f", {count} times" if count > 1 else ""))
-    if found["mean"] is not None:
-        interval = found["ci95"]
-        between = "one scene" if interval is None else "95 % {:.2f} to {:.2f}".format(*interval)
-        lines.append(
-            f"  mean {found['mean']:.2f} dB, sd {found['sd']:.2f}, {between}"
-            f", {found['infinite']} infinite"
-        )
-    if found["decoder_ms"] is not None:
-        lines.append(f"  {found['decoder_ms']:.0f} ms a scene on {found['device']}")
-    return "\n".join(lines) + "\n"
+    click.echo(text if as_json else result_text(found), nl=False)

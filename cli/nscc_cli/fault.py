@@ -46,13 +46,15 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
 
 
 def _missing_package(error: ModuleNotFoundError) -> Diagnostic:
-    extra = "'nscc[train]'" if error.name in ("safetensors", "torch") else "nscc"
+    from nscc.requirements import distribution_of, line_for
+
+    name = distribution_of(error.name or "")
     return Diagnostic(
         "NS0904",
-        f"the Python package '{error.name}', which this needs, is not installed",
+        f"the Python package '{name}', which this needs, is not installed",
         helps=(
-            f"install nscc with its dependencies: pip install {extra}",
-            "`nscc doctor` lists them",
+            f"install nscc with what this needs: {line_for(error.name or '')}",
+            "`nscc doctor` lists what is there",
         ),
     )
 
@@ -101,7 +103,7 @@ def _save(data: bytes) -> str | None:
     """Writes the reproducer into the current or the temporary folder; where, None where neither."""
     import tempfile
 
-    from nscc_cli.support import write_whole
+    from nscc.files import write_whole
 
     name = f"nscc-fault-{sha256(data).hexdigest()[:12]}.zip"
     for path in (Path(name), Path(tempfile.gettempdir()) / name):

@@ -8,23 +8,29 @@ import click
 
 from nscc import __version__
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.plugins import added, unusable
+from nscc_cli.support import session, show
 from nscc_cli.table import COMMANDS
 
 _MODULES = {entry.name: entry.module for entry in COMMANDS}
 
 
 class LazyGroup(click.Group):
-    """Finds commands in the table; an unknown one is rejected (NS0781)."""
+    """Finds commands in the table, then among what other distributions add.
+
+    An unknown one is rejected (NS0781). Whoever names one of nscc's own does not wait for a look at
+    the others.
+    """
 
     def list_commands(self, ctx: click.Context) -> list[str]:
-        """The names of this version's commands, as `--help` and completion show them."""
-        return [entry.name for entry in COMMANDS]
+        """The names of all commands, as `--help` and completion show them: nscc's own first."""
+        return [*_MODULES, *self._others()]
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command of that name, imported now; None if there is none."""
         module = _MODULES.get(cmd_name)
         if module is None:
-            return None
+            return others().get(cmd_name)
         command = import_module(module).command
         if not isinstance(command, click.Command):
             raise TypeError(f"{module}.command is no click command")
@@ -35,21 +41,44 @@ class LazyGroup(click.Group):
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """The command named first in `args`, and what follows it."""
         name = args[0]
-        command = self.get_command(ctx, name)
-        if command is not None:
-            return name, command, args[1:]
         if name.startswith("-"):
             raise click.NoSuchOption(name, ctx=ctx)
-        raise Rejected(_unknown(name), status=2)
+        command = self.get_command(ctx, name)
+        if command is None:
+            raise Rejected(_unknown(name, self.list_commands(ctx)), status=2)
+        return name, command, args[1:]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
-        """List the commands from the table, importing none."""
+        """List the commands from the table, importing none, and those that others add."""
         with formatter.section("Commands"):
             formatter.write_dl([(entry.name, entry.help) for entry in COMMANDS])
+        more = [(name, each.get_short_help_str(80)) for name, each in self._others().items()]
+        if more:
+            with formatter.section("Commands of other packages"):
+                formatter.write_dl(more)
+
+    def _others(self) -> dict[str, click.Command]:
+        """The same as `others`; one that cannot be used is named, and does not hide the rest."""
+        try:
+            return others()
+        except Rejected as rejected:
+            show(rejected.diagnostics, session().message_format)
+            return {}
 
 
-def _unknown(name: str) -> Diagnostic:
-    known = [entry.name for entry in COMMANDS]
+def others() -> dict[str, click.Command]:
+    """The commands that other distributions add, by name.
+
+    Raises Rejected (NS0905) for what is no click command or has the name of one of nscc's own.
+    """
+    found = added("nscc.commands", _MODULES)
+    for name, command in found.items():
+        if not isinstance(command, click.Command):
+            raise unusable("nscc.commands", name, f"a {type(command).__name__} is no click command")
+    return found
+
+
+def _unknown(name: str, known: list[str]) -> Diagnostic:
     from difflib import get_close_matches
 
     close = get_close_matches(name, known, n=1)

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-from hashlib import sha256
 from pathlib import Path
-from typing import Any
 
 import click
 
-from nscc_cli.support import CommonCommand, NumberRange, write_whole
+from nscc.files import write_whole
+from nscc_cli.support import CommonCommand, NumberRange
 
 
 @click.command("metrics", cls=CommonCommand)
@@ -48,44 +47,10 @@ def command(
     PSNR, SSIM, mu-law PSNR (5000), PU21-PSNR and, of clips, the temporal error. Values are taken
     as they are stored; mu-law and PU21 clip them to 0..R.
     """
-    from nscc_training.array_files import read_picture_or_clip
-    from nscc_training.measures import check_data_range, check_pair, measures
+    from nscc_training.measures import measure_files, measures_text
 
-    check_data_range(data_range)
-    arrays = [
-        read_picture_or_clip(path, key) for path, key in ((truth, truth_key), (result, rec_key))
-    ]
-    check_pair(arrays[0], arrays[1])
-    found = {
-        "truth": {"file": truth.name, "sha256": sha256(truth.read_bytes()).hexdigest()},
-        "result": {"file": result.name, "sha256": sha256(result.read_bytes()).hexdigest()},
-        "shape": list(arrays[0].shape),
-        "data_range": data_range,
-        "nits": nits,
-        **measures(arrays[0], arrays[1], data_range, nits),
-    }
+    found = measure_files(truth, result, data_range, nits, truth_key=truth_key, result_key=rec_key)
     text = json.dumps(found, indent=2, allow_nan=False) + "\n"
     if out is not None:
         write_whole(out, text.encode())
-    click.echo(text if as_json else _lines(found), nl=False)
-
-
-def _lines(found: dict[str, Any]) -> str:
-    """The numbers, one a line."""
-    rows = [
-        ("PSNR", "psnr_db", " dB"),
-        ("PSNR of the mean error", "psnr_of_mean_mse_db", " dB"),
-        ("SSIM", "ssim", ""),
-        ("PSNR, mu-law 5000", "mu_psnr_db", " dB"),
-        (f"PSNR, PU21, {found['nits']:g} cd/m2", "pu21_psnr_db", " dB"),
-        ("temporal error", "temporal_error", ""),
-    ]
-    lines = [f"data range {found['data_range']:g}, {' x '.join(map(str, found['shape']))}"]
-    for name, key, unit in rows:
-        value = found[key]
-        if value is not None:
-            text = value if isinstance(value, str) else f"{value:.4f}"
-            lines.append(f"  {name:28}{text}{unit}")
-    if found["infinite"]:
-        lines.append(f"  {found['infinite']} frames without any error are left out of the mean")
-    return "\n".join(lines) + "\n"
+    click.echo(text if as_json else measures_text(found), nl=False)

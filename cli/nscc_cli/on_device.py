@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from hashlib import sha256
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc.diagnostics.rejection import rejected
+from nscc.files import Product, write_together
+from nscc_cli.frames import frame_path, picture, summary
 from nscc_cli.programs import BuildChoice, load_program
-from nscc_cli.support import Product, done, progress, say, write_together
-
-if TYPE_CHECKING:
-    from nscc.words.container import Container
-    from nscc_runtime.device.chip import Chip
-    from nscc_runtime.frame_file import Frame
-    from nscc_runtime.light import Light
-    from nscc_runtime.sensor import Sensor
+from nscc_cli.scene_options import scene_of, sensor_of
+from nscc_cli.support import done, progress, say
 
 _SIMULATION = ("effects", "seed", "device_seed", "fidelity", "tolerance", "audit", "plan")
 _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
@@ -25,46 +21,47 @@ _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
 def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
     """Expose on the device at `options["place"]`, as `nscc run` does on the emulator."""
-    from nscc_cli.run import Timings, refuse_same, scene_light, summary, with_pixels
+    from nscc.containers import with_pixels
+    from nscc.prove.shutters import replayed
     from nscc_runtime.device.chip import Chip
+    from nscc_runtime.device.frames import exposed
     from nscc_runtime.device.link import Link
-    from nscc_runtime.effects import selected
-    from nscc_runtime.frame_file import check_adc
-    from nscc_runtime.sensor import load_sensor
+    from nscc_runtime.frame_file import FrameFile, check_adc
+    from nscc_runtime.timings import Timings
 
-    place, scene, repeat = options["place"], options["scene"], options["repeat"]
+    place, scene = options["place"], options["scene"]
     _refuse_simulation(place, scene, keep)
     timings = Timings()
     with timings.part("compile_s"):
         container, messages = load_program(program, BuildChoice.of(options))
         container = with_pixels(container, program, options["pixels"])
     check_adc(container.target)
-    sensor = load_sensor(container.target, options["sensor"], options["sensor_set"])
-    light = None
+    sensor = sensor_of(container.target, options)
+    light, said = None, list(messages)
     if scene:
+        said.append(_scene_note(scene))
         with timings.part("scene_s"):
-            light = scene_light(container, options, (*messages, _scene_note(scene)))
-    else:
-        say(list(messages))
-    out = options["out"] or Path(program.stem + ".frame.npz")
-    refuse_same(out, options["png"], options["timings"])
+            named = scene_of(options)
+            light = named.light(container.slot_us, container.target, said.append, progress)
+    say(said)
+    out = frame_path(program, options)
     with (
         timings.part("expose_s"),
         Link(place, baud=options["baud"], patience_s=options["patience"]) as link,
     ):
-        frame, meta = _exposed(Chip(link, sensor, progress), sensor, container, light, repeat)
+        chip = Chip(link, sensor, progress)
+        frame, meta = exposed(chip, container, light, options["repeat"], progress)
     with timings.part("write_s"):
-        products = _products(container, light, frame, keep, out, meta)
+        shutters = replayed(container) if "shutter" in keep else None
+        file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
+        products: dict[Path, Product] = {out: file.write}
         if options["png"]:
-            from nscc_runtime.pictures import frame_png, readouts
-
-            first = frame.frame[0] if repeat else frame.frame
             title = f"{program.name}  ·  on the device"
-            products[options["png"]] = frame_png(readouts(container, first), title)
+            products[options["png"]] = picture(container, frame, title)
         write_together(products)
     if options["timings"]:
         write_together({options["timings"]: timings.json()})
-    done(summary(container, frame, [*products], selected("all")))
+    done(summary(container, frame, [*products], alike=False))
 
 
 def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> None:
@@ -81,14 +78,11 @@ def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> 
         wrong += [f"--keep {name}" for name in keep if name in ("light", "truth")]
     if wrong:
         listed = ", ".join(wrong)
-        raise Rejected(
-            Diagnostic(
-                "NS0770",
-                f"{listed} cannot be had from a device: --on {place[:60]}",
-                notes=("a device exposes what is before it, with the noise that it has",),
-                helps=(f"leave {listed} out, or run on the emulator: leave --on out",),
-            ),
-            status=2,
+        raise rejected(
+            "NS0770",
+            f"{listed} cannot be had from a device: --on {place[:60]}",
+            notes=("a device exposes what is before it, with the noise that it has",),
+            helps=(f"leave {listed} out, or run on the emulator: leave --on out",),
         )
 
 
@@ -99,38 +93,3 @@ def _scene_note(scene: str) -> Diagnostic:
         severity=Severity.NOTE,
         notes=("it goes into meta, and into the file with --keep light,truth",),
     )
-
-
-def _exposed(
-    chip: Chip, sensor: Sensor, container: Container, light: Light | None, repeat: int | None
-) -> tuple[Frame, dict[str, Any]]:
-    """The frame, or all of `repeat`, and its meta."""
-    from nscc.words.file import to_bytes
-    from nscc_runtime import frame_file
-    from nscc_runtime.device.frames import device_meta
-
-    chip.upload(container)
-    count = repeat or 1
-    shots = progress(chip.frames(container, count), "exposing", count)
-    frames = [shot.frame for shot in shots]
-    frame = frame_file.stacked(frames) if repeat else frames[0]
-    info = chip.link.host.info
-    assert info is not None  # a frame came
-    digest = sha256(to_bytes(container)).hexdigest()
-    return frame, device_meta(frame, info, sensor, digest, container, light)
-
-
-def _products(
-    container: Container,
-    light: Light | None,
-    frame: Frame,
-    keep: tuple[str, ...],
-    out: Path,
-    meta: dict[str, Any],
-) -> dict[Path, Product]:
-    from nscc_cli.run import replayed
-    from nscc_runtime import frame_file
-
-    shutters = replayed(container) if "shutter" in keep else None
-    kept, slots = frame_file.kept_arrays(container, light, keep, shutters)
-    return {out: frame_file.FrameFile(frame, meta, kept, slots, progress).write}

@@ -3,21 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 
 if TYPE_CHECKING:
+    from nscc.diagnostics.diagnostic import Diagnostic
     from nscc.pipeline import Compiled, Options
     from nscc.words.container import Container
 
 Command = TypeVar("Command", bound=Callable[..., Any])
-
-_SUFFIX = ".icw"
 
 
 @dataclass(frozen=True)
@@ -92,7 +91,7 @@ def compile_program(path: Path, choice: BuildChoice, **more: Any) -> Compiled:
 
     `more` are further fields of `nscc.pipeline.Options`, and `see`, an observer of its passes.
     """
-    from nscc.pipeline import compile_file
+    from nscc.compiler import compile_file
 
     see = more.pop("see", None)
     return compile_file(path, compile_options(choice, **more), see)
@@ -102,39 +101,24 @@ def compile_options(choice: BuildChoice, **more: Any) -> Options:
     """The compiler's options where `choice` gives some, its defaults elsewhere."""
     from nscc.pipeline import Options
 
-    given = {
-        "level": choice.level,
-        "codes": choice.codes,
-        "lowering": choice.lowering,
-        "target": choice.target,
-        "max_words_per_slot": choice.max_words_per_slot,
-    }
-    changes: dict[str, Any] = {k: v for k, v in given.items() if v is not None}
-    changes["cache"] = choice.cache
-    return replace(Options(), **changes, **more)
+    given = {name: value for name, value in vars(choice).items() if value is not None}
+    return Options(**given, **more)
 
 
 def load_program(path: Path, choice: BuildChoice) -> tuple[Container, tuple[Diagnostic, ...]]:
     """The container in an .icw file, or of a program that is compiled now; and its messages.
 
-    Raises Rejected where it does not compile or cannot be read, and NS0743 (status 2) for build's
+    Raises Rejected as `nscc.containers.load_container` does, and NS0743 (status 2) for build's
     options beside a compiled program.
     """
-    if path.suffix.lower() != _SUFFIX:
-        compiled = compile_program(path, choice)
-        assert compiled.container is not None  # what does not fit is rejected
-        return compiled.container, compiled.diagnostics
-    if choice.given():
-        names = ", ".join(choice.given())
-        raise Rejected(
-            Diagnostic(
-                "NS0743",
-                f"{names} cannot change '{path}': it is compiled already",
-                notes=("build's options take effect where a program becomes words",),
-                helps=(f"give the .nsl file instead, or leave {names} out",),
-            ),
-            status=2,
-        )
-    from nscc.words.file import read_container
+    from nscc.containers import is_compiled, load_container
 
-    return read_container(path), ()
+    if is_compiled(path) and choice.given():
+        names = ", ".join(choice.given())
+        raise rejected(
+            "NS0743",
+            f"{names} cannot change '{path}': it is compiled already",
+            notes=("build's options take effect where a program becomes words",),
+            helps=(f"give the .nsl file instead, or leave {names} out",),
+        )
+    return load_container(path, compile_options(choice))

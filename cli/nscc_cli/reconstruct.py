@@ -6,7 +6,8 @@ from pathlib import Path
 
 import click
 
-from nscc_cli.support import CommonCommand, done, say, write_whole
+from nscc.files import write_whole
+from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command("reconstruct", cls=CommonCommand)

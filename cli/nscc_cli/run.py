@@ -2,53 +2,24 @@
 
 from __future__ import annotations
 
-import json
-from collections.abc import Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
 from pathlib import Path
-from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.files import Product, write_together
+from nscc_cli.frames import frame_path, parse_keep, picture, summary
 from nscc_cli.link_options import link_options
 from nscc_cli.programs import BuildChoice, build_options, load_program
-from nscc_cli.scene_options import scene_options, sensor_options
-from nscc_cli.support import CommonCommand, Product, done, progress, say, write_together
+from nscc_cli.scene_options import scene_of, scene_options, sensor_of, sensor_options
+from nscc_cli.support import CommonCommand, done, progress, say
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    from nscc.words.container import Container
-    from nscc_cli.simulate import Simulated
-    from nscc_runtime.effects import Selection
-    from nscc_runtime.frame_file import Frame
-    from nscc_runtime.light import Light
+    from nscc_runtime.simulate import Request
 
 _MOST_REPEATS = 10000
-
-
-@dataclass
-class Timings:
-    """Seconds spent in each part of a run."""
-
-    seconds: dict[str, float] = field(default_factory=dict)
-
-    @contextmanager
-    def part(self, name: str) -> Iterator[None]:
-        """Add the time of the block to `name`."""
-        begin = perf_counter()
-        try:
-            yield
-        finally:
-            self.seconds[name] = self.seconds.get(name, 0.0) + perf_counter() - begin
-
-    def json(self) -> bytes:
-        """The file of --timings."""
-        return (json.dumps(self.seconds, indent=2) + "\n").encode()
 
 
 @click.command(name="run", cls=CommonCommand)
@@ -111,210 +82,93 @@ def command(program: Path, **options: Any) -> None:
 
     With --on PORT a chip exposes it, or `nscc device serve`, its stand-in.
     """
-    if options["place"] != "emulator":
+    keep = parse_keep(options["keep"])
+    if options["place"] == "emulator":
+        _run_on_emulator(program, options, keep)
+    else:
         from nscc_cli.on_device import run_on_device
 
-        run_on_device(program, options, _parse_keep(options["keep"]))
-        return
-    from nscc_cli.simulate import Wanted, simulated
+        run_on_device(program, options, keep)
 
-    wanted = Wanted.of(options)
-    keep = _parse_keep(options["keep"])
-    timings = Timings()
+
+def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
+    from nscc.containers import with_pixels
+    from nscc.prove.shutters import replayed
+    from nscc_runtime import frame_file
+    from nscc_runtime.plan_file import plan_table
+    from nscc_runtime.simulate import Listener, simulate
+
+    request = _request(options)
+    listener = Listener(done, lambda diagnostic: say([diagnostic]), progress)
+    timings = listener.timings
     with timings.part("compile_s"):
         container, messages = load_program(program, BuildChoice.of(options))
         container = with_pixels(container, program, options["pixels"])
-    from nscc_runtime.sensor import load_sensor
-
-    sensor = load_sensor(container.target, options["sensor"], options["sensor_set"])
+    sensor = sensor_of(container.target, options)
     with timings.part("scene_s"):
-        light = scene_light(container, options, messages)
-    taken = simulated(container, light, sensor, wanted, timings)
-    # Not NAME.npz: that may well be the program's own data.
-    out = options["out"] or Path(program.stem + ".frame.npz")
-    refuse_same(out, options["png"], options["timings"], options["plan"])
+        scene, said = scene_of(options), list(messages)
+        light = scene.light(container.slot_us, container.target, said.append, progress)
+        say(said)
+    taken = simulate(container, light, sensor, request, listener)
+    out = frame_path(program, options)
     with timings.part("write_s"):
-        products = _products(container, light, taken, keep, out, options, program)
+        shutters = replayed(container) if "shutter" in keep else None
+        meta = frame_file.meta(container, light, taken.frame, taken.origin)
+        file = frame_file.FrameFile.of(
+            container, light, taken.frame, meta, keep, shutters, progress
+        )
+        products: dict[Path, Product] = {out: file.write}
+        if options["png"]:
+            title = f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}"
+            products[options["png"]] = picture(container, taken.frame, title)
         if taken.plan_file is not None:
             products[options["plan"]] = taken.plan_file.encode()
         write_together(products)
     if options["timings"]:
         write_together({options["timings"]: timings.json()})
-    if taken.table:
-        done(taken.table + "\n")
-    done(summary(container, taken.frame, [*products], wanted.effects))
+    if taken.plan is not None:
+        done(plan_table(taken.plan, taken.audit) + "\n")
+    done(summary(container, taken.frame, [*products], alike=request.effects.noiseless))
     if taken.broken is not None:
         raise taken.broken
 
 
-def refuse_same(*files: Path | None) -> None:
-    """NS0745 where two products would be one file."""
-    named = [file for file in files if file is not None]
-    if len({file.absolute() for file in named}) < len(named):
-        raise Rejected(
-            Diagnostic(
-                "NS0745",
-                f"two products would be written to one file: {', '.join(map(str, named))}",
-                helps=("give -o, --png, --timings and --plan different names",),
-            ),
-            status=2,
+def _request(options: dict[str, Any]) -> Request:
+    """What the options say about effects; NS0739 (status 2) where they contradict each other."""
+    from nscc_runtime.effects import selected
+    from nscc_runtime.simulate import Request
+
+    text, plan = options["effects"], options["plan"]
+    asked = [n for n in ("tolerance", "audit", "plan") if options[n] not in (None, False)]
+    effects = selected(text if text is not None else "auto" if asked else "none")
+    reference = options["fidelity"] == "reference"
+    if reference and (asked or effects.auto):
+        named = ", ".join(f"--{name}" for name in asked) or "--effects auto"
+        raise _contradiction(
+            f"{named} with --fidelity reference",
+            "the reference simulates what it is told to, without a plan",
+            f"leave {named} out, or --fidelity reference",
         )
-
-
-def _parse_keep(text: str) -> tuple[str, ...]:
-    from nscc_runtime.frame_file import KEEP
-
-    names = tuple(name.strip() for name in text.split(",") if name.strip())
-    for name in names:
-        if name not in KEEP:
-            from nscc.diagnostics.suggest import closest
-
-            near = closest(name, KEEP)
-            raise Rejected(
-                Diagnostic(
-                    "NS0739",
-                    f"--keep cannot keep '{name[:60]}'",
-                    notes=(f"it keeps, comma separated: {', '.join(KEEP)}",),
-                    helps=(f"did you mean '{near}'?",) if near else (),
-                ),
-                status=2,
-            )
-    return names
-
-
-def with_pixels(container: Container, program: Path, pixels: Path | None) -> Container:
-    """The container with the codes of --pixels, or its own; NS0741 if there are none at all."""
-    target = container.target
-    if pixels is not None:
-        from nscc.program.pixels import codes_from_file
-
-        codes = codes_from_file(pixels, container.table, target.rows, target.cols)
-        return replace(container, pixel_codes=codes)
-    if container.pixel_codes is not None:
-        return container
-    fields = container.table.fields
-    if not fields:
-        import numpy as np
-
-        one = np.zeros((target.rows, target.cols), np.int32)
-        return replace(container, pixel_codes=one)
-    arrays = ", ".join(f"{name}=..." for name in fields)
-    raise Rejected(
-        Diagnostic(
-            "NS0741",
-            f"'{program}' says nothing about its pixels' codes, so there is nothing to expose",
-            notes=(f"its code has the fields: {', '.join(fields)}",),
-            helps=(
-                f"add a statement such as `pixels {fields[0]} = ...` to the program",
-                f"or give codes with --pixels CODES.npz, written by np.savez('CODES.npz', "
-                f"{arrays}), integers ({target.rows}, {target.cols})",
-            ),
-        ),
-        status=2,
+    if plan is not None and plan.exists() and (text is not None or "tolerance" in asked):
+        named = "--effects" if text is not None else "--tolerance"
+        raise _contradiction(
+            f"{named} with the plan '{plan}'",
+            "a plan that is used has decided on effects and tolerance",
+            f"leave {named} out, or name a file that does not exist to write a new plan",
+        )
+    return Request(
+        effects,
+        planned=not reference and (bool(asked) or not effects.noiseless),
+        tolerance="5e" if options["tolerance"] is None else options["tolerance"],
+        audit=options["audit"],
+        plan=plan,
+        seed=options["seed"],
+        device_seed=options["device_seed"],
+        repeat=options["repeat"],
     )
 
 
-def scene_light(
-    container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
-) -> Light:
-    from nscc_runtime.scenes import load_scene, parse_crop, parse_exposure
-
-    spec, exposure, crop = options["scene"], options["exposure"], options["crop"]
-    if not spec:
-        raise Rejected(
-            Diagnostic(
-                "NS0744",
-                "no scene to expose: --scene is missing",
-                helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
-            ),
-            status=2,
-        )
-    said = list(messages)
-    light = load_scene(
-        spec,
-        slot_us=container.slot_us,
-        rows=container.target.rows,
-        cols=container.target.cols,
-        exposure=None if exposure is None else parse_exposure(exposure),
-        transfer=options["transfer"],
-        fps=options["fps"],
-        crop=None if crop is None else parse_crop(crop),
-        frames_are=options["frames_are"],
-        warn=said.append,
-        progress=progress,
+def _contradiction(what: str, note: str, help_text: str) -> Rejected:
+    return rejected(
+        "NS0739", f"{what}: these exclude each other", notes=(note,), helps=(help_text,)
     )
-    say(said)
-    return light
-
-
-def _products(
-    container: Container,
-    light: Light,
-    taken: Simulated,
-    keep: tuple[str, ...],
-    out: Path,
-    options: dict[str, Any],
-    program: Path,
-) -> dict[Path, Product]:
-    """The files of this run, by path, each ready to be written."""
-    from nscc_runtime import frame_file
-
-    shutters = None
-    if "shutter" in keep:
-        shutters = replayed(container)
-    kept, slots = frame_file.kept_arrays(container, light, keep, shutters)
-    frame = taken.frame
-    meta = frame_file.meta(container, light, frame, taken.origin)
-    products: dict[Path, Product] = {
-        out: frame_file.FrameFile(frame, meta, kept, slots, progress).write,
-    }
-    if options["png"]:
-        from nscc_runtime.pictures import frame_png, readouts
-
-        first = frame.frame[0] if options["repeat"] else frame.frame
-        title = f"{program.name}  ·  {options['scene'].rstrip('/').rsplit('/', 1)[-1]}"
-        products[options["png"]] = frame_png(readouts(container, first), title)
-    return products
-
-
-def replayed(container: Container) -> NDArray[np.bool_]:
-    """What the words open (shutters, buckets, N); NS0442 where light counts half or twice."""
-    from nscc.prove.replay import shutters
-    from nscc.words.legality import decoded
-
-    found = shutters(container, decoded(container))
-    if found is None:
-        raise Rejected(
-            Diagnostic(
-                "NS0442",
-                "the words of this program open no shutters: some slot's light counts neither once "
-                "nor not at all",
-                helps=("`nscc prove` says what they do; leave shutter out of --keep",),
-            )
-        )
-    return found
-
-
-def summary(container: Container, frame: Frame, files: list[Path], chosen: Selection) -> str:
-    """A line a bucket, of the first frame, and a line a file."""
-    top = 2**container.target.adc_bits - 1
-    width = max(len(name) for name in container.buckets)
-    repeats = len(frame.frame) if frame.frame.ndim == 4 else 0
-    lines = []
-    for b, name in enumerate(container.buckets):
-        place = (0, b) if repeats else (b,)
-        codes, valid = frame.frame[place], frame.valid[place]
-        values = frame.exposure_e[place][valid]
-        invalid = valid.size - values.size
-        full = int((codes == top).sum())
-        text = f"{name:<{width}}  {full} of {codes.size} pixels saturated"
-        if values.size:
-            text += (
-                f", electrons {values.min():.6g} to {values.max():.6g}, mean {values.mean():.6g}"
-            )
-        lines.append(text + (f", {invalid} invalid" if invalid else ""))
-    if repeats:
-        alike = "all alike: there are no effects" if chosen.noiseless else "the first is described"
-        lines.append(f"{repeats} frames, {alike}")
-    lines += [f"wrote {path}" for path in files]
-    return "\n".join(lines)

@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import click
+
+from nscc.diagnostics.rejection import rejected
+
+if TYPE_CHECKING:
+    from nscc.target.target import Target
+    from nscc_runtime.scenes import Scene
+    from nscc_runtime.sensor import Sensor
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
@@ -48,3 +55,28 @@ def sensor_options(function: Command) -> Command:
     for option in reversed(_SENSOR):
         function = option(function)
     return function
+
+
+def scene_of(
+    options: Mapping[str, Any], missing: str = "no scene to expose: --scene is missing"
+) -> Scene:
+    """The scene that a command's options describe; NS0744 with the text `missing` without one."""
+    from nscc_runtime.scenes import Scene
+
+    if not options["scene"]:
+        raise rejected(
+            "NS0744",
+            missing,
+            helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
+        )
+    return Scene(
+        options["scene"], options["exposure"], options["transfer"], options["fps"],
+        options["crop"], options["frames_are"],
+    )  # fmt: skip
+
+
+def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
+    """The sensor that a command's options describe, on this chip."""
+    from nscc_runtime.sensor import load_sensor
+
+    return load_sensor(target, options["sensor"], options["sensor_set"])

@@ -1,15 +1,13 @@
-"""What every command shares: the common options, messages, whole files and progress."""
+"""What every command shares: the common options, messages and progress."""
 
 from __future__ import annotations
 
 import os
-import stat
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Sized
+from collections.abc import Iterable, Iterator, Sequence, Sized
 from dataclasses import dataclass, replace
-from pathlib import Path
 from time import monotonic
-from typing import Any, BinaryIO, Literal, TypeVar
+from typing import Any, Literal, TypeVar
 
 import click
 
@@ -133,79 +131,6 @@ def _set_format(context: click.Context, _option: click.Parameter, value: Any) ->
 def _set_deny(context: click.Context, _option: click.Parameter, value: Any) -> None:
     if value:
         context.find_root().ensure_object(Session).deny_warnings = True
-
-
-Product = bytes | Callable[[BinaryIO], object]
-"""What goes into a file: its bytes, or a function that writes them to the open file."""
-
-
-def write_whole(path: Path, data: Product) -> None:
-    """Write a file whole or not at all; raises Rejected (NS0784, status 2) where it cannot be."""
-    write_together({path: data})
-
-
-def write_together(products: Mapping[Path, Product]) -> None:
-    """Write several files, none of them before the bytes of all are on the disk.
-
-    Raises Rejected (NS0784, status 2) where one cannot be written, and leaves no partial file.
-    """
-    waiting: list[tuple[Path, Path]] = []
-    try:
-        for path, data in products.items():
-            try:
-                waiting.extend(_put_beside(path, data))
-            except OSError as error:
-                raise _cannot_write(path, error) from error
-        while waiting:
-            temporary, final = waiting[0]
-            try:
-                os.replace(temporary, final)
-            except OSError as error:
-                raise _cannot_write(final, error) from error
-            waiting.pop(0)
-    finally:
-        for temporary, _ in waiting:
-            temporary.unlink(missing_ok=True)
-
-
-def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
-    """Write to a temporary neighbour of `path`; a pipe or device is written directly."""
-    final = Path(os.path.realpath(path))
-    if final.is_dir():
-        raise IsADirectoryError(21, "Is a directory", str(path))
-    if final.exists() and not stat.S_ISREG(final.stat().st_mode):
-        with open(final, "wb") as file:
-            _fill(file, data)
-        return []
-    temporary = final.with_name(f".{final.name[:200]}.{os.getpid()}.part")
-    # Left by a process that was killed while it wrote; in containers numbers soon come again.
-    temporary.unlink(missing_ok=True)
-    try:
-        with open(temporary, "xb") as file:
-            _fill(file, data)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
-    return [(temporary, final)]
-
-
-def _fill(file: BinaryIO, data: Product) -> None:
-    if isinstance(data, bytes):
-        file.write(data)
-    else:
-        data(file)
-
-
-def _cannot_write(path: Path, error: OSError) -> Rejected:
-    reason = error.strerror or str(error)
-    folder = path.parent
-    if not folder.is_dir():
-        help_text = f"make the folder '{folder}' first, or name another file"
-    else:
-        help_text = "name a file that you may write, in a folder with room"
-    return Rejected(
-        Diagnostic("NS0784", f"cannot write '{path}': {reason}", helps=(help_text,)), status=2
-    )
 
 
 def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> Iterator[Item]:

@@ -11,10 +11,8 @@ import click
 
 from nscc.target.load import (
     DEFAULT_NAME,
-    added_targets,
-    builtin_names,
-    builtin_target,
     load_target,
+    target_names,
     target_toml,
 )
 from nscc.target.target import SCHEMA, Target
@@ -99,11 +97,11 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
 def listing() -> str:
     """One line a target: nscc's own, and those that installed packages add."""
     rows = [("name", "array", "digital", "analog", "")]
-    targets = [*map(builtin_target, builtin_names()), *added_targets().values()]
-    for target in targets:
+    for name in target_names():
+        target = load_target(name, Path())
         rows.append(
             (
-                target.name,
+                name,
                 f"{target.rows} x {target.cols}",
                 str(len(target.digital_registers)),
                 str(len(target.analog_registers)),

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import groupby
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
@@ -13,16 +11,20 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.lower.plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import Point, csv_text, dominated, table_text
-from nscc.tradeoff.synthesis import Case, Count, Way, builtin_cases, every_way, measure
+from nscc.tradeoff.points import Point, csv_text, table_text
+from nscc.tradeoff.synthesis import (
+    Count,
+    builtin_cases,
+    cases_of,
+    every_way,
+    measure,
+    refusals_text,
+)
 from nscc_cli.support import CommonCommand, progress
 from nscc_cli.tradeoff_decoder import command as decoder
 from nscc_cli.tradeoff_emulator import command as emulator
 from nscc_cli.tradeoff_files import output_files, output_options, some, write_files
 from nscc_cli.tradeoff_sensor import command as sensor
-
-if TYPE_CHECKING:
-    from nscc_runtime.diagram import Line
 
 _LEVELS = [str(level) for level in LEVELS]
 _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a frame"}
@@ -90,11 +92,11 @@ def synthesis(
     with status 1 where nothing fits.
     """
     places = output_files(out, csv_path, png_path)
-    cases = _cases(files) or builtin_cases()
+    cases = cases_of(files) or builtin_cases()
     ways = list(every_way(cases, lowerings, [int(level) for level in levels]))
     found = measure(ways, repeats, count, lambda turns: progress(turns, "compiling"))
     click.echo(table_text(found.points, ("lowering", "level", _WORDS[count])))
-    for line in _refusals(found.refused):
+    for line in refusals_text(found.refused):
         click.echo(line)
     if not found.points:
         return 1
@@ -107,59 +109,8 @@ def synthesis(
     return 0
 
 
-def _cases(files: Sequence[Path]) -> tuple[Case, ...]:
-    """The programs in these files, by the shortest names that tell them apart."""
-    from nscc.syntax.parse import read_source
-
-    paths = list(dict.fromkeys(files))
-    short = len({path.stem for path in paths}) == len(paths)
-    return tuple(
-        Case(path.stem if short else path.as_posix(), read_source(path), path.parent, "fixed")
-        for path in paths
-    )
-
-
-def _refusals(refused: Sequence[tuple[Way, str]]) -> list[str]:
-    """Why a case has no point in some lowering, once for all levels with the same reason."""
-    levels: dict[tuple[str, str, str], list[str]] = {}
-    for way, reason in refused:
-        key = (way.case.name, way.lowering, reason)
-        levels.setdefault(key, []).append(f"-O{way.level}")
-    return [
-        f"{case}, {lowering}, {' '.join(at)}: {reason}"
-        for (case, lowering, reason), at in levels.items()
-    ]
-
-
 def _png(points: Sequence[Point], words: str, repeats: int) -> bytes:
-    from nscc_runtime.diagram import Line, Mark, Panel, diagram_png
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.synthesis import synthesis_diagram
 
-    beaten = dict(zip(map(id, points), dominated(points), strict=True))
-
-    def line(method: str, part: Sequence[Point]) -> Line:
-        marks = tuple(
-            Mark(
-                point.time_ms / 1e3, min(point.times_ms) / 1e3, max(point.times_ms) / 1e3,
-                point.error, point.setting.removeprefix("-O"), beaten[id(point)],
-            )
-            for point in part
-        )  # fmt: skip
-        return Line(method, marks, part[0].bound)
-
-    panels = [
-        Panel(
-            case,
-            tuple(
-                line(method, list(part)) for method, part in groupby(group, key=lambda p: p.method)
-            ),
-        )
-        for case, group in groupby(points, key=lambda point: point.case)
-    ]
-    times = "one compilation" if repeats == 1 else f"median and range of {repeats} compilations"
-    return diagram_png(
-        panels,
-        "What compile time buys",
-        f"{words} at -O0 to -O3 (numbers; hollow: dominated) against {times}, from text to proof, "
-        f"on {processor_name()}",
-        words,
-    )
+    return png_of(synthesis_diagram, points, words, repeats, processor_name())

@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import Point, csv_text, dominated, table_text
+from nscc.tradeoff.points import Point, csv_text, table_text
 from nscc_cli.support import CommonCommand, NumberRange, done, progress
 from nscc_cli.tradeoff_files import output_files, output_options, write_files
 
 if TYPE_CHECKING:
-    from nscc_training.run_folder import RunFolder
-
-_TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
+    pass
 
 
 @click.command("decoder", cls=CommonCommand)
@@ -48,7 +45,7 @@ def command(runs: tuple[Path, ...], out: Path | None, csv_path: Path | None, png
     """
     from nscc_training.baselines.loops import denoise
     from nscc_training.run_folder import load_run
-    from nscc_training.tradeoff.decoder import Settings, cases, measure
+    from nscc_training.tradeoff.decoder import Settings, cases, measure, not_measured
 
     files = output_files(out, csv_path, png_path)
     settings = Settings(
@@ -61,7 +58,7 @@ def command(runs: tuple[Path, ...], out: Path | None, csv_path: Path | None, png
         done("compiling the loop of total variation for this processor: once, some seconds")
     points, repeats = measure(todo, settings, lambda turns: progress(turns, "decoding"))
     click.echo(_tables(points))
-    for line in _missing(folders):
+    for line in not_measured(folders):
         click.echo(line)
     device = processor_name()
     write_files(files, lambda: csv_text(points, device), lambda: _png(points, repeats, device))
@@ -69,50 +66,16 @@ def command(runs: tuple[Path, ...], out: Path | None, csv_path: Path | None, png
 
 
 def _tables(points: Sequence[Point]) -> str:
+    from nscc_training.tradeoff.diagrams import TITLES
+
     return "\n\n".join(
         table_text([p for p in points if p.error_unit == unit], ("decoder", "setting", title))
-        for unit, title in _TITLES.items()
+        for unit, title in TITLES.items()
     )
 
 
-def _missing(folders: Sequence[RunFolder]) -> list[str]:
-    """Networks that no run was given of: without training their pictures mean nothing."""
-    from nscc_training.decoders.declared import DECODERS
-
-    have = {folder.parts.settings.decoder.name for folder in folders}
-    names = [name for name in DECODERS if name not in have]
-    if not names:
-        return []
-    return [f"not measured: {', '.join(names)}; an untrained network decodes nothing, so name a "
-            "run of nscc train with --run"]  # fmt: skip
-
-
 def _png(points: Sequence[Point], repeats: int, device: str) -> bytes:
-    from nscc_runtime.diagram import Axis, Line, Mark, Panel, diagram_png
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_training.tradeoff.diagrams import decoder_diagram
 
-    beaten = dict(zip(map(id, points), dominated(points), strict=True))
-    panels = []
-    for case, group in groupby(points, key=lambda p: p.case):
-        held = list(group)
-        for unit, title in _TITLES.items():
-            drawn = [p for p in held if p.error_unit == unit and p.error < float("inf")]
-            lines = [
-                Line(
-                    method,
-                    tuple(
-                        Mark(
-                            p.time_ms / 1e3, min(p.times_ms) / 1e3, max(p.times_ms) / 1e3,
-                            p.error, p.setting, beaten[id(p)],
-                        )
-                        for p in part
-                    ),
-                )
-                for method, part in groupby(drawn, key=lambda p: p.method)
-            ]  # fmt: skip
-            panels.append(Panel(f"{case}: {title}", tuple(lines)))
-    times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
-    return diagram_png(
-        panels, "What decoding time buys",
-        f"more is better; hollow: dominated; time of one scene, {times}, on {device}",
-        "PSNR, dB, or SSIM", linear=True, time=Axis("time of one scene, ms", 1e3),
-    )  # fmt: skip
+    return png_of(decoder_diagram, points, repeats, device)

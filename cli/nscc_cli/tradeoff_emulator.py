@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.files import Product, refuse_same, write_together
 from nscc_cli.programs import BuildChoice, build_options, compile_options, load_program
-from nscc_cli.scene_options import scene_options, sensor_options
-from nscc_cli.support import CommonCommand, Product, done, progress, say, write_together
+from nscc_cli.scene_options import scene_of, scene_options, sensor_of, sensor_options
+from nscc_cli.support import CommonCommand, done, progress, say
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
+    from nscc_runtime.light import Light
     from nscc_runtime.sensor import Sensor
     from nscc_runtime.tradeoff.study import Scene, Settings, Study
 
@@ -65,14 +67,13 @@ def command(program: Path | None, **options: Any) -> int:
     which are left out. Ends with status 1 where a plan broke its promise.
     """
     from nscc_runtime.plan.program import Program
-    from nscc_runtime.sensor import load_sensor
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
     from nscc_runtime.tradeoff.study import measure
-    from nscc_runtime.tradeoff.tables import kept, studies_text
+    from nscc_runtime.tradeoff.study_text import kept, studies_text
 
     files = _files(options["out"], options["csv_path"], options["png_path"])
     container, messages = _container(program, options)
-    sensor = load_sensor(container.target, options["sensor"], options["sensor_set"])
+    sensor = sensor_of(container.target, options)
     settings = _settings(options, sensor)
     scenes = _scenes(container, options, messages)
     made = Program.of(container, sensor)
@@ -90,13 +91,13 @@ def _container(
     path: Path | None, options: dict[str, Any]
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
     """The program given, or else one of 16 slots."""
-    from nscc_cli.run import with_pixels
+    from nscc.containers import with_pixels
 
     messages: tuple[Diagnostic, ...] = ()
     if path is not None:
         container, messages = load_program(path, BuildChoice.of(options))
     else:
-        from nscc.pipeline import compile_source
+        from nscc.compiler import compile_source
         from nscc.source import Source
         from nscc_runtime.tradeoff.study import PROGRAM
 
@@ -126,7 +127,6 @@ def _scenes(
     container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
 ) -> list[Scene]:
     """The scenes, by the shortest names that tell them apart."""
-    from nscc_cli.run import scene_light
     from nscc_runtime.tradeoff.study import SCENES, Scene
 
     specs = list(dict.fromkeys(options["scenes"] or SCENES))
@@ -134,8 +134,16 @@ def _scenes(
     if len(set(names)) < len(names):
         names = specs
     say(messages)
+
+    def light(options: dict[str, Any]) -> Light:
+        said: list[Diagnostic] = []
+        scene = scene_of(options)
+        found = scene.light(container.slot_us, container.target, said.append, progress)
+        say(said)
+        return found
+
     return [
-        Scene(name, scene_light(container, {**options, "scene": spec}, ()))
+        Scene(name, light({**options, "scene": spec}))
         for name, spec in zip(names, specs, strict=True)
     ]
 
@@ -150,16 +158,7 @@ def _files(out: Path | None, csv_path: Path | None, png_path: Path | None) -> di
         found["budget"] = out.with_name(out.name + "_budget.png")
     given = {"csv": csv_path, "png": png_path}
     found = {name: path for name, path in given.items() if path is not None} | found
-    if len({path.absolute() for path in found.values()}) < len(found):
-        names = ", ".join(map(str, found.values()))
-        raise Rejected(
-            Diagnostic(
-                "NS0745",
-                f"two products would be written to one file: {names}",
-                helps=("give --csv and --png different names",),
-            ),
-            status=2,
-        )
+    refuse_same(found.values(), "--csv and --png")
     return found
 
 
@@ -175,11 +174,12 @@ def _products(
         products[files["csv"]] = csv_text(points, processor_name()).encode()
     if not files.keys() - {"csv"}:
         return products
-    from nscc_runtime.tradeoff.pictures import budgets, calibration, precision
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 
     if "png" in files:
-        products[files["png"]] = precision(studies, repeats, processor_name())
+        products[files["png"]] = png_of(study_diagram, studies, repeats, processor_name())
     if "calibration" in files:
-        products[files["calibration"]] = calibration(studies)
-        products[files["budget"]] = budgets(studies)
+        products[files["calibration"]] = png_of(promise_diagram, studies)
+        products[files["budget"]] = png_of(budget_diagram, studies)
     return products

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from nscc.lower.plan import LOWERINGS
-from nscc.tradeoff.points import Point, Refused, csv_text, dominated, table_text
+from nscc.tradeoff.points import csv_text, table_text
 from nscc_cli.support import CommonCommand, NumberRange, done, progress
 from nscc_cli.tradeoff_files import output_files, output_options, some, write_files
 
@@ -82,7 +80,7 @@ def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **op
     not fit the chip is a row that says so. Ends with status 1 where nothing fits.
     """
     from nscc_training.baselines.loops import denoise
-    from nscc_training.tradeoff.sensor import Settings, measure
+    from nscc_training.tradeoff.sensor import Settings, measure, refusals_text
 
     files = output_files(out, csv_path, png_path)
     settings = Settings(
@@ -96,7 +94,7 @@ def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **op
     found = measure(settings, lambda todo: progress(todo, "capturing"))
     if found.points:
         click.echo(table_text(found.points, ("shutters", "slots", "PSNR, dB"), ("slot, us", 1e3)))
-    for line in _refusals(found.refused):
+    for line in refusals_text(found.refused):
         click.echo(line)
     if not found.points:
         return 1
@@ -108,60 +106,8 @@ def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **op
     return 0
 
 
-def _refusals(refused: Sequence[Refused]) -> list[str]:
-    """What does not fit, those together that have one reason."""
-    together: dict[tuple[str, str], list[str]] = {}
-    for each in refused:
-        name = f"{each.case}, {each.method}, {each.setting}"
-        together.setdefault((each.code, each.reason), []).append(name)
-    lines = []
-    for (code, reason), names in together.items():
-        lines += ["", f"does not fit: {reason} ({code})", *(f"  {name}" for name in names)]
-    return lines
-
-
 def _png(found: Measured, slot_us: float | None) -> bytes:
-    from nscc_runtime.diagram import Axis, Line, Mark, Panel, diagram_png
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_training.tradeoff.diagrams import sensor_diagram
 
-    beaten = dict(zip(map(id, found.points), dominated(found.points), strict=True))
-
-    def panel(point: Point) -> str:
-        """Stills have one class; clips have a panel for each way to compile."""
-        shutters, codes, lowering = point.method.split(", ")
-        return f"stills, class {shutters}" if point.case == "stills" else f"{codes}, {lowering}"
-
-    def mark(point: Point) -> Mark:
-        slot_s = point.time_ms / 1e3
-        text = point.setting.split()[0]
-        return Mark(slot_s, slot_s, slot_s, point.error, text, beaten[id(point)])
-
-    def line(point: Point) -> str:
-        shutters, codes, lowering = point.method.split(", ")
-        return f"{codes}, {lowering}" if point.case == "stills" else shutters
-
-    panels = []
-    drawn = sorted((p for p in found.points if p.error < float("inf")), key=panel)
-    for title, group in groupby(drawn, key=panel):
-        held = sorted(group, key=line)
-        panels.append(
-            Panel(
-                title,
-                tuple(
-                    Line(
-                        name,
-                        tuple(
-                            mark(p)
-                            for p in part
-                        ),
-                    )
-                    for name, part in groupby(held, key=line)
-                ),
-            )
-        )  # fmt: skip
-    slots = "shortest slots" if slot_us is None else f"slots of {slot_us:g} us"
-    return diagram_png(
-        panels, "What the shortest slot costs",
-        f"captured by the emulated {found.target} at {slots} (numbers: slots of a frame; hollow: "
-        "dominated), decoded without training",
-        "PSNR, dB", linear=True, time=Axis("shortest slot, us", 1e6),
-    )  # fmt: skip
+    return png_of(sensor_diagram, found, slot_us)

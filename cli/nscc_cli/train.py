@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from nscc_cli.support import CommonCommand, done, progress, write_together
+from nscc_cli.support import CommonCommand, done, progress
 
 
 def _print_schema(context: click.Context, _option: click.Parameter, value: bool) -> None:
@@ -39,4 +39,4 @@ def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> N
     settings = load_config(config, changes)
     from nscc_training.loop.train import train
 
-    train(settings, out, write=write_together, resume=resume, track=progress, report=done)
+    train(settings, out, resume=resume, track=progress, report=done)

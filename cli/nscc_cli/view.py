@@ -1,4 +1,4 @@
-"""`nscc view`: draw a program's shutters over time and its map of codes."""
+"""`nscc view`: draw a program's shutters over time and its map of codes, or its gates."""
 
 from __future__ import annotations
 
@@ -7,8 +7,10 @@ from typing import Any
 
 import click
 
-from nscc_cli.programs import BuildChoice, build_options, load_program
-from nscc_cli.support import CommonCommand, done, say, write_whole
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.files import write_whole
+from nscc_cli.programs import BuildChoice, build_options, compile_program, load_program
+from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command(name="view", cls=CommonCommand)
@@ -19,13 +21,42 @@ from nscc_cli.support import CommonCommand, done, say, write_whole
     type=click.Path(path_type=Path),
     help="The picture (default: the program's name with .png, in this folder).",
 )
+@click.option("--gates", is_flag=True, help="Draw the gates that decode the codes instead.")
 @build_options
-def command(program: Path, out: Path | None, **options: Any) -> None:
+def command(program: Path, out: Path | None, gates: bool, **options: Any) -> None:
     """Draw the shutters of a program as a time chart, and the map of its codes, as a PNG."""
-    container, messages = load_program(program, BuildChoice.of(options))
-    say(messages)
-    from nscc_runtime.chart import view_png
-
+    choice = BuildChoice.of(options)
+    data = _gates(program, choice) if gates else _shutters(program, choice)
     out = out or Path(program.stem + ".png")
-    write_whole(out, view_png(container, program.name))
+    write_whole(out, data)
     done(f"wrote {out.as_posix()}")
+
+
+def _shutters(program: Path, choice: BuildChoice) -> bytes:
+    container, messages = load_program(program, choice)
+    say(messages)
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.shutters import shutter_sheet
+
+    return png_of(shutter_sheet, container, program.name)
+
+
+def _gates(program: Path, choice: BuildChoice) -> bytes:
+    if program.suffix.lower() == ".icw":
+        raise Rejected(
+            Diagnostic(
+                "NS0743",
+                f"--gates cannot draw '{program}': it is compiled already",
+                notes=("a compiled program holds words, not the gates they come from",),
+                helps=("give the .nsl file instead",),
+            ),
+            status=2,
+        )
+    compiled = compile_program(program, choice)
+    say(compiled.diagnostics)
+    assert compiled.lowered is not None  # what does not fit is rejected
+    from nscc.emit.network import gate_network
+    from nscc_runtime.pictures.gates import gate_sheet
+    from nscc_runtime.pictures.sheet import png_of
+
+    return png_of(gate_sheet, gate_network(compiled.lowered), program.name)

@@ -14,8 +14,10 @@ from typing import Any
 
 import numpy as np
 
+from nscc.plugins import sources
+
 _ROOT = Path(__file__).resolve().parents[1]
-_DECIDES = (".py", ".toml", ".json")
+_DECIDES = (".py", ".toml")
 
 
 def digest(value: Any) -> str:
@@ -29,24 +31,41 @@ def digest(value: Any) -> str:
 
 @cache
 def version_digest() -> str | None:
-    """The digest of this compiler: its own sources, and what they run on.
+    """The digest of this compiler: its own sources, those of the generators that other
+    distributions add to it, and what they run on.
 
-    None where the sources cannot be read.
+    None where sources cannot be read.
     """
     running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
+    roots = {"": _ROOT}
+    for name, module in sources("nscc.encodings").items():
+        file = getattr(sys.modules[module.partition(".")[0]], "__file__", None)
+        if file is None:
+            return None
+        roots[name] = Path(file).parent if Path(file).stem == "__init__" else Path(file)
     try:
-        paths = sorted(
-            Path(folder) / name
-            for folder, _, names in os.walk(_ROOT)
-            for name in names
-            if name.endswith(_DECIDES)
-        )
-        for path in paths:
-            running.update(f"\n{path.relative_to(_ROOT).as_posix()}\n".encode())
-            running.update(sha256(path.read_bytes()).digest())
+        for name, root in roots.items():
+            paths = _deciding(root)
+            if not paths:
+                return None
+            for path in paths:
+                running.update(f"\n{name}:{path.relative_to(root).as_posix()}\n".encode())
+                running.update(sha256(path.read_bytes()).digest())
     except OSError:
         return None
-    return running.hexdigest() if paths else None
+    return running.hexdigest()
+
+
+def _deciding(root: Path) -> list[Path]:
+    """The file `root`, or those of the folder that decide what its code does."""
+    if root.is_file():
+        return [root]
+    return sorted(
+        Path(folder) / name
+        for folder, _, names in os.walk(root)
+        for name in names
+        if name.endswith(_DECIDES)
+    )
 
 
 def _token(value: Any, known: dict[int, bytes]) -> bytes:

@@ -1,7 +1,8 @@
 """What the search for gates found, by everything that decides it.
 
 A result is kept for a whole problem: demands, plan, times, target, level and the compiler itself
-(`nscc.cache.digest.version_digest`), so a changed program, chip or compiler never sees an old one.
+with the generators added to it (`nscc.cache.digest.version_digest`): whatever of them changed never
+sees an old one.
 """
 
 from __future__ import annotations
@@ -13,16 +14,11 @@ from typing import Any
 from nscc.cache.digest import digest, version_digest
 from nscc.cache.store import Store, cache_folder
 from nscc.cache.values import from_json, to_json
-from nscc.logic.problem import Gate, Machine, Problem, Solution
+from nscc.logic.problem import Machine, Problem, Solution
+from nscc.logic.replay import fault
 
 LEAST_LEVEL = 2
 """Below this level a search is over sooner than its result would be read."""
-
-_GATES = {
-    "WHERE": (1, None), "OR": (1, None), "NOR": (1, None), "NOT": (1, 1), "MOV": (1, 1),
-    "SET": (0, 0), "CLR": (0, 0),
-}  # fmt: skip
-"""Fewest and most sources of each gate."""
 
 
 @dataclass
@@ -76,48 +72,11 @@ def results_of_user() -> Results | None:
 
 
 def _solution(data: bytes | None, problem: Problem, machine: Machine) -> Solution | None:
-    """The solution in an entry; None unless it is at least made of gates that the machine has."""
+    """The solution in an entry; None unless it meets the problem that it is kept for."""
     if data is None:
         return None
     try:
         solution = from_json(Solution, data)
     except ValueError:
         return None
-    return solution if _plausible(solution, problem, machine) else None
-
-
-def _plausible(solution: Solution, problem: Problem, machine: Machine) -> bool:
-    """Whether a solution names nothing that is not there. Whether it is right, the proof says."""
-    planes, states, scratch = len(solution.planes), solution.states, solution.scratch
-    registers = {f"{kind}{i}" for kind, count in (("p", planes), ("s", states), ("t", scratch))
-                 for i in range(min(count, machine.registers))}  # fmt: skip
-    return (
-        min(states, scratch) >= 0
-        and planes + states + scratch <= machine.registers
-        and len(solution.holders) == planes
-        and all(0 <= plane <= problem.everything for plane in solution.planes)
-        and len(solution.answers) == len(problem.demands)
-        and all(
-            _possible(gate, registers, machine)
-            for segment in solution.segments()
-            for gate in segment
-        )
-    )
-
-
-def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
-    if gate.name not in _GATES:
-        return False
-    least, most = _GATES[gate.name]
-    if gate.name == "WHERE":
-        sources = registers | {"FLAG"} if machine.where_reads_flag else registers
-        return (
-            gate.destination == "FLAG"
-            and sources.issuperset(gate.sources)
-            and least <= len(gate.sources) <= (machine.where_sources or len(registers) + 1)
-        )
-    return (
-        gate.destination in registers
-        and (registers | {"FLAG"}).issuperset(gate.sources)
-        and least <= len(gate.sources) <= (most or machine.or_sources or len(registers) + 1)
-    )
+    return solution if fault(problem, machine, solution) is None else None

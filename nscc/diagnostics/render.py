@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Sequence
 from functools import cache
 from pathlib import Path
@@ -57,6 +56,8 @@ def _short(diagnostic: Diagnostic) -> str:
 
 
 def _json(diagnostic: Diagnostic) -> str:
+    import json
+
     source, label = diagnostic.source, diagnostic.label
     location = end_location = None
     if source is not None and label is not None:

@@ -2,10 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from typing import Any
+
 from nscc.logic.problem import Gate
-from nscc.lower.choose import Choice
-from nscc.lower.lowered import Lowered
-from nscc.lower.plan import ExposurePlan
+from nscc.lower.allocate import allocate
+from nscc.lower.decoding import Decoding
+from nscc.lower.gates import Gated
+from nscc.lower.lowered import Choice, Lowered
+from nscc.lower.plan import ExposurePlan, Lowering, Misfit, Planned
+from nscc.program.printing import print_program
+from nscc.prove.proof import Proof
+from nscc.syntax.printing import print_tree
+from nscc.target.target import Target
+from nscc.words.disassembly import disassemble
 
 
 def plan_text(plan: ExposurePlan) -> str:
@@ -21,14 +31,28 @@ def plan_text(plan: ExposurePlan) -> str:
     return "\n".join(lines) + "\n"
 
 
-def gates_text(lowered: Lowered) -> str:
+def planned_text(planned: Planned) -> str:
+    """Every plan, fewest analog writes first, and why other lowerings have none."""
+    return "".join(map(plan_text, planned.plans)) + _misfits_text(planned.misfits)
+
+
+def gated_text(gated: Gated) -> str:
+    """The gates of every plan for which they were searched for, the best first."""
+    found = [
+        f"lowering {each.plan.lowering}\n{gates_text(each, gated.program.target)}"
+        for each in gated.tried
+    ]
+    return "".join(found) + _misfits_text(gated.misfits)
+
+
+def gates_text(decoding: Decoding, target: Target) -> str:
     """The gates that answer every demand, on virtual registers, and where those live."""
-    solution, places = lowered.solution, lowered.schedule.allocation.places
+    solution, places = decoding.solution, allocate(decoding.solution, target).places
     lines = [f"encoding: {solution.encoding}"]
     for i, holder in enumerate(solution.holders):
         lines.append(f"  p{i} in {places[f'p{i}']}: {holder}")
     lines += [f"  {v} in {r}: scratch or state" for v, r in places.items() if v[0] in "ts"]
-    steps = [step for step in lowered.plan.steps if step.predicate is not None]
+    steps = [step for step in decoding.plan.steps if step.predicate is not None]
     _segments(lines, "opening", solution.opening)
     for step, answer in zip(steps, solution.answers, strict=True):
         _segments(lines, f"boundary {step.boundary} {step.role} of bucket {step.bucket}", answer)
@@ -63,34 +87,41 @@ def schedule_text(lowered: Lowered) -> str:
 
 
 def choice_text(choice: Choice) -> str:
-    """The lowerings that were tried, best first, with their prices."""
+    """The lowerings that were laid out, best first, with their prices; kernels of the best one."""
     lines = []
     for lowered in choice.tried:
-        least, most = lowered.analog_writes
+        least, most = lowered.plan.analog_writes
         lines.append(
             f"{lowered.plan.lowering:<11}{'fits' if lowered.fits else 'does not fit':<13}"
             f"{lowered.schedule.words_total:>7} words a frame, "
             f"{lowered.schedule.words_stored} stored, "
-            f"largest boundary {max(lowered.words_per_boundary)}, analog writes {least}..{most}"
+            f"largest boundary {max(lowered.words_per_boundary)}, analog writes {least}..{most}\n"
         )
-    lines += [f"{name:<11}{misfit.reason}" for name, misfit in choice.misfits.items()]
-    return "\n".join(lines) + "\n"
+    return "".join(lines) + _misfits_text(choice.misfits) + schedule_text(choice.best)
 
 
-def dot_text(lowered: Lowered) -> str:
-    """The frame as a graph for Graphviz: boundaries in a row, the kernels that each launches."""
-    schedule = lowered.schedule
-    lines = ["digraph frame {", "  rankdir=LR;", "  node [shape=box, fontname=monospace];"]
-    for i, kernel in enumerate(schedule.kernels):
-        text = "\\l".join(str(word) for word in kernel)
-        lines.append(f'  k{i} [label="k{i}\\l{text}\\l"];')
-    edges: dict[tuple[int, int], list[int]] = {}
-    previous: int | None = None
-    for boundary, number in schedule.launches:
-        if previous is not None:
-            edges.setdefault((previous, number), []).append(boundary)
-        previous = number
-    for (first, second), boundaries in edges.items():
-        label = f"{boundaries[0]}" + (f" .. {boundaries[-1]}" if len(boundaries) > 1 else "")
-        lines.append(f'  k{first} -> k{second} [label="{label}"];')
-    return "\n".join([*lines, "}"]) + "\n"
+def _misfits_text(misfits: Mapping[Lowering, Misfit]) -> str:
+    return "".join(f"{name:<11}{misfit.reason}\n" for name, misfit in misfits.items())
+
+
+def proof_text(proof: Proof) -> str:
+    """Whether the proof holds, and of what."""
+    verdict = "holds" if proof.holds else f"fails: {proof.failure}"
+    return f"proof {verdict}: {proof.codes} codes, {proof.slots} slots\n"
+
+
+def text_after(name: str, value: Any) -> str:
+    """What pass `name` of `nscc.pipeline.PASSES` made, as text."""
+    match name:
+        case "parse":
+            return print_tree(value.tree, value.source)
+        case "words":
+            return disassemble(value)
+    texts: dict[str, Callable[[Any], str]] = {
+        "program": print_program,
+        "plan": planned_text,
+        "gates": gated_text,
+        "schedule": choice_text,
+        "prove": proof_text,
+    }
+    return texts[name](value)

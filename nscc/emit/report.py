@@ -8,15 +8,15 @@ from collections import Counter
 from typing import Any
 
 from nscc.logic.bound import ASSUMES, level_bound
-from nscc.lower.choose import Choice
-from nscc.lower.lowered import Lowered
+from nscc.lower.lowered import Choice, Lowered
+from nscc.operations import Effect, Op, Phase
 from nscc.prove.proof import Proof
 from nscc.words.cost import refresh_count
-from nscc.words.operations import Effect, Op, Phase
 
 
-def report(lowered: Lowered, choice: Choice, proof: Proof) -> dict[str, Any]:
+def report(choice: Choice, proof: Proof) -> dict[str, Any]:
     """The report as JSON values; keys as in the command line's contract."""
+    lowered = choice.best
     program, schedule = lowered.program, lowered.schedule
     table = program.table
     slots = len(program.frame.slot_us)
@@ -58,7 +58,7 @@ def report(lowered: Lowered, choice: Choice, proof: Proof) -> dict[str, Any]:
         "analog_writes": _range(lowered),
         "headroom_e": lowered.headroom_e,
         "alternatives": [
-            *(_priced(other) for other in choice.tried if other is not lowered),
+            *(_priced(other) for other in choice.tried[1:]),
             *(
                 {"lowering": name, "fits": False, "reason": misfit.reason}
                 for name, misfit in choice.misfits.items()
@@ -81,7 +81,7 @@ def report_bytes(values: dict[str, Any]) -> bytes:
 
 
 def _range(lowered: Lowered) -> dict[str, int]:
-    least, most = lowered.analog_writes
+    least, most = lowered.plan.analog_writes
     return {"min": least, "max": most}
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Generator, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from nscc.limits.certain import Count, largest_with
+from nscc.program.capacity import Count, largest_with
 
 GIVE_UP_AFTER = 2
 """Candidates in a row that do not fit before larger ones are left alone."""

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.limits.certain import bits_needed, impossible_from
 from nscc.limits.families import Family, families
 from nscc.limits.search import Trial, candidates, explore
-from nscc.pipeline import Compiled, Options, compile_source
+from nscc.pipeline import Compiled, Options, run_passes
+from nscc.program.capacity import bits_needed, impossible_from
 from nscc.program.limits import MOST_SLOTS
 from nscc.source import Source
 from nscc.target.target import Target
@@ -52,7 +52,7 @@ def survey(
     target: Target, options: Options, slots: tuple[str, ...]
 ) -> Generator[Trial, None, list[Limit]]:
     """Yields each trial as it is made and returns a limit for every slot length and family."""
-    options = replace(options, target=target, codes="open", suggest=False)
+    options = replace(options, target=target, codes="open")
     found = []
     for slot in slots:
         for family in families():
@@ -82,7 +82,7 @@ def _limit(
 def _attempt(family: Family, size: int, slot: str, options: Options) -> Trial:
     try:
         source = Source("limits.nsl", family.text(size, slot))
-        compiled = compile_source(source, Path(), options)
+        compiled = run_passes(source, Path(), options)
     except Rejected as rejected:
         return _failed(size, rejected.diagnostics)
     return _fits(size, compiled)

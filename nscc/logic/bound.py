@@ -35,4 +35,6 @@ def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> i
             contents = slots
         case _:
             return None
+    # A load is an operation. The registers start with a content each; every other content that is
+    # needed takes one more to be made.
     return loads + max(contents - registers, 0)

@@ -35,7 +35,7 @@ class Bumps:
         return np.asarray(self.start == self.stop)
 
 
-# Shutters times demands that are looked at as a matrix.
+# Shutters times demands that are looked at as a matrix of bytes: 32 MB.
 _MOST_CELLS = 1 << 25
 
 
@@ -57,6 +57,8 @@ def bumps_of(problem: Problem) -> Bumps:
     start = held.argmax(axis=1).astype(np.int64)
     count = held.sum(axis=1).astype(np.int64)
     stop = start + count
+    # argmax of booleans is the first 1. A row has one bump if as many are 1 as lie between its
+    # ends.
     last = held.shape[1] - held[:, ::-1].argmax(axis=1)
     if np.any((count > 0) & (last != stop)):
         raise GaveUp("some shutter opens more than once")

@@ -25,10 +25,12 @@ from nscc.truth import columns, rows
 
 # More scratch registers leave too few planes to make anything of.
 _MOST_SCRATCH = 3
+# The beam of a search that only compares choices of planes: narrow, but thousands are compared.
 _QUICK_WIDTH = 6
 # The share of the steps after which the choice of planes ends, and the widths that follow.
 _CHOOSING = 0.6
 _WIDTHS = (30, 100, 300, 1000)
+# Words of a cascade: no limit, but for a number.
 _LONGEST = 4096
 # Of the steps from choice to choice, the share that exchanges a predicate (the others invert one),
 # and by how much the words may grow at first.
@@ -119,6 +121,8 @@ class _Finder:
         allowed = self._budget.left
         quick = self._quick_width()
         best: _Plan | None = None
+        # Two scratch registers and FLAG let every link have a cube beside its inner value; then
+        # one, for a plane more.
         for scratch in (2, 1, *range(3, _MOST_SCRATCH + 1)):
             width = min(self._machine.registers - scratch, widest)
             if width < least or scratch > self._machine.registers - width:
@@ -188,7 +192,8 @@ class _Finder:
         """The width of quick searches: narrower where even one of them takes many steps."""
         sets, points = self._sets.shape[1], self._points.bits.shape[1]
         cascades = max(1, self._points.demanded - self._machine.registers + 2)
-        # Every cascade halves what is left in a few words, and looks at all cubes for each of them.
+        # A quick search in numbers: links of a cascade (each decides two points or more), times the
+        # cubes that are looked at for each of them, times the words of 64 points of a cube.
         links = points // 2
         cubes = min(points * 8, 1 << (self._machine.registers - 2))
         steps = cascades * (1 + links) * (20 + cubes * sets * 8 // 640)
@@ -250,7 +255,8 @@ class _Finder:
                 stored[place], inverted[place] = choose.choice(others), False
             else:
                 inverted[place] = not inverted[place]
-            # A little worse is allowed at first: most choices have no better neighbour.
+            # A little worse is allowed at first, less and less (threshold accepting; Dueck and
+            # Scheuer, 1990): most choices have no better neighbour.
             slack = round(_SLACK * current.words * (self._budget.left - until) / span)
             near = _Choice(tuple(stored), tuple(inverted))
             plan = self._quick(near, current.scratch, width, current.words + slack)
@@ -295,9 +301,10 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
     """The planes of a choice, changed in as few points as tell all points apart."""
     planes: NDArray[np.bool_] = bits[list(choice.stored)] ^ np.array(choice.inverted)[:, None]
     count = planes.shape[1]
+    # `kinds` numbers what the planes so far tell apart; a plane may split each kind in two. A half
+    # that the planes to come cannot tell apart any more gives its surplus to the other half.
     kinds = np.zeros(count, dtype=np.int64)
     for place, plane in enumerate(planes):
-        # Planes to come can tell this many points apart that have been alike so far.
         room = 1 << (len(planes) - 1 - place)
         halves = np.bincount(2 * kinds + plane, minlength=2 * (int(kinds.max()) + 1))
         for half in np.flatnonzero(halves > room):

@@ -5,6 +5,11 @@ Its last word is an OR or a NOR of cubes (each a NOR of planes, one word in a sc
 single planes, and of a value of the same kind with fewer points left to decide, which stands in
 FLAG or in a scratch register. So FLAG and scratch take turns, and a complement costs nothing. A
 beam keeps, for every number of words, the values that leave the least to decide.
+
+Backwards, because that shows what does not matter: a value that is read by an OR must be 0 where
+the OR is, and 1 where the OR is and nothing else in it; where something else is, it may be either.
+So every link hands on fewer points than it got, and a cascade ends where planes and cubes alone
+decide what is left.
 """
 
 from __future__ import annotations
@@ -13,6 +18,7 @@ from bisect import bisect_right
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from math import log
 
 import numpy as np
@@ -57,15 +63,13 @@ class Cascade:
     words: int
 
 
-# Odd numbers, two for every word of the largest set.
-_FACTORS = np.random.default_rng(0).integers(1 << 63, size=128, dtype=np.uint64) * 2 + 1
-
 # More points than this are not served.
 MOST_POINTS = 4096
 
-# What a value leaves to decide, in bits: which of its points are on, and a little for each point
-# and for having points of both kinds. The last few words decide _LAST_BITS of them, the others
-# seldom more than _MOST_BITS_A_WORD. All found by trying.
+# What a value leaves to decide, in bits: which of its points are on (the logarithm of a binomial,
+# here from a table of log n!), and a little for each point and for having points of both kinds. The
+# last few words decide _LAST_BITS of them, the others seldom more than _MOST_BITS_A_WORD. The
+# weights were found by trying; they order the beam, no result is wrong for them.
 _CHOICES = np.cumsum([0.0, *(log(n, 2) for n in range(1, MOST_POINTS + 1))])
 _A_POINT = 0.2
 _LAST_BITS = 16.0
@@ -111,7 +115,7 @@ class _Values:
         """For every task the `width` values that leave the least to decide, each once."""
         left = self.left()
         # Equal values have equal digests; two that share one by chance are no loss.
-        factors = _FACTORS[: 2 * self.on.shape[1]].reshape(2, -1)
+        factors = _factors()[: 2 * self.on.shape[1]].reshape(2, -1)
         digest = (self.on * factors[0] + self.off * factors[1]).sum(axis=1, dtype=np.uint64)
         order = np.lexsort((digest, left, self.task))
         task, digest = self.task[order], digest[order]
@@ -181,6 +185,7 @@ class Search:
                 for end, more in zip(self._ends, open_still, strict=True)
                 if end is not None and not more
             )
+            # Words that the open tasks will end at: a bound that is seldom passed, not a proof.
             ahead = words + 1 + np.maximum(left - _LAST_BITS, 0) / _MOST_BITS_A_WORD
             if done + float(ahead[open_still].sum()) > most_total:
                 break
@@ -195,6 +200,7 @@ class Search:
                     values = joined.best(width)
                     np.minimum.at(left, values.task, values.left())
                     values = self._numbered(values, in_flag)
+                    # WHERE only ORs; a register takes a NOR as well as an OR.
                     forms = (values,) if in_flag else (values, values.swapped())
                     for form in forms:
                         for more, inner_in_flag, inner in self._links(form, in_flag, words, width):
@@ -271,6 +277,7 @@ class Search:
         if room <= 0:
             return values
         self._budget.spend(_STEPS_A_BATCH)
+        # A plane that avoids `off` may stand in the OR; it costs nothing but its place there.
         pure = disjoint(planes[None], values.off[:, None])
         on = values.on
         if room >= len(planes):
@@ -295,7 +302,8 @@ class Search:
                 self._budget.spend(_STEPS_A_BATCH + len(part) * cubes.size // _WORDS_A_STEP)
                 gain = gains(cubes, part.on, part.off)
                 most = min(top, len(cubes))
-                # Ties go to the first, whatever the processor's way of partitioning.
+                # Ties go to the first, whatever the processor's way of partitioning: gains differ
+                # by one, so they are made wider than all places together.
                 rank = gain * -len(cubes) + np.arange(len(cubes), dtype=np.int32)
                 best = np.sort(np.argpartition(rank, most - 1, axis=1)[:, :most], axis=1)
                 rows, columns = np.nonzero(np.take_along_axis(gain, best, 1) > 0)
@@ -377,3 +385,13 @@ class Search:
                 planes.append(choice)
                 covered |= table[choice]
         return tuple(sorted(planes)), wanted & ~covered
+
+
+@cache
+def _factors() -> NDArray[np.uint64]:
+    """Odd numbers, two for every word of the largest set.
+
+    They are made when first needed: importing numpy.random takes longer than most programs.
+    """
+    numbers = np.random.default_rng(0).integers(1 << 63, size=128, dtype=np.uint64)
+    return numbers * 2 + 1

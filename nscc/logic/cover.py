@@ -1,8 +1,10 @@
 """Covers by one-word cubes: a predicate as an OR of NORs over values that stand in registers.
 
-NOR(A) holds where every value of A is 0, so a cube lies inside a predicate when the values of A
-together reach every shutter outside it. A cube costs one word and needs no inverted literal. Cubes
-that lie inside the predicates to come as well may stay in a register: their word is shared.
+Two-level minimisation (prime cubes, then a cheapest choice of them: Quine and McCluskey, Petrick)
+with two turns of its own: only values as they stand are literals, and the price of a cube is
+shared. NOR(A) holds where every value of A is 0, so a cube lies inside a predicate when the values
+of A together reach every shutter outside it. A cube costs one word and needs no inverted literal.
+Cubes that lie inside the predicates to come as well may stay in a register: their word is shared.
 """
 
 from __future__ import annotations
@@ -11,6 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nscc.logic.cubes import Budget
+from nscc.logic.gates import words_of
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,8 +46,10 @@ class Cover:
     cost: float
 
 
-# Cubes are tried that stay valid for so many demands; longer ones are seldom different.
+# Cubes are tried that stay valid for so many demands. What is longer-lived is smaller and pays off
+# over more demands; between two neighbouring lengths the cube is seldom another.
 _HORIZONS = (1, 2, 4, 8, 16, 32, 64)
+# Each one adds a cube or more; a demand that needs so many is too dear to be answered this way.
 _MOST_SEEDS = 40
 
 
@@ -108,13 +113,6 @@ def _irredundant(positive: Sequence[int], values: Sequence[int], wanted: int) ->
     return tuple(sorted(chosen))
 
 
-def words_of(sources: int, fan_in: int | None) -> int:
-    """Words of a NOR or OR of so many sources: what does not fit is gathered in pairs."""
-    if fan_in is None or sources <= fan_in:
-        return 1
-    return 1 + 2 * -(-(sources - fan_in) // (fan_in - 1))
-
-
 def _candidates(
     values: Sequence[int],
     ahead: Sequence[int],
@@ -132,6 +130,7 @@ def _candidates(
     for _ in range(_MOST_SEEDS):
         if not unreached:
             return list(found.values())
+        # A cube that reaches `seed` can only read values that are 0 there.
         seed = unreached & -unreached
         zeros = [i for i, v in enumerate(values) if not v & seed]
         reached = False
@@ -161,7 +160,11 @@ def _prime(
     everything: int,
     budget: Budget,
 ) -> tuple[tuple[int, ...], int] | None:
-    """A cube that avoids `outside`, from the literals `zeros`, grown as far as it goes."""
+    """A cube that avoids `outside`, from the literals `zeros`, grown as far as it goes.
+
+    Every literal dropped makes the cube larger. Of those that may go, the one goes that lets in
+    most of `rest`. When none may, the cube is prime: no larger one avoids `outside`.
+    """
     kept = list(zeros)
     union = 0
     for i in kept:
@@ -170,6 +173,7 @@ def _prime(
         return None
     while True:
         budget.spend(len(kept) * (1 + everything.bit_length() // 512))
+        # The union of all but one, for each one: what comes before it and what comes after it.
         after = [0] * (len(kept) + 1)
         for k in range(len(kept) - 1, -1, -1):
             after[k] = after[k + 1] | values[kept[k]]
@@ -199,6 +203,8 @@ def _select(cubes: Sequence[Nor], rest: int, most: int, budget: Budget) -> list[
             if cost < best_cost - 1e-9:
                 best, best_cost = list(chosen), cost
             return
+        # Some cube must hold the first shutter left, so these are all the branches there are. Most
+        # choices are of two or three cubes; the limit is for the few that are not.
         visits += 1
         if len(chosen) == most or visits > 2000:
             return

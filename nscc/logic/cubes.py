@@ -50,7 +50,12 @@ class Budget:
 
 
 def cover(on: int, off: int, planes: Sequence[int], everything: int, budget: Budget) -> list[Cube]:
-    """Prime cubes whose union contains `on` and avoids `off`; planes must tell the two apart."""
+    """Prime cubes whose union contains `on` and avoids `off`; planes must tell the two apart.
+
+    Codes that no shutter has are don't-cares: cubes may hold them. All primes (Quine, McCluskey)
+    would be too many at 13 planes; each cube starts as one shutter's code and is expanded, with
+    choices by what is still to be covered (as Espresso does, Brayton et al., 1984).
+    """
     literals = [(everything & ~plane, plane) for plane in planes]
     found: list[Cube] = []
     rest = on
@@ -79,6 +84,7 @@ def _expand(
     """Drops literals while no off-shutter gets in, each time the one that covers most."""
     while kept:
         budget.spend(len(kept) * (1 + everything.bit_length() // 512))
+        # The cube without one literal, for each one: the literals before it and those after it.
         after = [everything] * (len(kept) + 1)
         for i in range(len(kept) - 1, -1, -1):
             plane, value = kept[i]
@@ -146,6 +152,7 @@ class _Emitter:
         wide = [cube for cube in cubes if len(cube) != 1]
         terms: list[str] = []
         while wide:
+            # The cube next that needs fewest planes turned over: they may be left so for others.
             if len(wide) <= _MOST_SORTED:
                 wide.sort(key=self._mismatches)
             cube = wide.pop(0)

@@ -19,7 +19,10 @@ Planes = tuple[tuple[int, ...], tuple[str, ...]]
 def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
     """Mixed radices, highest first, whose sum is at most `most` and product at least `least`.
 
-    Those of the smallest sum first; without digits of 1.
+    Those of the smallest sum first; without digits of 1. The product is how many numbers they tell
+    apart, the sum how many registers they take: a digit of radix r has r - 1 planes of a
+    thermometer and a register for a cube of its own (`nested`), or a plane for each of r values
+    (`events`).
     """
     found: list[tuple[int, ...]] = []
 
@@ -28,6 +31,7 @@ def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
             found.append(chosen)
             return
         for radix in range(2, min(left, most - total) + 1):
+            # Rising only: which place a radix has changes neither sum nor product.
             if not chosen or radix >= chosen[-1]:
                 extend((*chosen, radix), total + radix, -(-left // radix))
 
@@ -43,7 +47,11 @@ def binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
 
 
 def thermometers(numbers: NDArray[np.int64], radices: Sequence[int], negative: bool) -> Planes:
-    """For each digit, the highest first, a plane for each m: digit <= m, or > m if `negative`."""
+    """For each digit, the highest first, a plane for each m: digit <= m, or > m if `negative`.
+
+    (Thermometer codes: 3 of 0..4 is 1110 in "> m". To compare with a constant is to look at one
+    plane, where binary digits would take a gate of several levels.)
+    """
     planes: list[int] = []
     holders: list[str] = []
     size = int(np.prod(radices))

@@ -12,13 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget, Cube, Encoding, cover
+from nscc.logic.gray import gray
 from nscc.logic.problem import Demand, GaveUp, Machine, Problem
 from nscc.truth import members, number_planes
-
-
-def gray(number: int) -> int:
-    """The reflected Gray code: neighbours differ in one bit."""
-    return number ^ (number >> 1)
 
 
 def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
@@ -86,7 +82,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
         base = len(planes)
         if base + width > machine.registers - 1:
             raise GaveUp(f"event times need {base + width} registers and one of scratch")
-        planes += number_planes(numbers ^ (numbers >> 1), width)
+        planes += number_planes(gray(numbers), width)
         label = event_name(edge, bucket, rank, fields)
         holders += [f"{label}, Gray bit {bit}" for bit in range(width)]
         for number, (demand, _) in enumerate(events):
@@ -146,7 +142,7 @@ def _index_planes(problem: Problem, machine: Machine) -> list[int]:
     width = max(1, (problem.shutters - 1).bit_length())
     if width > machine.registers - 1:
         raise GaveUp(f"{problem.shutters} shutters leave no register to compute with")
-    return number_planes(numbers ^ (numbers >> 1), width)
+    return number_planes(gray(numbers), width)
 
 
 def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
@@ -157,6 +153,7 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """
     if len({(d.edge, d.bucket) for d in problem.demands}) == 1:
         raise GaveUp("one kind of event is one field of times")
+    # Every member is an equality of its own, of two words and more: beyond a few, others win.
     if _members(problem) > 4 * len(problem.demands):
         raise GaveUp("predicates hold too many shutters for an equality each")
     return _index_equalities(problem, machine)
@@ -230,7 +227,7 @@ def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encodi
     for name, values in problem.values.items():
         rank = np.searchsorted(np.unique(values), values)
         width = int(rank.max()).bit_length()
-        planes += number_planes(rank ^ (rank >> 1), width)
+        planes += number_planes(gray(rank), width)
         holders += [f"{name}, Gray bit {bit}" for bit in range(width)]
     if len(planes) > machine.registers - 1:
         raise GaveUp(f"{len(planes)} bits of fields leave no register to compute with")
@@ -257,6 +254,7 @@ def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encodi
 def covered_stored(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """As many predicates stored as there are registers but two, the rest made from those planes."""
     distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
+    # One register to compute in; two where some predicates have to be made, of several cubes each.
     room = machine.registers - (2 if len(distinct) > machine.registers - 1 else 1)
     planes = distinct[:room]
     holders = [f"predicate {i}" for i in range(len(planes))]
@@ -281,7 +279,7 @@ def _covered(
 def _best_cover(
     problem: Problem, predicate: int, planes: Sequence[int], budget: Budget
 ) -> tuple[tuple[Cube, ...], bool]:
-    """The smaller of the covers of a predicate and of its complement."""
+    """The smaller of the covers of a predicate and of its complement, which costs a gate more."""
     complement = problem.everything & ~predicate
     direct = cover(predicate, complement, planes, problem.everything, budget)
     if len(direct) <= 1:

@@ -64,7 +64,8 @@ class _Form:
         return " x ".join(high + [str(r) for r in self.radices]) or "1"
 
 
-# Choices of digits that are tried, the fewest turns first; kinds of events that are looked at.
+# Choices of digits that are tried, the fewest turns first; choices that are looked at; kinds of
+# events, of which there may be more than registers, since several can share a field.
 _MOST_TRIED = 6
 _MOST_COMBINED = 20_000
 _MOST_KINDS = 24
@@ -124,7 +125,10 @@ def _fields(problem: Problem, left_out: frozenset[int]) -> list[_Field]:
 
 def _atoms(vectors: Sequence[int]) -> list[int] | None:
     """The smallest of `vectors`, disjoint, whose unions are all the others, in the order in which
-    they come; None if there are none."""
+    they come; None if there are none.
+
+    One field then serves all of them: an atom is a number, a union of atoms several equalities.
+    """
     atoms: list[int] = []
     covered = 0
     for v in sorted(set(vectors), key=int.bit_count):
@@ -160,6 +164,7 @@ def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ..
     turned: dict[int, tuple[Segment, ...]] = {}
     for demand, number in (*field.events, (-1, None)):
         wanted = 0 if number is None else codes[number // form.size]
+        # A plane stands turned over where the group's code is 1: now reads as all zeros.
         flips = [b for b in range(form.bits) if (wanted ^ standing) >> b & 1]
         if flips:
             turned[demand] = tuple((turn_over(base + b),) for b in flips)

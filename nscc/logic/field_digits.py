@@ -14,6 +14,7 @@ from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns
 
+# A walk takes milliseconds, to count the planes of a combination takes microseconds.
 _MOST_TRIED = 40
 _MOST_COMBINED = 5_000
 
@@ -37,6 +38,7 @@ def field_digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
         for chosen in islice(product(*options), _MOST_COMBINED)
         if sum(len(planes) for planes, _ in chosen) <= room
     ]
+    # The more planes, the more comparisons are there before the frame begins.
     found.sort(key=lambda chosen: -sum(len(planes) for planes, _ in chosen))
     for chosen in found[:_MOST_TRIED]:
         script = Script(
@@ -56,6 +58,8 @@ def _forms(name: str, ranks: NDArray[np.int64], room: int) -> list[Planes]:
     count = int(ranks.max()) + 1
     forms: list[Planes] = []
     seen: set[int] = set()
+    # A radix r takes r - 1 planes: up to four digits fit where their sum is four more than the
+    # room.
     for radices in radices_of(room + 4, count):
         size = sum(radices) - len(radices)
         if size > room or size in seen:

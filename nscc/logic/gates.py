@@ -7,6 +7,17 @@ from collections.abc import Sequence
 from nscc.logic.problem import Gate, Machine
 
 
+def words_of(sources: int, fan_in: int | None) -> int:
+    """Words of a NOR or OR of so many sources into a register that is not among them.
+
+    The first word reads `fan_in` of them. Each further one is in place, a pair of words, and reads
+    one less, since what is gathered so far is a source too.
+    """
+    if fan_in is None or sources <= fan_in:
+        return 1
+    return 1 + 2 * -(-(sources - fan_in) // (fan_in - 1))
+
+
 class Gates:
     """Collects gates; splits what has more sources than one word of the machine may read."""
 
@@ -50,6 +61,7 @@ class Gates:
         if limit is not None and len(sources) > limit:
             if scratch is None:
                 raise ValueError("no scratch register to gather the sources of WHERE")
+            # If `scratch` is a source itself, the others are gathered on top of it.
             rest = [name for name in sources if name != scratch]
             head = [scratch] if scratch in sources else []
             spill = len(rest) - (limit - 1)
@@ -64,6 +76,8 @@ class Gates:
         limit = self._machine.or_sources
         rest = [name for name in sources if name != destination]
         in_place = len(rest) < len(sources)
+        # OR is associative, so what does not fit is gathered in the destination first. NOR is not:
+        # only the last gate inverts. In place, the destination takes one of the sources' places.
         if limit is not None:
             room = limit - 1 if in_place else limit
             while len(rest) > room:

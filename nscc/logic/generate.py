@@ -1,13 +1,18 @@
-"""The generators, in the order in which they are tried, and what each level of effort allows."""
+"""The generators of encodings: what each serves, in which order, and at which level of effort."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Literal
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.logic import encodings, events, field_digits, nested, spans, states, windows
 from nscc.logic.cascade import cascade
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
+from nscc.logic.replay import fault
+from nscc.plugins import Group, added, unusable
 
 # Search steps of one generator at each level; a step is one cofactor of a truth vector
 # of up to 512 shutters.
@@ -25,52 +30,98 @@ _CLOSE = 1.1
 # Cascades take seconds to search; they are tried where no family's member comes so near.
 _WORTH_CASCADES = {2: 3.0, 3: 1.1}
 
-Generator = Callable[[Problem, Machine, Budget], Solution]
-Family = Callable[[Problem, Machine, int], Iterator[Solution]]
+Kind = Literal["direct", "family", "equality", "cascade", "cover", "last"]
+
+FROM_LEVEL: dict[Kind, int] = {
+    "direct": 0, "family": 2, "equality": 0, "cascade": 2, "cover": 0, "last": 0
+}  # fmt: skip
+"""The level of effort from which on generators of a kind are tried.
+
+direct    One word a demand: nothing can be cheaper, so nothing else is tried after one of these.
+family    One with parameters (radices, polarities), all of whose members are worth a price.
+equality  A few words a demand, at any number of shutters and slots.
+cascade   Arbitrary shutters, by search over several levels of gates.
+cover     Any predicates at all, at a price that grows with them.
+last      The dearest: every shutter of every predicate by itself. Few kernels serve all of them.
+"""
 
 
-def _emitted(encode: Callable[[Problem, Machine, Budget], Encoding]) -> Generator:
-    def generate(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-        return emit(problem, machine, encode(problem, machine, budget))
+@dataclass(frozen=True)
+class Generator:
+    """An encoding: which predicate sets it serves, as a kind, and how it is made.
 
-    return generate
+    `solve` (problem, machine, steps) gives its solutions, at least one, with no more search steps
+    than that each, and raises GaveUp where it does not serve the problem. `from_level` is the level
+    of effort from which on it is tried, None for its kind's.
+    """
+
+    kind: Kind
+    solve: Callable[[Problem, Machine, int], Iterable[Solution]]
+    from_level: int | None = None
 
 
-# One word a demand: nothing can be cheaper, so nothing else is tried after one of these.
-DIRECT: tuple[Generator, ...] = (
-    _emitted(encodings.stored_predicates),
-    _emitted(encodings.one_hot),
-)
-# Equalities: a few words a demand, at any number of shutters and slots.
-EQUALITIES: tuple[Generator, ...] = (
-    _emitted(encodings.gray_times),
-    _emitted(encodings.gray_index),
-    states.state_register,
-    states.state_in_flag,
-)
-# Covers: any predicates at all, at a price that grows with them.
-COVERS: tuple[Generator, ...] = (
-    _emitted(encodings.covered_fields),
-    _emitted(encodings.covered_levels),
-    _emitted(encodings.covered_both_polarities),
-    _emitted(encodings.covered_stored),
-    _emitted(encodings.covered_gray_index),
-)
-# Arbitrary shutters, by search over several levels of gates: from -O2 on.
-CASCADES: tuple[Generator, ...] = (cascade,)
-# The dearest: every shutter of every predicate by itself. Few kernels serve all of them.
-LAST: tuple[Generator, ...] = (_emitted(encodings.gray_index_wide),)
-# Families with parameters (radices, polarities), all of whose members are worth a price; from -O2.
-FAMILIES: tuple[Family, ...] = (
-    nested.digits,
-    nested.counted,
-    windows.windows,
-    windows.toggled_windows,
-    spans.stored_spans,
-    spans.counted_spans,
-    events.equalities,
-    field_digits.field_digits,
-)
+def _one(kind: Kind, solve: Callable[[Problem, Machine, Budget], Solution]) -> Generator:
+    def solved(problem: Problem, machine: Machine, steps: int) -> tuple[Solution]:
+        return (solve(problem, machine, Budget(steps)),)
+
+    return Generator(kind, solved)
+
+
+def _emitted(kind: Kind, encode: Callable[[Problem, Machine, Budget], Encoding]) -> Generator:
+    return _one(kind, lambda problem, machine, budget: emit(
+        problem, machine, encode(problem, machine, budget)
+    ))  # fmt: skip
+
+
+GENERATORS: dict[str, Generator] = {
+    "stored_predicates": _emitted("direct", encodings.stored_predicates),
+    "one_hot": _emitted("direct", encodings.one_hot),
+    "digits": Generator("family", nested.digits),
+    "counted": Generator("family", nested.counted),
+    "windows": Generator("family", windows.windows),
+    "toggled_windows": Generator("family", windows.toggled_windows),
+    "stored_spans": Generator("family", spans.stored_spans),
+    "counted_spans": Generator("family", spans.counted_spans),
+    "equalities": Generator("family", events.equalities),
+    "field_digits": Generator("family", field_digits.field_digits),
+    "gray_times": _emitted("equality", encodings.gray_times),
+    "gray_index": _emitted("equality", encodings.gray_index),
+    "state_register": _one("equality", states.state_register),
+    "state_in_flag": _one("equality", states.state_in_flag),
+    "cascade": _one("cascade", cascade),
+    "covered_fields": _emitted("cover", encodings.covered_fields),
+    "covered_levels": _emitted("cover", encodings.covered_levels),
+    "covered_both_polarities": _emitted("cover", encodings.covered_both_polarities),
+    "covered_stored": _emitted("cover", encodings.covered_stored),
+    "covered_gray_index": _emitted("cover", encodings.covered_gray_index),
+    "gray_index_wide": _emitted("last", encodings.gray_index_wide),
+}
+"""All of nscc's own, in the order in which those of one kind are tried.
+
+Other distributions add theirs, each a Generator, as entry points of the group nscc.encodings. They
+follow, and are asked from LEAST_ADDED on: below it nobody waits for other people's code.
+"""
+
+LEAST_ADDED = 2
+_GROUP: Group = "nscc.encodings"
+
+
+def added_generators() -> dict[str, Generator]:
+    """The generators that other distributions add, each whole.
+
+    Raises Rejected (NS0905) for one that is none, or whose declaration is not as it must be.
+    """
+    found: dict[str, Generator] = added(_GROUP, GENERATORS)
+    for name, each in found.items():
+        if not isinstance(each, Generator):
+            raise unusable(_GROUP, name, f"it is no Generator but {type(each).__name__}")
+        if each.kind not in FROM_LEVEL:
+            raise unusable(_GROUP, name, f"its kind is none of {', '.join(FROM_LEVEL)}")
+        if not callable(each.solve):
+            raise unusable(_GROUP, name, "its `solve` cannot be called")
+        if each.from_level is not None and each.from_level not in range(LEAST_ADDED, 4):
+            raise unusable(_GROUP, name, f"its `from_level` is none of {LEAST_ADDED} to 3")
+    return found
 
 
 def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Solution]:
@@ -82,34 +133,50 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
     if not problem.demands:
         yield Solution("no code is needed", (), (), 0, 0, (), (), ())
         return
+    generators = _asked(level)
     steps = SEARCH_STEPS[level]
-    direct = list(_tries(DIRECT, problem, machine, steps))
+
+    def made(*kinds: Kind, allowed: int = steps) -> Iterator[Solution]:
+        for kind in kinds:
+            for name, each in generators.items():
+                if each.kind == kind:
+                    yield from _tried(name, each, problem, machine, allowed)
+
+    direct = list(made("direct"))
     if direct:
         yield min(direct, key=lambda s: len(s.planes))
         return
     found, fewest = False, float("inf")
-    if level >= 2:
-        for solution in _members(problem, machine, steps):
-            yield solution
-            found = True
-            fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
-    least = _fewest_words(problem, machine)
-    close = fewest <= _CLOSE * least
-    for solution in _tries(EQUALITIES, problem, machine, steps):
+    for solution in made("family"):
         yield solution
         found = True
-    if level >= 2 and fewest > _WORTH_CASCADES[level] * least:
-        for solution in _tries(CASCADES, problem, machine, steps):
+        fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
+    least = _fewest_words(problem, machine)
+    close = fewest <= _CLOSE * least
+    for solution in made("equality"):
+        yield solution
+        found = True
+    if fewest > _WORTH_CASCADES.get(level, 0.0) * least:
+        for solution in made("cascade"):
             yield solution
             found = True
     if found and (close or problem.shutters > MOST_COVERED):
         return
-    for group, allowed in ((COVERS, steps), ((*COVERS, *LAST), PATIENT_STEPS)):
-        for solution in _tries(group, problem, machine, allowed):
-            yield solution
-            found = True
-        if found:
-            return
+    for solution in made("cover"):
+        yield solution
+        found = True
+    if not found:
+        yield from made("cover", "last", allowed=PATIENT_STEPS)
+
+
+def _asked(level: int) -> dict[str, Generator]:
+    """The generators, by name, that are worth trying at a level of effort."""
+    known = GENERATORS if level < LEAST_ADDED else {**GENERATORS, **added_generators()}
+    return {
+        name: each
+        for name, each in known.items()
+        if level >= (FROM_LEVEL[each.kind] if each.from_level is None else each.from_level)
+    }
 
 
 def _fewest_words(problem: Problem, machine: Machine) -> int:
@@ -118,19 +185,32 @@ def _fewest_words(problem: Problem, machine: Machine) -> int:
     return len(asked) + max(0, len(set(asked)) - machine.registers)
 
 
-def _members(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    for family in FAMILIES:
-        try:
-            yield from family(problem, machine, steps)
-        except GaveUp:
-            continue
-
-
-def _tries(
-    group: tuple[Generator, ...], problem: Problem, machine: Machine, steps: int
+def _tried(
+    name: str, generator: Generator, problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
-    for generate in group:
-        try:
-            yield generate(problem, machine, Budget(steps))
-        except GaveUp:
-            continue
+    """A generator's solutions, until it gives up. Raises NS0905 where one from outside is wrong."""
+    own = name in GENERATORS
+    try:
+        for solution in generator.solve(problem, machine, steps):
+            wrong = None if own else _wrong(problem, machine, solution)
+            if wrong is not None:
+                raise unusable(_GROUP, name, f"its solution does not meet its demands: {wrong}")
+            yield solution
+    except GaveUp:
+        return
+    except (Rejected, MemoryError):
+        raise
+    except Exception as error:  # whatever somebody else's code raises
+        if own:
+            raise
+        raise unusable(_GROUP, name, f"it raised {type(error).__name__}: {error}") from error
+
+
+def _wrong(problem: Problem, machine: Machine, solution: object) -> str | None:
+    """What is wrong with a solution of somebody else's."""
+    if not isinstance(solution, Solution):
+        return f"it is no Solution but {type(solution).__name__}"
+    hash(solution)  # raises where anything in it is not frozen: solutions are keys
+    if not all(isinstance(text, str) for text in (solution.encoding, *solution.holders)):
+        return "its name or a holder is no text"
+    return fault(problem, machine, solution)

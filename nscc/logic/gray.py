@@ -1,24 +1,41 @@
-"""Codes of groups that follow one another: neighbours differ in one bit.
+"""Gray codes: groups that follow one another differ in one bit of their codes.
 
-Which bits are turned over when decides what it costs to have all of them back at the frame's end.
+A group's shutters are found by one NOR if every plane that is 1 in its code has been turned over.
+In binary the step from group to group turns two bits over on average, in a Gray code (F. Gray, US
+patent 2 632 058, 1953) always one. At the frame's end all must be back as they were; so the order
+of the codes, which is free as long as neighbours differ in one bit, is chosen for what that costs.
 """
 
 from __future__ import annotations
 
 from functools import cache
+from typing import TypeVar
 
-# Codes that the search for a rotation may visit, and the widest ones that it looks at.
+import numpy as np
+from numpy.typing import NDArray
+
+Numbers = TypeVar("Numbers", int, NDArray[np.int64])
+
+# Codes that the search for a rotation may visit (some 0.05 s), the widest ones that it looks at,
+# and the words for the way back that are good enough to end it.
 _MOST_VISITED = 20_000
 _WIDEST = 5
 _GOOD = 2
 
 
+def gray(number: Numbers) -> Numbers:
+    """The reflected binary code: the codes of neighbours differ in one bit."""
+    return number ^ (number >> 1)
+
+
 def cycle(groups: int, bits: int) -> tuple[int, ...]:
     """Codes whose last one, or last but one, is next to the first: few bits are turned back."""
+    # There on the codes without the top bit and back on those with it: a circle. If the number is
+    # odd, one more follows on the last.
     half = groups // 2
-    gray = [i ^ i >> 1 for i in range(half)]
+    there = [gray(i) for i in range(half)]
     top = 1 << bits - 1
-    codes = gray + [top | code for code in reversed(gray)]
+    codes = there + [top | code for code in reversed(there)]
     if groups % 2:
         codes.append(codes[-1] ^ max(top >> 1, 1) if half else 0)
     return tuple(codes)
@@ -69,6 +86,8 @@ class _Rotation:
 
     def _way_back(self, code: int, place: list[int]) -> int:
         """Words that move every bit home, the right way round: one a move, two to turn in place."""
+        # The moves home are chains, which end at the register that is free, and circles, which a
+        # move to the free register opens (see `improve.recolour`; here only the words of it count).
         holder = {register: bit for bit, register in enumerate(place)}
         words = 2 * sum(place[b] == b and code >> b & 1 for b in range(self.bits))
         left = {b for b in range(self.bits) if place[b] != b}

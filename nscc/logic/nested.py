@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget
 from nscc.logic.digits import binary_planes, radices_of, thermometers, turn_over
+from nscc.logic.gray import gray
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns, rows
@@ -57,7 +58,9 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
     """Mixed-radix digits, each a thermometer; the highest may be bits that are turned over.
 
     When a digit changes, one cube per higher digit says "greater already"; what is left of each
-    demand is a cube of one plane a digit.
+    demand is a cube of one plane a digit. For digits a b and time A B, "rank > time" is a > A or
+    (a >= A and b > B): the first is made once for all of A's slots, the second is a NOR of two
+    planes.
     """
     nest = nest_of(problem)
     for bits in range(4):
@@ -71,6 +74,7 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
             inner = radices_of(room - stored, -(-values // (1 << bits)))
             for radices in inner[:2]:
                 for negative in (False, True):
+                    # Complemented demands want the planes the other way round.
                     if negative and (bits or not any(nest.complemented)):
                         continue
                     script = _digit_script(nest, stored, radices, bits, turns, negative)
@@ -93,49 +97,56 @@ class _Turns:
 
     flips: tuple[tuple[int, ...], ...]
     most_cubes: int
-    words: int
 
 
 @cache
 def _turns(bits: int) -> _Turns:
-    """The cheapest way to turn bits over, by dynamic programming over their polarities.
+    """The cheapest way to turn bits over: a shortest path through (group, polarities).
 
     In group h the bits must mask every lower value but not h, and the values above h must be an
-    OR of planes as they stand and a few cubes.
+    OR of planes as they stand and a few cubes. The path enters group 0 and leaves the last group
+    with every bit as it was stored; an edge costs two words a bit turned in place, and a cube's.
     """
-    groups = 1 << bits
-    start = (0,) * bits
-    best: dict[tuple[int, ...], tuple[int, int, tuple[tuple[int, ...], ...]]]
-    best = {start: (0, 0, ())}
+    import networkx as nx  # only from -O2 on: `check` starts without it
+
+    groups, stored = 1 << bits, (0,) * bits
+    ways = nx.DiGraph()
+    before = [stored]
     for h in range(groups):
-        after: dict[tuple[int, ...], tuple[int, int, tuple[tuple[int, ...], ...]]] = {}
-        for old, (words, most, flips) in best.items():
-            for new in product((0, 1), repeat=bits):
-                cubes = _group_cubes(h, new, bits)
-                if cubes is None:
-                    continue
-                turned = tuple(i for i in range(bits) if new[i] != old[i])
-                if h == 0 and turned:
-                    continue
-                price = (words + 2 * len(turned) + cubes, max(most, cubes), (*flips, turned))
-                if new not in after or price < after[new]:
-                    after[new] = price
-        best = after
-    finals = []
-    for state, (words, most, flips) in best.items():
-        back = tuple(i for i in range(bits) if state[i])
-        finals.append((words + 2 * len(back), most, (*flips, back)))
-    words, most, flips = min(finals)
-    return _Turns(flips, most, words)
+        states = [stored] if h == 0 else list(product((0, 1), repeat=bits))
+        for new in states:
+            cubes = _group_cubes(h, new, bits)
+            if cubes is not None:
+                ways.add_node((h, new), cubes=cubes)
+                for old in before:
+                    words = 2 * len(_turned(old, new)) + cubes
+                    ways.add_edge((h - 1, old), (h, new), words=words)
+        before = states
+    for old in before:
+        ways.add_edge((groups - 1, old), (groups, stored), words=2 * sum(old))
+    path = nx.shortest_path(ways, (-1, stored), (groups, stored), "words")
+    polarities = [state for _, state in path]
+    return _Turns(
+        tuple(_turned(old, new) for old, new in pairwise(polarities)),
+        max(ways.nodes[node]["cubes"] for node in path[1:-1]),
+    )
+
+
+def _turned(old: Sequence[int], new: Sequence[int]) -> tuple[int, ...]:
+    """The bits in which two polarities differ."""
+    return tuple(i for i, (was, now) in enumerate(zip(old, new, strict=True)) if was != now)
 
 
 def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
     """Cubes needed in group h when the planes stand in `polarity`; None where masks fail."""
+    # What each plane is 1 for, as the values of the highest digit. A NOR that reads those of them
+    # that are 0 at h holds for h, and for no lower value if together they are 1 for all of them.
     groups = range(1 << bits)
     planes = [{c for c in groups if (c >> i & 1) ^ polarity[i]} for i in range(bits)]
     masks: set[int] = set().union(*(p for p in planes if h not in p))
     if not set(range(h)) <= masks:
         return None
+    # "Above" is an OR: planes that lie inside it are free, cubes are a word each, taken greedily.
     above = {c for c in groups if c > h}
     left = above.difference(*(p for p in planes if p <= above)) if planes else set()
     cubes = []
@@ -205,9 +216,10 @@ _SUBMASK_BITS = (13, 6, 4, 2)
 def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """The highest digit in binary, "greater" a state that each group brings forward.
 
-    A cube of the planes where h has a 0 holds for the submasks of h: for h itself and for lower
-    values only. Taking it out of "greater" at each step leaves exactly what is greater, and
-    no plane is ever turned over. High bits in Gray code that are turned over let kernels repeat.
+    A cube of the planes where h has a 0 holds for the submasks of h (h's binary digits with some
+    more of them 0): for h itself and for lower values only. Taking it out of "greater" at each step
+    leaves exactly what is greater, and no plane is ever turned over. High bits in Gray code that
+    are turned over let kernels repeat.
     """
     nest = nest_of(problem)
     values = nest.steps + 1
@@ -218,6 +230,8 @@ def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
                 kept = problem.flag_lasts and not any(nest.complemented)
                 if not kept:
                     continue
+            # With digits inside, a group has as many values as they tell apart; a state by itself
+            # serves a group of one, and a pair of them a group of two.
             room = machine.registers - bits - _BESIDE[form]
             if form is _Form.DIGITS:
                 choices = radices_of(room, least)[:2] if least > 1 else ()
@@ -238,9 +252,11 @@ def _counted_script(
     nest: Nest, radices: tuple[int, ...], bits: int, low: int, form: _Form
 ) -> Script:
     per_group = int(np.prod(radices))
+    # The low bits are counted by submasks. The high ones are in Gray code: a bit of them is turned
+    # over each time that the low ones begin anew.
     groups = nest.ranks // per_group
     high = groups >> low
-    coded = (high ^ high >> 1) << low | groups & (1 << low) - 1
+    coded = gray(high) << low | groups & (1 << low) - 1
     top = binary_planes("highest digit of the rank", coded, bits)
     inner = thermometers(nest.ranks % per_group, radices, False) if per_group > 1 else ((), ())
     states = {_Form.DIGITS: 2, _Form.STATE: 1, _Form.TIGHT: 1}.get(form, 0)
@@ -255,6 +271,7 @@ def _counted_script(
             done += 1
             run: list[Segment] = []
             if done and not done & (1 << low) - 1:
+                # The Gray code of k differs from that of k - 1 in the lowest 1 of k.
                 flip = ((done >> low) & -(done >> low)).bit_length() - 1 + low
                 turned.append(flip)
                 run.append((turn_over(flip),))
@@ -277,6 +294,8 @@ def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...
     def cube(destination: str) -> Segment:
         return (Gate("NOR" if len(equal) > 1 else "NOT", destination, tuple(equal)),)
 
+    # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still holds
+    # those that are equal now: DIGITS keep its inverse, for the demands that lower digits decide.
     if form in (_Form.DIGITS, _Form.STATE):
         rest = "s1" if form is _Form.DIGITS else "t1"
         if not equal:
@@ -288,6 +307,7 @@ def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...
             (Gate("NOR", "s0", (rest, "t0")),),
         )
     if form is _Form.TIGHT:
+        # One scratch register: the cube goes where the state was, which waits inverted.
         if not equal:
             return ((Gate("CLR", "s0", ()),),)
         return (
@@ -296,6 +316,8 @@ def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...
             (Gate("NOR", "s0", ("s0", "t0")),),
         )
     if form is _Form.PAIR:
+        # Two demands a group: FLAG, which the plane of the last digit decides as well, answers the
+        # first; t1, "greater" alone, waits for the second and is the state from then on.
         left: Segment = (Gate("NOR", "t1", ("t1", "t0")),) if equal else (Gate("CLR", "t1", ()),)
         return (
             (Gate("NOT", "t0", ("FLAG",)),),

@@ -8,17 +8,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.logic.gates import words_of
 from nscc.logic.problem import Machine
 
 Points = NDArray[np.uint64]
 Indices = NDArray[np.int64]
-
-
-def fan_in_words(sources: int, limit: int | None) -> int:
-    """Words of a NOR into a register that is not among its sources."""
-    if limit is None or sources <= limit:
-        return 1
-    return 1 + 2 * -(-(sources - limit) // (limit - 1))
 
 
 class Planes:
@@ -30,6 +24,7 @@ class Planes:
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
         self.planes = planes
         self.everything = full(points)
+        # The union of every subset of the planes, doubled plane by plane: row m is that of mask m.
         limit = machine.or_sources
         ors = np.zeros((1, planes.shape[1]), dtype=np.uint64)
         for plane in planes:
@@ -42,7 +37,7 @@ class Planes:
         _, first = np.unique(cubes, axis=0, return_index=True)
         first = np.sort(first[cubes[first].any(axis=1)])
         cubes, masks, size = cubes[first], masks[order][first], size[order][first]
-        price = np.array([fan_in_words(n, limit) for n in range(len(planes) + 1)])[size]
+        price = np.array([words_of(n, limit) for n in range(len(planes) + 1)])[size]
         self.groups = [
             (int(words), cubes[price == words], masks[price == words]) for words in np.unique(price)
         ]

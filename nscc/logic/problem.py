@@ -34,7 +34,10 @@ class Gate:
 
     @property
     def words(self) -> int:
-        """How many ICWs the gate takes, before the masked register's rule."""
+        """How many ICWs the gate takes, before the masked register's rule.
+
+        A register cannot be read and written in one word: in place, the result waits on the bus.
+        """
         return 2 if self.destination in self.sources else 1
 
 
@@ -139,6 +142,14 @@ class Solution:
         for answer in self.answers:
             run.extend(answer)
         return [*run, *self.closing]
+
+
+def quietest(writes: Sequence[int]) -> int:
+    """The plane that gets the masked register where every register is needed.
+
+    `writes[i]` is how often a frame writes plane i: each write costs the mask and a word more.
+    """
+    return min(range(len(writes)), key=lambda i: (writes[i], f"p{i}"))
 
 
 class GaveUp(Exception):

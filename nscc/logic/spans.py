@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from nscc.logic.bumps import Bumps, bumps_of
 from nscc.logic.cubes import Budget
 from nscc.logic.digits import Planes, turn_over
+from nscc.logic.gray import gray
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns, number_planes
@@ -25,6 +26,7 @@ def stored_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
     """A plane for each group: active in it. The first groups may be longer by a slot."""
     bumps = bumps_of(problem)
     for groups in range(min(machine.registers - 1, bumps.steps), 2, -1):
+        # A plane a group, and two thermometers of size - 1.
         size = -(-bumps.steps // groups)
         if size < 2 or groups + 2 * (size - 1) > machine.registers - 1:
             continue
@@ -59,6 +61,7 @@ def _split(
 def counted_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """A state tells whether a shutter is active; groups of both ends are held in binary."""
     bumps = bumps_of(problem)
+    # Longer groups leave fewer bits for their numbers and take two planes more a slot.
     for size in range(1, 6):
         groups = -(-bumps.steps // size)
         if groups < 3:
@@ -129,12 +132,14 @@ class _Risers:
         every = tuple(range(bits))
         for m in range(1 << bits):
             if not halved:
-                codes.append(m ^ m >> 1)
+                codes.append(gray(m))
                 wanted.append(codes[-1])
                 cubes.append(every)
                 continue
+            # Two low bits go through four places with one turn: a cube of fewer planes holds the
+            # place and those before it, which have risen already.
             high, place = m >> 2, m & 3
-            top = (high ^ high >> 1) << 2
+            top = gray(high) << 2
             odd = high & 1
             codes.append(top | (0, 1, 3, 2)[place] ^ odd)
             wanted.append(top | (odd, odd, 1 ^ odd, 1 ^ odd)[place])
@@ -185,6 +190,7 @@ def _fallers(m: int, bits: int) -> Segment:
 def _flag_script(bumps: Bumps, bits: int, risers: _Risers) -> Script:
     """The state in FLAG, one scratch register, groups of one step."""
     planes, holders = _ends(bumps, 1, bits, risers)
+    # FLAG := NOR(NOR(FLAG, rising), falling) in two steps; FLAG is inverted in between.
     into_flag: Segment = (
         Gate("NOR", "t0", ("t0", "FLAG")), Gate("WHERE", "FLAG", ("t0",)),
     )  # fmt: skip

@@ -141,6 +141,8 @@ class _Walker:
 
     def _register(self, event: Demand, equal: list[str]) -> None:
         state = f"s{event.bucket}"
+        # A rise is OR, a fall AND NOT: NOR(NOT state, equal), for which the state is inverted
+        # first.
         self._gates.nor("t0", equal)
         if event.edge == "rise":
             self._gates.or_(state, [state, "t0"])

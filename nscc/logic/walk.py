@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, replace
 from nscc.logic.cover import Cover, find_cover, life
 from nscc.logic.cubes import Budget
 from nscc.logic.gates import Gates
-from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution, quietest
 
 
 @dataclass(frozen=True)
@@ -52,11 +52,13 @@ class _Choice:
 
 _TURNED = "turned"
 
-# Words of an answer that need no other kind of cover, and those from which one is looked for.
+# Words of an answer that need no other kind of cover (a NOR, a WHERE and a share of a kept cube),
+# and those from which one is looked for.
 _GOOD_PRICE = 2.5
 _DEAR = 4.0
 
-# Demands ahead of the one at hand that a cube's life is counted over.
+# Demands ahead of the one at hand that a cube's life is counted over: the longest horizon of
+# `cover`.
 _AHEAD = 64
 
 
@@ -101,7 +103,7 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
 def _quietest(script: Script) -> str:
     """The plane that is written least: it gets the masked register where all are needed."""
     writes = Counter(gate.destination for gate in _all_gates(script))
-    return min((f"p{i}" for i in range(len(script.planes))), key=lambda name: (writes[name], name))
+    return f"p{quietest([writes[f'p{i}'] for i in range(len(script.planes))])}"
 
 
 def _all_gates(script: Script) -> Iterator[Gate]:
@@ -132,6 +134,7 @@ class _Walker:
         self._run(script.opening)
         answers: list[tuple[Segment, ...]] = []
         for i, demand in enumerate(problem.demands):
+            # What a register held where analog words or a refresh may have been is not known.
             if not (demand.flag_kept or script.state_in_flag):
                 self.values.pop("FLAG", None)
             if not demand.scratch_kept:
@@ -237,6 +240,8 @@ class _Walker:
     def _emit(self, choice: _Choice, ahead: Sequence[int]) -> None:
         """Gates of a cover. New cubes go where the values are that are missed last."""
         names = list(choice.names)
+        # Cubes that read scratch come first, since later ones may overwrite it; then those of most
+        # sources, which are the likeliest to be in the way.
         cubes = sorted(
             choice.cover.cubes,
             key=lambda c: (-sum(names[k][0] == "t" for k in c.sources), -len(c.sources)),
@@ -283,7 +288,8 @@ class _Walker:
         return [t for t in terms if t != free], free
 
     def _place_or_none(self, busy: set[str], ahead: Sequence[int]) -> str | None:
-        """A scratch register that is free, or whose value is missed last; None if all are busy."""
+        """A scratch register, a free one or whose value serves fewest demands to come; None if all
+        are busy."""
         best: str | None = None
         least = 0
         for k in range(self.scratch):

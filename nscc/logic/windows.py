@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from nscc.logic.bumps import Bumps, bumps_of
 from nscc.logic.cubes import Budget
 from nscc.logic.digits import Planes, radices_of, turn_over
-from nscc.logic.gray import cycle, rotation
+from nscc.logic.gray import cycle, gray, rotation
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns, number_planes
@@ -31,6 +31,8 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
     length = _length(bumps)
     bits = max(1, (-(-bumps.steps // length) - 1).bit_length())
     groups = -(-bumps.steps // length)
+    # In the order of `cycle` planes are turned in place, two words each; in that of `rotation` into
+    # the free register, one word, as `improve.recolour` will do.
     orders = [codes for codes in (cycle(groups, bits), rotation(groups, bits)) if codes]
     room = machine.registers - 1 - bits
     tried = 0
@@ -48,6 +50,7 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
                     except GaveUp:
                         continue
                     tried += 1
+            # A walk takes as long as the frame has steps.
             if tried >= (_MOST_TRIED if bumps.steps <= 256 else _MOST_TRIED // 4):
                 return
 
@@ -87,7 +90,7 @@ def _toggle_script(
 ) -> Script:
     group = np.where(bumps.never, 0, bumps.start // length)
     offset = np.where(bumps.never, 0, bumps.start % length)
-    coded = (group ^ group >> 1) << low | (offset ^ offset >> 1)
+    coded = gray(group) << low | gray(offset)
     if np.any(bumps.never):
         raise GaveUp("shutters that never open have no window")
     state = "FLAG" if in_flag else "s0"
@@ -97,10 +100,11 @@ def _toggle_script(
         if i and step == bumps.step[i - 1]:
             continue
         now, place = divmod(step, length)
-        wanted = (now ^ now >> 1) << low | (place ^ place >> 1)
+        wanted = gray(now) << low | gray(place)
         turned = standing ^ wanted
         standing = wanted
-        # The bit in which this group's Gray code differs from that of the group before.
+        # A NOR that leaves out the bit in which this group's code differs from the last one's holds
+        # for both groups: those that open now and those that opened one length ago.
         apart = (now & -now).bit_length() - 1 + low if now else -1
         hit = tuple(f"p{b}" for b in range(high + low) if b != apart)
         flips = tuple((turn_over(b),) for b in range(high + low) if turned >> b & 1)
@@ -127,7 +131,11 @@ def _open_state(state: str) -> Segment:
 
 
 def _turn_state(state: str, roomy: bool) -> Segment:
-    """state := state XOR t0; `roomy`: with three scratch registers, else with two."""
+    """state := state XOR t0; `roomy`: with three scratch registers, else with two.
+
+    t1 := neither; then "t0 alone" and "state alone" are a NOR each with t1, and their OR is the
+    XOR.
+    """
     on, off = ("t0", "t2") if roomy else ("t1", "t0")
     last = Gate("WHERE", "FLAG", (on, off)) if state == "FLAG" else Gate("OR", state, (on, off))
     return (
@@ -140,6 +148,7 @@ def _turn_state(state: str, roomy: bool) -> Segment:
 
 def _length(bumps: Bumps) -> int:
     length = bumps.length
+    # A bump that the end of the frame cuts is a whole one as far as the frame goes.
     whole = np.minimum(bumps.start + length, bumps.steps)
     if length < 2 or np.any((bumps.stop != whole) & ~bumps.never):
         raise GaveUp("bumps of different lengths")
@@ -177,6 +186,8 @@ def _script(
     """`codes` are those of the groups. `doubled`: offset planes both ways round; so are the `low`
     lowest bits of the group.
     """
+    # At place m those of this group are open if offset <= m, those of the group before if not. One
+    # of the two groups is odd: with the planes of odd ones turned over, both read a plane alike.
     group = np.where(bumps.never, 0, bumps.start // length)
     odd = group % 2 == 1
     offset = _offset_planes(bumps.start % length, chosen, odd)

@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 
-from nscc.logic.problem import Gate, Segment, Solution
+from nscc.logic.problem import Gate, Segment, Solution, quietest
+from nscc.operations import Op, op, pair
 from nscc.target.target import Target
-from nscc.words.operations import Op, op, pair
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ def allocate(solution: Solution, target: Target) -> Allocation:
             places[scratch[0]] = target.mask_register
             free.remove(target.mask_register)
         if total == len(target.digital_registers):
-            quiet = min(planes, key=lambda name: (writes[name], name))
+            quiet = planes[quietest([writes[name] for name in planes])]
             places[quiet] = target.masked_register
         free.remove(target.masked_register)
         if not scratch and len(free) > len(planes) + len(states):

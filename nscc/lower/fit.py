@@ -6,14 +6,15 @@ seen; gates that this compiler did not find prove nothing, so `nscc check` only 
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
-from nscc.limits.certain import bits_needed, capacity_note
-from nscc.lower.choose import Choice
 from nscc.lower.ledger import ledger
-from nscc.lower.lowered import Lowered
-from nscc.lower.plan import Misfit
+from nscc.lower.lowered import Choice, Lowered
+from nscc.lower.plan import Lowering, Misfit
 from nscc.lower.resources import chip_label, chip_note, resource
 from nscc.lower.slot_faults import late_fault, overfull_fault, retention_fault
+from nscc.program.capacity import bits_needed, capacity_note
 from nscc.program.program import Program
 from nscc.source import Span
 
@@ -59,69 +60,78 @@ def capacity_fault(program: Program) -> Diagnostic | None:
     )  # fmt: skip
 
 
-def misfit_fault(program: Program, choice: Choice, *, level: int) -> Diagnostic:
-    """Why no lowering at all could be laid out: NS0413, NS0414 (certain) or NS0502 (not)."""
-    reasons = [
-        misfit.reason if misfit.reason.startswith(name) else f"{name}: {misfit.reason}"
-        for name, misfit in choice.misfits.items()
-    ]
-    short = [m for m in choice.misfits.values() if m.resource is not None]
-    if len(short) == len(choice.misfits):
-        least: Misfit = min(short, key=lambda m: m.required)
-        registers = f"{least.available} analog registers that keep a value"
-        buckets = len(program.buckets)
-        most = least.available - (least.required - buckets)
-        helps = [f"keep at most {most} buckets"]
-        if len(choice.misfits) == 1:
-            helps.append("leave --lowering at auto: lowerings differ in what they need")
-        return Diagnostic(
-            "NS0413",
-            f"{buckets} buckets do not fit {program.target.name}: "
-            f"they need {least.required} {least.resource}, the chip has {least.available}",
-            source=program.source,
-            label=Label(program.buckets[-1].span, f"bucket {buckets}"),
-            related=chip_label(program, registers),
-            notes=(
-                "certain: every bucket is a frame in a register of its own",
-                *chip_note(program, registers),
-                *reasons,
-            ),
-            helps=tuple(helps),
-            data=resource("analog registers", least.required, least.available, proved=True),
-        )
-    if not any(misfit.searched for misfit in choice.misfits.values()):
+def plan_fault(program: Program, misfits: Mapping[Lowering, Misfit]) -> Diagnostic:
+    """Why no plan at all could be made: NS0413 or NS0414. Certain."""
+    reasons = _reasons(misfits)
+    short = [m for m in misfits.values() if m.resource is not None]
+    if len(short) < len(misfits):
         return Diagnostic(
             "NS0414",
             "this program cannot be lowered as asked: " + "; ".join(reasons),
             source=program.source,
             label=Label(program.buckets[0].span),
             helps=("leave --lowering at auto, or choose edges or accumulate",),
-            data={"lowerings": list(choice.misfits)},
+            data={"lowerings": list(misfits)},
         )
+    least: Misfit = min(short, key=lambda m: m.required)
+    registers = f"{least.available} analog registers that keep a value"
+    buckets = len(program.buckets)
+    most = least.available - (least.required - buckets)
+    helps = [f"keep at most {most} buckets"]
+    if len(misfits) == 1:
+        helps.append("leave --lowering at auto: lowerings differ in what they need")
+    return Diagnostic(
+        "NS0413",
+        f"{buckets} buckets do not fit {program.target.name}: "
+        f"they need {least.required} {least.resource}, the chip has {least.available}",
+        source=program.source,
+        label=Label(program.buckets[-1].span, f"bucket {buckets}"),
+        related=chip_label(program, registers),
+        notes=(
+            "certain: every bucket is a frame in a register of its own",
+            *chip_note(program, registers),
+            *reasons,
+        ),
+        helps=tuple(helps),
+        data=resource("analog registers", least.required, least.available, proved=True),
+    )
+
+
+def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: int) -> Diagnostic:
+    """NS0502: no gates were found for any plan. Not proved."""
+    available = len(program.target.digital_registers)
     return Diagnostic(
         "NS0502",
         f"no gates were found at -O{level} that decode {len(program.table.shutters)} shutters in "
-        f"{len(program.target.digital_registers)} digital registers",
+        f"{available} digital registers",
         source=program.source,
         label=Label(_field_span(program)),
-        notes=(*reasons, "not proved: another encoding or more search may find some"),
-        helps=(*_another_lowering(choice), _fewer_codes(program)),
-        data=resource(
-            "digital registers", len(program.target.digital_registers) + 1,
-            len(program.target.digital_registers), proved=False,
+        notes=(*_reasons(misfits), "not proved: another encoding or more search may find some"),
+        helps=(
+            *(["leave --lowering at auto: another one may need other gates"] * (len(misfits) == 1)),
+            _fewer_codes(program),
         ),
-    )  # fmt: skip
+        data=resource("digital registers", available + 1, available, proved=False),
+    )
 
 
-def faults(choice: Choice, lowered: Lowered, *, level: int) -> list[Diagnostic]:
-    """Everything that keeps `lowered`, the best of `choice`, from fitting; empty if it fits."""
+def _reasons(misfits: Mapping[Lowering, Misfit]) -> list[str]:
+    return [
+        misfit.reason if misfit.reason.startswith(name) else f"{name}: {misfit.reason}"
+        for name, misfit in misfits.items()
+    ]
+
+
+def faults(choice: Choice, *, level: int) -> list[Diagnostic]:
+    """Everything that keeps the best of `choice` from fitting; empty if it fits."""
+    lowered = choice.best
     found = []
     if not lowered.retained:
         found.append(retention_fault(lowered))
     if lowered.late:
-        found.append(late_fault(choice, lowered, level))
+        found.append(late_fault(choice, level))
     if lowered.overfull:
-        found.append(overfull_fault(choice, lowered, level))
+        found.append(overfull_fault(choice, level))
     if not lowered.stored_ok:
         found.append(_store(lowered, level))
     return found
@@ -191,9 +201,3 @@ def _fewer_codes(program: Program) -> str:
 
 def _field_span(program: Program) -> Span:
     return program.fields[0].span if program.fields else program.buckets[0].span
-
-
-def _another_lowering(choice: Choice) -> tuple[str, ...]:
-    if len(choice.misfits) > 1:
-        return ()
-    return ("leave --lowering at auto: another one may need other gates",)

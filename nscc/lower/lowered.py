@@ -1,28 +1,19 @@
-"""A program lowered in one way, with its price."""
+"""A program lowered in one way, laid out and priced; and the choice between several."""
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.cache.results import Result, Results
-from nscc.logic.generate import solutions
-from nscc.logic.improve import refine
-from nscc.logic.problem import Demand, Machine, Problem, Solution
-from nscc.lower.plan import ExposurePlan, Misfit, Step
+from nscc.logic.problem import Solution
+from nscc.lower.decoding import Decoding
+from nscc.lower.plan import ExposurePlan, Lowering, Misfit, Step
 from nscc.lower.schedule import Schedule, schedule
-from nscc.lower.timeline import Before, Timeline, flag_actions, timeline
+from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
-from nscc.truth import members
-from nscc.words.container import DecodeTable
-from nscc.words.operations import Effect
-
-# Solutions, the best of each encoding, that are worth steps of improvement at each level.
-MOST_IMPROVED = {0: 1, 1: 1, 2: 6, 3: 16}
 
 # Times are sums of decimal fractions: a slot just as long as its words is long enough.
 _ROUNDING = 1 + 1e-9
@@ -36,12 +27,20 @@ class Lowered:
     """
 
     program: Program
-    plan: ExposurePlan
-    solution: Solution
+    decoding: Decoding
     schedule: Schedule
     time: Timeline
-    analog_writes: tuple[int, int]
     most_words: int | None = None
+
+    @property
+    def plan(self) -> ExposurePlan:
+        """The analog half."""
+        return self.decoding.plan
+
+    @property
+    def solution(self) -> Solution:
+        """The gates and the encoding."""
+        return self.decoding.solution
 
     @cached_property
     def words_per_boundary(self) -> list[int]:
@@ -122,45 +121,47 @@ class Lowered:
 
         Neither PIX between two resets nor a frame register may leave its range.
         """
-        return headroom_e(self.program, self.plan)
-
-
-def analog_writes(program: Program, plan: ExposurePlan) -> tuple[int, int]:
-    """Fewest and most analog words (`bus`) that an ever-open pixel executes after the setup."""
-    steps = Counter((s.predicate, s.words) for s in plan.steps if s.bucket >= 0)
-    counts = np.zeros(plan.shutters, dtype=np.int64)
-    for (predicate, words), times in steps.items():
-        buses = times * sum(word.operation.effect is Effect.BUS for word in words)
-        if predicate is None:
-            counts += buses
+        program, plan = self.program, self.plan
+        target = program.target
+        slot_us = np.array(program.frame.slot_us)
+        share = slot_us / slot_us.sum()
+        open_share = program.table.shutters @ share
+        register_share = float(open_share.max(initial=0.0))
+        reads = [s.boundary for s in plan.steps if s.bucket >= 0 and _reads_pix(s)]
+        if plan.lowering == "accumulate":
+            read_slots = [n - 1 for n in reads]
+            pix_share = float(share[read_slots].max(initial=0.0)) if read_slots else 0.0
+        elif any(s.role == "rise" and not _reads_pix(s) for s in plan.steps):
+            pix_share = _longest_bump_share(program.table.shutters, share)
         else:
-            counts[members(predicate, plan.shutters)] += buses
-    opening = program.table.shutters.any(axis=(1, 2))
-    used = counts[opening]
-    return (int(used.min()), int(used.max())) if used.size else (0, 0)
+            pix_share = float(share[: max(reads, default=0)].sum())
+            if plan.lowering == "edges":
+                register_share = max(register_share, _deepest_share(plan, share))
+        limits = [target.full_well_e / pix_share] if pix_share else []
+        if register_share:
+            limits.append(min(target.register_max_e, -target.register_min_e) / register_share)
+        return min(limits, default=target.full_well_e)
 
 
-def headroom_e(program: Program, plan: ExposurePlan) -> float:
-    """See `Lowered.headroom_e`."""
-    target = program.target
-    slot_us = np.array(program.frame.slot_us)
-    share = slot_us / slot_us.sum()
-    open_share = program.table.shutters @ share
-    register_share = float(open_share.max(initial=0.0))
-    reads = [s.boundary for s in plan.steps if s.bucket >= 0 and _reads_pix(s)]
-    if plan.lowering == "accumulate":
-        read_slots = [n - 1 for n in reads]
-        pix_share = float(share[read_slots].max(initial=0.0)) if read_slots else 0.0
-    elif any(s.role == "rise" and not _reads_pix(s) for s in plan.steps):
-        pix_share = _longest_bump_share(program.table.shutters, share)
-    else:
-        pix_share = float(share[: max(reads, default=0)].sum())
-        if plan.lowering == "edges":
-            register_share = max(register_share, _deepest_share(plan, share))
-    limits = [target.full_well_e / pix_share] if pix_share else []
-    if register_share:
-        limits.append(min(target.register_max_e, -target.register_min_e) / register_share)
-    return min(limits, default=target.full_well_e)
+@dataclass(frozen=True)
+class Choice:
+    """The lowerings that were laid out, best first, and why others are none."""
+
+    tried: tuple[Lowered, ...]
+    misfits: dict[Lowering, Misfit]
+
+    @property
+    def best(self) -> Lowered:
+        """The best lowering, whether it fits or not."""
+        return self.tried[0]
+
+
+def lay_out(
+    program: Program, decoding: Decoding, time: Timeline, most_words: int | None
+) -> Lowered:
+    """The words of a decoding over the frame's boundaries. `most_words` as in Lowered."""
+    laid = schedule(decoding, time, program.target)
+    return Lowered(program, decoding, laid, time, most_words)
 
 
 def _reads_pix(step: Step) -> bool:
@@ -181,110 +182,3 @@ def _deepest_share(plan: ExposurePlan, share: np.ndarray) -> float:
     """The largest light that a rising edge subtracts, as a share of the frame's."""
     rises = [s.boundary for s in plan.steps if s.role == "rise"]
     return float(share[: max(rises, default=0)].sum())
-
-
-def problem_of(
-    program: Program, plan: ExposurePlan, time: Timeline, opens: list[list[int]]
-) -> tuple[Problem, list[Before]]:
-    """What the gates must compute for a plan, and what every step does to FLAG."""
-    actions = flag_actions(plan, time, program.target)
-    demands: list[Demand] = []
-    for step, action in zip(plan.steps, actions, strict=True):
-        if step.predicate is not None:
-            kept = action == "keep" and bool(demands)
-            last = demands[-1].boundary if demands else 0
-            quiet = not any(last < n <= step.boundary for n in time.refresh_at or ())
-            demands.append(
-                Demand(step.boundary, step.role, step.bucket, step.predicate, kept, quiet)
-            )
-    lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
-    levels = tuple(tuple(bucket) for bucket in opens)
-    values = _field_values(program)
-    return Problem(tuple(demands), plan.shutters, levels, lasts, values), actions
-
-
-def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
-    """Every field's value in one code of each shutter; free bits are fields of their own.
-
-    Of several codes one is taken whose values other shutters need anyway.
-    """
-    codes = _code_of_shutter(program.table)
-    values: dict[str, NDArray[np.int64]] = {}
-    for index, field in enumerate(program.fields):
-        if field.bits is None:
-            values[field.name] = codes[:, index]
-        else:
-            bits = {f"{field.name}[{k}]": codes[:, index] >> k & 1 for k in range(field.bits)}
-            values.update(bits)
-    return values
-
-
-def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
-    """A row of `table.codes` for each shutter."""
-    if len(table.codes) == len(table.shutters):
-        return table.codes[np.argsort(table.shutter_of_code)]
-    meant = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
-    only = table.codes[meant[table.shutter_of_code] == 1]
-    needed = np.ones(len(table.codes), dtype=np.bool_)
-    for column, used in zip(table.codes.T, only.T, strict=True):
-        needed &= np.isin(column, used)
-    order = np.argsort(~needed, kind="stable")
-    _, first = np.unique(table.shutter_of_code[order], return_index=True)
-    return table.codes[order[first]]
-
-
-def lower(
-    program: Program,
-    plan: ExposurePlan,
-    level: int,
-    opens: list[list[int]],
-    writes: tuple[int, int],
-    results: Results | None = None,
-    most_words: int | None = None,
-) -> Lowered | Misfit:
-    """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found.
-
-    `opens` is `levels(program)` and `writes` is `analog_writes(program, plan)`; `most_words` as
-    in Lowered. Level 0 takes the first solution that fits, levels 2 and 3 improve the best ones.
-    No level's solution is dearer than that of the level below. What is already known comes from
-    `results`.
-    """
-    time = timeline(program.frame.slot_us, len(program.buckets), program.target)
-    problem, actions = problem_of(program, plan, time, opens)
-    machine = Machine.of(program.target)
-    known = Result()
-    if results is not None:
-        known = results.find(problem, machine, level, plan, time, program.target, most_words)
-
-    def priced(solution: Solution) -> Lowered:
-        laid = schedule(plan, solution, actions, time, program.target)
-        return Lowered(program, plan, solution, laid, time, writes, most_words)
-
-    by_encoding: dict[str, Lowered] = {}
-    for solution in known.or_else(solutions(problem, machine, level)):
-        candidate = priced(solution)
-        other = by_encoding.get(solution.encoding)
-        if other is None or candidate.price < other.price:
-            by_encoding[solution.encoding] = candidate
-        if level == 0 and candidate.fits:
-            break
-    found = sorted(by_encoding.values(), key=lambda each: each.price)[: MOST_IMPROVED[level]]
-    searched = known.known is None and bool(problem.demands)
-    if level >= 2 and searched and found:
-        store = program.target.store_words
-        found.insert(0, refine(found, problem, machine, level, priced, store))
-    if level > 0 and searched and (level > 1 or not found or not found[0].fits):
-        # More steps end some generators elsewhere and leave out others: not always better.
-        below = lower(program, plan, level - 1, opens, writes, results, most_words)
-        if isinstance(below, Lowered):
-            found.append(below)
-    if not found:
-        return Misfit(
-            "no generator found gates in "
-            f"{len(program.target.digital_registers)} digital registers",
-            searched=True,
-        )
-    best = min(found, key=lambda each: each.price)
-    if level >= 2 and searched:
-        known.keep(best.solution)
-    return best

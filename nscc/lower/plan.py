@@ -14,23 +14,27 @@ compute it is not its business.
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Literal, get_args
+from itertools import pairwise
+from typing import Literal, NamedTuple, get_args
 
 import numpy as np
 
+from nscc.lower.timeline import Timeline, timeline
+from nscc.operations import Effect, Op, op
 from nscc.program.program import Program
-from nscc.truth import columns
-from nscc.words.operations import Op, op
+from nscc.truth import columns, members
 
 Lowering = Literal["accumulate", "latch", "edges"]
 LOWERINGS: tuple[Lowering, ...] = get_args(Lowering)
+LoweringOption = Lowering | Literal["auto"]
 
 Role = Literal["setup", "reset", "open", "rise", "fall"]
 
 
-@dataclass(frozen=True, slots=True)
-class Step:
+class Step(NamedTuple):
     """Analog words that run at one boundary in the pixels of `predicate`.
 
     `predicate` None means every pixel, whatever FLAG was. `bucket` is the bucket's number, -1 for
@@ -46,7 +50,11 @@ class Step:
 
 @dataclass(frozen=True)
 class ExposurePlan:
-    """The analog half of a program. `registers` maps every analog register used to its holder."""
+    """The analog half of a program. `registers` maps every analog register used to its holder.
+
+    `analog_writes` are the fewest and most analog words (`bus`) that a pixel which ever opens
+    executes after the setup.
+    """
 
     lowering: Lowering
     steps: tuple[Step, ...]
@@ -54,6 +62,7 @@ class ExposurePlan:
     bucket_registers: tuple[str, ...]
     shutters: int
     slots: int
+    analog_writes: tuple[int, int]
 
     @property
     def everywhere(self) -> int:
@@ -75,15 +84,48 @@ class Misfit:
     searched: bool = False
 
 
-def levels(program: Program) -> list[list[int]]:
-    """For every bucket, the truth vector of the open shutters in each slot."""
+Opens = tuple[tuple[int, ...], ...]
+"""For every bucket, the truth vector of the open shutters in each slot."""
+
+
+@dataclass(frozen=True)
+class Planned:
+    """A program with its exposure plans, fewest analog writes first, and why others are none."""
+
+    program: Program
+    time: Timeline
+    opens: Opens
+    plans: tuple[ExposurePlan, ...]
+    misfits: dict[Lowering, Misfit]
+
+
+def plan_exposures(program: Program, wanted: LoweringOption) -> Planned:
+    """`program` planned in the lowering that is wanted, or in all of them."""
+    opens = levels(program)
+    plans: list[ExposurePlan] = []
+    misfits: dict[Lowering, Misfit] = {}
+    for lowering in LOWERINGS if wanted == "auto" else (wanted,):
+        plan = plan_exposure(program, lowering, opens)
+        if isinstance(plan, Misfit):
+            misfits[lowering] = plan
+        else:
+            plans.append(plan)
+    plans.sort(key=lambda plan: plan.analog_writes[1])
+    return Planned(program, frame_time(program), opens, tuple(plans), misfits)
+
+
+def frame_time(program: Program) -> Timeline:
+    """The timeline of the program's frame."""
+    return timeline(program.frame.slot_us, len(program.buckets), program.target)
+
+
+def levels(program: Program) -> Opens:
+    """The predicates that the program's shutters are made of."""
     shutters = program.table.shutters
-    return [columns(shutters[:, bucket, :]) for bucket in range(shutters.shape[1])]
+    return tuple(tuple(columns(shutters[:, bucket, :])) for bucket in range(shutters.shape[1]))
 
 
-def plan_exposure(
-    program: Program, lowering: Lowering, opens: list[list[int]]
-) -> ExposurePlan | Misfit:
+def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> ExposurePlan | Misfit:
     """The plan of `lowering` for `program`, or why there is none. `opens` is `levels(program)`."""
     buckets = len(program.buckets)
     free = program.target.analog_available
@@ -105,6 +147,25 @@ def plan_exposure(
     return builder.build()
 
 
+def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
+    """See ExposurePlan."""
+    shutters = len(program.table.shutters)
+    counts = np.zeros(shutters, dtype=np.int64)
+    # By identity: there are few tuples of words, and comparing them takes long.
+    distinct = {id(s.words): s.words for s in steps}
+    alike = Counter((s.predicate, id(s.words)) for s in steps if s.bucket >= 0)
+    for (predicate, known), times in alike.items():
+        words = distinct[known]
+        buses = times * sum(word.operation.effect is Effect.BUS for word in words)
+        if predicate is None:
+            counts += buses
+        else:
+            counts[members(predicate, shutters)] += buses
+    opening = program.table.shutters.any(axis=(1, 2))
+    used = counts[opening]
+    return (int(used.min()), int(used.max())) if used.size else (0, 0)
+
+
 def _prefixes(program: Program) -> bool:
     shutters = program.table.shutters
     return not bool(np.any(shutters[:, :, 1:] & ~shutters[:, :, :-1]))
@@ -114,7 +175,7 @@ class _Builder:
     """Collects the steps of one plan in the order in which they run."""
 
     def __init__(
-        self, program: Program, lowering: Lowering, opens: list[list[int]], reference: str | None
+        self, program: Program, lowering: Lowering, opens: Opens, reference: str | None
     ) -> None:
         self.program = program
         self.lowering = lowering
@@ -149,9 +210,12 @@ class _Builder:
             tuple(self.registers),
             len(self.program.table.shutters),
             self.slots,
+            _analog_writes(self.program, self.steps),
         )
 
-    def _step(self, boundary: int, role: Role, bucket: int, predicate: int, *words: Op) -> None:
+    def _step(
+        self, boundary: int, role: Role, bucket: int, predicate: int, words: tuple[Op, ...]
+    ) -> None:
         """Adds a step, unless no shutter takes part in it."""
         if predicate:
             where = None if predicate == self.everywhere else predicate
@@ -183,26 +247,24 @@ class _Builder:
     def _accumulate(self) -> None:
         adds = [self._add(register) for register in self.registers]
         reset = self._reset()
-        for slot in range(self.slots):
-            lit = [bucket[slot] for bucket in self.opens]
+        for slot, lit in enumerate(zip(*self.opens, strict=True)):
             if slot and any(lit):
                 self.steps.append(Step(slot, "reset", -1, None, reset))
             for bucket, add in enumerate(adds):
-                self._step(slot + 1, "open", bucket, lit[bucket], *add)
+                self._step(slot + 1, "open", bucket, lit[bucket], add)
 
     def _latch(self) -> None:
         """A pixel's last write is the one at its stop: only boundaries where one closes count."""
         assert self.reference is not None
-        for slot in range(self.slots):
-            for bucket, register in enumerate(self.registers):
-                now = self.opens[bucket][slot]
-                then = self.opens[bucket][slot + 1] if slot + 1 < self.slots else 0
-                if now != then:
-                    copy = (
-                        op("bus", (self.scratch,), ("PIX",)),
-                        op("bus", (register,), (self.scratch, self.reference)),
-                    )
-                    self._step(slot + 1, "open", bucket, now, *copy)
+        sample = op("bus", (self.scratch,), ("PIX",))
+        copies = [
+            (sample, op("bus", (register,), (self.scratch, self.reference)))
+            for register in self.registers
+        ]
+        for boundary, changes in self._changes():
+            for bucket, (before, after) in enumerate(changes):
+                if before != after:
+                    self._step(boundary, "open", bucket, before, copies[bucket])
 
     def _edges(self) -> None:
         """Falls before rises: a rise may reset what another bucket's fall still has to read."""
@@ -213,17 +275,20 @@ class _Builder:
             rises = [self._subtract(register) for register in self.registers]
         # With a reference, PIX stands at it at boundary 0: there is nothing to subtract.
         first_rise = 0 if self.reference is None else 1
-        for boundary in range(self.slots + 1):
-            changes = [
-                (levels_[boundary - 1] if boundary else 0,
-                 levels_[boundary] if boundary < self.slots else 0)
-                for levels_ in self.opens
-            ]  # fmt: skip
+        for boundary, changes in self._changes():
             for bucket, (before, after) in enumerate(changes):
-                self._step(boundary, "fall", bucket, before & ~after, *falls[bucket])
+                self._step(boundary, "fall", bucket, before & ~after, falls[bucket])
             if boundary >= first_rise:
                 for bucket, (before, after) in enumerate(changes):
-                    self._step(boundary, "rise", bucket, after & ~before, *rises[bucket])
+                    self._step(boundary, "rise", bucket, after & ~before, rises[bucket])
+
+    def _changes(self) -> Iterator[tuple[int, list[tuple[int, int]]]]:
+        """Boundaries where shutters change: for each bucket, which are open before and after."""
+        closed = (0,) * len(self.opens)
+        states = (closed, *zip(*self.opens, strict=True), closed)
+        for boundary, (before, after) in enumerate(pairwise(states)):
+            if before != after:
+                yield boundary, list(zip(before, after, strict=True))
 
     def _can_reset_at_rise(self) -> bool:
         """Whether a rising pixel may lose what PIX holds: no other bucket of it is still open."""

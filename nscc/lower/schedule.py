@@ -11,13 +11,13 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 
-from nscc.logic.problem import Segment, Solution
+from nscc.logic.problem import Segment
 from nscc.lower.allocate import Allocation, allocate, refresh_words, words
-from nscc.lower.plan import ExposurePlan
-from nscc.lower.timeline import Before, Timeline, fades
+from nscc.lower.decoding import Decoding
+from nscc.lower.timeline import Timeline, fades
+from nscc.operations import Effect, Op, op
 from nscc.target.target import Target
 from nscc.words.cost import refresh_count, words_us
-from nscc.words.operations import Effect, Op, op
 
 Words = tuple[Op, ...]
 
@@ -78,16 +78,11 @@ def _time_us(kernel: Sequence[Op], target: Target) -> float:
     return words_us(analog, len(kernel) - analog, target)
 
 
-def schedule(
-    plan: ExposurePlan,
-    solution: Solution,
-    actions: Sequence[Before],
-    time: Timeline,
-    target: Target,
-) -> Schedule:
+def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
     """Lays a solution's gates and a plan's analog words out over the boundaries."""
-    allocation = allocate(solution, target)
-    boundaries = _segments(plan, solution, actions, allocation, plan.slots)
+    plan = decoding.plan
+    allocation = allocate(decoding.solution, target)
+    boundaries = _segments(decoding, allocation)
     refreshed = _refreshed(boundaries, allocation, time)
     exposed = max(
         i for i, w in enumerate(boundaries[0][0]) if w.operation.effect is Effect.RESET_PIX
@@ -114,14 +109,9 @@ def schedule(
     return result
 
 
-def _segments(
-    plan: ExposurePlan,
-    solution: Solution,
-    actions: Sequence[Before],
-    allocation: Allocation,
-    slots: int,
-) -> list[list[Words]]:
+def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
     """The words of every boundary, in segments; boundary 0's first one ends the setup."""
+    plan, solution, slots = decoding.plan, decoding.solution, decoding.plan.slots
     boundaries: list[list[Words]] = [[] for _ in range(slots + 1)]
     answers = iter(solution.answers)
     known: dict[Segment, Words] = {}
@@ -133,7 +123,7 @@ def _segments(
 
     setup: list[Op] = []
     opened = False
-    for step, action in zip(plan.steps, actions, strict=True):
+    for step, action in zip(plan.steps, decoding.actions, strict=True):
         in_setup = step.boundary == 0 and step.bucket < 0
         analog: Words = step.words
         if solution.state_in_flag and step.predicate is None and not in_setup:
@@ -182,6 +172,9 @@ def _merged(boundaries: Sequence[Sequence[Words]], apart: Collection[Words]) -> 
     """One segment for each boundary, but for segments that stay `apart`."""
     merged: list[list[Words]] = []
     for segments in boundaries:
+        if len(segments) < 2:
+            merged.append(list(segments))
+            continue
         run: list[Words] = []
         for alone, group in groupby(segments, key=lambda segment: segment in apart):
             found = list(group)

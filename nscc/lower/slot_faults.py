@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label
-from nscc.lower.choose import Choice
-from nscc.lower.lowered import Lowered
+from nscc.lower.lowered import Choice, Lowered
 from nscc.lower.resources import at_least, chip_label, chip_note, resource, time_text
 from nscc.program.problems import counted
 from nscc.target.target import Target
@@ -31,11 +30,12 @@ def retention_fault(lowered: Lowered) -> Diagnostic:
     )
 
 
-def late_fault(choice: Choice, lowered: Lowered, level: int) -> Diagnostic:
+def late_fault(choice: Choice, level: int) -> Diagnostic:
     """NS0601: words take longer than the slot at whose start they run.
 
     Certain where, in every lowering, the analog words and one launch alone do.
     """
+    lowered = choice.best
     program, target = lowered.program, lowered.program.target
     slots_us = program.frame.slot_us
     certain = _nothing_untried(choice) and all(_too_short(tried) for tried in choice.tried)
@@ -66,11 +66,12 @@ def late_fault(choice: Choice, lowered: Lowered, level: int) -> Diagnostic:
     )
 
 
-def overfull_fault(choice: Choice, lowered: Lowered, level: int) -> Diagnostic:
+def overfull_fault(choice: Choice, level: int) -> Diagnostic:
     """NS0603: more words at a boundary than `--max-words-per-slot` allows.
 
     Certain where, in every lowering, the analog words of a boundary alone are more.
     """
+    lowered = choice.best
     program, allowed = lowered.program, lowered.most_words
     assert allowed is not None
     words = lowered.words_per_boundary

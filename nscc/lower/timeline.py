@@ -1,14 +1,11 @@
-"""When things happen in a frame, how long digital memory keeps, and what FLAG holds meanwhile."""
+"""When things happen in a frame, and how long digital memory keeps."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
-from typing import Literal
 
-from nscc.lower.plan import ExposurePlan, Step
 from nscc.target.target import Target
-from nscc.words.operations import Effect
 
 # Words take time, and the retention is a typical figure: nothing is left to age beyond this share.
 RETENTION_SHARE = 0.9
@@ -67,50 +64,3 @@ def fades(written_at: tuple[int, ...], time: Timeline) -> bool:
     wrap = time.boundary_us[-1] - times[-1] + time.between_us + times[0]
     gaps = [b - a for a, b in pairwise(times)]
     return max([wrap, *gaps]) > time.keep_us
-
-
-Before = Literal["nothing", "all", "keep", "load"]
-
-
-def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:
-    """What each step needs done to FLAG before its words.
-
-    "nothing": FLAG does not matter; "all": set it everywhere; "load": bring the step's predicate;
-    "keep": FLAG still holds the last predicate that was loaded, or 1 everywhere if the step is
-    for every pixel.
-    """
-    lost_at = set(time.refresh_at or ())
-    actions: list[Before] = []
-    held: Literal["unknown", "all", "predicate"] = "unknown"
-    loaded: int | None = None
-    since_us = 0.0
-    boundary = 0
-    for step in plan.steps:
-        now_us = time.boundary_us[step.boundary]
-        crossed = any(boundary < n <= step.boundary for n in lost_at) if lost_at else False
-        if crossed or now_us - since_us > time.keep_us:
-            held = "unknown"
-        boundary = step.boundary
-        if step.predicate is not None:
-            actions.append("keep" if held == "predicate" else "load")
-            if held != "predicate" or step.predicate != loaded:
-                since_us = now_us
-            held, loaded = "predicate", step.predicate
-        elif not _needs_flag(step, target):
-            actions.append("nothing")
-        elif held == "all":
-            actions.append("keep")
-        else:
-            actions.append("all")
-            held, since_us = "all", now_us
-    return actions
-
-
-def _needs_flag(step: Step, target: Target) -> bool:
-    for word in step.words:
-        effect = word.operation.effect
-        if effect is Effect.BUS:
-            return True
-        if effect is Effect.RESET_PIX and target.reset_honours_flag != "no":
-            return True
-    return False

@@ -12,7 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.evaluate import array, evaluate
+from nscc.program.arithmetic import array
+from nscc.program.evaluate import evaluate
 from nscc.program.expressions import Checked
 from nscc.program.problems import counted
 from nscc.program.table import Rules, distinct_rows

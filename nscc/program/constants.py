@@ -4,7 +4,8 @@ other, which need not be the order written."""
 from __future__ import annotations
 
 from nscc.diagnostics.diagnostic import Label
-from nscc.program.evaluate import Fault, evaluate
+from nscc.program.arithmetic import Fault
+from nscc.program.evaluate import evaluate
 from nscc.program.expressions import FAILED, Meaning, Scope, check, names_in
 from nscc.program.limits import MOST_SLOTS
 from nscc.program.names import Declarations

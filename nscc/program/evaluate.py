@@ -1,23 +1,32 @@
 """Values of checked expressions, exact, for many codes, slots or pixels at once.
 
-Integers never wrap: beyond 2^62 - 1 in magnitude an operation is a fault, as are division by zero,
-an index outside its bits or rows, and a shift count outside 0..61. Faults are lazy where the
-language chooses: `and`, `or` and a chain of comparisons stop at the first part that decides them,
-and `A if C else B` evaluates only the branch that C names, so `n != 0 and 8 / n > 2` has none.
-(`xor`, `min` and `max` use all their operands.)
+A fault of arithmetic, or an index outside its bits or rows, leaves a place without a value. Faults
+are lazy where the language chooses: `and`, `or` and a chain of comparisons stop at the first part
+that decides them, and `A if C else B` evaluates only the branch that C names, so
+`n != 0 and 8 / n > 2` has none. (`xor`, `min` and `max` use all their operands.)
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any, assert_never
+from typing import assert_never
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.expressions import LIMIT, Checked, operands
+from nscc.program.arithmetic import (
+    ARITHMETIC,
+    Data,
+    Fault,
+    Faults,
+    Value,
+    either,
+    guard,
+    scalar,
+    where,
+)
+from nscc.program.expressions import Checked, operands
 from nscc.program.problems import clipped
-from nscc.source import Span
 from nscc.syntax.tree import (
     Binary,
     Bool,
@@ -31,59 +40,8 @@ from nscc.syntax.tree import (
     Unary,
 )
 
-MOST_SHIFT = 61
-
-Data = Any
-"""An int or a bool, or an int64 or bool array that broadcasts against the others."""
-
-
-class Fault:
-    """Why an expression has no value: a code of nscc, one line of text, the place."""
-
-    __slots__ = ("code", "message", "span", "text")
-
-    def __init__(self, code: str, message: str, span: Span, text: str) -> None:
-        self.code = code
-        self.message = message
-        self.span = span
-        self.text = text
-
-
-Faults = Fault | NDArray[np.bool_] | None
-"""No fault, one that holds everywhere, or the places where there is one."""
-
-
-class Value:
-    """What one node is worth: integers lie in `low`..`high`; where `faults` hold, data is void.
-
-    One integer bounds itself: the bounds given with it are not used.
-    """
-
-    __slots__ = ("data", "faults", "high", "low")
-
-    def __init__(self, data: Data, low: int, high: int, faults: Faults = None) -> None:
-        if type(data) is int:
-            low = high = data
-        self.data = data
-        self.low = low
-        self.high = high
-        self.faults = faults
-
-
 Bindings = Mapping[str, Value]
 Books = Mapping[str, NDArray[np.bool_]]
-
-
-def scalar(number: int) -> Value:
-    """The value of one integer."""
-    return Value(number, number, number)
-
-
-def array(numbers: NDArray[np.int64]) -> Value:
-    """The value of an int64 array of numbers within the limit."""
-    if numbers.size == 0:
-        return Value(numbers, 0, 0)
-    return Value(numbers, int(numbers.min()), int(numbers.max()))
 
 
 def evaluate(expr: Checked, bindings: Bindings, books: Books) -> Value:
@@ -139,9 +97,9 @@ def _value(
             return _junction(given[0], given[1], False)
         case Binary(op="xor"):
             a, b = given
-            return Value(a.data ^ b.data, 0, 1, _either(a.faults, b.faults))
+            return Value(a.data ^ b.data, 0, 1, either(a.faults, b.faults))
         case Binary():
-            return _ARITHMETIC[node.op](node, *given)
+            return ARITHMETIC[node.op](node, *given)
         case Compare():
             return _chain(node, given)
         case IfElse():
@@ -155,44 +113,6 @@ def _value(
     assert_never(node)
 
 
-# Faults: which of them reach a result.
-
-
-def _either(a: Faults, b: Faults) -> Faults:
-    if a is None or isinstance(b, Fault):
-        return b if a is None or not isinstance(a, Fault) else a
-    if b is None or isinstance(a, Fault):
-        return a
-    return a | b
-
-
-def _where(condition: Data, faults: Faults) -> Faults:
-    """The faults that remain where only the places of `condition` are evaluated."""
-    if faults is None:
-        return None
-    if isinstance(condition, np.ndarray):
-        if isinstance(faults, Fault):
-            return condition.copy()
-        return condition & faults
-    return faults if condition else None
-
-
-def _guard(
-    wrong: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
-) -> tuple[Data, Faults]:
-    """`data` with the places that are `wrong` made `harmless`, and the faults they are."""
-    if isinstance(wrong, np.ndarray):
-        if not wrong.any():
-            return data, before
-        return np.where(wrong, harmless, data), _either(before, wrong)
-    if not wrong:
-        return data, before
-    return harmless, _either(before, fault())
-
-
-# Choices.
-
-
 def _pick(condition: Data, then: Data, other: Data) -> Data:
     if isinstance(condition, np.ndarray):
         return np.where(condition, then, other)
@@ -200,21 +120,21 @@ def _pick(condition: Data, then: Data, other: Data) -> Data:
 
 
 def _chosen(condition: Value, then: Value, other: Value) -> Value:
-    branches = _either(
-        _where(condition.data, then.faults), _where(condition.data ^ True, other.faults)
+    branches = either(
+        where(condition.data, then.faults), where(condition.data ^ True, other.faults)
     )
     return Value(
         _pick(condition.data, then.data, other.data),
         min(then.low, other.low),
         max(then.high, other.high),
-        _either(condition.faults, branches),
+        either(condition.faults, branches),
     )
 
 
 def _junction(a: Value, b: Value, conjunction: bool) -> Value:
     undecided = a.data if conjunction else a.data ^ True
     data = a.data & b.data if conjunction else a.data | b.data
-    return Value(data, 0, 1, _either(a.faults, _where(undecided, b.faults)))
+    return Value(data, 0, 1, either(a.faults, where(undecided, b.faults)))
 
 
 def _chain(node: Compare, given: list[Value]) -> Value:
@@ -222,7 +142,7 @@ def _chain(node: Compare, given: list[Value]) -> Value:
         Value(_COMPARE[op](a.data, b.data), 0, 1, b.faults)
         for op, a, b in zip(node.ops, given, given[1:], strict=False)
     ]
-    result = Value(links[0].data, 0, 1, _either(given[0].faults, links[0].faults))
+    result = Value(links[0].data, 0, 1, either(given[0].faults, links[0].faults))
     for link in links[1:]:
         result = _junction(result, link, True)
     return result
@@ -241,121 +161,9 @@ def _extreme(name: str, given: list[Value]) -> Value:
             data,
             pick(result.low, b.low),
             pick(result.high, b.high),
-            _either(result.faults, b.faults),
+            either(result.faults, b.faults),
         )
     return result
-
-
-# Arithmetic: `low` and `high` come from interval arithmetic in unbounded integers, so that places
-# are searched for faults only where the intervals allow one.
-
-
-def _bounded(
-    node: Binary, a: Value, b: Value, low: int, high: int, faults: Faults,
-    compute: Callable[[], Data], beyond: Callable[[], Data],
-) -> Value:  # fmt: skip
-    """`compute` guarded against results beyond the limit; `beyond` finds the places."""
-
-    def fault() -> Fault:
-        text = f"{clipped(a.data)} {node.op} {clipped(b.data)} is beyond 2^62 - 1"
-        return Fault("NS0305", f"a number becomes too large: {text}", node.span, text)
-
-    if low >= -LIMIT and high <= LIMIT:
-        return Value(compute(), low, high, faults)
-    if isinstance(a.data, int) and isinstance(b.data, int):
-        return Value(0, 0, 0, _either(faults, fault()))
-    with np.errstate(over="ignore"):
-        data, faults = _guard(beyond(), compute(), 0, fault, faults)
-    return Value(data, max(low, -LIMIT), min(high, LIMIT), faults)
-
-
-def _sum(node: Binary, a: Value, b: Value) -> Value:
-    sign = 1 if node.op == "+" else -1
-    low = a.low + (b.low if sign > 0 else -b.high)
-    high = a.high + (b.high if sign > 0 else -b.low)
-
-    def compute() -> Data:
-        return a.data + b.data if sign > 0 else a.data - b.data
-
-    faults = _either(a.faults, b.faults)
-    return _bounded(
-        node, a, b, low, high, faults, compute, lambda: np.abs(compute()) > LIMIT
-    )  # two values within the limit sum to less than 2^63: compute() itself never wraps
-
-
-def _product(node: Binary, a: Value, b: Value) -> Value:
-    corners = (a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high)
-
-    def beyond() -> Data:
-        return np.abs(a.data) > LIMIT // np.maximum(np.abs(b.data), 1)
-
-    return _bounded(
-        node, a, b, min(corners), max(corners), _either(a.faults, b.faults),
-        lambda: a.data * b.data, beyond,
-    )  # fmt: skip
-
-
-def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
-    faults = _either(a.faults, b.faults)
-    if not b.low <= 0 <= b.high:
-        return b.data, faults
-    what = "division by zero" if node.op == "/" else "remainder of a division by zero"
-    return _guard(
-        b.data == 0,
-        b.data,
-        1,
-        lambda: Fault("NS0302", what, node.right.span, "this is 0"),
-        faults,
-    )
-
-
-def _quotient(node: Binary, a: Value, b: Value) -> Value:
-    divisor, faults = _divisor(node, a, b)
-    if b.low <= 0 <= b.high:
-        most = max(abs(a.low), abs(a.high))
-        low, high = -most, most
-    else:
-        corners = (a.low // b.low, a.low // b.high, a.high // b.low, a.high // b.high)
-        low, high = min(corners), max(corners)
-    return Value(a.data // divisor, low, high, faults)
-
-
-def _remainder(node: Binary, a: Value, b: Value) -> Value:
-    divisor, faults = _divisor(node, a, b)
-    return Value(a.data % divisor, min(b.low + 1, 0), max(b.high - 1, 0), faults)
-
-
-def _shift(node: Binary, a: Value, b: Value) -> Value:
-    faults = _either(a.faults, b.faults)
-    count = b
-    if b.low < 0 or b.high > MOST_SHIFT:
-
-        def fault() -> Fault:
-            text = f"the count is {clipped(b.data)}"
-            return Fault(
-                "NS0304", f"a shift by {clipped(b.data)} is not possible", node.right.span, text
-            )
-
-        wrong = (b.data < 0) | (b.data > MOST_SHIFT)
-        data, faults = _guard(wrong, b.data, 0, fault, faults)
-        low, high = max(b.low, 0), min(max(b.high, 0), MOST_SHIFT)
-        count = Value(data, min(low, high), high, faults)
-        if data is not b.data:
-            count.low = 0
-    corners = (
-        a.low << count.low, a.low << count.high, a.high << count.low, a.high << count.high,
-    )  # fmt: skip
-
-    def beyond() -> Data:
-        return np.abs(a.data) > LIMIT >> count.data
-
-    return _bounded(
-        node, a, count, min(corners), max(corners), faults,
-        lambda: a.data << count.data, beyond,
-    )  # fmt: skip
-
-
-# Digits.
 
 
 def _position(node: Index, index: Value, size: int, what: str) -> tuple[Data, Faults]:
@@ -373,13 +181,13 @@ def _position(node: Index, index: Value, size: int, what: str) -> tuple[Data, Fa
         )
 
     wrong = (index.data < 0) | (index.data >= size)
-    return _guard(wrong, index.data, 0, fault, index.faults)
+    return guard(wrong, index.data, 0, fault, index.faults)
 
 
 def _bit(node: Index, index: Value, field: Value, bindings: Bindings) -> Value:
     bits = bindings[bit_count(node.base.text)].low
     position, faults = _position(node, index, bits, f"{bits} bits")
-    return Value((field.data >> position) & 1 != 0, 0, 1, _either(field.faults, faults))
+    return Value((field.data >> position) & 1 != 0, 0, 1, either(field.faults, faults))
 
 
 def bit_count(field: str) -> str:
@@ -400,15 +208,6 @@ def _digit(node: Index, index: Value, book: NDArray[np.bool_], slot: Value) -> V
             return Value(book[row[..., 0]], 0, 1, faults)
     return Value(book[row, n], 0, 1, faults)
 
-
-_ARITHMETIC: dict[str, Callable[[Binary, Value, Value], Value]] = {
-    "+": _sum,
-    "-": _sum,
-    "*": _product,
-    "/": _quotient,
-    "%": _remainder,
-    "<<": _shift,
-}
 
 _COMPARE: dict[str, Callable[[Data, Data], Data]] = {
     "<": lambda a, b: a < b,

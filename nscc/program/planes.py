@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Label
+from nscc.program.arithmetic import Value, array
 from nscc.program.arrays_file import ArraysFile, Unreadable
 from nscc.program.constants import constant
-from nscc.program.evaluate import Value, array, evaluate, fault_at
+from nscc.program.evaluate import evaluate, fault_at
 from nscc.program.expressions import Checked, Meaning, check
 from nscc.program.limits import MOST_FIELDS, WORK_LIMIT, work
 from nscc.program.names import Declarations

@@ -7,16 +7,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.evaluate import (
-    Books,
-    Fault,
-    Value,
-    array,
-    bit_count,
-    evaluate,
-    fault_at,
-    scalar,
-)
+from nscc.program.arithmetic import Fault, Value, array, scalar
+from nscc.program.evaluate import Books, bit_count, evaluate, fault_at
 from nscc.program.expressions import Checked
 from nscc.program.limits import (
     COMBINATION_LIMIT,

@@ -17,11 +17,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.operations import Op
 from nscc.prove.noise import Noise
 from nscc.prove.replay import Replay
 from nscc.words.container import Container
 from nscc.words.legality import target_fault
-from nscc.words.operations import Op
 
 FRAMES = 2
 LIGHT_SEED = 7

@@ -2,7 +2,7 @@
 
 Digital registers are pairs of truth vectors over the lanes (one lane a distinct code), analog
 registers float64 arrays (lanes, lights): several lights are carried side by side. Meaning comes
-from `nscc.words.operations`, as it does for the emulator, but no line of code is shared with it.
+from `nscc.operations`, as it does for the emulator, but no line of code is shared with it.
 
 What a real pixel leaves open stays open. A bit is unknown that nobody wrote, that SELECT reads,
 that has decayed, or that `where` took from analog values, for it hangs on the light. An analog
@@ -19,11 +19,11 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.operations import Effect, Op, Phase
 from nscc.prove.noise import Noise
 from nscc.target.target import Target
 from nscc.truth import columns, members
 from nscc.words.container import Container
-from nscc.words.operations import Effect, Op, Phase
 
 Lights = NDArray[np.float64]
 

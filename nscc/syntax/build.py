@@ -1,14 +1,22 @@
-"""From the parser's reductions to nodes of the tree, bottom up, so that nothing recurses."""
+"""From lark's tree of a statement to ours, bottom up, so that nothing recurses."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
-from typing import Any
+from typing import Any, NamedTuple
+
+from lark import Token, Tree
+from lark.tree import Meta
+from lark.visitors import Transformer_NonRecursive
 
 from nscc.source import Span
 from nscc.syntax import tree
-from nscc.syntax.lexer import Tokens
+from nscc.syntax.lexer import span_of
+
+MOST_DEPTH = 200
+"""Levels of nodes and brackets in a statement. Later passes recurse over the tree: with Python's
+usual limit of a thousand calls each may take four a level."""
 
 MOST_INTEGER = 10**18
 _MOST_DECIMALS = 18
@@ -26,130 +34,117 @@ class Refused(Exception):
         self.help_text = help_text
 
 
-class Builder:
-    """Makes the nodes of one text's rules (an `automaton.Build`).
+class TooDeep(Exception):
+    """A statement is nested more than MOST_DEPTH deep, from the token at `span` on."""
 
-    Raises Refused: NS0111 for a number beyond 10^18, NS0112 for a time of zero.
+    def __init__(self, span: Span) -> None:
+        super().__init__(f"{span}")
+        self.span = span
+
+
+class _Part(NamedTuple):
+    """A node, its depth, and its first and last token: with the brackets that its span lacks."""
+
+    value: Any
+    depth: int
+    first: Token
+    last: Token
+
+
+class Builder(Transformer_NonRecursive[Token, _Part]):
+    """Makes the nodes of one statement from lark's tree of it, from the leaves up.
+
+    Raises Refused (NS0111 for a number beyond 10^18, NS0112 for a time of zero) and TooDeep.
     """
 
-    def __init__(self, tokens: Tokens) -> None:
-        self._tokens = tokens
-        self._integers: dict[str, int] = {}
+    def __init__(self) -> None:
+        super().__init__(visit_tokens=False)
 
-    def __call__(self, action: str, span: Span, parts: list[Any]) -> Any:
-        """The node of a rule; a part that is an int is a token's index."""
-        plain = _PLAIN.get(action)
-        if plain is not None:
-            return plain(span, *parts)
-        method: Callable[[Span, list[Any]], Any] = getattr(self, f"_{action}")
-        return method(span, parts)
+    def build(self, statement: Tree[Token]) -> tree.Statement:
+        """The statement's node."""
+        node: tree.Statement = self.transform(statement).value
+        return node
 
-    # Leaves: their only part is a token.
-
-    def _integer(self, span: Span, parts: list[Any]) -> tree.Int:
-        text = self._tokens.text(parts[0])
-        value = self._integers.get(text)
-        if value is None:
-            value = self._integers[text] = _integer(text, span)
-        return tree.Int(span, value)
-
-    def _name(self, span: Span, parts: list[Any]) -> tree.Name:
-        return tree.Name(span, self._tokens.text(parts[0]))
-
-    def _text(self, span: Span, parts: list[Any]) -> tree.Text:
-        return tree.Text(span, self._tokens.text(parts[0])[1:-1])
-
-    def _row(self, span: Span, parts: list[Any]) -> tree.BookRow:
-        return tree.BookRow(span, self._tokens.text(parts[0]).replace("_", ""))
-
-    def _time(self, span: Span, parts: list[Any]) -> tree.Time:
-        return tree.Time(span, _microseconds(self._tokens.text(parts[0]), span))
-
-    # Expressions with tokens among their parts.
-
-    def _unary(self, span: Span, parts: list[Any]) -> tree.Unary:
-        operator, operand = parts
-        return tree.Unary(span, self._tokens.text(operator), operand)
-
-    def _binary(self, span: Span, parts: list[Any]) -> tree.Binary:
-        left, operator, right = parts
-        return tree.Binary(span, self._tokens.text(operator), left, right)
-
-    def _compare(self, span: Span, parts: list[Any]) -> tree.Compare:
-        operators = tuple(map(self._tokens.text, parts[1::2]))
-        return tree.Compare(span, parts[0], operators, tuple(parts[2::2]))
-
-    def _call(self, span: Span, parts: list[Any]) -> tree.Call:
-        token, *arguments = parts
-        function = tree.Name(self._tokens.span(token), self._tokens.text(token))
-        return tree.Call(span, function, tuple(arguments))
-
-    # Statements with a token or an unknown number of parts.
-
-    def _target_by_name(self, span: Span, parts: list[Any]) -> tree.TargetByName:
-        token = parts[0]
-        return tree.TargetByName(
-            span, tree.Name(self._tokens.span(token), self._tokens.text(token))
-        )
+    def __default__(self, data: str, children: list[Token | _Part], meta: Meta) -> _Part:
+        begin, end = children[0], children[-1]
+        first = begin.first if isinstance(begin, _Part) else begin
+        last = end.last if isinstance(end, _Part) else end
+        nodes = [child for child in children if isinstance(child, _Part)]
+        depth = 1 + max([node.depth for node in nodes], default=-1)
+        if depth > MOST_DEPTH:
+            raise TooDeep(span_of(last))
+        make = _OF_NODES.get(data)
+        parts: list[Token | _Part] | list[_Part] = nodes
+        if make is None:
+            make, parts = _OF_ALL[data], children
+        span = Span(span_of(first).start, span_of(last).end)
+        return _Part(make(span, *[part.value for part in parts]), depth, first, last)
 
 
-def _true(span: Span) -> tree.Bool:
-    return tree.Bool(span, True)
+def _integer(span: Span, text: str) -> tree.Int:
+    return tree.Int(span, _whole_number(text, span))
 
 
-def _false(span: Span) -> tree.Bool:
-    return tree.Bool(span, False)
+def _time(span: Span, text: str) -> tree.Time:
+    return tree.Time(span, _microseconds(text, span))
 
 
-def _optional(_span: Span, part: Any = None) -> Any:
-    return part
+def _compare(span: Span, first: tree.Expr, *rest: Any) -> tree.Compare:
+    return tree.Compare(span, first, rest[::2], rest[1::2])
 
 
-def _tile_row(span: Span, *values: Any) -> tree.TileRow:
-    return tree.TileRow(span, values)
+def _book_from_file(
+    span: Span, name: tree.Name, path: tree.Text, *options: tree.Name | tree.Text
+) -> tree.BookFromFile:
+    key = next((option for option in options if isinstance(option, tree.Name)), None)
+    sha256 = next((option for option in options if isinstance(option, tree.Text)), None)
+    return tree.BookFromFile(span, name, path, key, sha256)
 
 
-def _listed_slots(span: Span, *lengths: Any) -> tree.ListedSlots:
-    return tree.ListedSlots(span, lengths)
+_OF_ALL: dict[str, Callable[..., Any]] = {
+    "integer": _integer,
+    "name": tree.Name,
+    "text": lambda span, text: tree.Text(span, text[1:-1]),
+    "row": lambda span, text: tree.BookRow(span, text.replace("_", "")),
+    "time": _time,
+    "true": lambda span, _word: tree.Bool(span, True),
+    "false": lambda span, _word: tree.Bool(span, False),
+    "unary": tree.Unary,
+    "binary": lambda span, left, sign, right: tree.Binary(span, sign, left, right),
+    "compare": _compare,
+}
+"""What each rule makes of its span, its nodes and the texts of its tokens."""
 
-
-def _book_inline(span: Span, name: Any, *rows: Any) -> tree.BookInline:
-    return tree.BookInline(span, name, rows)
-
-
-def _pixels_tile(span: Span, field: Any, *rows: Any) -> tree.PixelsTile:
-    return tree.PixelsTile(span, field, rows)
-
-
-_PLAIN: dict[str, Callable[..., Any]] = {
-    "true": _true,
-    "false": _false,
-    "key": _optional,
-    "sha256": _optional,
+_OF_NODES: dict[str, Callable[..., Any]] = {
+    "brackets": lambda _span, node: node,
     "index": tree.Index,
+    "call": lambda span, function, *arguments: tree.Call(span, function, arguments),
     "if_else": tree.IfElse,
-    "tile_row": _tile_row,
+    "key": lambda _span, name: name,
+    "sha256": lambda _span, text: text,
+    "tile_row": lambda span, *values: tree.TileRow(span, values),
     "version": tree.Version,
+    "target_by_name": tree.TargetByName,
     "target_from_file": tree.TargetFromFile,
     "equal_slots": tree.EqualSlots,
-    "listed_slots": _listed_slots,
+    "listed_slots": lambda span, *lengths: tree.ListedSlots(span, lengths),
     "let": tree.Let,
     "code_range": tree.CodeRange,
     "code_bits": tree.CodeBits,
     "code_row": tree.CodeRow,
     "require": tree.Require,
-    "book_inline": _book_inline,
-    "book_from_file": tree.BookFromFile,
+    "book_inline": lambda span, name, *rows: tree.BookInline(span, name, rows),
+    "book_from_file": _book_from_file,
     "open": tree.Open,
     "bucket": tree.Bucket,
     "pixels_expr": tree.PixelsExpr,
-    "pixels_tile": _pixels_tile,
-    "pixels_from_file": tree.PixelsFromFile,
+    "pixels_tile": lambda span, field, *rows: tree.PixelsTile(span, field, rows),
+    "pixels_from_file": lambda span, path, sha256=None: tree.PixelsFromFile(span, path, sha256),
 }
-"""The rules whose parts are nodes already, in the order of the node's fields."""
+"""What the other rules make of their span and their nodes, whatever words stand in between."""
 
 
-def _integer(text: str, span: Span) -> int:
+def _whole_number(text: str, span: Span) -> int:
     digits = text.lstrip("0")
     value = int(digits or "0") if len(digits) <= 19 else MOST_INTEGER + 1
     if value > MOST_INTEGER:
@@ -172,7 +167,9 @@ def _microseconds(text: str, span: Span) -> Fraction:
             span,
             f"at most {_MOST_DECIMALS} decimals are read",
         )
-    us = (_integer(whole, span) + Fraction(f"0.{decimals or 0}")) * _UNIT_US[text[len(number) :]]
+    us = (_whole_number(whole, span) + Fraction(f"0.{decimals or 0}")) * _UNIT_US[
+        text[len(number) :]
+    ]
     if us == 0:
         raise Refused("NS0112", "this slot takes no time", span, "give it a time above zero")
     return us

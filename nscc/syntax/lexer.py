@@ -4,86 +4,66 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from functools import cache
+
+from lark import Token
 
 from nscc.source import Source, Span
-from nscc.syntax.tables import tables
-
-MALFORMED = "MALFORMED"
-UNCLOSED = "UNCLOSED"
-STRAY = "STRAY"
-_TARGET_NAME = "TARGET_NAME"
-
-_NO_TOKEN = (
-    (MALFORMED, r"[0-9]\w*(?:\.\w+)*"),
-    (UNCLOSED, r'"[^\r\n]*'),
-    (STRAY, r"\w+|."),
-)
-"""What the grammar has no word for: 12abc, quotes left open, any other character."""
+from nscc.syntax.grammar import START, parser, spellings
 
 
 @dataclass(frozen=True, slots=True)
 class Tokens:
-    """The tokens of a text: kind and place of each, blanks and comments left out.
+    """The tokens of a text, blanks and comments left out.
 
-    A kind is a terminal of the grammar (a word or sign stands for itself), or MALFORMED, UNCLOSED
-    or STRAY, which no rule takes.
+    The kind of a token is its terminal in the grammar; a word or sign stands for itself. No
+    statement takes MALFORMED, UNCLOSED and STRAY.
     """
 
     source: Source
+    found: list[Token]
     kinds: list[str]
-    starts: list[int]
-    ends: list[int]
 
     def text(self, index: int) -> str:
-        """The text of a token."""
-        return self.source.text[self.starts[index] : self.ends[index]]
+        """The text of a token, as it stands in the source."""
+        span = self.span(index)
+        return self.source.text[span.start : span.end]
 
     def span(self, index: int) -> Span:
         """The place of a token."""
-        return Span(self.starts[index], self.ends[index])
+        return span_of(self.found[index])
+
+    def read_as(self, index: int, word: str) -> None:
+        """Takes a token for the word that it was meant to be."""
+        terminal = next(name for name, spelt in spellings().items() if spelt == word)
+        self.found[index] = self.found[index].update(type=terminal)
+        self.kinds[index] = word
 
 
-@cache
-def _patterns() -> tuple[re.Pattern[str], re.Pattern[str]]:
-    """Any token, and the name of a target."""
-    language = tables()
-    signs = sorted((s for s in language.literals if not s.isalnum()), key=lambda s: (-len(s), s))
-    kinds = dict(language.patterns)
-    target_name = kinds.pop(_TARGET_NAME)
-    kinds["SIGN"] = "|".join(map(re.escape, signs))
-    kinds.update(_NO_TOKEN)
-    anything = "|".join(f"(?P<{kind}>{pattern})" for kind, pattern in kinds.items())
-    return re.compile(anything, re.DOTALL), re.compile(target_name)
+def span_of(token: Token) -> Span:
+    """The place of a token that the lexer found."""
+    assert token.start_pos is not None
+    assert token.end_pos is not None
+    return Span(token.start_pos, token.end_pos)
 
 
 def lex(source: Source) -> Tokens:
     """All tokens of a text, in order; takes any text."""
-    anything, target_name = _patterns()
-    literals = tables().literals
-    text = source.text
-    found = Tokens(source, [], [], [])
-    kinds, starts, ends = found.kinds, found.starts, found.ends
+    words = spellings()
+    target_name = re.compile(parser().get_terminal("TARGET_NAME").pattern.value)
+    lexer = parser().parse_interactive(source.text, start=START).lexer_thread
+    tokens = Tokens(source, [], [])
     taken = 0
-    for match in anything.finditer(text):
-        kind = match.lastgroup
-        assert kind is not None
-        start, end = match.span()
-        if kind == "BLANK" or start < taken:
+    for token in lexer.lex(None):  # type: ignore[no-untyped-call]
+        start = span_of(token).start
+        if start < taken:
             continue
-        if kind == "SIGN":
-            kind = text[start:end]
-        elif kind == "NAME":
-            word = text[start:end]
-            if kinds and kinds[-1] == "target":
-                kind = _TARGET_NAME
-                whole = target_name.match(text, start)
-                if whole is not None:
-                    end = taken = whole.end()
-                    word = whole.group()
-            if word in literals:
-                kind = word
-        kinds.append(kind)
-        starts.append(start)
-        ends.append(end)
-    return found
+        if tokens.kinds[-1:] == ["target"]:
+            whole = target_name.match(source.text, start)
+            if whole is not None and whole.group() not in words.values():
+                taken = whole.end()
+                token = Token("TARGET_NAME", whole.group(), start, end_pos=taken)
+            elif token.type == "NAME":
+                token = token.update(type="TARGET_NAME")
+        tokens.found.append(token)
+        tokens.kinds.append(words.get(token.type, token.type))
+    return tokens

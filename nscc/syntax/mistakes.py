@@ -6,10 +6,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
-from nscc.source import Span
-from nscc.syntax.automaton import MOST_DEPTH, Stuck
-from nscc.syntax.lexer import MALFORMED, STRAY, UNCLOSED, Tokens
-from nscc.syntax.tables import END, tables
+from nscc.source import Source, Span
+from nscc.syntax.build import MOST_DEPTH
+from nscc.syntax.grammar import END, spellings
+from nscc.syntax.lexer import Tokens
+from nscc.syntax.statement import Stuck
 from nscc.syntax.words import FORMS, STATEMENT_WORDS, expected_words, shown
 
 _UNITS = ("ns", "us", "ms", "s")
@@ -43,9 +44,9 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
     """The error for a statement of the tokens `first` up to `last` that got stuck."""
     if stuck.token < last:
         kind = tokens.kinds[stuck.token]
-        if kind == UNCLOSED:
+        if kind == "UNCLOSED":
             return _unclosed(tokens, stuck.token)
-        if kind == STRAY:
+        if kind == "STRAY":
             return _stray(tokens, stuck.token)
         if END in stuck.expected and kind == "NAME":
             return unknown_statement(tokens, stuck.token)
@@ -77,16 +78,16 @@ def misspelt_statement(
 
 def _first_on_line(tokens: Tokens, index: int) -> bool:
     text = tokens.source.text
-    return "\n" in text[tokens.ends[index - 1] : tokens.starts[index]]
+    return "\n" in text[tokens.span(index - 1).end : tokens.span(index).start]
 
 
-def too_deep(tokens: Tokens, token: int) -> Diagnostic:
-    """NS0110: the statement nests too deeply; `token` is the last one that was read."""
+def too_deep(source: Source, place: Span) -> Diagnostic:
+    """NS0110: a statement nests too deeply from `place` on."""
     return Diagnostic(
         "NS0110",
         f"this expression is nested more than {MOST_DEPTH} deep",
-        source=tokens.source,
-        label=Label(tokens.span(token), "too deep from here on"),
+        source=source,
+        label=Label(place, "too deep from here on"),
         notes=("brackets in brackets count, and so does every operator of a chain",),
         helps=("name parts of it with `let`, or put data into a `tile` or a file",),
     )
@@ -110,7 +111,7 @@ def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
 
 
 def _is_word(kind: str) -> bool:
-    return kind in tables().literals and kind.isalnum()
+    return kind in spellings().values() and kind.isalnum()
 
 
 def _unclosed(tokens: Tokens, token: int) -> Diagnostic:
@@ -126,7 +127,7 @@ def _unclosed(tokens: Tokens, token: int) -> Diagnostic:
 def _stray(tokens: Tokens, token: int) -> Diagnostic:
     text, span = tokens.text(token), tokens.span(token)
     doubled = text + tokens.text(token + 1) if token + 1 < len(tokens.kinds) else ""
-    if doubled in _SIGNS and tokens.starts[token + 1] == span.end:
+    if doubled in _SIGNS and tokens.span(token + 1).start == span.end:
         text, span = doubled, Span(span.start, span.end + 1)
     if text.isidentifier():
         return Diagnostic(
@@ -165,7 +166,7 @@ def _unexpected(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnost
     if stuck.token < last:
         place, found = tokens.span(stuck.token), shown(tokens.text(stuck.token))
     else:
-        end = tokens.ends[last - 1]
+        end = tokens.span(last - 1).end
         place, found = Span(end, end), "the end of the file"
         if last < len(tokens.kinds):
             found = f"the next statement, {shown(tokens.text(last))}"
@@ -208,7 +209,7 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
     if stuck.token >= last:
         return
     kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
-    if kind == MALFORMED:
+    if kind == "MALFORMED":
         yield from _number_hints(text)
     elif kind == "GROUPED":
         yield "only the rows of `shutters` have digits in groups"

@@ -11,11 +11,11 @@ from itertools import pairwise
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
 from nscc.source import Source, Span
 from nscc.syntax import tree
-from nscc.syntax.automaton import Stuck, TooDeep, run
-from nscc.syntax.build import Builder, Refused
+from nscc.syntax.build import Builder, Refused, TooDeep
 from nscc.syntax.lexer import Tokens, lex
 from nscc.syntax.mistakes import misspelt_statement, mistake, too_deep, unknown_statement
 from nscc.syntax.reading import MOST_BYTES, read_source, too_large
+from nscc.syntax.statement import Stuck, read
 from nscc.syntax.words import STATEMENT_WORDS
 
 __all__ = ["MOST_BYTES", "MOST_ERRORS", "parse", "read_source"]
@@ -120,21 +120,22 @@ def _statement_starts(tokens: Tokens) -> list[int]:
 
 
 def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[tree.Statement]:
-    build = Builder(tokens)
+    builder = Builder()
     for begin, last in pairwise([*starts, len(tokens.kinds)]):
         first: int | None = begin
         while first is not None:
             at, first = first, None
             try:
-                statement, stuck = run(tokens, at, last, build)
+                found, stuck = read(tokens, at, last)
                 if stuck is not None and not errors.are_many:
                     first = _misspelt(tokens, at, last, stuck, errors)
                 if first is not None:
-                    statement, stuck = run(tokens, at, first, build)
+                    found, stuck = read(tokens, at, first)
+                statement = builder.build(found) if found is not None else None
             except Refused as refused:
                 errors.add(partial(_refusal, tokens.source, refused))
             except TooDeep as refused:
-                errors.add(partial(too_deep, tokens, refused.token))
+                errors.add(partial(too_deep, tokens.source, refused.span))
             else:
                 if stuck is not None:
                     errors.add(partial(mistake, tokens, at, first or last, stuck))
@@ -149,7 +150,7 @@ def _misspelt(tokens: Tokens, first: int, last: int, stuck: Stuck, errors: _Erro
         return None
     index, word = found
     errors.add(partial(unknown_statement, tokens, index))
-    tokens.kinds[index] = word
+    tokens.read_as(index, word)
     return index
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Set
 
-from nscc.syntax.tables import END
+from nscc.syntax.grammar import END
 
 STATEMENT_WORDS = (
     "nsl", "target", "frame", "let", "code", "require", "shutters", "open", "bucket", "pixels",

@@ -20,6 +20,7 @@ from nscc.plugins import added, unusable
 from nscc.source import Source, Span
 from nscc.target.registers import contradictions
 from nscc.target.target import SCHEMA, Target
+from nscc.target.words import words_toml
 from nscc.toml.files import file_bytes, file_text, file_values
 from nscc.toml.schema import Found, Key
 
@@ -40,6 +41,11 @@ def builtin_target(name: str) -> Target:
     if problems:
         raise ValueError(f"the builtin target {name} is broken: {problems[0].message}")
     return _target(found)
+
+
+def target_names() -> tuple[str, ...]:
+    """The names of all targets: the builtin ones, then those of `added_targets`."""
+    return (*builtin_names(), *added_targets())
 
 
 @cache
@@ -72,10 +78,9 @@ def load_target(
         return parse_target(read_target(name_or_path, base, source, span), name_or_path)
     if name_or_path in builtin_names():
         return builtin_target(name_or_path)
-    others = added_targets()
-    if name_or_path in others:
-        return others[name_or_path]
-    names = (*builtin_names(), *others)
+    if name_or_path in added_targets():
+        return added_targets()[name_or_path]
+    names = target_names()
     near = closest(name_or_path, names)
     shown = ascii(name_or_path[:60])
     raise Rejected(
@@ -119,7 +124,9 @@ def target_toml(target: Target) -> str:
         "A target of nscc: what the compiler, the checker and the emulator know of a chip.",
         "Keys marked (not public) are this project's defaults; they may be left out.",
     )
-    return file_text(SCHEMA, _values(target), remark, head, beside=True)
+    plain = replace(SCHEMA, keys=tuple(key for key in SCHEMA.keys if key.path != "words"))
+    text = file_text(plain, _values(target), remark, head, beside=True)
+    return text + "".join(f"{line}\n" for line in words_toml(target.words))
 
 
 def read_target(
@@ -176,20 +183,22 @@ def _contradictions(found: Found, source: Source | None = None) -> list[Diagnost
 
 def _added(name: str, value: object) -> Target:
     """The target that a package adds under that name."""
+    reason = "its table is wrong"
+    wrong: tuple[Diagnostic, ...] = ()
     try:
-        if isinstance(value, Target):
-            target = target_from_dict(target_dict(value))
-        elif isinstance(value, Path):
+        if isinstance(value, Path):
             target = parse_target(file_bytes(SCHEMA, value), str(value))
-        elif isinstance(value, str):
-            target = parse_target(value.encode(), name)
+        elif isinstance(value, str | Target):
+            text = value if isinstance(value, str) else target_toml(value)
+            target = parse_target(text.encode(), name)
         else:
-            raise ValueError(f"a {type(value).__name__} is no target, no TOML text and no path")
-        if target.name != name:
-            raise ValueError(f"its table calls it {target.name}")
+            raise TypeError(f"a {type(value).__name__} is no target, no TOML text and no path")
+        if target.name == name:
+            return target
+        reason = f"its table calls it {target.name}"
     except Rejected as error:
-        refusal = unusable("nscc.targets", name, "its table is wrong")
-        raise Rejected([*refusal.diagnostics, *error.diagnostics], refusal.status) from error
-    except (ValueError, TypeError, AttributeError) as error:
-        raise unusable("nscc.targets", name, str(error)) from error
-    return target
+        wrong = error.diagnostics
+    except (TypeError, AttributeError) as error:
+        reason = str(error)
+    refusal = unusable("nscc.targets", name, reason)
+    raise Rejected([*refusal.diagnostics, *wrong], refusal.status)

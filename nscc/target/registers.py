@@ -7,8 +7,8 @@ from itertools import islice
 from typing import Any
 
 from nscc.diagnostics.suggest import closest
+from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE
 from nscc.toml.text import shown
-from nscc.words.operations import ANALOG_WRITE, DIGITAL_WRITE
 
 _MOST_TOLD = 10
 

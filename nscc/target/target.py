@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Literal
 
+from nscc.operations import Operation
+from nscc.target.words import OwnWords
 from nscc.toml.kinds import LINE, NAME, Flag, Integer, Number, Several, Text
 from nscc.toml.schema import Codes, Schema, key, keys_of
 
@@ -32,6 +34,9 @@ class Target:
 
     name: str = key(NAME, "what messages and reports call it", required=True)
     description: str = key(LINE, "one line for `nscc targets`", default="")
+    words: tuple[Operation, ...] = key(
+        OwnWords(), "words that only this chip has, each in a [[words]] of its own", default=()
+    )
 
     rows: int = key(_SIDE, "pixels from top to bottom", section="array", required=True)
     cols: int = key(_SIDE, "pixels from left to right", section="array", required=True)
@@ -116,8 +121,7 @@ class Target:
 
 
 SCHEMA = Schema(
-    "a target",
-    "target file",
+    "target",
     keys_of(Target),
     {
         "": "",

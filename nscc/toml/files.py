@@ -29,7 +29,7 @@ def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
         reason = getattr(error, "strerror", None) or str(error)
         raise rejected(
             schema.codes.unreadable,
-            f"the {schema.file} {(name or str(path))[:200]!a} cannot be read: {reason}",
+            f"the {schema.what} file {(name or str(path))[:200]!a} cannot be read: {reason}",
             helps=(schema.start,),
         ) from None
 
@@ -46,7 +46,7 @@ def file_values(
     except NotToml as reason:
         raise rejected(
             schema.codes.not_toml,
-            f"the {schema.file} {name[:200]!a} is not a TOML table: {reason}",
+            f"the {schema.what} file {name[:200]!a} is not a TOML table: {reason}",
             helps=(schema.start,),
             status=status,
         ) from None

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from functools import partial
 from math import isfinite
 from typing import Any, Protocol
 
@@ -28,13 +29,18 @@ class Kind(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Number(Kind):
-    """A finite float within `low`..`high`; the bounds themselves may be excluded."""
+    """A finite number within `low`..`high`; the bounds themselves may be excluded.
+
+    A float, or an int where it is `whole`; `unlimited` ones may be "any", which is None.
+    """
 
     low: float
     high: float
     unit: str = ""
     low_excluded: bool = False
     high_excluded: bool = False
+    whole: bool = False
+    unlimited: bool = False
 
     @property
     def range(self) -> str:
@@ -45,43 +51,27 @@ class Number(Kind):
 
     @property
     def allowed(self) -> str:
-        return f"a number {self.range}" + (f" ({self.unit})" if self.unit else "")
+        number = "a whole number" if self.whole else "a number"
+        unit = f" ({self.unit})" if self.unit else ""
+        return ('"any" or ' if self.unlimited else "") + f"{number} {self.range}{unit}"
 
-    def read(self, value: Any) -> float:
-        if isinstance(value, bool) or not isinstance(value, int | float):
+    def read(self, value: Any) -> float | None:
+        if self.unlimited and value == "any":
+            return None
+        if isinstance(value, bool) or not isinstance(value, int if self.whole else (int, float)):
             raise ValueError
         above = self.low < value if self.low_excluded else self.low <= value
         below = value < self.high if self.high_excluded else value <= self.high
         if not (above and below and isfinite(value)):
             raise ValueError
         # Adding 0.0 makes -0.0 plain 0.0: one value, one spelling.
-        return float(value) + 0.0
-
-
-@dataclass(frozen=True, slots=True)
-class Integer(Kind):
-    """A whole number within `low`..`high`; `unlimited` ones may be "any", which is None."""
-
-    low: int
-    high: int
-    unlimited: bool = False
-
-    @property
-    def allowed(self) -> str:
-        any_too = '"any" or ' if self.unlimited else ""
-        return f"{any_too}a whole number from {self.low:g} to {self.high:g}"
-
-    def read(self, value: Any) -> int | None:
-        if self.unlimited and value == "any":
-            return None
-        if isinstance(value, bool) or not isinstance(value, int):
-            raise ValueError
-        if not self.low <= value <= self.high:
-            raise ValueError
-        return value
+        return value if self.whole else float(value) + 0.0
 
     def plain(self, value: Any) -> Any:
         return "any" if value is None else value
+
+
+Integer = partial(Number, whole=True)
 
 
 @dataclass(frozen=True, slots=True)

@@ -61,27 +61,18 @@ class Codes:
     change: str = ""
 
 
-def key(
-    kind: Kind, meaning: str, default: Any = MISSING, *, section: str = "", name: str = "",
-    source: str = "", required: bool = False,
-) -> Any:  # fmt: skip
-    """A field of a dataclass that is a key of a file, called `name` where that is not its own."""
-    row = Key(section, name, kind, meaning, default, source, required)
-    return field(default=default, metadata={"key": row})
+def key(kind: Kind, meaning: str, default: Any = MISSING, **about: Any) -> Any:
+    """A field of a dataclass that is a key of a file; `about` are further attributes of `Key`."""
+    return field(default=default, metadata={"kind": kind, "meaning": meaning, **about})
 
 
 def keys_of(settings: type, section: str = "") -> tuple[Key, ...]:
     """The keys that the fields of a dataclass are, in its order; those in no table in `section`."""
     return tuple(
-        replace(
-            row := each.metadata["key"],
-            section=row.section or section,
-            name=row.name or each.name,
-            heading=row.section or section,
-            attribute=each.name,
-        )
+        Key(**{"section": section, "name": each.name, "attribute": each.name,
+               "default": each.default, **each.metadata})
         for each in fields(settings)
-    )
+    )  # fmt: skip
 
 
 Row = TypeVar("Row", bound=Key)
@@ -91,14 +82,13 @@ Row = TypeVar("Row", bound=Key)
 class Schema(Generic[Row]):
     """A kind of file.
 
-    `what` it describes ("a target") and what messages call it (`file`), its `keys` in the order of
-    a file, each `heading` with a remark, and the help that says how to get one to `start` from.
-    `noun` is what a key is called, `option` the option that changes one, `example` a change.
-    ValueError if two keys have one path, or a key has a heading that is none.
+    `what` it describes, its `keys` in the order of a file, each of its `headings` with a remark,
+    and the help that says how to get one to `start` from. `noun` is what a key is called, `option`
+    the option that changes one, `example` a change. ValueError if two keys have one path, or a key
+    has a heading that is none.
     """
 
     what: str
-    file: str
     keys: tuple[Row, ...]
     headings: Mapping[str, str]
     codes: Codes
@@ -110,7 +100,7 @@ class Schema(Generic[Row]):
     def __post_init__(self) -> None:
         for index, key in enumerate(self.keys):
             if key.path in (other.path for other in self.keys[:index]):
-                raise ValueError(f"{self.what} has two keys {key.path}")
+                raise ValueError(f"two keys of a {self.what} are {key.path}")
             if key.heading not in self.headings:
                 raise ValueError(f"{key.path} has the unknown heading {key.heading!a}")
 
@@ -139,7 +129,7 @@ class Schema(Generic[Row]):
         """The values that are right, and everything that is wrong with a parsed file.
 
         `source` is its text, for places. A key may be missing if it is not required; in `complete`
-        values none may.
+        values none may but a list that is empty by default.
         """
         found: Found = {}
         problems: list[Diagnostic | None] = []
@@ -150,7 +140,8 @@ class Schema(Generic[Row]):
                 problems.append(self._take(found, "", name, value, source))
         for key in self.keys:
             place = values.get(key.section, {}) if key.section else values
-            if (key.required or complete) and isinstance(place, Mapping) and key.name not in place:
+            needed = key.required or (complete and key.default != ())
+            if needed and isinstance(place, Mapping) and key.name not in place:
                 message = f"the key {key.path} is missing: {key.meaning}"
                 missing = self.codes.missing, message, key.section, key.name, source, self.start
                 problems.append(self.problem(*missing))
@@ -177,10 +168,15 @@ class Schema(Generic[Row]):
         return found, problems
 
     def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """What a file holds: tables of keys, every key present, in the order of a file."""
+        """What a file holds: tables of keys, in the order of a file.
+
+        Every key is present but a list that is empty, as it is by default.
+        """
         tables: dict[str, Any] = {}
         for key in self.keys:
             place = tables.setdefault(key.section, {}) if key.section else tables
+            if values[key.path] == key.default == ():
+                continue
             place[key.name] = key.kind.plain(values[key.path])
         return tables
 
@@ -193,9 +189,9 @@ class Schema(Generic[Row]):
             return self._unknown(section, name, value, source)
         try:
             found[key.path] = key.kind.read(value)
-        except ValueError:
+        except ValueError as reason:
             message = f"{key.path} must be {key.kind.allowed}, not {shown(value)}"
-            note = f"{key.path}: {key.meaning}"
+            note = str(reason) or f"{key.path}: {key.meaning}"
             return self.problem(self.codes.wrong, message, section, name, source, note=note)
         return None
 
@@ -207,10 +203,10 @@ class Schema(Generic[Row]):
             return self.problem(self.codes.wrong, message, section, name, source)
         table = section if section not in self.sections else name
         if tables and (table == section or (not section and isinstance(value, Mapping))):
-            message, near = f"{self.what} has no table {shown(table)}", closest(table, tables)
+            message, near = f"a {self.what} has no table {shown(table)}", closest(table, tables)
             help_text = f"did you mean `{near}`?" if near else f"the tables are {', '.join(tables)}"
         else:
-            where = f"[{section}] of {self.what}" if section else self.what
+            where = f"[{section}] of a {self.what}" if section else f"a {self.what}"
             message = f"{where} has no {self.noun} {shown(name)}"
             help_text = self._meant(section, name, known)
         return self.problem(self.codes.unknown, message, section, name, source, help_text)
@@ -219,17 +215,14 @@ class Schema(Generic[Row]):
         """The help for a name that the table `section`, whose names are `known`, does not have."""
         homes = {key.name: key.section for key in reversed(self.keys)}
         near, elsewhere = closest(name, known), closest(name, homes)
+        places = {each: f"under [{each}]" if each else "at the top" for each in self.sections}
         if name in homes:
-            home = homes[name]
-            return f"`{name}` belongs " + (f"under [{home}]" if home else "at the top")
+            return f"`{name}` belongs {places[homes[name]]}"
         if near:
             return f"did you mean `{near}`?"
         if elsewhere:
-            home = homes[elsewhere]
-            return f"did you mean `{elsewhere}` " + (f"under [{home}]?" if home else "at the top?")
-        if len(known) > _FEW:
-            return self.start
-        return f"the {self.noun}s here are {', '.join(known)}"
+            return f"did you mean `{elsewhere}` {places[homes[elsewhere]]}?"
+        return f"the {self.noun}s here are {', '.join(known)}" if len(known) <= _FEW else self.start
 
     def problem(
         self, code: str, message: str, section: str, name: str, source: Source | None,

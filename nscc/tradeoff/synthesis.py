@@ -14,9 +14,10 @@ import numpy as np
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.report import report
 from nscc.lower.plan import Lowering
-from nscc.pipeline import Compiled, Options, compile_source
+from nscc.pipeline import Compiled, Options, run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
+from nscc.syntax.parse import read_source
 from nscc.tradeoff.points import Point
 
 Count = Literal["all", "logic"]
@@ -88,6 +89,16 @@ def builtin_cases() -> tuple[Case, ...]:
     )
 
 
+def cases_of(files: Sequence[Path]) -> tuple[Case, ...]:
+    """The programs in these files, by the shortest names that tell them apart."""
+    paths = list(dict.fromkeys(files))
+    short = len({path.stem for path in paths}) == len(paths)
+    return tuple(
+        Case(path.stem if short else path.as_posix(), read_source(path), path.parent, "fixed")
+        for path in paths
+    )
+
+
 def _frame(slots: int) -> str:
     return f"frame {slots} slots of 1ms "
 
@@ -117,6 +128,18 @@ def measure(ways: Sequence[Way], repeats: int, count: Count, progress: Progress 
     return Measured(tuple(points), tuple(refused))
 
 
+def refusals_text(refused: Sequence[tuple[Way, str]]) -> list[str]:
+    """Why a case has no point in some lowering, a line for all levels with the same reason."""
+    levels: dict[tuple[str, str, str], list[str]] = {}
+    for way, reason in refused:
+        key = (way.case.name, way.lowering, reason)
+        levels.setdefault(key, []).append(f"-O{way.level}")
+    return [
+        f"{case}, {lowering}, {' '.join(at)}: {reason}"
+        for (case, lowering, reason), at in levels.items()
+    ]
+
+
 def every_way(
     cases: Sequence[Case], lowerings: Sequence[Lowering], levels: Sequence[int]
 ) -> Iterator[Way]:
@@ -129,10 +152,10 @@ def compiled_or_not(way: Way) -> Compiled | Diagnostic:
     case = way.case
     options = Options(
         level=way.level, codes=case.codes, lowering=way.lowering, target=case.target,
-        suggest=False, cache=False,
+        cache=False,
     )  # fmt: skip
     try:
-        return compile_source(case.source, case.base, options)
+        return run_passes(case.source, case.base, options)
     except Rejected as rejected:
         last = rejected.diagnostics[-1]
         if not last.code.startswith(_DOES_NOT_FIT):
@@ -142,10 +165,10 @@ def compiled_or_not(way: Way) -> Compiled | Diagnostic:
 
 def _point(way: Way, compiled: Compiled, times_ms: tuple[float, ...], count: Count) -> Point:
     """The bound is that of the logic; all words are at least the plan's analog ones more."""
-    lowered, proof = compiled.lowered, compiled.proof
-    assert lowered is not None
+    choice, proof = compiled.choice, compiled.proof
+    assert choice is not None
     assert proof is not None
-    logic = report(lowered, compiled.choice, proof)["logic"]
+    lowered, logic = choice.best, report(choice, proof)["logic"]
     words, bound = logic["words"], logic["bound"]
     if count == "all":
         words = lowered.schedule.words_total

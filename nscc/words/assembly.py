@@ -26,15 +26,16 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.suggest import closest
+from nscc.operations import READ_LINES, Operation
 from nscc.source import Source, Span
 from nscc.words.container import Container, Word
 from nscc.words.directives import DIRECTIVES
 from nscc.words.draft import Block, Draft, Faults, Instruction, Token, shown
 from nscc.words.encoding import encode
 from nscc.words.linking import check_instructions, find_target, link
-from nscc.words.macros import MNEMONICS, OperandError, expand
-from nscc.words.operations import READ_LINES
+from nscc.words.macros import OperandError, expand, mnemonics
 from nscc.words.text import read_block_line, read_string
 
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[^\s;#"]+')
@@ -51,14 +52,14 @@ def assemble(source: Source, base: Path) -> Container:
     Raises Rejected (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors found.
     """
     faults = Faults(source)
-    draft = _read(source, faults)
+    draft = _read(source, faults, _own(source, base))
     return link(draft, base, faults)
 
 
 def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
     """The words of all kernels of a text, in order; it may be instructions and nothing else."""
     faults = Faults(source)
-    draft = _read(source, faults)
+    draft = _read(source, faults, _own(source, base))
     target = find_target(draft, base, faults)
     if target is not None:
         check_instructions(draft, target, faults)
@@ -66,7 +67,23 @@ def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
     return tuple(word for kernel in draft.kernels for line in kernel.lines for word in line.words)
 
 
-def _read(source: Source, faults: Faults) -> Draft:
+def _own(source: Source, base: Path) -> tuple[Operation, ...]:
+    """The words that the text's target has of its own; what is wrong with it is said later."""
+    kept, within = [], False
+    for line in map(str.strip, source.text.split("\n")):
+        if line.startswith("."):
+            within = line.split()[0] == ".target"
+        if within and line[:1] in (".", "|"):
+            kept.append(line)
+    faults = Faults(Source(source.name, "\n".join(kept)))
+    try:
+        target = find_target(_read(faults.source, faults), base, faults)
+    except Rejected:
+        return ()
+    return target.words if target is not None else ()
+
+
+def _read(source: Source, faults: Faults, own: tuple[Operation, ...] = ()) -> Draft:
     draft = Draft()
     block: Block | None = None
     offset = 0
@@ -84,7 +101,7 @@ def _read(source: Source, faults: Faults) -> Draft:
                 block = _directive(tokens, draft, faults)
         elif text and text[0] not in ";#":
             block = None
-            _instruction(text, begin, draft, faults)
+            _instruction(text, begin, draft, faults, own)
     return draft
 
 
@@ -152,7 +169,9 @@ def _directive(tokens: list[Token], draft: Draft, faults: Faults) -> Block | Non
     return directive(tokens, draft, faults)
 
 
-def _instruction(text: str, begin: int, draft: Draft, faults: Faults) -> None:
+def _instruction(
+    text: str, begin: int, draft: Draft, faults: Faults, own: tuple[Operation, ...]
+) -> None:
     match = _CODE.match(text)
     code = match[0].rstrip() if match else ""
     split = _INSTRUCTION.match(code)
@@ -163,8 +182,9 @@ def _instruction(text: str, begin: int, draft: Draft, faults: Faults) -> None:
         faults.add("NS0711", message, Span(begin, begin + len(name)))
         return
     operands = _operands(rest, begin + len(code) - len(rest))
-    if name not in MNEMONICS:
-        near = closest(name, MNEMONICS)
+    known = mnemonics(own)
+    if name not in known:
+        near = closest(name, known)
         faults.add(
             "NS0710",
             f"there is no instruction {shown(name)}",
@@ -172,17 +192,17 @@ def _instruction(text: str, begin: int, draft: Draft, faults: Faults) -> None:
             helps=(
                 (f"did you mean `{near}`?",)
                 if near
-                else (f"instructions and macros: {' '.join(MNEMONICS)}",)
+                else (f"instructions and macros: {' '.join(known)}",)
             ),
         )
         return
     if not _known_registers(name, operands, faults):
         return
     try:
-        ops = expand(name, [operand.text for operand in operands])
+        ops = expand(name, [operand.text for operand in operands], own)
     except OperandError as error:
         place = operands[error.index].span if error.index is not None else span
-        faults.add("NS0711", str(error), place, helps=(f"write `{MNEMONICS[name].usage}`",))
+        faults.add("NS0711", str(error), place, helps=(f"write `{known[name].usage}`",))
         return
     words = tuple(encode(operation) for operation in ops)
     draft.add(Instruction(words, ops, span), faults)

@@ -97,3 +97,29 @@ class Container:
         shutter = self.table.shutter_of_code.astype(np.intp).take(self.pixel_codes)
         column = {name: i for i, name in enumerate(self.target.digital_registers)}
         return {name: self.encoding[:, column[name]].take(shutter) for name in self.code_registers}
+
+
+def packed_shutters(
+    container: Container, shutters: NDArray[np.bool_]
+) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:
+    """`shutter` and `shutter_shape` of a container with pixels, as in a frame file.
+
+    `shutters` bool (distinct shutters, buckets, N), the order of the decode table. The first is
+    uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the lowest bit,
+    the second (buckets, rows, cols, N). ValueError for a container without pixels.
+    """
+    if container.pixel_codes is None:
+        raise ValueError("a container without pixels has no shutters on the array")
+    packed = np.packbits(shutters, axis=-1, bitorder="little")
+    at_pixel = container.table.shutter_of_code[container.pixel_codes]
+    laid = np.stack([packed[:, b][at_pixel] for b in range(shutters.shape[1])])
+    shape = (*laid.shape[:3], shutters.shape[2])
+    return laid, np.array(shape, np.int64)
+
+
+def fields_at_pixels(container: Container) -> dict[str, NDArray[np.int64]]:
+    """`codes_FIELD` (rows, cols) for each field of the code; empty without `pixel_codes`."""
+    table, pixels = container.table, container.pixel_codes
+    if pixels is None:
+        return {}
+    return {f"codes_{name}": table.codes[:, i][pixels] for i, name in enumerate(table.fields)}

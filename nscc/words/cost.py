@@ -6,9 +6,10 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import fsum
 
+from nscc.operations import Op, Phase
 from nscc.target.target import Target
 from nscc.words.container import Container, Kernel, Word
-from nscc.words.operations import Op, Phase
+from nscc.words.encoding import matching
 
 _CLOCK_CLASS = 7 << 19
 
@@ -41,12 +42,24 @@ class FrameCost:
 def words_cost(words: Iterable[Word], target: Target) -> Cost:
     """The cost of words by themselves, without a launch."""
     analog = digital = 0
+    own_us = []
     for word in words:
-        if word[0] & _CLOCK_CLASS:
+        op = matching(word, target.words) if target.words else None
+        if op is not None and op.operation.us is not None:
+            own_us.append(op.operation.us)
+        elif word[0] & _CLOCK_CLASS:
             digital += 1
         else:
             analog += 1
-    return Cost(analog + digital, words_us(analog, digital, target))
+    us = words_us(analog, digital, target) + fsum(own_us)
+    return Cost(analog + digital + len(own_us), us)
+
+
+def word_us(word: Op, target: Target) -> float:
+    """Time that one word takes."""
+    if word.operation.us is not None:
+        return word.operation.us
+    return target.analog_word_us if word.analog else target.digital_word_us
 
 
 def words_us(analog: int, digital: int, target: Target) -> float:

@@ -48,10 +48,10 @@ def _change(what: str, old: object, new: object) -> str:
 
 def _target(first: Container, second: Container) -> Iterator[str]:
     old, new = target_dict(first.target), target_dict(second.target)
-    for name in old:
-        if not isinstance(old[name], dict):
-            if old[name] != new[name]:
-                yield _change(name, old[name], new[name])
+    for name in {**old, **new}:
+        if not isinstance(old.get(name), dict):
+            if old.get(name) != new.get(name):
+                yield _change(name, old.get(name, "none"), new.get(name, "none"))
             continue
         for key in old[name]:
             if old[name][key] != new[name][key]:

@@ -14,13 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.operations import Op, Phase
 from nscc.target.load import builtin_names, builtin_target, target_toml
 from nscc.target.target import Target
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.cost import frame_cost, kernel_cost
 from nscc.words.encoding import matching, word_text
 from nscc.words.legality import pair_kind, target_fault
-from nscc.words.operations import Op, Phase
 from nscc.words.text import block_text, name_text, number_text, ranges_text, slots_text
 
 _COMMENT_COLUMN = 40
@@ -51,7 +51,7 @@ def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, 
     `.word`, with the reason as comment.
     """
     lines: list[tuple[int, str, str]] = []
-    ops = [matching(word) for word in words]
+    ops = [matching(word, target.words) for word in words]
     faults: dict[Op, str | None] = {op: target_fault(op, target) for op in ops if op is not None}
     at = 0
     while at < len(words):

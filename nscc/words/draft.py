@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
+from nscc.operations import Op
 from nscc.source import Source, Span
 from nscc.words.container import Word
-from nscc.words.operations import Op
 from nscc.words.soundness import MOST_WORDS
 
 _IMPLIED_KERNEL = "main"

@@ -11,18 +11,20 @@ Inside this module a word is one 160-bit integer, the first 32-bit integer lowes
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import NamedTuple
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.words.container import Word
-from nscc.words.operations import (
+from nscc.operations import (
     ANALOG_SOURCES,
     ANALOG_WRITE,
     BIT,
     BITMODE,
     DIGITAL_SOURCES,
     DIGITAL_WRITE,
+    EXTRA_LINES,
+    FIRST_EXTRA_LINE,
+    LINE_NAMES,
     NBIT,
     OPERATIONS,
     PLRB,
@@ -36,36 +38,20 @@ from nscc.words.operations import (
     Effect,
     Op,
     Operation,
-    op,
+    made,
 )
+from nscc.words.container import Word
 
 _INTEGER = 0xFFFF_FFFF
 _CLOCK_SHIFT = 19
-_FIRST_EXTRA, _EXTRAS_A_WORD = 80, 13
-_EXTRAS = 4 * _EXTRAS_A_WORD
-
-_GROUPS = (
-    (0, "selsq selpix rstpix seldiffe seldiffs s_in rana sels"),
-    (9, "sele selx rid seln"),
-    (13, "W1 W2 W3 W4 W5 W6 W7 wrf SEL1 SEL2 SEL3 SEL4 SEL5 SEL6 SEL7 setf selw pupd fbus"),
-    (32, " ".join(f"RR{i}" for i in range(1, 13))),
-    (44, " ".join(f"LR{i}" for i in range(1, 13))),
-    (56, "lfl rfl nbit nb plwb plrb bit bitmode"),
-    (64, "wr ana dig8 g_start g_stop col_out dir row_out s0_left s1_left rst_start rst_stop"),
-    (76, "s0_bot s1_bot pgdb pgdbobus"),
-    (80, " ".join(f"RR{13 + i} LR{13 + i}" for i in range(_EXTRAS // 2))),
-)
-LINE_NAMES: dict[int, str] = {
-    first + i: name for first, names in _GROUPS for i, name in enumerate(names.split())
-}
-"""The name of every control line; line 8 has none."""
+_EXTRAS_A_WORD = 13
 
 
 def _bit(line: int) -> int:
     """The 160-bit integer in which only control line `line` is raised."""
-    if line < _FIRST_EXTRA:
+    if line < FIRST_EXTRA_LINE:
         return 1 << (32 * (line // 16) + line % 16)
-    extra = line - _FIRST_EXTRA
+    extra = line - FIRST_EXTRA_LINE
     return 1 << (32 * (1 + extra // _EXTRAS_A_WORD) + 19 + extra % _EXTRAS_A_WORD)
 
 
@@ -82,8 +68,7 @@ _READ = {name: _raised(lines) for name, lines in READ_LINES.items()}
 # The destination of an analog word is selected like a source, and written.
 _WRITE = {name: _READ[name] | _bit(line) for name, line in ANALOG_WRITE.items()}
 _WRITE |= {name: _bit(line) for name, line in DIGITAL_WRITE.items()}
-_FIXED = {row.name: _INDEX | row.clock << _CLOCK_SHIFT | _raised(row.lines) for row in OPERATIONS}
-_ALL_LINES = {_bit(line): line for line in range(_FIRST_EXTRA + _EXTRAS)}
+_ALL_LINES = {_bit(line): line for line in range(FIRST_EXTRA_LINE + EXTRA_LINES)}
 
 # The lines that tell operations apart; the others only name operands. selpix and s_in are both, so
 # that what an analog word's operands cannot settle is settled by encoding the answer again.
@@ -91,11 +76,17 @@ _KIND_ANALOG = _raised((RSTPIX, WRF, SETF, PLRB, RID))
 _KIND_DIGITAL = _raised((S_IN, WRF, PLWB, PLRB, NBIT, BIT, BITMODE, RID))
 
 
+@cache
+def _fixed(row: Operation) -> int:
+    """What every word of an operation raises."""
+    return _INDEX | row.clock << _CLOCK_SHIFT | _raised(row.lines)
+
+
 def _kinds() -> dict[tuple[int, int], tuple[Operation, ...]]:
     kinds: dict[tuple[int, int], tuple[Operation, ...]] = {}
     for row in OPERATIONS:
         mask = _KIND_ANALOG if row.analog else _KIND_DIGITAL
-        key = (row.clock, _FIXED[row.name] & mask)
+        key = (row.clock, _fixed(row) & mask)
         kinds[key] = (*kinds.get(key, ()), row)
     return kinds
 
@@ -122,7 +113,7 @@ def _joined(word: Word) -> int:
 
 
 def _encoded(operation: Op) -> int:
-    word = _FIXED[operation.name]
+    word = _fixed(operation.operation)
     for register in operation.destinations:
         word |= _WRITE[register]
     for register in operation.sources:
@@ -132,13 +123,16 @@ def _encoded(operation: Op) -> int:
 
 @lru_cache(maxsize=1 << 14)
 def encode(operation: Op) -> Word:
-    """The five 32-bit integers of an operation made by `nscc.words.operations.op`."""
+    """The five 32-bit integers of an operation made by `nscc.operations`."""
     return _split(_encoded(operation))
 
 
 @lru_cache(maxsize=1 << 14)
-def matching(word: Word) -> Op | None:
-    """The operation whose word this is, bit for bit, or None if there is none."""
+def matching(word: Word, own: tuple[Operation, ...] = ()) -> Op | None:
+    """The operation whose word this is, bit for bit, or None if there is none.
+
+    `own` are the words that a target has beside the table's.
+    """
     if len(word) != 5 or not all(0 <= integer <= _INTEGER for integer in word):
         return None
     bits = _joined(word)
@@ -148,15 +142,15 @@ def matching(word: Word) -> Op | None:
     reads, writes = (_ANALOG_READS, _ANALOG_WRITES) if analog else (_DIGITAL_READS, _DIGITAL_WRITES)
     destinations = [name for name, mask in writes if bits & mask]
     read = [name for name, mask in reads if bits & mask == mask]
-    for row in _KINDS.get((clock, kind), ()):
+    for row in (*_KINDS.get((clock, kind), ()), *own):
         sources = read
         if row.effect in (Effect.BUS, Effect.RESET_PIX):
-            sources = [name for name in read if not _FIXED[row.name] & _READ[name]]
+            sources = [name for name in read if not _fixed(row) & _READ[name]]
             sources = [name for name in sources if name not in destinations]
         if not _fits(len(destinations), row.destinations) or not _fits(len(sources), row.sources):
             continue
         try:
-            found = op(row.name, destinations, sources)
+            found = made(row, destinations, sources)
         except ValueError:
             continue
         if _encoded(found) == bits:
@@ -170,7 +164,7 @@ def _fits(count: int, allowed: tuple[int, int | None]) -> bool:
 
 
 def decode(word: Word, where: str = "") -> Op:
-    """The operation whose word this is; `where` names the word's place for the message.
+    """The operation of the table whose word this is; `where` names its place for the message.
 
     Raises Rejected (NS0701) for a word that no operation of the table encodes to.
     """
@@ -229,7 +223,7 @@ def masks() -> Masks:
     """The masks, for those who decode words somewhere else."""
     lines = {**ANALOG_WRITE, **DIGITAL_WRITE}
     return Masks(
-        {name: _split(word) for name, word in _FIXED.items()},
+        {row.name: _split(_fixed(row)) for row in OPERATIONS},
         {name: _split(word) for name, word in _READ.items()},
         {name: _split(_bit(line)) for name, line in lines.items()},
         {name: _split(word) for name, word in _WRITE.items()},

@@ -10,10 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.operations import Effect, Op, Phase
 from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.encoding import matching, no_operation
-from nscc.words.operations import Effect, Op, Phase
 
 _MOST_SHOWN = 10
 
@@ -30,7 +30,7 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
         ops: list[Op] = []
         for index, word in enumerate(kernel.words):
             where = f"word {index} of kernel '{kernel.name}'"
-            operation = matching(word)
+            operation = matching(word, container.target.words)
             if operation is None:
                 found.append(no_operation(word, where))
             else:

@@ -12,8 +12,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache
 
-from nscc.words.operations import (
+from nscc.operations import (
     ANALOG_SOURCES,
     ANALOG_WRITE,
     BY_NAME,
@@ -21,10 +22,10 @@ from nscc.words.operations import (
     DIGITAL_WRITE,
     OPERATIONS,
     READ_LINES,
-    Effect,
     Op,
     Operation,
     Phase,
+    made,
     op,
     pair,
 )
@@ -61,12 +62,12 @@ class Mnemonic:
     scratch: tuple[str, ...] = ()
 
 
-def expand(name: str, operands: Sequence[str]) -> Ops:
-    """The operations that a line `name operands` stands for.
+def expand(name: str, operands: Sequence[str], own: tuple[Operation, ...] = ()) -> Ops:
+    """The operations that a line `name operands` stands for; `own` are a target's own words.
 
     Raises KeyError for a name that is no mnemonic and OperandError for operands it does not take.
     """
-    mnemonic = MNEMONICS[name]
+    mnemonic = mnemonics(own)[name]
     count = len(operands)
     for index, register in enumerate(operands):
         if register not in READ_LINES:
@@ -101,7 +102,7 @@ def _count(mnemonic: Mnemonic) -> str:
 
 def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -> Op:
     """A whole word, with its operands checked in the user's terms."""
-    analog = row.effect in (Effect.BUS, Effect.FLAG_ANALOG)
+    analog = row.analog
     writable = ANALOG_WRITE if analog else DIGITAL_WRITE
     readable = ANALOG_SOURCES if analog else DIGITAL_SOURCES
     kind = "analog" if analog else "digital"
@@ -128,7 +129,7 @@ def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -
             raise OperandError(
                 f"{row.name} cannot write {register} and read it in the same word", index
             )
-    return op(row.name, destinations, sources)
+    return made(row, destinations, sources)
 
 
 def _listed(names: Sequence[str] | dict[str, int]) -> str:
@@ -148,7 +149,8 @@ def _native(row: Operation) -> Mnemonic:
         return (_word(row, operands[:at], operands[at:]),)
 
     most = None if high is None or last is None else high + last
-    dest = "d0, d1, .." if high is None else ", ".join(["d", "d0, d1", "d0, d1, d2"][low - 1 : low])
+    several = ", ".join(f"d{i}" for i in range(low)) if low > 1 else "d"
+    dest = "d0, d1, .." if high is None else several
     src = "" if last == 0 else "x" if (first, last) == (1, 1) else "x0, x1, .."
     usage = f"{row.name} {', '.join(part for part in (dest if low else '', src) if part)}".strip()
     return Mnemonic(row.name, usage, write, low + first, most)
@@ -374,3 +376,9 @@ MNEMONICS: dict[str, Mnemonic] = {
     **{macro.name: macro for macro in _MACROS},
 }
 """Every mnemonic by name; names are case sensitive (`where` is analog, `WHERE` digital)."""
+
+
+@cache
+def mnemonics(own: tuple[Operation, ...] = ()) -> dict[str, Mnemonic]:
+    """Every mnemonic by name on a target that has words of its own."""
+    return MNEMONICS | {row.name: _native(row) for row in own}

@@ -1,6 +1,6 @@
 """The emulator in Python: what a chip would have captured, from arrays to arrays.
 
-    from nscc.pipeline import compile_file
+    from nscc.compiler import compile_file
     from nscc_runtime.capture import capture
 
     program = compile_file(Path("flutter.nsl")).container

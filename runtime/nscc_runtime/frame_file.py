@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.target.target import Target
-from nscc.words.container import Container
+from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc_runtime.effects import Effect, Selection, everything, registered
 from nscc_runtime.effects.parts import Moving
 from nscc_runtime.effects.views import Where
@@ -126,6 +126,26 @@ def repeated(frame: Frame, count: int) -> Frame:
         return np.broadcast_to(values, (count, *values.shape))
 
     return Frame(stack(frame.frame), stack(frame.exposure_e), stack(frame.valid))
+
+
+def frame_lines(container: Container, frame: Frame) -> list[str]:
+    """What a person wants to know first, a line a bucket; of the first frame where there are K."""
+    top = 2**container.target.adc_bits - 1
+    width = max(len(name) for name in container.buckets)
+    lines = []
+    for b, name in enumerate(container.buckets):
+        place = (0, b) if frame.frame.ndim == 4 else (b,)
+        codes, valid = frame.frame[place], frame.valid[place]
+        values = frame.exposure_e[place][valid]
+        invalid = valid.size - values.size
+        full = int((codes == top).sum())
+        text = f"{name:<{width}}  {full} of {codes.size} pixels saturated"
+        if values.size:
+            text += (
+                f", electrons {values.min():.6g} to {values.max():.6g}, mean {values.mean():.6g}"
+            )
+        lines.append(text + (f", {invalid} invalid" if invalid else ""))
+    return lines
 
 
 @dataclass(frozen=True)
@@ -231,22 +251,6 @@ def open_us(container: Container) -> list[float] | None:
     return [float(time) for time in times[0]] if same else None
 
 
-def packed_shutters(
-    container: Container, shutters: NDArray[np.bool_]
-) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:
-    """`shutter` and `shutter_shape` of a container with pixels.
-
-    `shutters` bool (distinct shutters, buckets, N), the order of `container.table`.
-    """
-    if container.pixel_codes is None:
-        raise ValueError("a container without pixels has no shutters on the array")
-    packed = np.packbits(shutters, axis=-1, bitorder="little")
-    at_pixel = container.table.shutter_of_code[container.pixel_codes]
-    laid = np.stack([packed[:, b][at_pixel] for b in range(shutters.shape[1])])
-    shape = (*laid.shape[:3], shutters.shape[2])
-    return laid, np.array(shape, np.int64)
-
-
 @dataclass(frozen=True, eq=False)
 class FrameFile:
     """Everything that goes into one file: `kept` arrays and `slots` of light, by key."""
@@ -256,6 +260,36 @@ class FrameFile:
     kept: Mapping[str, NDArray[Any]]
     slots: Mapping[str, Light]
     progress: Progress = unseen
+
+    @classmethod
+    def of(
+        cls,
+        container: Container,
+        light: Light | None,
+        frame: Frame,
+        meta: Mapping[str, Any],
+        keep: Sequence[str] = (),
+        shutters: NDArray[np.bool_] | None = None,
+        progress: Progress = unseen,
+    ) -> FrameFile:
+        """The file of a frame, with what of KEEP is named in `keep`; without light none is kept.
+
+        `shutters` as in `packed_shutters`, needed where `keep` names them.
+        """
+        kept: dict[str, NDArray[Any]] = {}
+        slots: dict[str, Light] = {}
+        if light is not None and "light" in keep:
+            slots["light"] = light
+        if light is not None and "truth" in keep:
+            if light.kind == "still":
+                kept["truth_e"] = light.total_e()
+            else:
+                slots["truth_e"] = light
+        if "shutter" in keep and shutters is not None:
+            kept["shutter"], kept["shutter_shape"] = packed_shutters(container, shutters)
+        if "codes" in keep:
+            kept |= fields_at_pixels(container)
+        return cls(frame, meta, kept, slots, progress)
 
     def write(self, file: IO[bytes]) -> None:
         """Write the archive; light goes slot by slot and repeats block by block, never whole."""
@@ -293,31 +327,3 @@ def _put(
         np.lib.format.write_array_header_1_0(out, header)
         for block in blocks:
             out.write(np.ascontiguousarray(block, little).tobytes())
-
-
-def kept_arrays(
-    container: Container,
-    light: Light | None,
-    keep: tuple[str, ...],
-    shutters: NDArray[np.bool_] | None,
-) -> tuple[dict[str, NDArray[Any]], dict[str, Light]]:
-    """What `--keep` adds: arrays, and light that is written slot by slot.
-
-    `shutters` as in `packed_shutters`, needed where `keep` names them. Without light none is kept.
-    """
-    arrays: dict[str, NDArray[Any]] = {}
-    slots: dict[str, Light] = {}
-    if light is not None and "light" in keep:
-        slots["light"] = light
-    if light is not None and "truth" in keep:
-        if light.kind == "still":
-            arrays["truth_e"] = light.total_e()
-        else:
-            slots["truth_e"] = light
-    if "shutter" in keep and shutters is not None:
-        arrays["shutter"], arrays["shutter_shape"] = packed_shutters(container, shutters)
-    if "codes" in keep and container.pixel_codes is not None:
-        values = container.table.codes[container.pixel_codes]
-        for column, name in enumerate(container.table.fields):
-            arrays[f"codes_{name}"] = values[..., column]
-    return arrays, slots

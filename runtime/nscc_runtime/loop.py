@@ -291,7 +291,10 @@ class ObjectFile:
             from nscc_runtime.loop_types import signature
 
             return machine_code.build(
-                (_for_numba(each.function), signature(each.parameters.values()))
+                (
+                    _for_numba(each.function),
+                    signature((p.kind, p.record is not None) for p in each.parameters.values()),
+                )
                 for each in self.loops
             )
 

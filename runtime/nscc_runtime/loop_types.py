@@ -7,10 +7,9 @@ from collections.abc import Iterable
 from typing import Any
 
 import numba
+import numpy as np
 from numba import extending as _extending
 from numba import types as _types
-
-from nscc_runtime.loop import Parameter
 
 # numba has no annotations of its own.
 extending: Any = _extending
@@ -30,13 +29,13 @@ def _record(_context: Any, builder: Any, _signature: Any, values: tuple[Any, Any
 extending.lower_builtin(operator.getitem, Records, types.Integer)(_record)
 
 
-def signature(parameters: Iterable[Parameter]) -> Any:
-    """The types of a loop, for numba."""
-    return types.void(*map(_type, parameters))
+def signature(parameters: Iterable[tuple[np.dtype[Any], bool]]) -> Any:
+    """The types of a loop, for numba: of each parameter its kind, and whether it is one record."""
+    return types.void(*(_type(kind, is_record) for kind, is_record in parameters))
 
 
-def _type(parameter: Parameter) -> Any:
-    kind = numba.from_dtype(parameter.kind)
-    if parameter.record is not None:
-        return kind
-    return Records(kind) if parameter.kind.names else types.CPointer(kind)
+def _type(kind: np.dtype[Any], is_record: bool) -> Any:
+    found = numba.from_dtype(kind)
+    if is_record:
+        return found
+    return Records(found) if kind.names else types.CPointer(found)

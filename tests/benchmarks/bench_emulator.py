@@ -18,8 +18,9 @@ from time import perf_counter
 
 import numpy as np
 
+from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.pipeline import Options, compile_file
+from nscc.pipeline import Options
 from nscc.words.container import Container
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light

@@ -31,7 +31,8 @@ from time import perf_counter
 
 import numpy as np
 
-from nscc.pipeline import Options, compile_file
+from nscc.compiler import compile_file
+from nscc.pipeline import Options
 from nscc.words.container import Container
 from nscc_runtime.capture import as_light, capture, made_ready
 from nscc_runtime.effects import selected
@@ -198,7 +199,7 @@ def memories(slots: int) -> None:
         print("peak memory: not measured on this system")
         return
     print("peak memory of one capture, planning included, from an array")
-    folders = [ROOT, ROOT / "runtime", ROOT / "training"]
+    folders = [ROOT, ROOT / "cli", ROOT / "runtime", ROOT / "training"]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, folders))}
     for count in (slots, 8 * slots):
         for effects in ("none", NOISY, "auto"):

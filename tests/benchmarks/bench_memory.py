@@ -20,7 +20,7 @@ PIXELS = "pixels stop = 1 + (x + 256 * y) % N"
 
 def peak_mb(arguments: list[str]) -> float:
     """Peak resident memory of one `nscc`, in MB."""
-    folders = [ROOT, ROOT / "runtime", ROOT / "training"]
+    folders = [ROOT, ROOT / "cli", ROOT / "runtime", ROOT / "training"]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, folders))}
     quiet = (os.POSIX_SPAWN_OPEN, 2, os.devnull, os.O_WRONLY, 0)
     quiet_out = (os.POSIX_SPAWN_OPEN, 1, os.devnull, os.O_WRONLY, 0)

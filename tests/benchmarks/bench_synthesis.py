@@ -24,7 +24,7 @@ import numpy as np
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.emit.report import report
-from nscc.pipeline import Options, compile_source
+from nscc.pipeline import Options, run_passes
 from nscc.source import Source
 from nscc.target.load import builtin_target
 from nscc.target.target import Target
@@ -126,17 +126,15 @@ class Count:
 
 def counted(row: Row, lowering: str, level: int, target: Target) -> Count:
     """One compilation."""
-    options = Options(
-        level=level, codes="open", lowering=lowering, target=target, suggest=False, cache=False
-    )
+    options = Options(level=level, codes="open", lowering=lowering, target=target, cache=False)
     begin = perf_counter()
     try:
-        compiled = compile_source(Source("row.nsl", row.text), Path(), options)
+        compiled = run_passes(Source("row.nsl", row.text), Path(), options)
     except Rejected as rejected:
         last = rejected.diagnostics[-1]
         return Count(perf_counter() - begin, refused=f"{last.code} {last.message}")
     seconds = perf_counter() - begin
-    logic = report(compiled.lowered, compiled.choice, compiled.proof)["logic"]
+    logic = report(compiled.choice, compiled.proof)["logic"]
     return Count(
         seconds, logic["ops"], logic["words"], logic["max_slot_words"], logic["registers"],
         logic["bound"],

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-PRODUCTS = "ast,ir,gates,schedule,asm,icw,cpp,report"
+PRODUCTS = "ast,ir,gates,schedule,asm,icw,cpp,report,dot,graphml"
 EXAMPLES = ("hdr_2x2", "class_d", "codebook", "two_buckets", "skip_one")
 
 
@@ -36,13 +36,15 @@ def test_products_do_not_depend_on_folder_or_hash_seed(
 
 
 def test_pictures_do_not_depend_on_the_hash_seed(root: Path, tmp_path: Path) -> None:
-    pictures = []
+    pictures: list[list[bytes]] = []
     for seed in ("0", "5"):
         home = tmp_path / seed
         home.mkdir()
         shutil.copy(root / "examples" / "hdr_2x2.nsl", home)
-        run(["view", "hdr_2x2.nsl", "-o", "view.png"], home, seed)
-        pictures.append((home / "view.png").read_bytes())
+        pictures.append([])
+        for options in ([], ["--gates"]):
+            run(["view", "hdr_2x2.nsl", *options, "-o", "view.png"], home, seed)
+            pictures[-1].append((home / "view.png").read_bytes())
     assert pictures[0] == pictures[1]
 
 

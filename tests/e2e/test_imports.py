@@ -1,68 +1,163 @@
-"""Which part imports which: start-up stays short, and the packages keep their order."""
+"""Who imports whom: four floors and no stair up, no circle, and a short start-up.
+
+Every import of every file counts, those inside functions and those for type checkers too.
+"""
 
 from __future__ import annotations
 
-import ast
 import os
 import subprocess
 import sys
-from collections.abc import Iterator
+import tomllib
+from functools import cache
+from itertools import chain
 from pathlib import Path
 
 import pytest
+from import_graph import arrows_up, circles, file_graph, folder_graph, imported, modules
+from packaging.requirements import Requirement
 
-HEAVY = ("cv2", "matplotlib", "numba", "PIL", "scipy", "serial", "torch")
+from nscc.requirements import distribution_of
 
-# (a package, what nothing in it may import)
-ORDER = (
-    (
-        "runtime/nscc_runtime",
-        (
-            "nscc_training",
-            "nscc_cli",
-            "nscc.pipeline",
-            "nscc.emit",
-            "nscc.prove",
-            "nscc.logic",
-            "nscc.lower",
-            "nscc.program",
-            "nscc.syntax",
-        ),
-    ),
-    ("nscc/diagnostics", ("nscc.syntax", "nscc.program", "nscc_cli", "nscc.pipeline")),
-    ("nscc/syntax", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc_cli")),
-    ("nscc/target", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc_cli")),
-    (
-        "nscc/cache",
-        ("nscc.syntax", "nscc.program", "nscc.lower", "nscc.prove", "nscc.pipeline", "nscc_cli"),
-    ),
-    ("nscc/words", ("nscc.program", "nscc.lower", "nscc.logic", "nscc.pipeline", "nscc_cli")),
-    ("nscc/program", ("nscc.lower", "nscc.logic", "nscc.prove", "nscc.pipeline", "nscc_cli")),
-    ("nscc/logic", ("nscc.syntax", "nscc.program", "nscc.prove", "nscc.pipeline", "nscc_cli")),
-    ("nscc/lower", ("nscc.syntax", "nscc.prove", "nscc.pipeline", "nscc_cli")),
-    ("nscc/prove", ("nscc.syntax", "nscc.program", "nscc.logic", "nscc.lower", "nscc_cli")),
+ROOT = Path(__file__).parents[2]
+FLOORS = {
+    "nscc": "nscc",
+    "nscc_runtime": "runtime/nscc_runtime",
+    "nscc_training": "training/nscc_training",
+    "nscc_cli": "cli/nscc_cli",
+}
+"""From the ground up: each may import those before it."""
+
+ROOMS = (
+    ("operations", "requirements", "source", "truth"),
+    ("diagnostics",),
+    ("files", "plugins", "toml"),
+    ("target",),
+    ("logic", "words"),
+    ("cache", "prove"),
+    ("syntax",),
+    ("installation", "program"),
+    ("lower",),
+    ("checks",),
+    ("pipeline",),
+    ("emit", "limits"),
+    ("tradeoff",),
+    ("compiler",),
+    ("containers",),
+)
+"""The compiler's rooms from the ground up: one may import those of earlier lines."""
+
+EXTERNAL = {"nscc": {"lark", "networkx", "numpy"}}
+"""What a floor may import that is neither nscc's nor Python's, where that is limited."""
+
+HEAVY = (
+    "cv2",
+    "matplotlib",
+    "networkx",
+    "numba",
+    "numpy.random",
+    "PIL",
+    "scipy",
+    "serial",
+    "torch",
 )
 
 
-@pytest.mark.parametrize(("package", "forbidden"), ORDER, ids=[name for name, _ in ORDER])
-def test_order_of_packages(package: str, forbidden: tuple[str, ...], root: Path) -> None:
+@cache
+def files() -> dict[str, Path]:
+    found: dict[str, Path] = {}
+    for folder in FLOORS.values():
+        found |= modules(ROOT / folder)
+    return found
+
+
+def test_no_floor_knows_one_above_it() -> None:
+    assert arrows_up(file_graph(files()), FLOORS) == []
+
+
+def test_no_circle_of_files() -> None:
+    assert circles(file_graph(files())) == []
+
+
+def test_no_circle_of_folders() -> None:
+    """In every folder: of its files and folders, each taken with all below it."""
+    graph = file_graph(files())
+    folders = {name.rpartition(".")[0] for name in graph if "." in name}
+    assert [
+        circle for each in sorted(folders) for circle in circles(folder_graph(graph, each))
+    ] == []
+
+
+@pytest.mark.parametrize("floor", EXTERNAL)
+def test_imports_few_packages_of_others(floor: str) -> None:
+    own = set(FLOORS) | set(sys.stdlib_module_names)
+    wanted = {
+        each.partition(".")[0]
+        for name, path in modules(ROOT / FLOORS[floor]).items()
+        for each in imported(name, path)
+    }
+    assert wanted - own <= EXTERNAL[floor]
+
+
+def test_every_package_that_is_imported_is_asked_for() -> None:
+    """So that whoever lacks one is told the extra; compiler and command line need no extra."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
+    base, extras = (
+        {Requirement(text).name.lower() for text in texts}
+        for texts in (project["dependencies"], chain(*project["optional-dependencies"].values()))
+    )
+    for floor, folder in FLOORS.items():
+        asked = base if floor in ("nscc", "nscc_cli") else base | extras
+        for name, path in modules(ROOT / folder).items():
+            tops = {each.partition(".")[0] for each in imported(name, path)}
+            others = tops - set(FLOORS) - set(sys.stdlib_module_names)
+            assert {distribution_of(top).lower() for top in others} <= asked, name
+
+
+def test_the_runtime_executes_words_and_knows_no_compiler() -> None:
+    compiling = {"compiler", "containers", "limits", "pipeline"}
+    rooms = {"emit", "logic", "lower", "program", "prove", "syntax"}
+    wanted = {
+        each.split(".")[1]
+        for name, path in modules(ROOT / FLOORS["nscc_runtime"]).items()
+        for each in imported(name, path)
+        if each.startswith("nscc.")
+    }
+    assert not wanted & (compiling | rooms)
+
+
+def test_rooms_of_the_compiler_keep_their_order() -> None:
+    level = {room: number for number, rooms in enumerate(ROOMS) for room in rooms}
     wrong = [
-        f"{path.relative_to(root)}: {name}"
-        for path in sorted((root / package).rglob("*.py"))
-        for name in imported(path)
-        if f"{name}.".startswith(tuple(f"{other}." for other in forbidden))
+        f"{name} imports {other}"
+        for name, other in folder_graph(file_graph(modules(ROOT / "nscc")), "nscc").edges
+        if level[name.removeprefix("nscc.")] <= level[other.removeprefix("nscc.")]
     ]
     assert not wrong
 
 
-@pytest.mark.parametrize("package", ["nscc_runtime", "nscc_training"])
-def test_only_the_command_line_knows_the_others(package: str, root: Path) -> None:
-    knowing = {
-        path.relative_to(root).parts[1]
-        for path in (root / "nscc").rglob("*.py")
-        if any(name.split(".")[0] == package for name in imported(path))
-    }
-    assert knowing == {"cli"}
+def test_circles_and_arrows_up_are_seen(tmp_path: Path) -> None:
+    """Deferred, for types, relative; through a package's face, and through two folders."""
+    texts = {
+        "low/__init__.py": "",
+        "low/one.py": "def late():\n    from low.two import x\n",
+        "low/two.py": "from typing import TYPE_CHECKING\nif TYPE_CHECKING:\n    import low.one\n",
+        "low/three.py": "import high\n",
+        "high/__init__.py": "from high.a.first import x\n",
+        "high/a/first.py": "from ..b import second\n",
+        "high/a/other.py": "",
+        "high/b/second.py": "import json\n",
+        "high/b/back.py": "import high.a.other as it\n",
+    }  # fmt: skip
+    for name, text in texts.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    graph = file_graph(modules(tmp_path / "low") | modules(tmp_path / "high"))
+    assert arrows_up(graph, ("low", "high")) == ["low.three imports high"]
+    assert circles(graph) == [["low.one", "low.two"]]
+    assert circles(folder_graph(graph, "high")) == [["high.a", "high.b"]]
+    assert circles(folder_graph(graph, "low")) == [["low.one", "low.two"]]
+    assert not circles(folder_graph(graph, "high.a"))
 
 
 @pytest.mark.parametrize(
@@ -72,15 +167,18 @@ def test_only_the_command_line_knows_the_others(package: str, root: Path) -> Non
         ["--help"],
         ["check", "examples/hdr_2x2.nsl", "examples/class_d.nsl"],
         ["check", "tests/cases/fail/burst16.nsl"],
+        ["build", "examples/class_c.nsl", "-O1", "--emit", "gates=-"],
         ["explain", "NS0214"],
         ["targets"],
     ],
     ids=lambda arguments: " ".join(arguments[:1]),
 )
 def test_start_up_imports_nothing_heavy(arguments: list[str], root: Path) -> None:
+    # What other distributions add is looked for only where it is listed.
+    heavy = HEAVY if arguments[0] in ("--help", "targets") else (*HEAVY, "importlib.metadata")
     code = (
         "import sys; from nscc_cli.main import main; main(sys.argv[1:]); "
-        f"print([name for name in {HEAVY!r} if name in sys.modules])"
+        f"print([name for name in {heavy!r} if name in sys.modules])"
     )
     outcome = subprocess.run(
         [sys.executable, "-c", code, *arguments],
@@ -90,17 +188,3 @@ def test_start_up_imports_nothing_heavy(arguments: list[str], root: Path) -> Non
         text=True,
     )
     assert outcome.stdout.splitlines()[-1] == "[]", outcome.stderr
-
-
-def imported(path: Path) -> Iterator[str]:
-    """The modules that a file imports when it runs; imports for type checkers do not count."""
-    waiting: list[ast.AST] = [ast.parse(path.read_bytes())]
-    while waiting:
-        node = waiting.pop()
-        if isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
-            continue
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module:
-            yield node.module
-        waiting.extend(ast.iter_child_nodes(node))

@@ -38,7 +38,7 @@ _SHELL = re.compile(r"[|&;<>()$`\\*?]")
 def tools(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder for PATH with `nscc` and `python`, both of this interpreter."""
     folder = tmp_path_factory.mktemp("tools")
-    for name, arguments in (("python", ""), ("nscc", " -m nscc")):
+    for name, arguments in (("python", ""), ("nscc", " -m nscc_cli")):
         script = folder / name
         script.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)}{arguments} "$@"\n')
         script.chmod(0o755)

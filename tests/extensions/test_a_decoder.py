@@ -31,8 +31,8 @@ class Shine(torch.nn.Module):
 text = "no decoder"
 '''
 SMALL = (
-    "shutter.slots=8", "shutter.tile=[2,2]", "data.patch=16", "data.scenes=2", "data.val_items=1",
-    "train.steps=2", "train.batch=1", "decoder.name=shine",
+    "shutter.slots=8", "shutter.tile=[2,2]", "data.patch=16", "data.scenes=2",
+    "data.val_items=1", "train.steps=2", "train.batch=1", "decoder.name=shine",
 )  # fmt: skip
 
 
@@ -47,8 +47,7 @@ def test_a_decoder_from_outside_learns_and_decodes(tmp_path: Path) -> None:
     made = nscc_with(tmp_path, "reconstruct", "run", "f.npz", "-o", "r.npz", "--force")
     assert made.returncode == 0, made.stderr
     image = np.load(tmp_path / "r.npz")["image"]
-    assert image.shape == (256, 256)
-    assert np.isfinite(image).all()
+    assert image.shape == (256, 256) and np.isfinite(image).all()  # noqa: PT018
 
 
 @pytest.mark.parametrize(("name", "value"), [("shine", "text"), ("unet2d", "Shine")])

@@ -11,7 +11,8 @@ torch = pytest.importorskip("torch")
 from nscc_training.decoders.names import DECODERS  # noqa: E402
 
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
-from nscc_training.decoders.make import Task, make_decoder  # noqa: E402
+from nscc_training.decoders.declared import Task  # noqa: E402
+from nscc_training.decoders.make import make_decoder  # noqa: E402
 from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
 from nscc_training.decoders.unrolled import Unrolled  # noqa: E402
 

@@ -17,9 +17,9 @@ from device_sessions import (
 from hypothesis import given
 from hypothesis import strategies as st
 
+from nscc.operations import OPERATIONS
 from nscc.words.encoding import encode, matching
 from nscc.words.legality import target_fault
-from nscc.words.operations import OPERATIONS
 from nscc_runtime.device.firmware import Lockstep
 from nscc_runtime.device.host import Host, Refused, SessionLost, Silent, Stalled
 from nscc_runtime.device.loader import Loader

@@ -8,7 +8,7 @@ import pytest
 from device_sessions import Example, chip_of, examples, python_loader, sanitized, session
 
 from nscc_runtime.device.firmware import Lockstep
-from nscc_runtime.device.simulation import Loaded
+from nscc_runtime.device.serving import Loaded
 
 pytestmark = pytest.mark.xdist_group("firmware")
 HALF = 100

@@ -10,9 +10,9 @@ from emulator_programs import container_of, target_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from nscc.operations import Op, op, pair
 from nscc.words.container import Container, Kernel, Launch, Readout
 from nscc.words.encoding import encode
-from nscc.words.operations import Op, op, pair
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 

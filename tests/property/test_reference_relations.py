@@ -21,8 +21,8 @@ from reference_programs import (
 
 import nscc_runtime.reference.capture
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.operations import op
 from nscc.words.container import Container
-from nscc.words.operations import op
 from nscc_runtime.effects import named, optional, selected
 from nscc_runtime.effects.counts import LIGHT, count_key
 from nscc_runtime.emulator import expose as noiseless

@@ -14,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.operations import OPERATIONS, READ_LINES, Op, op
 from nscc.source import Source
 from nscc.target.load import builtin_target
 from nscc.words.assembly import assemble
@@ -22,7 +23,6 @@ from nscc.words.disassembly import disassemble
 from nscc.words.encoding import encode, matching
 from nscc.words.file import from_bytes, to_bytes
 from nscc.words.legality import decoded
-from nscc.words.operations import OPERATIONS, READ_LINES, Op, op
 
 Result = TypeVar("Result")
 SCAMP5 = builtin_target("scamp5")

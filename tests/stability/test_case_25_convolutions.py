@@ -6,7 +6,8 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
-from nscc_training.decoders.make import Task, make_decoder  # noqa: E402
+from nscc_training.decoders.declared import Task  # noqa: E402
+from nscc_training.decoders.make import make_decoder  # noqa: E402
 
 
 @pytest.mark.parametrize("slots", [1, 8, 13, 16])

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import sys
 from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -16,10 +18,11 @@ from nscc.cache.digest import digest, version_digest
 from nscc.cache.results import LEAST_LEVEL, Results, results_of_user
 from nscc.cache.store import Store
 from nscc.cache.values import from_json, to_json
+from nscc.compiler import compile_source
 from nscc.emit.report import report, report_bytes
 from nscc.logic.generate import solutions
 from nscc.logic.problem import Demand, Gate, Machine, Problem, Solution
-from nscc.pipeline import Options, compile_source
+from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import builtin_target
 from nscc.words.file import to_bytes
@@ -51,7 +54,7 @@ def searches(monkeypatch: pytest.MonkeyPatch) -> list[int]:
         made.append(level)
         yield from solutions(problem, machine, level)
 
-    monkeypatch.setattr("nscc.lower.lowered.solutions", counted)
+    monkeypatch.setattr("nscc.lower.gates.solutions", counted)
     return made
 
 
@@ -59,7 +62,7 @@ def built(text: str, **options: object) -> tuple[bytes, bytes]:
     """The container and the report of a program, every lowering priced."""
     given = Options(codes="open", price_all=True, **options)  # type: ignore[arg-type]
     compiled = compile_source(Source("p.nsl", f"nsl 1 {text}\n"), Path(), given)
-    values = report(compiled.lowered, compiled.choice, compiled.proof)
+    values = report(compiled.choice, compiled.proof)
     return to_bytes(compiled.container), report_bytes(values)
 
 
@@ -145,6 +148,32 @@ def test_the_version_is_that_of_the_sources(
     version_digest.cache_clear()
     assert version_digest() in seen
     version_digest.cache_clear()
+
+
+def test_the_version_is_also_that_of_added_generators(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    module = ModuleType("mine")
+    monkeypatch.setitem(sys.modules, "mine", module)
+    versions = {}
+    for name, file, text in (
+        ("none", None, None),
+        ("added", "mine.py", "x = 1\n"),
+        ("edited", "mine.py", "x = 2\n"),
+        ("a package", "mine/__init__.py", "x = 1\n"),
+        ("unreadable", "gone.py", None),
+    ):
+        if text is not None:
+            (tmp_path / file).parent.mkdir(exist_ok=True)
+            (tmp_path / file).write_text(text)
+        module.__file__ = str(tmp_path / (file or "none"))
+        found = {} if file is None else {"sums": "mine"}
+        monkeypatch.setattr(digests, "sources", lambda group, found=found: found)
+        version_digest.cache_clear()
+        versions[name] = version_digest()
+    version_digest.cache_clear()
+    assert versions.pop("unreadable") is None
+    assert len(set(versions.values())) == len(versions) == 4
 
 
 def test_switched_off(folder: Path, monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -285,7 +314,7 @@ def test_every_solution_can_be_kept(name: str, lowering: str, tmp_path: Path) ->
         yield from solutions(problem, machine, level)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("nscc.lower.lowered.solutions", overhear)
+        patch.setattr("nscc.lower.gates.solutions", overhear)
         built(TEXTS[name], lowering=lowering, cache=False)
     problem, machine = asked[0]
     results = Results(Store(tmp_path))

@@ -124,7 +124,7 @@ def test_no_frames_at_all_are_a_mistake() -> None:
 def test_words_that_compare_light_are_refused() -> None:
     from emulator_programs import container_of, target_of
 
-    from nscc.words.operations import op
+    from nscc.operations import op
 
     words = [op("where", [], ["PIX"]), op("bus", ["A"], ["PIX"])]
     bad = container_of(target_of((2, 3)), {}, [words], [(0, 0), (1, 0)], 1)

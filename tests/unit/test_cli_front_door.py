@@ -118,7 +118,7 @@ def test_exceptions(
     def fail(*_arguments: object) -> None:
         raise error
 
-    monkeypatch.setattr("nscc.pipeline.compile_file", fail)
+    monkeypatch.setattr("nscc.compiler.compile_file", fail)
     monkeypatch.setattr("os.dup2", lambda *_: None)
     outcome = invoke(["check", "ok.nsl"], folder)
     assert outcome.status == status
@@ -129,7 +129,7 @@ def test_exceptions(
 def test_a_fault_leaves_a_reproducer(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (folder / "book.npz").write_bytes(b"data")
     (folder / "uses.nsl").write_text('nsl 1\nshutters b from "book.npz"\n')
-    monkeypatch.setattr("nscc.pipeline.compile_file", lambda *_: 1 // 0)
+    monkeypatch.setattr("nscc.compiler.compile_file", lambda *_: 1 // 0)
     outcome = invoke(["check", "uses.nsl"], folder)
     [saved] = folder.glob("nscc-fault-*.zip")
     assert saved.name in outcome.err
@@ -141,7 +141,7 @@ def test_a_fault_leaves_a_reproducer(folder: Path, monkeypatch: pytest.MonkeyPat
 
 
 def test_output_may_be_cut_off(folder: Path) -> None:
-    command = f"{sys.executable} -m nscc explain | head -n 1"
+    command = f"{sys.executable} -m nscc_cli explain | head -n 1"
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     outcome = subprocess.run(
         ["bash", "-o", "pipefail", "-c", command],

@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from device_sessions import new_host, uploaded_and_captured
+from device_simulation import Simulation
 from emulator_programs import bumps, target_of
 
 from nscc.target.load import builtin_names, builtin_target, load_target, target_toml
@@ -22,7 +23,6 @@ from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import upload_of
 from nscc_runtime.device.packets import MOST_DATA, VERSION, Kind
-from nscc_runtime.device.simulation import Simulation
 from nscc_runtime.device.target_header import refresh_words, target_header
 from nscc_runtime.device.tasks import Taken
 from nscc_runtime.light import Light

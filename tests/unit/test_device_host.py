@@ -15,9 +15,10 @@ from device_sessions import (
     python_loader,
     uploaded_and_captured,
 )
+from device_simulation import Simulation
 from emulator_programs import container_of, target_of
 
-from nscc.words.operations import op
+from nscc.operations import op
 from nscc_runtime.device import tasks
 from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.host import Refused, Silent, Stalled
@@ -26,7 +27,6 @@ from nscc_runtime.device.messages import Fault, Progress
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.packets import MOST_DATA, REPLY, Kind, Packet, Unpacker
 from nscc_runtime.device.parsing import Held
-from nscc_runtime.device.simulation import Simulation
 
 LARGE = target_of((256, 256))
 BITS_A_BYTE, BAUD = 10, 3e6

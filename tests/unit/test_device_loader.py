@@ -11,8 +11,8 @@ from struct import pack
 import pytest
 from device_sessions import BOTH, TARGET, chip_of, examples, python_loader, sanitized
 
+from nscc.operations import Op, op, pair
 from nscc.words.encoding import encode
-from nscc.words.operations import Op, op, pair
 from nscc_runtime.device.firmware import Lockstep
 from nscc_runtime.device.messages import (
     DATA,
@@ -39,7 +39,7 @@ from nscc_runtime.device.objects import (
     upload_of,
 )
 from nscc_runtime.device.packets import REPLY, Kind, Packet, Unpacker
-from nscc_runtime.device.simulation import Loaded
+from nscc_runtime.device.serving import Loaded
 
 pytestmark = pytest.mark.xdist_group("firmware")
 EXAMPLE = examples()[0]

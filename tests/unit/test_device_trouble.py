@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 import serial
 from device_sessions import TARGET, examples, new_host, python_loader
+from device_simulation import Simulation
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device import tasks
@@ -21,7 +22,6 @@ from nscc_runtime.device.link import Link
 from nscc_runtime.device.messages import Capability, Failure, Fault, Info
 from nscc_runtime.device.packets import Kind
 from nscc_runtime.device.port import Port, PortGone, PortTrouble, list_ports, open_port
-from nscc_runtime.device.simulation import Simulation
 from nscc_runtime.device.trouble import check_fits, explained, port_trouble
 from nscc_runtime.interface import Exposer
 from nscc_runtime.sensor import default_sensor

@@ -9,8 +9,8 @@ import pytest
 from emulator_programs import container_of, target_of
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.operations import op, pair
 from nscc.words.container import Kernel, Readout
-from nscc.words.operations import op, pair
 from nscc_runtime.emulator import Emulator, expose
 from nscc_runtime.light import Light
 

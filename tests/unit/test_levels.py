@@ -11,10 +11,11 @@ import pytest
 from lowering_oracle import lowered_as, program_from
 from nscc_command import invoke
 
+from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.logic.problem import Machine, Problem
-from nscc.lower import lowered
-from nscc.pipeline import LEVELS, Options, compile_file, compile_source
+from nscc.lower import gates
+from nscc.pipeline import LEVELS, Options
 from nscc.source import Source
 from nscc.target.load import builtin_target
 
@@ -54,7 +55,7 @@ def test_the_levels_below_are_tried_too(monkeypatch: pytest.MonkeyPatch) -> None
     """Whatever more steps make of a search that ends elsewhere."""
     n = np.arange(9)
     program = program_from([(a <= n) & (n < b) for a in range(9) for b in range(a + 1, 10)])
-    real = lowered.solutions
+    real = gates.solutions
     prices = []
     for level in (1, 2, 3):
         worse = 0 if level == 1 else level
@@ -63,7 +64,7 @@ def test_the_levels_below_are_tried_too(monkeypatch: pytest.MonkeyPatch) -> None
             found = real(problem, machine, 1)
             return iter(()) if asked == worse else found
 
-        monkeypatch.setattr(lowered, "solutions", stunted)
+        monkeypatch.setattr(gates, "solutions", stunted)
         prices.append(lowered_as(program, "accumulate", level).price)
     assert prices == sorted(prices, reverse=True)
 
@@ -102,7 +103,8 @@ def test_what_a_command_takes(
         taken.append(options.level)
         return compile_file(path, options, see)
 
-    monkeypatch.setattr("nscc.pipeline.compile_file", compiled)
+    for module in ("compiler", "containers"):
+        monkeypatch.setattr(f"nscc.{module}.compile_file", compiled)
     command, *more = arguments
     assert invoke([command, "p.nsl", *more], tmp_path).status == 0
     assert taken == [level]
@@ -113,13 +115,13 @@ def test_ways_out_wait_for_no_search(monkeypatch: pytest.MonkeyPatch) -> None:
     from nscc import pipeline
 
     levels = []
-    choose = pipeline.choose
+    find_gates = pipeline.find_gates
 
-    def watched(program, lowering, level, **more):
+    def watched(planned, level, **more):
         levels.append(level)
-        return choose(program, lowering, level, **more)
+        return find_gates(planned, level, **more)
 
-    monkeypatch.setattr(pipeline, "choose", watched)
+    monkeypatch.setattr(pipeline, "find_gates", watched)
     text = "nsl 1 frame 16 slots of 1ms code bits : bit[16] open when bits[n]"
     with pytest.raises(Rejected) as caught:
         compile_source(Source("p.nsl", text), Path(), Options(level=3))

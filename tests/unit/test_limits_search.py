@@ -9,10 +9,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nscc.limits.certain import bits_needed, impossible_from, largest_with
+from nscc.compiler import compile_source
 from nscc.limits.families import families, random_rows
 from nscc.limits.search import GIVE_UP_AFTER, Trial, candidates, explore, largest
-from nscc.pipeline import Options, compile_source
+from nscc.pipeline import Options
+from nscc.program.capacity import bits_needed, impossible_from, largest_with
 from nscc.source import Source
 from nscc.target.load import load_target
 

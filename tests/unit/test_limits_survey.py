@@ -9,11 +9,12 @@ from pathlib import Path
 import pytest
 from nscc_command import invoke
 
+from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.limits.families import families
 from nscc.limits.survey import survey
 from nscc.limits.table import limits_json, limits_text
-from nscc.pipeline import Options, compile_source
+from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import load_target, target_toml
 

@@ -10,14 +10,14 @@ from improve_oracle import chip, random_solution, words_of
 from lowering_oracle import program_from
 
 from nscc.logic.cubes import Budget
-from nscc.logic.generate import COVERS, EQUALITIES
+from nscc.logic.generate import GENERATORS
 from nscc.logic.improve import balance, improve
 from nscc.logic.improve.blocks import blocks_of
 from nscc.logic.improve.code import flatten
 from nscc.logic.improve.enrich import enrich
 from nscc.logic.improve.refine import apart
 from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Solution
-from nscc.lower.lowered import problem_of
+from nscc.lower.decoding import problem_of
 from nscc.lower.plan import levels, plan_exposure
 from nscc.lower.timeline import timeline
 
@@ -219,9 +219,11 @@ def test_what_generators_make(table, lowering, keep_kernels):
     rows = program.table.shutters.reshape(asked.shutters, -1)
     asked = replace(asked, values={"first": rows.argmax(axis=1), "count": rows.sum(axis=1)})
     gains = []
-    for generate in (*EQUALITIES, *COVERS):
+    for generator in GENERATORS.values():
+        if generator.kind not in ("equality", "cover"):
+            continue
         try:
-            solution = generate(asked, MACHINE, Budget(100_000))
+            (solution,) = generator.solve(asked, MACHINE, 100_000)
         except GaveUp:
             continue
         _, words = improved(asked, solution, steps=6000, keep_kernels=keep_kernels)

@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected, Severity
-from nscc.pipeline import Options, compile_source
+from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import load_target
 

@@ -13,8 +13,9 @@ import pytest
 from emulator_oracle import Chip
 from lowering_oracle import words_at
 
+from nscc.compiler import compile_source
 from nscc.emit.report import report
-from nscc.pipeline import Options, compile_source
+from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import load_target
 from nscc.words.legality import decoded
@@ -44,7 +45,7 @@ def built(text, lowering="auto", chip="scamp5", **changes):
     options = Options(codes="open", lowering=lowering, price_all=True, target=target)
     source = Source("test.nsl", f"nsl 1\n{text}\n")
     compiled = compile_source(source, Path(), options)
-    return compiled, report(compiled.lowered, compiled.choice, compiled.proof)
+    return compiled, report(compiled.choice, compiled.proof)
 
 
 def word_us(name, target):

@@ -15,18 +15,18 @@ import pytest
 from lowering_oracle import container_of, does_as_told, lowered_as, program_from
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.prove.proof import prove
-from nscc.target.load import load_target
-from nscc.words.container import Kernel
-from nscc.words.encoding import encode, matching
-from nscc.words.legality import decoded
-from nscc.words.operations import (
+from nscc.operations import (
     ANALOG_SOURCES,
     ANALOG_WRITE,
     OPERATIONS,
     Effect,
     op,
 )
+from nscc.prove.proof import prove
+from nscc.target.load import load_target
+from nscc.words.container import Kernel
+from nscc.words.encoding import encode, matching
+from nscc.words.legality import decoded
 
 N = np.arange(9)
 BUMPS = [(start <= N) & (stop > N) for start in range(9) for stop in range(start + 1, 10)]

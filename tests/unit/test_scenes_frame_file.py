@@ -1,4 +1,4 @@
-"""The frame file: readout, layout, kept arrays, identity of bytes; and the pictures."""
+"""The frame file: readout, layout, kept arrays, identity of bytes; what pictures read from it."""
 
 from __future__ import annotations
 
@@ -13,20 +13,18 @@ import pytest
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
-from nscc.words.container import Container, DecodeTable
-from nscc_runtime.chart import shutters_of, view_png
+from nscc.words.container import Container, DecodeTable, packed_shutters
 from nscc_runtime.frame_file import (
     FrameFile,
     Provenance,
-    kept_arrays,
     meta,
-    packed_shutters,
     read_out,
     repeated,
 )
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.pictures import frame_png, light_estimate, readouts, tile_of
+from nscc_runtime.pictures.frames import light_estimate, readouts, tile_of
+from nscc_runtime.pictures.shutters import shutters_of
 
 ROWS, COLS, SLOTS = 6, 8, 11
 TARGET = replace(builtin_target("scamp5"), rows=ROWS, cols=COLS)
@@ -72,10 +70,10 @@ def written(keep: tuple[str, ...] = (), repeat: int = 0, kind: str = "clip") -> 
     values = np.random.default_rng(2).random((2, ROWS, COLS)) * 40000
     frame = read_out(exposure(values), program.target)
     frame = repeated(frame, repeat) if repeat else frame
-    arrays, slots = kept_arrays(program, scene, keep, program.table.shutters)
     file = io.BytesIO()
     information = meta(program, scene, frame, Provenance(b"program", 3, 4))
-    FrameFile(frame, information, arrays, slots).write(file)
+    shutters = program.table.shutters
+    FrameFile.of(program, scene, frame, information, keep, shutters).write(file)
     return file.getvalue()
 
 
@@ -185,33 +183,6 @@ def test_light_is_estimated_from_unsaturated_neighbours() -> None:
     estimate, known = light_estimate(readout)
     assert known.all()
     np.testing.assert_allclose(estimate, rate, rtol=0.01)
-
-
-@pytest.mark.parametrize("value", [0, 255, 7])
-def test_frame_pictures_of_anything(value: int) -> None:
-    from PIL import Image
-
-    program = container()
-    frame = np.full((2, ROWS, COLS), value, np.uint8)
-    data = frame_png(readouts(program, frame), "a title")
-    assert data == frame_png(readouts(program, frame), "a title")
-    assert Image.open(io.BytesIO(data)).size[0] > 200
-
-
-@pytest.mark.parametrize(
-    ("buckets", "slots", "pixels"), [(1, 1, True), (2, 11, True), (3, 4096, False)]
-)
-def test_view_pictures_are_deterministic(buckets: int, slots: int, pixels: bool) -> None:
-    from PIL import Image
-
-    program = container(buckets, slots)
-    if not pixels:
-        program = replace(program, pixel_codes=None)
-    data = view_png(program, "a title")
-    assert data == view_png(program, "a title")
-    image = Image.open(io.BytesIO(data))
-    assert image.size[0] == 1800
-    assert "Software" not in image.info
 
 
 def test_view_orders_shutters_by_opening_and_counts_codes() -> None:

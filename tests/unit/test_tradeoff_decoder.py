@@ -18,7 +18,6 @@ from scipy.io import savemat
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_cli.support import write_together  # noqa: E402
 from nscc_training.baselines.sci import METHODS  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
@@ -39,7 +38,7 @@ def trained(out: Path, name: str, protocol: str, slots: int) -> Path:
         "data": {"protocol": protocol, "patch": 16, "scenes": 2, "val_items": 1},
         "train": {"steps": 1, "batch": 1, "validate_every": 1, "device": "cpu"},
     }
-    train(settings_of(values), out, write=write_together)
+    train(settings_of(values), out)
     return out
 
 

@@ -12,7 +12,8 @@ import pytest
 from nscc_command import invoke
 from PIL import Image
 
-from nscc.pipeline import Options, compile_source
+from nscc.compiler import compile_source
+from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import builtin_target, target_toml
 from nscc_runtime.capture import capture
@@ -24,8 +25,6 @@ from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.tradeoff import naive
 from nscc_runtime.tradeoff.naive import Naive, copy_gb_per_s, floor_ms
-from nscc_runtime.tradeoff.precision_diagram import Cell, Column, Curve, precision_png
-from nscc_runtime.tradeoff.promise_diagram import Bar, Budget, Promise, budget_png, calibration_png
 from nscc_runtime.tradeoff.study import (
     DRAWN,
     ELECTRONS,
@@ -41,7 +40,7 @@ from nscc_runtime.tradeoff.study import (
     error,
     measure,
 )
-from nscc_runtime.tradeoff.tables import kept, studies_text
+from nscc_runtime.tradeoff.study_text import kept, studies_text
 
 ROWS, COLS, SLOTS = 48, 32, 4
 TEXT = f"""nsl 1
@@ -329,50 +328,3 @@ def test_files_of_the_same_name_are_told_apart(folder: Path) -> None:
     assert "\nb/s.npy: " in done.out
     done = invoke([*arguments, "--scene", "a/s.npy"], folder)
     assert "\ns: " in done.out
-
-
-def mark(time_s: float, at: float, text: str = "", dominated: bool = False):
-    from nscc_runtime.diagram import Mark
-
-    return Mark(time_s, time_s / 2, time_s * 2, at, text, dominated)
-
-
-def columns(count: int) -> list[Column]:
-    cell = Cell(
-        (
-            Curve("one", (mark(1e-3, 300), mark(1e-2, np.inf))),
-            Curve("two", (mark(1e-2, 1, "5", True), mark(2e-2, 0, "1"), mark(2e-2, 1e-13, "2"))),
-            Curve("two and more", (mark(3e-2, 1),), faint=True),
-        ),
-        mark(1, 0), 300.0, 1e-5,
-    )  # fmt: skip
-    nothing = Cell((Curve("two", (mark(1e-2, 0),)),), mark(1, 0), 0.0, 1e-5)
-    return [Column(f"scene {i}", (cell, nothing)) for i in range(count)]
-
-
-PROMISES = [Promise("a", 5, 0, 0), Promise("b", 5, 3, np.inf), Promise("b", 50, 40, 60)]
-BARS = (
-    Bar("shot", "kept", 10.0, 1.0), Bar("read", "dropped", 0.0, 0.0),
-    Bar("lag", "absent", None, 0.0), Bar("decay", "kept", None, 0.0),
-)  # fmt: skip
-
-
-def test_diagrams_of_anything() -> None:
-    import matplotlib
-
-    def pictures() -> list[bytes]:
-        return [
-            *(precision_png(columns(count), ("e", "LSB"), "subtitle") for count in (1, 2, 5)),
-            calibration_png(PROMISES, 1.1),
-            *(budget_png([Budget("a", 5.0, 0.0, BARS)] * count) for count in (1, 4)),
-        ]
-
-    first = pictures()
-    for data in first:
-        Image.open(io.BytesIO(data)).load()
-    with matplotlib.rc_context({"lines.linewidth": 9, "axes.facecolor": "red"}):
-        assert pictures() == first, "the same every time"
-    for draw in (lambda: precision_png([], (), ""), lambda: calibration_png([], 1.1),
-                 lambda: budget_png([])):  # fmt: skip
-        with pytest.raises(ValueError, match="to draw"):
-            draw()

@@ -1,20 +1,16 @@
-"""Measured points: medians, who dominates whom, the CSV file, the table, the diagram."""
+"""Measured points: medians, who dominates whom, the CSV file, the table."""
 
 from __future__ import annotations
 
 import csv
 import io
 from dataclasses import replace
-from decimal import Decimal
-from typing import Any
 
 import pytest
-from PIL import Image
 
 from nscc.tradeoff import device
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import COLUMNS, Point, Refused, csv_text, dominated, table_text
-from nscc_runtime.diagram import Axis, Line, Mark, Panel, diagram_png, round_values
 
 
 def point(case: str, setting: str, error: float, *times_ms: float, bound: float | None = None):
@@ -105,81 +101,3 @@ def test_the_processor_has_a_name(tmp_path, monkeypatch: pytest.MonkeyPatch) -> 
     assert processor_name() == "Some Chip (R) 3 GHz"
     info.write_bytes(b"model name:\n\xff")
     assert processor_name()
-
-
-@pytest.mark.parametrize("low", [0.013, 1.0, 97.0, 1777.0])
-@pytest.mark.parametrize("ratio", [1.1, 1.2, 1.5, 2.0, 4.0, 10.0, 1e3, 1e9])
-def test_round_values(low: float, ratio: float) -> None:
-    found = round_values(low, low * ratio)
-    assert 3 <= len(found) <= 12
-    assert found == sorted(set(found))
-    assert low <= found[0]
-    assert found[-1] <= low * ratio * (1 + 1e-9)
-    digits = [Decimal(f"{value:.9g}").normalize().as_tuple().digits for value in found]
-    assert max(map(len, digits)) <= 4
-
-
-def mark(time_s: float, error: float, text: str = "1", dominated: bool = False) -> Mark:
-    return Mark(time_s, time_s / 2, time_s * 3, error, text, dominated)
-
-
-PANELS = (
-    Panel("two lines", (
-        Line("one", (mark(0.1, 10), mark(0.11, 10), mark(9, 4, "3")), bound=3.0),
-        Line("other", (mark(0.2, 4, dominated=True), mark(0.2, 4))),
-    )),
-    Panel("a single point", (Line("one", (mark(1e-4, 1000),)),)),
-    Panel("nothing", (Line("one", ()),)),
-    Panel("a fourth", (Line("third", (mark(5, 7), mark(1e3, 7.01))),)),
-)  # fmt: skip
-
-
-def test_a_diagram_of_anything(monkeypatch: pytest.MonkeyPatch) -> None:
-    sizes = []
-    for count in (1, 2, 3, 4):
-        data = diagram_png(PANELS[:count], "title", "subtitle", "words")
-        image = Image.open(io.BytesIO(data))
-        image.load()
-        sizes.append(image.size)
-    areas = [width * height for width, height in sizes]
-    assert areas == sorted(areas)
-    assert len(set(sizes)) == 4
-    with pytest.raises(ValueError, match="no points"):
-        diagram_png(PANELS[2:3], "title", "subtitle", "words")
-
-
-@pytest.mark.parametrize("errors", [(20.0, 30.0), (0.0, 0.0), (-3.0, 0.5), (25.0,)])
-def test_a_linear_diagram_of_anything(errors: tuple[float, ...]) -> None:
-    marks = tuple(mark(1e-6 * (k + 1), error) for k, error in enumerate(errors))
-    data = diagram_png([Panel("p", (Line("one", marks),))], "t", "s", "dB", linear=True,
-                       time=Axis("time, us", 1e6))  # fmt: skip
-    Image.open(io.BytesIO(data)).load()
-
-
-@pytest.mark.parametrize(("count", "named"), [(2, "0 1"), (3, "0 1 2"), (4, "0 .. 3")])
-def test_marks_in_one_place_share_a_name(
-    count: int, named: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Of more than three the first and the last; marks elsewhere keep names of their own."""
-    from matplotlib.axes import Axes
-
-    texts = []
-    annotate = Axes.annotate
-
-    def noted(axes: Axes, text: str, *args: Any, **options: Any) -> Any:
-        texts.append(text)
-        return annotate(axes, text, *args, **options)
-
-    monkeypatch.setattr(Axes, "annotate", noted)
-    here = [Mark(t, t, t, 20.0, str(k), False) for k, t in enumerate([1e-3] * count)]
-    there = Mark(1.0, 1.0, 1.0, 30.0, "z", False)
-    diagram_png([Panel("p", (Line("one", (*here, there)),))], "t", "s", "dB", linear=True)
-    assert sorted(texts) == sorted([named, "z", "one"])
-
-
-def test_a_diagram_is_the_same_every_time() -> None:
-    import matplotlib
-
-    first = diagram_png(PANELS, "title", "subtitle", "words")
-    with matplotlib.rc_context({"lines.linewidth": 9, "axes.facecolor": "red"}):
-        assert diagram_png(PANELS, "title", "subtitle", "words") == first

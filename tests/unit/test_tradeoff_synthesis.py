@@ -11,9 +11,10 @@ import pytest
 from nscc_command import invoke
 from PIL import Image
 
+from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.lower.plan import LOWERINGS
-from nscc.pipeline import Options, compile_source
+from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.tradeoff.synthesis import Case, builtin_cases, every_way, measure
 

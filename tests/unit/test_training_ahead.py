@@ -11,7 +11,6 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
-from nscc_cli.support import write_together  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Ahead, Batch, Batches  # noqa: E402
 from nscc_training.loop.steps import compared  # noqa: E402
@@ -99,10 +98,10 @@ def test_an_interrupted_run_leaves_no_thread_and_goes_on(tmp_path: Path) -> None
 
     settings = settings_of(VALUES)
     with pytest.raises(KeyboardInterrupt):
-        train(settings, tmp_path / "r", write=write_together, track=interrupting)
+        train(settings, tmp_path / "r", track=interrupting)
     assert not workers()
-    train(settings, tmp_path / "r", write=write_together)
-    train(settings, tmp_path / "whole", write=write_together)
+    train(settings, tmp_path / "r")
+    train(settings, tmp_path / "whole")
     assert not workers()
     for name in ("metrics.csv", "decoder.safetensors", "codes.npz", "result.json"):
         again, whole = ((tmp_path / run / name).read_bytes() for run in ("r", "whole"))
@@ -122,7 +121,7 @@ def test_a_batch_that_fails_stops_the_run_at_its_step(
 
     monkeypatch.setattr(Batches, "train", failing)
     with pytest.raises(MemoryError, match="step 2"):
-        train(settings_of(VALUES), tmp_path / "r", write=write_together)
+        train(settings_of(VALUES), tmp_path / "r")
     assert not workers()
     assert (tmp_path / "r" / "metrics.csv").read_text().splitlines()[-1].startswith("2,val,")
 

@@ -17,7 +17,6 @@ from safetensors import safe_open  # noqa: E402
 from safetensors.torch import load_file  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_cli.support import write_together  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Batch, Batches, Scene, Scenes, load_scenes  # noqa: E402
 from nscc_training.data.camera import turned, view  # noqa: E402
@@ -314,7 +313,7 @@ def test_the_best_state_is_that_of_the_least_loss(
         "loss": {"name": f"losses_of_best:{name}"},
         "train": {"steps": 8, "batch": 1, "validate_every": 2, "rate": 0.01},
     }
-    train(settings_of(values), tmp_path / "r", write=write_together)
+    train(settings_of(values), tmp_path / "r")
     rows = [row.split(",") for row in (tmp_path / "r/metrics.csv").read_text().splitlines()[1:]]
     val = [(int(r[0]), float(r[2]), float(r[3])) for r in rows if r[1] == "val"]
     losses, decibels = [v[1] for v in val], [v[2] for v in val]

@@ -10,9 +10,8 @@ torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet, put, taken  # noqa: E402
-from nscc_training.decoders.declared import DECODERS  # noqa: E402
+from nscc_training.decoders.declared import DECODERS, Task  # noqa: E402
 from nscc_training.decoders.make import (  # noqa: E402
-    Task,
     flops,
     make_decoder,
     parameter_count,

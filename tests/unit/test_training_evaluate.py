@@ -21,7 +21,6 @@ torch = pytest.importorskip("torch")
 from small_runs import SMALL, clip, one_crop, trained  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_cli.support import write_together  # noqa: E402
 from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.evaluation.hdr import Crop, Unusable, exposed_crop  # noqa: E402
@@ -267,7 +266,7 @@ def test_a_run_is_for_the_files_that_it_began_with(
     """Whatever becomes of them while it runs: broken, or gone."""
     monkeypatch.chdir(tmp_path)
     given = own_files(tmp_path)
-    train(settings_of(OWN), tmp_path / "whole", write=write_together)
+    train(settings_of(OWN), tmp_path / "whole")
 
     def spoiling(steps: Any, _label: str, _total: int) -> Any:
         for step in steps:
@@ -276,7 +275,7 @@ def test_a_run_is_for_the_files_that_it_began_with(
                 (tmp_path / "s.toml").unlink()
             yield step
 
-    train(settings_of(OWN), tmp_path / "r", write=write_together, track=spoiling)
+    train(settings_of(OWN), tmp_path / "r", track=spoiling)
     for path in (tmp_path / "whole").iterdir():
         assert (tmp_path / "r" / path.name).read_bytes() == path.read_bytes(), path.name
     for name, text in given.items():
@@ -291,19 +290,19 @@ def test_no_run_goes_on_with_other_files(
     monkeypatch.chdir(tmp_path)
     given = own_files(tmp_path)
     settings, out = settings_of(OWN), tmp_path / "r"
-    train(settings, out, write=write_together, stop_after=2)
+    train(settings, out, stop_after=2)
     assert all((out / KEPT[name]).read_text() == text for name, text in given.items())
     (tmp_path / which).write_text(given[which] + "# changed\n")
     with pytest.raises(Rejected, match="NS0816") as refused:
-        train(settings, out, write=write_together)
+        train(settings, out)
     assert KEPT[which] in refused.value.diagnostics[0].notes[0]
     assert (out / KEPT[which]).read_text() == given[which]
     # put back, it goes on; begun anew, it is a run of the others
     (tmp_path / which).write_bytes((out / KEPT[which]).read_bytes())
-    train(settings, out, write=write_together)
+    train(settings, out)
     assert (out / "result.json").is_file()
     (tmp_path / which).write_text(given[which] + "# changed\n")
-    train(settings, out, write=write_together, resume="never", stop_after=1)
+    train(settings, out, resume="never", stop_after=1)
     assert (out / KEPT[which]).read_text() == given[which] + "# changed\n"
 
 
@@ -312,9 +311,9 @@ def test_files_of_an_earlier_run_in_the_folder_are_not_the_runs(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     own_files(tmp_path)
-    train(settings_of(OWN), tmp_path / "r", write=write_together, stop_after=1)
+    train(settings_of(OWN), tmp_path / "r", stop_after=1)
     plain = {**OWN, "shutter": {**OWN["shutter"], "target": "scamp5"}, "sensor": {}}
-    train(settings_of(plain), tmp_path / "r", write=write_together, resume="never")
+    train(settings_of(plain), tmp_path / "r", resume="never")
     parts = load_run(tmp_path / "r").parts
     assert (parts.target.rows, parts.model.full_well_e) == (256, 30000)
 

@@ -11,8 +11,9 @@ torch = pytest.importorskip("torch")
 
 from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.decoders import unet  # noqa: E402
+from nscc_training.decoders.declared import Task  # noqa: E402
 from nscc_training.decoders.guess import averaged, clip_guess, still_guess  # noqa: E402
-from nscc_training.decoders.make import Task, make_decoder  # noqa: E402
+from nscc_training.decoders.make import make_decoder  # noqa: E402
 from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
 from nscc_training.sensor_model import lifted  # noqa: E402
 

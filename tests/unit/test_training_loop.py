@@ -19,7 +19,6 @@ torch = pytest.importorskip("torch")
 from safetensors.torch import load_file  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_cli.support import write_together  # noqa: E402
 from nscc_training.config import config_toml, settings_of  # noqa: E402
 from nscc_training.loop import artifacts  # noqa: E402
 from nscc_training.loop.ranks import Ranks  # noqa: E402
@@ -49,7 +48,7 @@ FILES = {
 
 
 def run(values: dict[str, dict[str, Any]], out: Path, **more: Any) -> None:
-    train(settings_of(values), out, write=write_together, **more)
+    train(settings_of(values), out, **more)
 
 
 def changed(values: dict[str, dict[str, Any]], section: str, **keys: Any) -> dict[str, Any]:

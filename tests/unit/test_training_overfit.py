@@ -8,7 +8,8 @@ torch = pytest.importorskip("torch")
 
 from nscc_training.curves import mu_law  # noqa: E402
 from nscc_training.data import Batch, Batches, load_scenes  # noqa: E402
-from nscc_training.decoders.make import Task, make_decoder  # noqa: E402
+from nscc_training.decoders.declared import Task  # noqa: E402
+from nscc_training.decoders.make import make_decoder  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.losses import LOSSES  # noqa: E402
 from nscc_training.sensor_model import SensorModel, capture  # noqa: E402

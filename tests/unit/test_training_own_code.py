@@ -11,7 +11,6 @@ import pytest
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_cli.support import write_together  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data.sources import load_scenes  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
@@ -109,7 +108,7 @@ def outcome(folder: Path, section: str, name: str, **shutter: Any) -> list[str]:
     more = {"train": path, "val": path} if section == "data" else {"name": path}
     values[section] = {**values.get(section, {}), **more}
     try:
-        train(settings_of(values), folder / "run", write=write_together, resume="never")
+        train(settings_of(values), folder / "run", resume="never")
     except Rejected as rejected:
         return [diagnostic.code for diagnostic in rejected.diagnostics]
     return []
@@ -156,7 +155,7 @@ def test_nothing_to_learn_is_refused(folder: Path) -> None:
         "decoder": {"name": "own_code_of_tests:NothingToLearn"},
     })  # fmt: skip
     with pytest.raises(Rejected) as caught:
-        train(settings, folder / "run", write=write_together)
+        train(settings, folder / "run")
     assert [d.code for d in caught.value.diagnostics] == ["NS0815"]
 
 

@@ -12,7 +12,8 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
-from nscc.pipeline import Options, compile_file  # noqa: E402
+from nscc.compiler import compile_file  # noqa: E402
+from nscc.pipeline import Options  # noqa: E402
 from nscc.prove.replay import shutters as replayed  # noqa: E402
 from nscc.words.legality import decoded as decoded_words  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402

@@ -27,7 +27,6 @@ from trial_problems import (  # noqa: E402
 )
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_cli.support import write_together  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Batch  # noqa: E402
 from nscc_training.loop.setup import Parts  # noqa: E402
@@ -270,7 +269,7 @@ SMALL: dict[str, dict[str, Any]] = {
 
 def run(out: Path, shutter: dict[str, Any], **more: Any) -> None:
     values = {**SMALL, "shutter": {**SMALL["shutter"], **shutter}}
-    train(settings_of(values), out, write=write_together, **more)
+    train(settings_of(values), out, **more)
 
 
 @pytest.mark.parametrize("kind", ["b", "d"])

@@ -27,7 +27,6 @@ from trial_problems import (  # noqa: E402
     tried_gradients,
 )
 
-from nscc_cli.support import write_together  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.encoders.trial import decided  # noqa: E402
 from nscc_training.loop.setup import Parts  # noqa: E402
@@ -313,7 +312,7 @@ def test_a_run_goes_on_bit_by_bit_and_its_program_compiles(kind: str, tmp_path: 
     def run(name: str, stop_after: int | None = None, **shutter: Any) -> None:
         values = {**SMALL, "shutter": {**SMALL["shutter"], "class": kind, **shutter}}
         out = tmp_path / name
-        train(settings_of(values), out, write=write_together, stop_after=stop_after)
+        train(settings_of(values), out, stop_after=stop_after)
 
     run("whole")
     run("stopped", stop_after=2)

@@ -10,8 +10,9 @@ import pytest
 torch = pytest.importorskip("torch")
 
 from nscc_training.baselines.sci import gap_tv  # noqa: E402
+from nscc_training.decoders.declared import Task  # noqa: E402
 from nscc_training.decoders.guess import clip_guess  # noqa: E402
-from nscc_training.decoders.make import Task, make_decoder  # noqa: E402
+from nscc_training.decoders.make import make_decoder  # noqa: E402
 from nscc_training.sensor_model import lifted  # noqa: E402
 
 NAMES = ("unrolled", "refined")

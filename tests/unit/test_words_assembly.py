@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.operations import op
 from nscc.source import Source
 from nscc.target.load import builtin_target, target_toml
 from nscc.words.assembly import assemble, assemble_words
@@ -20,7 +21,6 @@ from nscc.words.disassembly import disassemble
 from nscc.words.encoding import encode, word_text
 from nscc.words.file import read_container, to_bytes
 from nscc.words.legality import decoded
-from nscc.words.operations import op
 from nscc.words.text import ranges_text, read_ranges, read_slots, read_time_us, slots_text
 
 HAND = """\

@@ -1,7 +1,7 @@
 """Learned shutters and decoders: encoders, decoders, baselines, losses, metrics, protocols.
 
-Everything that touches tensors needs torch (`pip install nscc[train]`), which is imported when it
-is first used. This package imports nscc and nscc_runtime, never the other way round.
+Everything that touches tensors needs torch (`pip install 'nscc[train]'`), which is imported when it
+is first used. This package imports nscc and nscc_runtime, neither of which knows it.
 
     from nscc_training import SensorModel, ShutterSpec, capture, make_encoder
 

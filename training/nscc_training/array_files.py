@@ -109,7 +109,7 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
 
 def _read_image(path: Path, suffix: str) -> NDArray[Any]:
     from nscc_runtime.scenes.colour import linear, luminance
-    from nscc_runtime.scenes.pictures import LINEAR, PICTURES, read_picture
+    from nscc_runtime.scenes.picture_files import LINEAR, PICTURES, read_picture
 
     if suffix not in PICTURES:
         raise rejected(

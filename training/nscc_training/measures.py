@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from hashlib import sha256
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,6 +13,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_training import metrics
+from nscc_training.array_files import read_picture_or_clip
 from nscc_training.metrics.psnr import mean_square_error
 from nscc_training.metrics.ssim import WINDOW
 
@@ -103,3 +107,53 @@ def decibels(value: float) -> float | str:
 def number(value: float | str) -> float:
     """The dB that `decibels` wrote."""
     return float(np.inf) if value == "inf" else float(value)
+
+
+def measure_files(
+    truth: Path,
+    result: Path,
+    data_range: float,
+    nits: float = NITS,
+    *,
+    truth_key: str | None = None,
+    result_key: str | None = None,
+) -> dict[str, Any]:
+    """Every metric of two files, as JSON values, with the files' names and digests.
+
+    They hold pictures (rows, cols) or clips (T, rows, cols), by the given keys where they hold
+    several arrays. Raises Rejected for files and values that metrics cannot be taken of.
+    """
+    check_data_range(data_range)
+    arrays = [
+        read_picture_or_clip(path, key) for path, key in ((truth, truth_key), (result, result_key))
+    ]
+    check_pair(arrays[0], arrays[1])
+    return {
+        "truth": {"file": truth.name, "sha256": sha256(truth.read_bytes()).hexdigest()},
+        "result": {"file": result.name, "sha256": sha256(result.read_bytes()).hexdigest()},
+        "shape": list(arrays[0].shape),
+        "data_range": data_range,
+        "nits": nits,
+        **measures(arrays[0], arrays[1], data_range, nits),
+    }
+
+
+def measures_text(found: Mapping[str, Any]) -> str:
+    """What `measure_files` found, one number a line."""
+    rows = [
+        ("PSNR", "psnr_db", " dB"),
+        ("PSNR of the mean error", "psnr_of_mean_mse_db", " dB"),
+        ("SSIM", "ssim", ""),
+        ("PSNR, mu-law 5000", "mu_psnr_db", " dB"),
+        (f"PSNR, PU21, {found['nits']:g} cd/m2", "pu21_psnr_db", " dB"),
+        ("temporal error", "temporal_error", ""),
+    ]
+    lines = [f"data range {found['data_range']:g}, {' x '.join(map(str, found['shape']))}"]
+    for name, key, unit in rows:
+        value = found[key]
+        if value is not None:
+            text = value if isinstance(value, str) else f"{value:.4f}"
+            lines.append(f"  {name:28}{text}{unit}")
+    if found["infinite"]:
+        lines.append(f"  {found['infinite']} frames without any error are left out of the mean")
+    return "\n".join(lines) + "\n"

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected, Severity
-from nscc.pipeline import Compiled, Options, compile_source
+from nscc.pipeline import Compiled, Options
 from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse

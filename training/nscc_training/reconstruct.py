@@ -14,9 +14,10 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
+from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
-from nscc.pipeline import LEVELS, Options, compile_source
+from nscc.pipeline import LEVELS, Options
 from nscc.source import Source
 from nscc.words.file import to_bytes
 from nscc_runtime.frame_file import SCHEMA

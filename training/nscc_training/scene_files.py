@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Collection, Iterable
 from pathlib import Path
 
+from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes import clips
 
 CLIPS = (*clips.CLIPS, ".mat")
@@ -17,6 +18,21 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
     if not folder.is_dir():
         return []
     return sorted(path for path in folder.iterdir() if path.suffix.lower() in endings)
+
+
+def protocol_files(
+    folder: Path, endings: Collection[str], protocol: str, what: str, wanted: str
+) -> list[Path]:
+    """The same; Rejected (NS0811) where there are none of `what` a protocol is about."""
+    found = files_in(folder, endings)
+    if not found:
+        raise rejected(
+            "NS0811",
+            f"'{folder}' holds no data for protocol {protocol}",
+            notes=(f"{what} {', '.join(endings)}",),
+            helps=(f"name a folder of {wanted}",),
+        )
+    return found
 
 
 def labels(files: Iterable[Path]) -> dict[str, str]:

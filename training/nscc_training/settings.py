@@ -9,6 +9,8 @@ from nscc.toml.schema import Codes, Schema, key, keys_of
 from nscc_training.decoders.declared import DECODERS, SIZES
 from nscc_training.protocols import NAMES
 
+_COUNT = Integer(1, 100_000)
+
 
 @dataclass(frozen=True)
 class ShutterSettings:
@@ -102,17 +104,11 @@ class DataSettings:
         "",
     )  # fmt: skip
     patch: int = key(Integer(11, 4096), "rows and columns of a training patch", 64)
-    together: int = key(
-        Integer(1, 100000), "patches of a batch that are cut from one exposure of a scene", 1
-    )
-    scenes: int = key(
-        Integer(1, 100000), "procedural scenes for training; a quarter as many to validate", 16
-    )
-    frames: int = key(Integer(1, 100000), "frames read of a clip", 128)
-    paths: int = key(
-        Integer(1, 100000), "clips that a camera makes of a panorama, turning inside it", 4
-    )
-    val_items: int = key(Integer(1, 100000), "exposures in a validation, of `together` patches", 8)
+    together: int = key(_COUNT, "patches of a batch that are cut from one exposure of a scene", 1)
+    scenes: int = key(_COUNT, "procedural scenes for training; a quarter as many to validate", 16)
+    frames: int = key(_COUNT, "frames read of a clip", 128)
+    paths: int = key(_COUNT, "clips that a camera makes of a panorama, turning inside it", 4)
+    val_items: int = key(_COUNT, "exposures in a validation, of `together` patches", 8)
     augment: bool = key(
         Flag(), "turn and mirror; contrast of stills; time of clips backwards", True
     )
@@ -138,7 +134,7 @@ class TrainSettings:
     """[train]: the loop."""
 
     steps: int = key(Integer(1, 10**9), "updates", 1000)
-    batch: int = key(Integer(1, 100000), "patches an update", 4)
+    batch: int = key(_COUNT, "patches an update", 4)
     seed: int = key(Integer(0, 2**31 - 1), "of everything random", 0)
     device: str = key(Text(("auto", "cpu", "cuda")), "auto: cuda where there is one", "auto")
     dtype: str = key(
@@ -166,7 +162,6 @@ class Settings:
 
 
 SCHEMA = Schema(
-    "a configuration",
     "configuration",
     tuple(
         key for name, section in vars(Settings()).items() for key in keys_of(type(section), name)

@@ -12,24 +12,22 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-import matplotlib
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.pictures.images import Image, image_sheet
+from nscc_runtime.pictures.sheet import png_of
 from nscc_training.curves import mu_law, srgb
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
 
 FRAME = 8
 
 
 def shown(values: NDArray[np.float64], truth: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Values on 0..1 for the screen."""
+    """Values on 0..255 for the screen."""
     if values.ndim == 3:
         white = np.percentile(truth, 99)
-        return srgb(np.clip(values[FRAME] / white, 0, 1))
-    return np.asarray(mu_law(np.clip(values / np.percentile(truth, 99.9), 0, 1)))
+        return 255 * srgb(np.clip(values[FRAME] / white, 0, 1))
+    return 255 * np.asarray(mu_law(np.clip(values / np.percentile(truth, 99.9), 0, 1)))
 
 
 def loaded(folder: Path, name: str, what: str) -> NDArray[np.float64]:
@@ -53,20 +51,13 @@ def main() -> None:
         raise SystemExit(__doc__) from None
     if not names or not methods or any(len(method) != 2 for method in methods):
         raise SystemExit(__doc__)
-    figure, axes = plt.subplots(
-        len(names), 1 + len(methods), squeeze=False, layout="compressed",
-        figsize=(2.6 * (1 + len(methods)), 2.7 * len(names)),
-    )  # fmt: skip
-    for index, (row, name) in enumerate(zip(axes, names, strict=True)):
+    rows = []
+    for name in names:
         truth = loaded(Path(methods[0][1]), name, "truth")
-        pictures = [("truth", shown(truth, truth))]
-        for method, folder in methods:
-            pictures.append((method, shown(loaded(Path(folder), name, "result"), truth)))
-        for axis, (title, picture) in zip(row, pictures, strict=True):
-            axis.imshow(picture, cmap="gray", vmin=0, vmax=1)
-            axis.set_axis_off()
-            axis.set_title("" if index else title, fontsize=10)
-    figure.savefig(out, dpi=80, metadata={"Software": None})
+        found = {method: loaded(Path(folder), name, "result") for method, folder in methods}
+        columns = {"truth": truth} | found
+        rows.append([Image(shown(values, truth), title) for title, values in columns.items()])
+    Path(out).write_bytes(png_of(image_sheet, rows, ""))
 
 
 if __name__ == "__main__":

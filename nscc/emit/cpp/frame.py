@@ -15,10 +15,10 @@ from itertools import accumulate
 from math import ceil
 
 from nscc.emit.cpp.text import remarked
+from nscc.operations import Effect
 from nscc.target.target import Target
 from nscc.words.container import Container, Kernel
 from nscc.words.encoding import decode
-from nscc.words.operations import Effect
 from nscc.words.text import ranges_text
 
 LONGEST_WAIT_US = (1 << 32) - 1

@@ -11,10 +11,10 @@ from functools import cache, lru_cache
 from itertools import product
 
 from nscc.emit.cpp.text import Call, call_text, remarked
+from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE, Effect, Op, Phase
 from nscc.words.container import Word
 from nscc.words.encoding import decode, word_text
 from nscc.words.macros import MNEMONICS, OperandError, expand
-from nscc.words.operations import ANALOG_WRITE, DIGITAL_WRITE, Effect, Op, Phase
 
 MOST_SOURCES = {"OR": 4, "NOR": 4, "WHERE": 3}
 """Most sources that the library's calls take; the array itself takes any number."""

@@ -102,6 +102,9 @@ def target_fault(target: Target) -> str | None:
         (target.mask_register, target.masked_register) != ("R0", "R12")
     ):
         return "writes R12 in all pixels, and the SCAMP-5d devkit only where R0 is 1"
+    if target.words:
+        names = ", ".join(row.name for row in target.words[:4])
+        return f"has words that the SCAMP-5d devkit does not: {names}"
     if target.rows > _SIDE or target.cols > _SIDE:
         return (
             f"has {target.rows} x {target.cols} pixels, and the SCAMP-5d devkit {_SIDE} x {_SIDE}"

@@ -22,7 +22,7 @@ from nscc.logic.improve.run import Run
 from nscc.logic.improve.search import settled
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# How many answers earlier a gate may go.
+# How many answers earlier a gate may go: its value takes a register all the way.
 REACH = 6
 
 
@@ -94,6 +94,7 @@ class _Loads:
 
 def _flatten_one(run: Run, loads: _Loads, most: int) -> bool:
     """Moves one gate away from each boundary of `most` words; False where that fails."""
+    # All of them, or the largest one is as large as before.
     full = [n for n, words in enumerate(loads.words) if words >= most]
     return all(_relieve(run, loads, n, most) for n in full)
 

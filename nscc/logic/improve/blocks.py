@@ -15,7 +15,7 @@ from itertools import pairwise
 from nscc.logic.improve.code import Check, Frame, Item
 
 FEWEST = 2
-"""A pair that comes less often is not merged."""
+"""A pair that comes less often is not merged: it has no second place to serve."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,6 +97,7 @@ class _Merger:
                 return False
             merged = self.words[left] + self.words[right]
             each = 2 if left == right else 1
+            # A symbol that comes only in this pair needs no words of its own any more.
             gone = sum(self.words[s] for s in {left, right} if counts[s] == times * each)
             if stored + merged - gone <= room:
                 self._replace(left, right, merged)

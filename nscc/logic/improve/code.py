@@ -1,7 +1,10 @@
 """A solution as one straight run of operations on numbered registers, and back again.
 
 Registers are numbered: planes, states, scratch, FLAG last. Because the shutters are known, what a
-register holds at any point is a truth vector, or None where nothing is known about it.
+register holds at any point is a truth vector, or None where nothing is known about it. There are no
+branches and no loops, so running the code once over truth vectors says all there is to know: two
+values are equal if and only if their vectors are, and whether a change is right is seen by running
+on from it. No Boolean reasoning about gates is needed anywhere in this folder.
 """
 
 from __future__ import annotations
@@ -9,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
-from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution, quietest
 
 Content = int | None
 """What a register holds: a truth vector, None if unknown."""
@@ -159,6 +162,7 @@ class Frame:
         if item.destination == self.masked and (self.mask is None or item.reads >> self.mask & 1):
             return False
         limit = self.machine.or_sources
+        # A register copied onto itself would be a refresh, which is none of the gates' business.
         alone = count == 1 and item.reads >> item.destination & 1
         return (limit is None or count <= max(limit, 1)) and (item.inverted or not alone)
 
@@ -171,11 +175,6 @@ class Frame:
             if isinstance(item, Op) and item.destination < self.planes:
                 writes[item.destination] += 1
         return writes[self.masked] == 0 or quietest(writes) == self.masked
-
-
-def quietest(writes: Sequence[int]) -> int:
-    """The plane that `nscc.lower.allocate` gives the masked register, by the planes' writes."""
-    return min(range(len(writes)), key=lambda i: (writes[i], f"p{i}"))
 
 
 def flatten(solution: Solution, problem: Problem, machine: Machine) -> tuple[Frame, list[Item]]:
@@ -231,6 +230,8 @@ def _scratch(solution: Solution, machine: Machine) -> tuple[int, int | None]:
             if gate.destination.startswith("p"):
                 writes[int(gate.destination[1:])] += 1
     quiet = quietest(writes)
+    # Where all registers are taken, or a plane is never written, the masked register holds a plane
+    # and every other one is free; else it stays empty, as every write to it destroys its mask.
     if scratch == room or (writes[quiet] == 0 and room > 0):
         return room, quiet
     return max(scratch, room - 1), None

@@ -3,7 +3,8 @@
 What is wanted is (one, zero): the shutters in which the result must be 1, and those in which it
 must be 0. An OR gives it if its sources avoid `zero` and together cover `one`; a NOR if they avoid
 `one` and cover `zero`. So the largest set of sources that may be read decides whether there is a
-gate at all, and a small cover among them is the gate.
+gate at all, and a small cover among them is the gate. Small covers are found greedily: a word costs
+the same with one source as with all of them, so only a limit on sources makes it worth more.
 """
 
 from __future__ import annotations
@@ -56,7 +57,8 @@ def _irredundant(wanted: int, chosen: list[tuple[int, int]]) -> list[tuple[int, 
 
 
 def _within(wanted: int, sources: Sequence[tuple[int, int]], limit: int) -> tuple[int, ...] | None:
-    """At most `limit` sources that cover `wanted`, found by trying all."""
+    """At most `limit` sources that cover `wanted`, found by trying all: those that have the first
+    shutter left, one of which must be taken, so the limit is the depth of the search."""
     if not wanted:
         return ()
     if limit == 0:

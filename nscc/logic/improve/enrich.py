@@ -9,11 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import networkx as nx
+
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.code import (
     REFRESH_WORDS,
-    Check,
     Illegal,
+    Op,
     flatten,
     states_before,
     unflatten,
@@ -23,9 +25,10 @@ from nscc.logic.improve.run import Run
 from nscc.logic.improve.shrink import drop_pairs, drop_singles
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# So many of the most promising vectors are tried for each register.
+# So many of the most promising vectors are tried for each register: each try is a search of its
+# own.
 TRIED = 12
-# Operations this far apart are dropped together.
+# Operations this far apart are dropped together; fewer than in `search`, which comes afterwards.
 NEAR = 3
 HOLDER = "computed before the frame"
 
@@ -97,61 +100,60 @@ def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Soluti
 def _promising(run: Run) -> list[int]:
     """Truth vectors, those first that would save most words if they were there from the start."""
     frame = run.frame
-    makers, feeds, uses = _uses(run)
+    makers, flow = _flow(run)
     held = set(frame.start[: frame.planes])
     gains = []
     for vector, numbers in makers.items():
         if vector in held:
             continue
-        gain = _saved(run, numbers, feeds, uses) - REFRESH_WORDS
+        gain = _saved(run, numbers, flow) - REFRESH_WORDS
         if gain > 0:
             gains.append((gain, vector))
     gains.sort(key=lambda pair: -pair[0])
     return [vector for _, vector in gains]
 
 
-def _uses(run: Run) -> tuple[dict[int, list[int]], dict[int, list[int]], dict[int, int]]:
-    """Which items write each vector; which items each one reads from; how often each is read."""
+def _flow(run: Run) -> tuple[dict[int, list[int]], nx.DiGraph]:
+    """Which items write each vector; and the run's data flow.
+
+    An edge leads from the item that writes a value to each item that reads it, and to (register,)
+    if it is what a plane holds at the end.
+    """
     frame = run.frame
     makers: dict[int, list[int]] = {}
-    feeds: dict[int, list[int]] = {}
-    uses: dict[int, int] = {}
+    flow = nx.DiGraph()
     writer = [-1] * (frame.flag + 1)
     for k, item in enumerate(run.items):
-        if isinstance(item, Check):
-            if item.need is not None and writer[frame.flag] >= 0:
-                uses[writer[frame.flag]] = uses.get(writer[frame.flag], 0) + 1
-            continue
-        feeds[k] = [writer[r] for r in item.sources if writer[r] >= 0]
-        for number in feeds[k]:
-            uses[number] = uses.get(number, 0) + 1
-        value = run.before[k + 1][item.destination]
-        assert value is not None
-        makers.setdefault(value, []).append(k)
-        writer[item.destination] = k
-    for register in range(frame.planes):
-        if writer[register] >= 0:
-            uses[writer[register]] = uses.get(writer[register], 0) + 1
-    return makers, feeds, uses
+        read = item.sources if isinstance(item, Op) else (frame.flag,) * (item.need is not None)
+        flow.add_node(k)
+        flow.add_edges_from((writer[r], k) for r in read if writer[r] >= 0)
+        if isinstance(item, Op):
+            value = run.before[k + 1][item.destination]
+            assert value is not None
+            makers.setdefault(value, []).append(k)
+            writer[item.destination] = k
+    flow.add_edges_from((writer[r], (r,)) for r in range(frame.planes) if writer[r] >= 0)
+    return makers, flow
 
 
-def _saved(
-    run: Run, numbers: Sequence[int], feeds: dict[int, list[int]], uses: dict[int, int]
-) -> int:
-    """Words that fall away with items whose results could be read elsewhere."""
+def _saved(run: Run, numbers: Sequence[int], flow: nx.DiGraph) -> int:
+    """Words that fall away with items whose results could be read elsewhere.
+
+    These are the items' fan-out-free cone: what feeds nothing else falls away with them.
+    """
     left: dict[int, int] = {}
     saved = 0
     gone = list(numbers)
     for k in numbers:
         # FLAG must be loaded all the same.
         item = run.items[k]
-        saved -= int(not isinstance(item, Check) and item.destination == run.frame.flag)
+        saved -= int(isinstance(item, Op) and item.destination == run.frame.flag)
     seen = set(gone)
     while gone:
         k = gone.pop()
         saved += run.frame.words(run.items[k])
-        for source in feeds[k]:
-            left[source] = left.get(source, uses[source]) - 1
+        for source in flow.predecessors(k):
+            left[source] = left.get(source, flow.out_degree(source)) - 1
             if left[source] == 0 and source not in seen:
                 seen.add(source)
                 gone.append(source)

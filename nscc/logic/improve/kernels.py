@@ -1,7 +1,8 @@
 """Segments that are equal stay equal: one rewriting serves all places where a kernel runs.
 
 What a sequence of segments does is a problem of its own, in which every shutter counts once for
-each place where the sequence runs: the truth vectors of all places are laid end to end.
+each place where the sequence runs: the truth vectors of all places are laid end to end. A rewriting
+that is right for these is right in every place, and all passes work on it unchanged.
 """
 
 from __future__ import annotations
@@ -40,6 +41,7 @@ def improve_kernels(
                 before[k] = parts[k]
                 parts[k] = []
             parts[tokens[0].start] = moved
+        # Right in every place by itself, but the masked register's plane may be another one now.
         try:
             Run(frame, [item for part in parts for item in part], budget)
         except Illegal:

@@ -3,12 +3,19 @@
 NOT of a plane in place is two words; NOT of it into a free register is one, and leaves the old
 place free for the next. So planes wander in the frame; those that are not at home when it ends are
 copied there.
+
+The code is straight, so a value lives from one point to another, and giving out registers is the
+colouring of intervals from left to right (linear scan; Poletto and Sarkar, ACM TOPLAS 21, 1999). It
+never fails for lack of registers, since there is a solution to begin with, unless some are left out
+or a value may not be everywhere; what is chosen among the free ones decides the words.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+
+import networkx as nx
 
 from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op, bits, op
 
@@ -155,6 +162,9 @@ class _Painter:
             # A value in the way when a plane comes home makes that plane go elsewhere first.
             plane = register < self.frame.planes
             in_the_way = plane and register != value.home and value.last > self.homing[register] > k
+            # Words first, the copy home among them (a part of a frame has no place for one, so away
+            # is dearer there). Then no plane's way home is blocked, then as little as can be is
+            # changed, then a register is taken that no plane needs, or only late.
             price = (
                 in_place + away * (1 if self.frame.ends is None else 2),
                 int(in_the_way),
@@ -166,12 +176,22 @@ class _Painter:
         return best
 
     def _bring_home(self, out: list[Item]) -> list[Item] | None:
+        """Copies every plane that is astray to its home; None where that takes a register more.
+
+        All copies should happen at once (a parallel move). One after the other, a plane comes when
+        the plane in its home has left: a topological order of the graph whose edges lead from each
+        plane to that in whose home it is. Every plane is in one place and has one home, so what has
+        no such order are plain circles; of each, one plane waits in a free register.
+        """
         frame = self.frame
         where = {
             value.home: self.place[number]
             for number, value in enumerate(self.values)
             if value.home >= 0
         }
+        astray = {plane: at for plane, at in where.items() if plane != at}
+        if astray and frame.ends is not None:
+            return None
         segment = max(
             (item.segment for item in out if isinstance(item, Op) and item.place == CLOSING),
             default=0,
@@ -180,23 +200,29 @@ class _Painter:
         def copy(target: int, source: int) -> None:
             out.append(op(False, target, (source,), CLOSING, segment))
 
-        astray = {plane: at for plane, at in where.items() if plane != at}
-        if astray and frame.ends is not None:
+        waits = nx.DiGraph()
+        waits.add_nodes_from(astray)
+        waits.add_edges_from((plane, at) for plane, at in astray.items() if at in astray)
+        rank = {plane: i for i, plane in enumerate(astray)}
+        circles = [_from_first(circle, rank) for circle in nx.simple_cycles(waits)]
+        waits.remove_nodes_from([plane for circle in circles for plane in circle])
+        for plane in nx.lexicographical_topological_sort(waits, rank.__getitem__):
+            copy(plane, astray[plane])
+        free = [r for r in range(frame.flag) if r not in where and r != frame.masked]
+        if circles and not free:
             return None
-        while astray:
-            occupied = set(where.values())
-            ready = next((plane for plane in astray if plane not in occupied), None)
-            if ready is not None:
-                copy(ready, astray.pop(ready))
-                where[ready] = ready
-                continue
-            free = [r for r in range(frame.flag) if r not in occupied and r != frame.masked]
-            if not free:
-                return None
-            plane = next(iter(astray))
-            copy(free[0], astray[plane])
-            astray[plane] = where[plane] = free[0]
+        for first, *others in sorted(circles, key=lambda circle: rank[circle[0]]):
+            copy(free[0], astray[first])
+            for plane in others:
+                copy(plane, astray[plane])
+            copy(first, free[0])
         return out
+
+
+def _from_first(circle: list[int], rank: dict[int, int]) -> list[int]:
+    """The circle from its plane of the lowest rank on."""
+    first = min(range(len(circle)), key=lambda i: rank[circle[i]])
+    return circle[first:] + circle[:first]
 
 
 def _copies(item: Op) -> bool:

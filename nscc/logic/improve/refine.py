@@ -12,6 +12,7 @@ from nscc.logic.improve.enrich import enrich
 from nscc.logic.improve.search import improve
 from nscc.logic.problem import Machine, Problem, Solution
 
+# Levels differ in steps only, never in seconds: the same input gives the same words everywhere.
 # Every solution gets so many steps before the best go on; which is best shows only then.
 FIRST_STEPS = {2: 8_000, 3: 60_000}
 # Each of the best gets so many more. A hundred thousand steps are about a second.

@@ -4,6 +4,11 @@ A change drops operations or puts others in front. From there the run is followe
 registers: an operation that would now write something else than before is given other sources, is
 preceded by a new gate in a free register, or is dropped, if its register holds what is wanted
 already. Only what matters later must come out the same.
+
+(Resubstitution with don't-cares, and close to the transduction method for networks of NOR gates:
+Muroga, Kambayashi, Lai and Culliney, IEEE Trans. Computers 38, 1989. There a gate's permissible
+functions are found first; here a change is tried, and followed for as long as it makes a
+difference.)
 """
 
 from __future__ import annotations
@@ -123,6 +128,8 @@ class _Walk:
     def _follow(self, k: int, item: Op) -> bool:
         """Operation k in the present state: as it is, dropped or repaired."""
         target = item.destination
+        # In this order: nothing to do any more; as before; what it would overwrite is as good; its
+        # own new result is as good; other sources.
         wanted = self.run.before[k + 1][target]
         assert wanted is not None
         held = self.state[target]

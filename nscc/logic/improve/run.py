@@ -1,4 +1,11 @@
-"""Operations with what is known about every point between them, kept up to date as they change."""
+"""Operations with what is known about every point between them, kept up to date as they change.
+
+Three things are known: what every register holds, which registers are still read (liveness, from
+the end backwards), and of each operation in which shutters its result matters at all (what
+synthesis calls observability don't-cares are the others). The last is found by turning the whole
+result over and running on: where a demand or the frame's end comes out otherwise, it matters. That
+is exact, as a shutter's bits never mix with another's.
+"""
 
 from __future__ import annotations
 
@@ -12,11 +19,12 @@ from nscc.logic.improve.code import (
     Frame,
     Item,
     Op,
-    quietest,
     states_before,
 )
+from nscc.logic.problem import quietest
 
-# How far an influence is followed; what reaches further is taken to matter in every shutter.
+# How far an influence is followed; what reaches further is taken to matter in every shutter, which
+# is safe.
 HORIZON = 4000
 
 # A step of the budget is one look at all registers; more shutters than this take longer.

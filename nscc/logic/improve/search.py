@@ -13,9 +13,10 @@ from nscc.logic.improve.shrink import drop_pairs, drop_singles
 from nscc.logic.improve.wander import wander
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# Operations this far apart are dropped together.
+# Operations this far apart are dropped together: what belongs together lies within an answer or in
+# the next one.
 PAIR_SPAN = 8
-# Steps of one walk; after it the sweeps follow.
+# Steps of one walk, half a second; after it the sweeps follow.
 WALK_STEPS = 50_000
 # So many walks in vain are the last.
 PATIENCE = 6

@@ -1,4 +1,7 @@
-"""Sweeps that drop one operation, or two nearby, and repair what read them."""
+"""Sweeps that drop one operation, or two nearby, and repair what read them.
+
+From the last one to the first: what an early operation is read for may fall away with later ones.
+"""
 
 from __future__ import annotations
 
@@ -35,6 +38,7 @@ def drop_pairs(run: Run, span: int) -> int:
             if done is not None:
                 run.splice(done.start, done.end, done.items)
                 gained += done.gain
+                # What was beyond reach may be within it now.
                 k = min(k + span, len(run.items) - 1)
                 break
         k -= 1

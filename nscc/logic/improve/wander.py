@@ -2,6 +2,10 @@
 
 Every step drops one to three operations, or puts one elsewhere, and keeps what the repair makes of
 it unless it costs more words. The walk is random and the same every time.
+
+Most changes gain nothing by themselves, but they move values to other registers and other moments,
+and a plateau has far more ways down than a point of it. Costlier neighbours are never taken: with a
+repair behind every step the plateau is wide enough, and what is found never has to be given back.
 """
 
 from __future__ import annotations
@@ -13,6 +17,7 @@ from nscc.logic.improve.code import Check, Op, op
 from nscc.logic.improve.rewrite import Rewrite, rewrite
 from nscc.logic.improve.run import Run
 
+# Operations so far from one another are dropped together, or change places: an answer, mostly.
 SPAN = 12
 
 
@@ -37,6 +42,8 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
         return None
     order = list(range(run.frame.flag + 1))
     choose.shuffle(order)
+    # Half of the steps drop one to three operations; a quarter write elsewhere, an eighth earlier,
+    # and an eighth put in a NOR of some registers in place of one or two operations.
     kind = choose.randrange(8)
     lead: tuple[Op, ...] = ()
     dropped = [k]

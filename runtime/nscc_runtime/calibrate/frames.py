@@ -232,19 +232,19 @@ def _valid(found: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray
 
 def _pictures(path: Path) -> NDArray[Any]:
     """(K, rows, cols) of a picture or a folder of pictures, grey, as stored."""
-    from nscc_runtime.scenes import pictures
+    from nscc_runtime.scenes import picture_files
 
     suffix = path.suffix.lower()
     if path.is_dir():
-        files = pictures.files_of(path)
-        found = list(pictures.read_folder(files))
-    elif suffix in pictures.PICTURES:
-        found = [pictures.read_picture(path)]
+        files = picture_files.files_of(path)
+        found = list(picture_files.read_folder(files))
+    elif suffix in picture_files.PICTURES:
+        found = [picture_files.read_picture(path)]
     else:
         raise rejected(
             UNUSABLE,
             f"'{path}' does not end like frames",
-            notes=(f"frames end in .npz, .npy, .mat, {', '.join(pictures.PICTURES)}",),
+            notes=(f"frames end in .npz, .npy, .mat, {', '.join(picture_files.PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
     for picture in found:

@@ -84,21 +84,20 @@ def transfer(
     limit = zero + LINEAR_PART * (full - zero)
     used: list[Moments] = []
     left_out: list[tuple[Moments, str]] = []
-    for level in flats:
-        reason = _unfit(level, limit)
-        if reason is None:
-            used.append(level)
-        else:
-            left_out.append((level, reason))
-    if len({round(level.mean) for level in used}) < 2:
-        raise _too_few(used, left_out, limit)
-    if offset is not None:
-        for level in darks:
+
+    def judge(levels: Sequence[Moments]) -> None:
+        for level in levels:
             reason = _unfit(level, limit)
             if reason is None:
                 used.append(level)
             else:
                 left_out.append((level, reason))
+
+    judge(flats)
+    if len({round(level.mean) for level in used}) < 2:
+        raise _too_few(used, left_out, limit)
+    if offset is not None:
+        judge(darks)
     result = _fitted(used, offset, zero, zero_se, crosstalk)
     found = replace(result, left_out=tuple(left_out))
     if not (fallen or highest.cut_at_top):

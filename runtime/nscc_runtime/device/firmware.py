@@ -18,7 +18,6 @@ from hashlib import sha256
 from pathlib import Path
 from select import select
 from struct import Struct
-from types import TracebackType
 from typing import TYPE_CHECKING, NamedTuple, Self
 
 from nscc.cache.store import cache_folder
@@ -78,7 +77,10 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
     sources = sorted(SOURCES.glob("core/*.cpp")) + sorted(SOURCES.glob("host/*.cpp"))
     if not sources:
         raise NotBuilt("its sources are not part of this installation")
-    header = target_header(target)
+    try:
+        header = target_header(target)
+    except ValueError as reason:
+        raise NotBuilt(str(reason)) from None
     flags = [*CORE_FLAGS, *WARNINGS, *extra]
     texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[ch]pp"))]
     key = sha256(b"\0".join([header.encode(), " ".join([found, *flags]).encode(), *texts]))
@@ -183,12 +185,7 @@ class _Firmware:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> int:

@@ -1,4 +1,4 @@
-"""The `meta` of frames that a device exposed: the keys of the emulator's, without its physics."""
+"""Frames that a device exposed: `meta` has the keys of the emulator's, without its physics."""
 
 from __future__ import annotations
 
@@ -7,28 +7,49 @@ from typing import Any
 import numpy as np
 
 from nscc.words.container import Container
-from nscc_runtime.device.messages import Info
-from nscc_runtime.frame_file import SCHEMA, Frame, open_us
+from nscc_runtime.device.chip import Chip
+from nscc_runtime.frame_file import SCHEMA, Frame, open_us, stacked
 from nscc_runtime.light import Light
-from nscc_runtime.sensor import Sensor, sensor_sha256
+from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256
+
+
+def exposed(
+    chip: Chip,
+    container: Container,
+    light: Light | None = None,
+    repeat: int | None = None,
+    progress: Progress = unseen,
+) -> tuple[Frame, dict[str, Any]]:
+    """The frame that `chip` exposes with a program, or `repeat` of them, and its meta.
+
+    `light`: the scene before it, where that is known. Raises Rejected (status 3) where it fails.
+    """
+    chip.upload(container)
+    count = repeat or 1
+    frames = [shot.frame for shot in progress(chip.frames(container, count), "exposing", count)]
+    frame = stacked(frames) if repeat else frames[0]
+    sensor = chip.sensor or default_sensor(container.target)
+    return frame, device_meta(chip, frame, sensor, container, light)
 
 
 def device_meta(
+    chip: Chip,
     frame: Frame,
-    info: Info,
     sensor: Sensor,
-    program_sha256: str,
     container: Container | None,
     light: Light | None = None,
 ) -> dict[str, Any]:
-    """What a frame file says of a device's frame. `container` None: a program that the device
-    held, whose buckets have numbers. `light`: the scene, where the user named it.
+    """What a frame file says of a frame that `chip` exposed just now.
 
-    Seeds, plan and audit are None: nothing was simulated here.
+    `container` None: a program that the device held, whose buckets have numbers. `light`: the
+    scene, where the user named it. Seeds, plan and audit are None: nothing was simulated here.
     """
+    info = chip.link.host.info
+    assert info is not None  # a frame came
     return {
         "schema": SCHEMA,
-        "program_sha256": program_sha256,
+        "program_sha256": chip.label.hex(),
         "scene_sha256": light.sha256() if light else None,
         "sensor_sha256": sensor_sha256(sensor),
         "seed": None,

@@ -7,7 +7,6 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from random import SystemRandom
 from time import monotonic
-from types import TracebackType
 from typing import Any, Self, TypeVar
 
 from nscc_runtime.device.host import Host, Task
@@ -47,12 +46,7 @@ class Link:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
         """Leave a device that can be used: what it was doing is stopped if we leave early."""
         if self._port is not None and kind is not None and self.host.info is not None:
             with suppress(Exception):

@@ -248,7 +248,7 @@ def _kernels(data: bytes, target: Target, most: Limits) -> tuple[tuple[Word, ...
         words: list[Word] = []
         for _ in range(length):
             word = WORD.unpack(reader.take(WORD.size))
-            operation = matching(word)
+            operation = matching(word, target.words)
             if operation is None or target_fault(operation, target) is not None:
                 raise Refusal(Fault.WORD, number)
             ops.append(operation)

@@ -10,9 +10,9 @@ from collections import deque
 from collections.abc import Callable
 from contextlib import suppress
 from time import monotonic, sleep
+from typing import Protocol
 
 from nscc_runtime.device.faults import Accidents, Faults, Spoiler
-from nscc_runtime.device.simulation import Loaded
 
 _MOST_READ = 4096
 _ROOM = 4096
@@ -24,6 +24,31 @@ _BOOT_S = 0.1
 _LET_GO_S = 2.0
 """How long a host may take to let go of a port that vanished."""
 _MOST_TRIES = 64
+
+
+class Loaded(Protocol):
+    """A loader: `nscc_runtime.device.loader.Loader` or the firmware's core."""
+
+    @property
+    def busy(self) -> bool:
+        """Whether `poll` has something to do without new bytes."""
+        ...
+
+    def receive(self, data: bytes, now_us: int) -> None:
+        """Take bytes from the line."""
+        ...
+
+    def poll(self, now_us: int, room: int) -> bytes:
+        """Bytes for the line."""
+        ...
+
+    def announce(self) -> None:
+        """Start anew."""
+        ...
+
+    def watched(self) -> list[int]:
+        """File descriptors whose bytes give `poll` something to do."""
+        ...
 
 
 class Terminal:

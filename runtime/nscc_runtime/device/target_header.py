@@ -10,11 +10,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from nscc.target.load import load_target
-from nscc.target.target import Target
-from nscc.words.container import Word
-from nscc.words.encoding import encode, masks
-from nscc.words.operations import (
+from nscc.operations import (
     ANALOG_SOURCES,
     DIGITAL_SOURCES,
     OPERATIONS,
@@ -24,6 +20,10 @@ from nscc.words.operations import (
     op,
     pair,
 )
+from nscc.target.load import load_target
+from nscc.target.target import Target
+from nscc.words.container import Word
+from nscc.words.encoding import encode, masks
 from nscc_runtime.device.objects import target_digest
 
 _EFFECTS = {
@@ -39,7 +39,13 @@ _LONGEST_REFRESH = 5
 
 
 def target_header(target: Target) -> str:
-    """`target.hpp` for a target: what the loader believes of words, and of nothing else."""
+    """`target.hpp` for a target: what the loader believes of words, and of nothing else.
+
+    Raises ValueError for a target with words of its own, which the loader does not know.
+    """
+    if target.words:
+        names = ", ".join(row.name for row in target.words)
+        raise ValueError(f"the loader's firmware knows no words of {target.name}'s own: {names}")
     return "\n".join([*_numbers(target), "", *_operations(), "", *_registers(target), "",
                       *_sequences(target), "", "}  // namespace nscc::target", "", "#endif",
                       ""])  # fmt: skip

@@ -31,7 +31,7 @@ from nscc_runtime.loop import (
 
 _COMBINE, _STORE = int(Step.COMBINE), int(Step.STORE)
 _BUS2, _BUS4, _DIVIDE, _COPY = int(Step.BUS2), int(Step.BUS4), int(Step.DIVIDE), int(Step.COPY)
-_COMPARE, _COMPARE_MASKED = int(Step.COMPARE), int(Step.COMPARE_MASKED)
+_COMPARE, _COMPARE_MASKED, _BUS = int(Step.COMPARE), int(Step.COMPARE_MASKED), int(Step.BUS)
 
 _NONE, _SOME, _ALL = 0, 1, 2
 
@@ -133,6 +133,30 @@ def _bus4(
 
 
 @compiled
+def _bus(
+    rows: Floats,
+    out: int,
+    operands: Ints,
+    first: int,
+    count: int,
+    planes: Words,
+    flag: int,
+    words: int,
+) -> None:
+    """Row at `out` := -(sum of `count` rows operands[first..]), all others, where FLAG = 1."""
+    for g in range(words):
+        word = planes[flag + g]
+        if word == _ZERO:
+            continue
+        for j in range(64):
+            i = 64 * g + j
+            old, total = rows[out + i] + 0.0, 0.0
+            for k in range(count):
+                total += rows[operands[first + k] * 64 * words + i]
+            rows[out + i] = -total if (word >> np.uint64(j)) & _ONE else old
+
+
+@compiled
 def _divide(
     rows: Floats, out: int, a: int, divisor: float, planes: Words, flag: int, words: int
 ) -> None:
@@ -149,14 +173,23 @@ def _divide(
 
 @compiled
 def _compare(
-    rows: Floats, a: int, b: int, c: int, d: int, planes: Words, flag: int, words: int, within: int
+    rows: Floats,
+    operands: Ints,
+    first: int,
+    count: int,
+    planes: Words,
+    flag: int,
+    words: int,
+    within: int,
 ) -> None:
-    """FLAG := a + b + c + d > 0, and its old value if `within`."""
+    """FLAG := the sum of `count` rows operands[first..] > 0, and its old value if `within`."""
     for g in range(words):
         word = _ZERO
         for j in range(64):
-            i = 64 * g + j
-            if rows[a + i] + rows[b + i] + rows[c + i] + rows[d + i] > 0.0:
+            i, total = 64 * g + j, 0.0
+            for k in range(count):
+                total += rows[operands[first + k] * 64 * words + i]
+            if total > 0.0:
                 word |= _ONE << np.uint64(j)
         planes[flag + g] = word & planes[flag + g] if within else word
 
@@ -191,8 +224,7 @@ def _run_steps(
             for i in range(pixels):
                 rows[out * pixels + i] = rows[a * pixels + i]
         elif code in (_COMPARE, _COMPARE_MASKED):
-            x, y, z, u = a * pixels, b * pixels, c * pixels, d * pixels
-            _compare(rows, x, y, z, u, planes, flag, words, code == _COMPARE_MASKED)
+            _compare(rows, operands, a, b, planes, flag, words, code == _COMPARE_MASKED)
             state = _any_all(planes, flag, words)
         elif state == _NONE:
             continue
@@ -201,6 +233,8 @@ def _run_steps(
         elif code == _BUS4:
             x, y, z, u = a * pixels, b * pixels, c * pixels, d * pixels
             _bus4(rows, out * pixels, x, y, z, u, planes, flag, words)
+        elif code == _BUS:
+            _bus(rows, out * pixels, operands, a, b, planes, flag, words)
         elif code == _DIVIDE:
             _divide(rows, out * pixels, a * pixels, float(b), planes, flag, words)
     return state

@@ -3,7 +3,7 @@
 A word is one to a few steps, each of which writes one place: a plane (a one-bit register of
 all pixels) or a row (an analog register of all pixels). A word's sources are read before any of
 its destinations is written, so a word with several destinations passes through the bus plane or
-the sum row. What a word does comes from `nscc.words.operations`; this file only says how
+the sum row. What a word does comes from `nscc.operations`; this file only says how
 `nscc_runtime.emulator.loops` shall go about it.
 """
 
@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.operations import Effect, Op, Phase
 from nscc.words.legality import decoded
-from nscc.words.operations import Effect, Op, Phase
 
 if TYPE_CHECKING:
     from nscc.target.target import Target
@@ -40,9 +40,12 @@ class Step(IntEnum):
     COPY = 5
     """(a): row := a in every pixel."""
     COMPARE = 6
-    """(a, b, c, d): FLAG := a + b + c + d > 0."""
+    """(first, count): FLAG := the sum of the rows operands[first : first + count] > 0."""
     COMPARE_MASKED = 7
-    """(a, b, c, d): FLAG := FLAG and a + b + c + d > 0."""
+    """(first, count): the same, and FLAG stays 0 where it was 0."""
+    BUS = 8
+    """(first, count): row := -(the sum of the rows operands[first : first + count]) where FLAG = 1.
+    """
 
 
 COLUMNS = 6
@@ -118,7 +121,7 @@ def steps_of(container: Container, layout: Layout) -> Steps:
 
 
 class _Translator:
-    """Turns operations into steps, each distinct one once; collects the operands of COMBINE."""
+    """Turns operations into steps, each distinct one once; collects operands."""
 
     def __init__(self, target: Target, layout: Layout) -> None:
         self.target = target
@@ -152,7 +155,7 @@ class _Translator:
             case Effect.FLAG_ANALOG:
                 masked = self.target.where_obeys_flag
                 compare = Step.COMPARE_MASKED if masked else Step.COMPARE
-                return [(compare, planes["FLAG"], *self._four(op.sources))]
+                return [(compare, planes["FLAG"], *self._listed(op.sources))]
             case Effect.FLAG_DIGITAL:
                 return self._digital(op, ("FLAG",))
             case Effect.DIGITAL:
@@ -163,15 +166,24 @@ class _Translator:
         rows = self.layout.rows
         return [rows[name] for name in (*sources, *("IN",) * (4 - len(sources)))]
 
+    def _listed(self, sources: tuple[str, ...]) -> tuple[int, int]:
+        """Where the rows of sources stand among the operands, and how many they are."""
+        first = len(self.operands)
+        self.operands.extend(self.layout.rows[name] for name in sources)
+        return first, len(sources)
+
     def _bus(self, op: Op) -> list[tuple[int, ...]]:
         rows = self.layout.rows
         divisor = op.operation.divisor
         direct = divisor == 1 and len(op.destinations) == 1
         out = rows[op.destinations[0] if direct else "sum"]
-        four = self._four(op.sources)
-        small = len(op.sources) <= 2
+        four, count = self._four(op.sources[:4]), len(op.sources)
         steps: list[tuple[int, ...]] = [
-            (Step.BUS2, out, *four[:2]) if small else (Step.BUS4, out, *four)
+            (Step.BUS2, out, *four[:2])
+            if count <= 2
+            else (Step.BUS4, out, *four)
+            if count <= 4
+            else (Step.BUS, out, *self._listed(op.sources))
         ]
         if not direct:
             steps += [(Step.DIVIDE, rows[d], rows["sum"], divisor) for d in op.destinations]

@@ -24,7 +24,7 @@ from nscc_runtime.plan.charge_loop import SITES
 from nscc_runtime.plan.layout import Entry, Keys, Numbers, Sizes
 from nscc_runtime.plan.pixel_loop import ERRORS, run_pixels
 from nscc_runtime.plan.pool import in_parts
-from nscc_runtime.reference.capture import DESTINATIONS, START, Reference
+from nscc_runtime.reference.capture import START, Reference, most_destinations
 from nscc_runtime.reference.noise import PART, SUM
 
 _ENTRY = np.dtype(Entry)
@@ -52,12 +52,13 @@ class Pixels:
         container = program.container
         lanes, buckets = len(container.encoding), len(container.buckets)
         acts = np.array([word.lanes for word in program.words]).reshape(-1, lanes)
+        numbered = most_destinations(container.target)
         most = max((len(word.op.destinations) for word in program.words), default=0)
         draws = np.zeros((len(program.words), 1 + most, lanes, buckets))
         for at, drawn in program.draws.items():
             for number, weight in drawn.items():
                 if at == "words":
-                    draws[number // DESTINATIONS, 1 + number % DESTINATIONS] = weight
+                    draws[number // numbered, 1 + number % numbered] = weight
                 else:
                     draws[number, 0] = weight
         needed = acts | draws.any(axis=(1, 3))
@@ -164,7 +165,7 @@ class Pixels:
             groups=groups,
             registers=len(container.target.analog_registers),
             draws=self.weights.shape[1],
-            numbered=DESTINATIONS,
+            numbered=most_destinations(container.target),
             whole=whole,
             kept_cols=cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
             frame=frame,

@@ -100,7 +100,7 @@ class Tables:
 
     def _noise(self, at: str, full: Model) -> tuple[Weights, Weights]:
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
-        found = numbered_errors(self.weights(full))[at]
+        found = numbered_errors(self.container.target, self.weights(full))[at]
         drawn = self.program.draws[at]
         factor = np.zeros((lanes, buckets, buckets))
         square = np.zeros((lanes, buckets))

@@ -15,8 +15,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.operations import OPERATIONS, Effect
+from nscc.target.target import Target
 from nscc.words.container import Container
-from nscc.words.operations import OPERATIONS, Effect
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Errors, Leak, WordGain
 from nscc_runtime.effects.sensor import Sensor
@@ -34,12 +35,19 @@ Values = NDArray[np.float64]
 
 _CELLS = 1 << 21
 """Most slots x pixels of a chunk of rows: some ten arrays of that size are alive at once."""
-_MOST = max(row.destinations[1] or 0 for row in OPERATIONS if row.effect is Effect.BUS)
-DESTINATIONS = 1 << (_MOST - 1).bit_length()
-"""At least what a word has: draws of errors are numbered word by word, destination by destination.
-"""
 START = 0
 """The stream of what registers hold when a frame starts; effects have streams from 1."""
+
+
+def most_destinations(target: Target) -> int:
+    """By how much the numbers of the draws of two words differ: at least what a word writes.
+
+    Draws of errors are numbered word by word, destination by destination; by a power of two, so
+    that few words of a target's own change the draws of the others.
+    """
+    rows = (*OPERATIONS, *target.words)
+    most = max(row.destinations[1] or 0 for row in rows if row.effect is Effect.BUS)
+    return 1 << (most - 1).bit_length()
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +77,8 @@ class Reference:
         # The sensor's gain and leakage, on or off: no effect changes the draws of another.
         gain, leak = everything().the(WordGain), everything().the(Leak)
         weights = backward(container, fresh, gain.gain(sensor), 1.0 / leak.tau_s(sensor))
-        draws = {at: orthonormal(found) for at, found in numbered_errors(weights).items()}
+        errors = numbered_errors(container.target, weights)
+        draws = {at: orthonormal(found) for at, found in errors.items()}
         lane = container.table.shutter_of_code[container.pixel_codes].astype(np.intp)
         groups = Groups(np.ascontiguousarray((opened @ bits).T), lane)
         return cls(container, sensor, effects, words, groups, draws)
@@ -139,9 +148,10 @@ def scene_of(container: Container, light: Light, previous: Light | None = None) 
     return Scene(light, light if previous is None else previous, slot_s)
 
 
-def numbered_errors(weights: Backward) -> dict[str, dict[int, Weights]]:
+def numbered_errors(target: Target, weights: Backward) -> dict[str, dict[int, Weights]]:
     """The weights of small errors, by where they are made and under the numbers of their draws."""
-    words = {number * DESTINATIONS + i: each for (number, i), each in weights.errors.items()}
+    most = most_destinations(target)
+    words = {number * most + i: each for (number, i), each in weights.errors.items()}
     return {"reads": weights.reads, "resets": weights.resets, "words": words}
 
 
@@ -156,6 +166,7 @@ class _Pixels(Where):
     def __post_init__(self) -> None:
         self.at = self.program.effects.at
         self.container = self.program.container
+        self.most = most_destinations(self.container.target)
         self.lanes = self.program.groups.lane.reshape(-1)[self.places]
         names = ("PIX", *self.container.target.analog_registers)
         start = {
@@ -201,7 +212,7 @@ class _Pixels(Where):
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
         number = word.number
         if self.program.errors_at[name] == "words":
-            number = number * DESTINATIONS + destination
+            number = number * self.most + destination
         return self.noise[name].draw(number)
 
     def _fall(self, charge: Values) -> None:

@@ -14,9 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
+from nscc.words.cost import word_us
 from nscc.words.legality import decoded
-from nscc.words.operations import Effect, Op, Phase
 
 Bits = NDArray[np.bool_]
 
@@ -58,7 +59,7 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
             pixel.now_us = float(start_us[boundary])
         after_us += target.launch_us
         for op in kernels[launch.kernel]:
-            after_us += target.analog_word_us if op.analog else target.digital_word_us
+            after_us += word_us(op, target)
             effect = op.operation.effect
             if effect in (Effect.BUS, Effect.RESET_PIX):
                 everywhere = effect is Effect.RESET_PIX and target.reset_honours_flag == "no"

@@ -5,5 +5,6 @@ from __future__ import annotations
 from nscc_runtime.scenes.crop import parse_crop
 from nscc_runtime.scenes.exposure import Exposure, parse_exposure
 from nscc_runtime.scenes.load import light_of_array, load_scene
+from nscc_runtime.scenes.scene import Scene
 
-__all__ = ["Exposure", "light_of_array", "load_scene", "parse_crop", "parse_exposure"]
+__all__ = ["Exposure", "Scene", "light_of_array", "load_scene", "parse_crop", "parse_exposure"]

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.scenes.errors import damaged
-from nscc_runtime.scenes.pictures import quiet
+from nscc_runtime.scenes.picture_files import quiet
 
 CLIPS = (".avi", ".gif", ".mp4")
 

@@ -133,20 +133,20 @@ def _existing(spec: str) -> Path:
 
 
 def _load_path(request: _Request, path: Path) -> Light:
-    from nscc_runtime.scenes import clips, pictures
+    from nscc_runtime.scenes import clips, picture_files
 
     suffix = path.suffix.lower()
     if path.is_dir():
-        files = pictures.files_of(path)
-        transfer = request.options.transfer or pictures.default_transfer(files[0])
-        return _clip(request, pictures.read_folder(files), transfer)
+        files = picture_files.files_of(path)
+        transfer = request.options.transfer or picture_files.default_transfer(files[0])
+        return _clip(request, picture_files.read_folder(files), transfer)
     if suffix in ARRAYS:
         return _array(request, path)
-    if suffix in pictures.PICTURES:
+    if suffix in picture_files.PICTURES:
         return _still(request, path)
     if suffix in clips.CLIPS:
         return _clip(request, clips.read_clip(path), request.options.transfer or "srgb")
-    known = ", ".join(sorted(ARRAYS + pictures.PICTURES + clips.CLIPS))
+    known = ", ".join(sorted(ARRAYS + picture_files.PICTURES + clips.CLIPS))
     raise rejected(
         "NS0731",
         f"'{path}' does not end like a scene",
@@ -238,12 +238,12 @@ def _check_light(request: _Request, shape: tuple[int, ...]) -> None:
 
 
 def _still(request: _Request, path: Path) -> Light:
-    from nscc_runtime.scenes import pictures
+    from nscc_runtime.scenes import picture_files
 
     _refuse(request, "a still has no frame rate", "fps")
     wanted = request.options.exposure or exposure.needed(request.name)
-    transfer = request.options.transfer or pictures.default_transfer(path)
-    frame = _luminance(request, pictures.read_picture(path), transfer, str(path))
+    transfer = request.options.transfer or picture_files.default_transfer(path)
+    frame = _luminance(request, picture_files.read_picture(path), transfer, str(path))
     factor = _still_scale(request, frame, wanted)
     return Light.of_still(frame, request.slot_s * factor, factor)
 

@@ -27,8 +27,7 @@ def schema() -> Schema[Parameter]:
 @cache
 def _schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
     return Schema(
-        "a sensor",
-        "sensor file",
+        "sensor",
         rows,
         HEADINGS,
         Codes("NS0751", "NS0752", unknown="NS0753", wrong="NS0754", change="NS0755"),

@@ -104,7 +104,7 @@ def learned(blocks: Matrix, atoms: int, sparsity: int, rounds: int, seed: int) -
 @lru_cache(maxsize=4)
 def made_dictionary(frames: int, atoms: int = ATOMS, seed: int = 0) -> Matrix:
     """A dictionary for clips of so many frames, learned from made scenes: no data is needed."""
-    from nscc_training.data.procedural import clip
+    from nscc_training.made_scenes import clip
 
     generator = np.random.default_rng([seed, frames])
     blocks = []

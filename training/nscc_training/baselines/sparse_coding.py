@@ -78,7 +78,7 @@ def coded_still(
 @lru_cache(maxsize=2)
 def made_filters(seed: int = 0) -> Tensor:
     """Filters (K, 1, side, side) of length 1, learned from the details of made stills."""
-    from nscc_training.data.procedural import still
+    from nscc_training.made_scenes import still
 
     generator = np.random.default_rng([seed, SIDE])
     blocks = []

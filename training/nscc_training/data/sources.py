@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc_training import made_scenes
 from nscc_training.curves import srgb
-from nscc_training.data import procedural
 from nscc_training.data.camera import turned
 from nscc_training.import_paths import imported, is_import_path, own_code
 from nscc_training.scene_files import CLIPS, files_in
@@ -115,15 +115,15 @@ def _made(kind: _Kind, part: str) -> list[Scene]:
     for index in range(count):
         generator = np.random.default_rng([kind.seed, 1 if part == "train" else 2, index])
         if kind.still:
-            light = procedural.still(generator, size)
+            light = made_scenes.still(generator, size)
         else:
-            light = procedural.clip(generator, kind.slots, size)
+            light = made_scenes.clip(generator, kind.slots, size)
         scenes.append(_scene(f"procedural-{part}-{index}", light, kind))
     return scenes
 
 
 def _folder(folder: Path, kind: _Kind, part: str) -> list[Scene]:
-    from nscc_runtime.scenes.pictures import LINEAR
+    from nscc_runtime.scenes.picture_files import LINEAR
 
     endings = LINEAR if kind.still else (*CLIPS, *LINEAR)
     files = files_in(folder, endings)
@@ -141,7 +141,7 @@ def _folder(folder: Path, kind: _Kind, part: str) -> list[Scene]:
 def _read(path: Path, kind: _Kind) -> list[Scene]:
     """The scenes of a file: one, or the clips of a panorama."""
     from nscc_runtime.scenes.colour import linear, luminance
-    from nscc_runtime.scenes.pictures import LINEAR, read_picture
+    from nscc_runtime.scenes.picture_files import LINEAR, read_picture
 
     digest = sha256(path.read_bytes()).hexdigest()
     if path.suffix.lower() in LINEAR:

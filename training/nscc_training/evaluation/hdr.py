@@ -10,13 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.rejection import rejected
 from nscc_training import metrics
 from nscc_training.evaluation.results import Item
 from nscc_training.measures import decibels, number
 from nscc_training.metrics.psnr import mean_square_error, psnr_of_mse
 from nscc_training.protocols import Protocol
-from nscc_training.scene_files import files_in
+from nscc_training.scene_files import protocol_files
 
 Picture = NDArray[np.float64]
 ENDINGS = (".hdr", ".exr", ".pfm")
@@ -46,15 +45,10 @@ class Unusable:
 
 def panoramas(folder: Path) -> list[Path]:
     """The linear pictures of a folder by name; Rejected (NS0811) where there are none."""
-    found = files_in(folder, ENDINGS)
-    if not found:
-        raise rejected(
-            "NS0811",
-            f"'{folder}' holds no data for protocol hdr-v1",
-            notes=(f"panoramas are files ending in {', '.join(ENDINGS)}",),
-            helps=("name a folder of linear panoramas, 512 x 1024",),
-        )
-    return found
+    return protocol_files(
+        folder, ENDINGS, "hdr-v1", "panoramas are files ending in",
+        "linear panoramas, 512 x 1024",
+    )  # fmt: skip
 
 
 def crops(
@@ -62,7 +56,7 @@ def crops(
 ) -> Iterator[Crop | Unusable]:
     """The crops of panoramas, in order; those that cannot be used as `Unusable`."""
     from nscc_runtime.scenes.colour import linear
-    from nscc_runtime.scenes.pictures import read_picture
+    from nscc_runtime.scenes.picture_files import read_picture
 
     rows, cols = protocol["panorama"]
     top, bottom = protocol["crop_rows"]

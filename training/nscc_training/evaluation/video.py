@@ -10,12 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.rejection import rejected
 from nscc_training import curves, metrics
 from nscc_training.measures import decibels
 from nscc_training.metrics.psnr import mean_square_error
 from nscc_training.protocols import Protocol
-from nscc_training.scene_files import CLIPS, files_in
+from nscc_training.scene_files import CLIPS, protocol_files
 
 Clip = NDArray[np.float64]
 
@@ -45,15 +44,7 @@ class Passed:
 
 def clips_of(folder: Path) -> list[Path]:
     """The clips of a folder by name; Rejected (NS0811) where there are none."""
-    found = files_in(folder, CLIPS)
-    if not found:
-        raise rejected(
-            "NS0811",
-            f"'{folder}' holds no data for protocol video-v1",
-            notes=(f"clips end in {', '.join(CLIPS)}",),
-            helps=("name a folder of clips of at least 256 x 256",),
-        )
-    return found
+    return protocol_files(folder, CLIPS, "video-v1", "clips end in", "clips of at least 256 x 256")
 
 
 def windows(

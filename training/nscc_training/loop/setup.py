@@ -15,7 +15,8 @@ from nscc.target.load import load_target, parse_target, read_target
 from nscc.target.target import Target
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training.codes_files import load_codes
-from nscc_training.decoders.make import Task, make_decoder
+from nscc_training.decoders.declared import Task
+from nscc_training.decoders.make import make_decoder
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.patterns import MOST_BITS

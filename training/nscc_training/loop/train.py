@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -12,6 +12,7 @@ import torch
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.files import write_together
 from nscc_training.config import config_toml
 from nscc_training.data import Ahead, Batch, Batches, Scenes, load_scenes
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
@@ -33,8 +34,6 @@ from nscc_training.settings import Settings
 COLUMNS = ("step", "split", "loss", "psnr_db", "ssim", "words_per_slot", "dead_share")
 METRICS = "metrics.csv"
 
-Write = Callable[[Mapping[Path, bytes]], None]
-"""Writes several files, each whole or not at all."""
 Track = Callable[[Iterable[int], str, int], Iterable[int]]
 """Passes steps on, given a label and how many there are, and may draw a bar."""
 
@@ -60,7 +59,6 @@ def train(
     settings: Settings,
     out: Path,
     *,
-    write: Write,
     resume: str = "auto",
     track: Track = _untracked,
     report: Callable[[str], None] = lambda _text: None,
@@ -84,10 +82,10 @@ def train(
             )
         run = _start(settings, out, resume, ranks)
         if ranks.first:
-            _write_heads(run, out, write)
-        _steps(run, out, write, track if ranks.first else _untracked, report, stop_after)
+            _write_heads(run, out)
+        _steps(run, out, track if ranks.first else _untracked, report, stop_after)
         if ranks.first and run.progress.step >= settings.train.steps:
-            _finish(run, out, write)
+            _finish(run, out)
             chip = "" if run.parts.chip.file is None else f" --target {out / TARGET_FILE}"
             report(f"{out}: model_card.md says what it is worth; "
                    f"`nscc build {out / 'shutter.nsl'}{chip}` compiles its shutters")  # fmt: skip
@@ -161,7 +159,7 @@ def _optimiser(parts: Parts) -> torch.optim.Optimizer:
 
 
 def _steps(
-    run: Run, out: Path, write: Write, track: Track, report: Callable[[str], None],
+    run: Run, out: Path, track: Track, report: Callable[[str], None],
     stop_after: int | None,
 ) -> None:  # fmt: skip
     total, every = run.parts.settings.train.steps, run.parts.settings.train.validate_every
@@ -173,7 +171,7 @@ def _steps(
             due = (step + 1) % every == 0 or step + 1 == total or step + 1 == stop_after
             if due and run.ranks.first:
                 _validate(run, losses, report)
-                write({
+                write_together({
                     out / METRICS: ("\n".join(run.rows) + "\n").encode(),
                     out / CHECKPOINT: packed(run.parts, run.scenes, run.optimiser, run.progress),
                 })  # fmt: skip
@@ -290,10 +288,10 @@ def row(step: int, split: str, *values: float | None) -> str:
     return ",".join([str(step), split, *("" if v is None else repr(float(v)) for v in values)])
 
 
-def _write_heads(run: Run, out: Path, write: Write) -> None:
+def _write_heads(run: Run, out: Path) -> None:
     """What is known before the first step."""
     out.mkdir(parents=True, exist_ok=True)
-    write({
+    write_together({
         out / "config.resolved.toml": config_toml(run.parts.settings).encode(),
         out / "split.json": lines_of(run.scenes.split()),
         out / "environment.json": lines_of(environment(run.parts)),
@@ -301,7 +299,7 @@ def _write_heads(run: Run, out: Path, write: Write) -> None:
     })  # fmt: skip
 
 
-def _finish(run: Run, out: Path, write: Write) -> None:
+def _finish(run: Run, out: Path) -> None:
     """Take the best state and write what it is worth."""
     progress = run.progress
     # A run that was interrupted after its last step makes no step that would do this.
@@ -313,4 +311,4 @@ def _finish(run: Run, out: Path, write: Write) -> None:
         set_tensors(run.parts, progress.best)
     run.parts.decoder.eval()
     made = artifacts(run.parts, run.batches, run.scenes, progress.best_step)
-    write({out / name: data for name, data in made.items()})
+    write_together({out / name: data for name, data in made.items()})

@@ -12,6 +12,7 @@ import numpy as np
 import torch
 
 from nscc.tradeoff.points import Point
+from nscc_training.decoders.declared import DECODERS
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.evaluation import hdr, video
 from nscc_training.evaluation.hdr_baselines import sensor_of
@@ -185,3 +186,13 @@ def _short(paths: Sequence[Path]) -> list[str]:
     """The shortest names that tell folders apart."""
     names = [path.resolve().name for path in paths]
     return names if len(set(names)) == len(names) else [path.as_posix() for path in paths]
+
+
+def not_measured(folders: Sequence[RunFolder]) -> list[str]:
+    """Networks that no run was given of: without training their pictures mean nothing."""
+    have = {folder.parts.settings.decoder.name for folder in folders}
+    names = [name for name in DECODERS if name not in have]
+    if not names:
+        return []
+    return [f"not measured: {', '.join(names)}; an untrained network decodes nothing, so name a "
+            "run of nscc train with --run"]  # fmt: skip

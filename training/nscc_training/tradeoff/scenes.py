@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training.data import procedural
+from nscc_training import made_scenes
 from nscc_training.evaluation import hdr, video
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.scene_files import CLIPS
@@ -109,10 +109,10 @@ def _made(kind: Kind, protocol: Protocol, count: int, seed: int) -> Iterator[Sce
         name = Path(f"made-{index}")
         scene: object
         if kind == "clips":
-            clip = procedural.clip(generator, protocol["frames"], protocol["size"])
+            clip = made_scenes.clip(generator, protocol["frames"], protocol["size"])
             scene = video.exposed_window(name, 0, clip.astype(np.float64), False, protocol)
         else:
-            still = procedural.still(generator, protocol["crop_size"])
+            still = made_scenes.still(generator, protocol["crop_size"])
             scene = hdr.exposed_crop(name, (0, 0), still.astype(np.float64), protocol)
         if isinstance(scene, video.Window | hdr.Crop):
             yield scene

@@ -246,3 +246,15 @@ def _light(scene: Scene, slots: int) -> Light:
     frames, rows, cols = scene.light_e.shape
     summed = scene.light_e.reshape(slots, frames // slots, rows, cols).sum(axis=1)
     return Light.of_clip(summed.astype(np.float32))
+
+
+def refusals_text(refused: Sequence[Refused]) -> list[str]:
+    """What does not fit, those together that have one reason."""
+    together: dict[tuple[str, str], list[str]] = {}
+    for each in refused:
+        name = f"{each.case}, {each.method}, {each.setting}"
+        together.setdefault((each.code, each.reason), []).append(name)
+    lines = []
+    for (code, reason), names in together.items():
+        lines += ["", f"does not fit: {reason} ({code})", *(f"  {name}" for name in names)]
+    return lines

@@ -54,7 +54,8 @@ class Operation:
 
     `lines` are raised besides the operands' own; `destinations` and `sources` are the fewest and
     the most operands that the array takes (None: no limit, the digital bus is a wired OR; a
-    target may allow fewer). `clock` is the clock class in bits 19-21 of word 0.
+    target may allow fewer). `clock` is the clock class in bits 19-21 of word 0; `us` the time that
+    a word takes where the clock does not say it.
     """
 
     name: str
@@ -66,6 +67,7 @@ class Operation:
     inverted: bool = False
     divisor: int = 1
     phase: Phase = Phase.WHOLE
+    us: float | None = None
 
     @property
     def analog(self) -> bool:
@@ -82,6 +84,24 @@ SELX = 10
 
 # Lines 80 and up do not exist on SCAMP-5d: they are this project's own stand-in for the registers
 # R13, R14, .. of chips whose word is not public, and lie in bits that SCAMP-5d leaves unused.
+
+FIRST_EXTRA_LINE, EXTRA_LINES = 80, 52
+
+_GROUPS = (
+    (0, "selsq selpix rstpix seldiffe seldiffs s_in rana sels"),
+    (9, "sele selx rid seln"),
+    (13, "W1 W2 W3 W4 W5 W6 W7 wrf SEL1 SEL2 SEL3 SEL4 SEL5 SEL6 SEL7 setf selw pupd fbus"),
+    (32, " ".join(f"RR{i}" for i in range(1, 13))),
+    (44, " ".join(f"LR{i}" for i in range(1, 13))),
+    (56, "lfl rfl nbit nb plwb plrb bit bitmode"),
+    (64, "wr ana dig8 g_start g_stop col_out dir row_out s0_left s1_left rst_start rst_stop"),
+    (76, "s0_bot s1_bot pgdb pgdbobus"),
+    (80, " ".join(f"RR{13 + i} LR{13 + i}" for i in range(EXTRA_LINES // 2))),
+)
+LINE_NAMES: dict[int, str] = {
+    first + i: name for first, names in _GROUPS for i, name in enumerate(names.split())
+}
+"""The name of every control line; line 8 has none."""
 
 # An operand's own lines, as a source and as a destination. NEWS also needs selx to be read.
 READ_LINES: dict[str, tuple[int, ...]] = {
@@ -147,22 +167,24 @@ class Op:
     """One ICW as an operation with its operands, destinations first.
 
     Sources are a set to the array; they are kept in the order of `READ_LINES`, so that equal
-    words are equal values. The halves of a pair are two of these.
+    words are equal values. The halves of a pair are two of these. `own` is the row of a word that
+    a target has of its own.
     """
 
     name: str
     destinations: tuple[str, ...] = ()
     sources: tuple[str, ...] = ()
+    own: Operation | None = None
 
     @property
     def operation(self) -> Operation:
-        """The row of the table that says what this word does."""
-        return BY_NAME[self.name]
+        """The row that says what this word does."""
+        return self.own or BY_NAME[self.name]
 
     @property
     def analog(self) -> bool:
         """Whether the word runs at the analog clock."""
-        return BY_NAME[self.name].analog
+        return self.operation.analog
 
     def __str__(self) -> str:
         return " ".join((self.name, ", ".join(self.destinations + self.sources))).strip()
@@ -172,14 +194,19 @@ _ORDER = {name: i for i, name in enumerate(READ_LINES)}
 
 
 def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
-    """An `Op` with its operands in canonical order; equal words give equal values.
-
-    Raises ValueError where the table has no such operation or does not take these operands:
-    callers check what a user wrote first.
-    """
+    """An operation of the table with its operands in canonical order; see `made`."""
     row = BY_NAME.get(name)
     if row is None:
         raise ValueError(f"no operation {name!r}")
+    return made(row, destinations, sources)
+
+
+def made(row: Operation, destinations: Iterable[str] = (), sources: Iterable[str] = ()) -> Op:
+    """An operation with its operands in canonical order; equal words give equal values.
+
+    Raises ValueError where it does not take these operands: callers check what a user wrote first.
+    """
+    name = row.name
     dests = tuple(sorted(set(destinations), key=_ORDER.__getitem__))
     srcs = tuple(sorted(set(sources), key=_ORDER.__getitem__))
     for operands, (low, high), word in (
@@ -188,7 +215,7 @@ def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ())
     ):
         if len(operands) < low or (high is not None and len(operands) > high):
             raise ValueError(f"{name} cannot take {len(operands)} {word}")
-    analog = row.effect in (Effect.BUS, Effect.FLAG_ANALOG)
+    analog = row.analog
     for register in dests:
         if register not in (ANALOG_WRITE if analog else DIGITAL_WRITE):
             raise ValueError(f"{name} cannot write {register}")
@@ -197,7 +224,7 @@ def op(name: str, destinations: Iterable[str] = (), sources: Iterable[str] = ())
             raise ValueError(f"{name} cannot read {register}")
     if row.phase is Phase.WHOLE and set(dests) & set(srcs):
         raise ValueError(f"{name} cannot write a register that it reads")
-    return Op(name, dests, srcs)
+    return Op(name, dests, srcs, None if BY_NAME.get(name) is row else row)
 
 
 def pair(kind: str, destination: str, sources: Iterable[str]) -> tuple[Op, Op]:

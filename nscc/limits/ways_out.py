@@ -15,7 +15,6 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from nscc.limits.certain import largest_with
 from nscc.limits.families import (
     bits_rule,
     book_rule,
@@ -27,6 +26,7 @@ from nscc.limits.families import (
 )
 from nscc.limits.search import largest
 from nscc.lower.lowered import Lowered
+from nscc.program.capacity import largest_with
 from nscc.program.problems import counted
 from nscc.program.program import Codes, Program
 from nscc.source import Source

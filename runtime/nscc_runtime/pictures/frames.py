@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -11,14 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.scenes.shapes import Field
 
 if TYPE_CHECKING:
-    from PIL import ImageDraw, ImageFont
+    from matplotlib.figure import Figure
 
-_BACKGROUND, _TEXT, _FAINT = (17, 19, 24), (232, 234, 237), (146, 152, 163)
-_PANEL_PIXELS = 512
-_GAP, _CAPTION = 18, 46
 _LARGEST_TILE = 16
 """Codes that repeat over more pixels than this a side are taken as not repeating."""
 
@@ -121,46 +118,26 @@ def tone_mapped(light: Field, usable: NDArray[np.bool_]) -> NDArray[np.uint8]:
     return grey_levels
 
 
-def frame_png(readouts: Sequence[Readout], title: str) -> bytes:
-    """A PNG: for every bucket the frame as read out, and the light it tells of, tone mapped."""
-    from PIL import Image, ImageDraw
-
-    rows, cols = readouts[0].frame.shape
-    zoom = max(1, round(_PANEL_PIXELS / max(rows, cols)))
-    panel = (cols * zoom, rows * zoom)
-    least = 300
-    step_x = max(panel[0], least) + _GAP
-    step_y = panel[1] + _CAPTION + _GAP
-    size = (_GAP + 2 * step_x, _GAP + 30 + len(readouts) * step_y)
-    sheet = Image.new("RGB", size, _BACKGROUND)
-    draw = ImageDraw.Draw(sheet)
-    draw.text((_GAP, _GAP - 4), title, _TEXT, _font(19))
-    for number, readout in enumerate(readouts):
-        top = _GAP + 30 + number * step_y
+def frame_sheet(readouts: Sequence[Readout], title: str) -> Figure:
+    """For every bucket the frame as read out, and the light that it tells of, tone mapped."""
+    rows = []
+    for readout in readouts:
         light, usable = light_estimate(readout)
         window = f"{readout.window[0]} x {readout.window[1]}"
         around = "each pixel" if window == "1 x 1" else f"unsaturated pixels in {window}"
         saturated = np.count_nonzero(readout.frame == readout.top) / readout.frame.size
-        captions = (
-            (f"{readout.name}: as read out", f"8 bit, {saturated:.1%} saturated"),
-            (f"{readout.name}: light a second", f"codes / open time of {around}, log scale"),
+        rows.append(
+            (
+                Image(
+                    readout.frame,
+                    f"{readout.name}: as read out",
+                    f"8 bit, {saturated:.1%} saturated",
+                ),
+                Image(
+                    tone_mapped(light, usable),
+                    f"{readout.name}: light a second",
+                    f"codes / open time of {around}, log scale",
+                ),
+            )
         )
-        for column, values in enumerate((readout.frame, tone_mapped(light, usable))):
-            left = _GAP + column * step_x
-            picture = Image.fromarray(values).resize(panel, Image.Resampling.NEAREST)
-            sheet.paste(picture, (left, top))
-            _caption(draw, (left, top + panel[1] + 6), captions[column])
-    data = io.BytesIO()
-    sheet.save(data, "PNG", optimize=False)
-    return data.getvalue()
-
-
-def _caption(draw: ImageDraw.ImageDraw, at: tuple[int, int], lines: tuple[str, str]) -> None:
-    draw.text(at, lines[0], _TEXT, _font(15))
-    draw.text((at[0], at[1] + 20), lines[1], _FAINT, _font(13))
-
-
-def _font(size: int) -> ImageFont.FreeTypeFont | ImageFont.ImageFont:
-    from PIL import ImageFont
-
-    return ImageFont.load_default(size)
+    return image_sheet(rows, title)

@@ -9,41 +9,16 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Generator
 from dataclasses import dataclass
-from typing import Protocol
 
 from nscc_runtime.device.faults import Accidents, Faults, Spoiler
 from nscc_runtime.device.host import Host
 from nscc_runtime.device.packets import Packet
+from nscc_runtime.device.serving import Loaded
 
 _PIECE = 256
 _BOOT_S = 0.1
 _TICK_S = 1e-3
 _BITS_A_BYTE = 10
-
-
-class Loaded(Protocol):
-    """A loader on a virtual clock: `nscc_runtime.device.loader.Loader` or the firmware's core."""
-
-    @property
-    def busy(self) -> bool:
-        """Whether `poll` has something to do without new bytes."""
-        ...
-
-    def receive(self, data: bytes, now_us: int) -> None:
-        """Take bytes from the line."""
-        ...
-
-    def poll(self, now_us: int, room: int) -> bytes:
-        """Bytes for the line."""
-        ...
-
-    def announce(self) -> None:
-        """Start anew."""
-        ...
-
-    def watched(self) -> list[int]:
-        """File descriptors whose bytes give `poll` something to do."""
-        ...
 
 
 class Hung(Exception):

@@ -1,0 +1,63 @@
+"""Compiling, as every caller asks for it: the pipeline, and ways out of what does not fit."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.limits.ways_out import ways_out
+from nscc.lower.fit import has_ways_out
+from nscc.lower.lowered import Lowered
+from nscc.pipeline import Compiled, Observer, Options, Unfit, run_passes
+from nscc.program.program import Codes, Program
+from nscc.source import Source
+from nscc.syntax.parse import read_source
+
+QUICK_LEVEL = 1
+"""Several programs are compiled for one error message: with no more effort than this each."""
+
+
+def compile_file(
+    path: Path, options: Options | None = None, see: Observer | None = None
+) -> Compiled:
+    """Compiles a `.nsl` file. Raises Rejected with everything that is wrong with it."""
+    return compile_source(read_source(path), path.parent, options or Options(), see)
+
+
+def compile_source(
+    source: Source, base: Path, options: Options, see: Observer | None = None
+) -> Compiled:
+    """Compiles a program's text; `base` is the folder that its paths are relative to.
+
+    Raises Rejected with everything that is wrong with it. Where it only does not fit, nearby
+    programs are compiled, and the diagnostics offer those that do.
+    """
+    try:
+        return run_passes(source, base, options, see)
+    except Unfit as unfit:
+        wrong = _with_ways_out(unfit.diagnostics, unfit.program, base, options)
+        raise Rejected(wrong, unfit.status) from None
+
+
+def _with_ways_out(
+    found: tuple[Diagnostic, ...], program: Program, base: Path, options: Options
+) -> list[Diagnostic]:
+    """The same diagnostics; nearby programs are compiled for those that ask for less."""
+    if not any(has_ways_out(d) for d in found):
+        return list(found)
+    alike = replace(options, target=program.target, price_all=False, unproved_is_error=True)
+
+    def attempt(source: Source, codes: Codes, *, patient: bool = False) -> Lowered | None:
+        level = options.level if patient else min(options.level, QUICK_LEVEL)
+        try:
+            return run_passes(source, base, replace(alike, codes=codes, level=level)).lowered
+        except Rejected:
+            return None
+
+    ways = ways_out(program, attempt)
+    texts = tuple(way.text for way in ways)
+    data = {key: value for way in ways for key, value in way.data.items()}
+    return [
+        replace(d, ways_out=texts, data={**d.data, **data}) if has_ways_out(d) else d for d in found
+    ]

@@ -1,0 +1,66 @@
+"""Containers, wherever they come from: an `.icw` file, or a program that is compiled now."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from nscc.compiler import compile_file
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.rejection import rejected
+from nscc.pipeline import Options
+from nscc.program.pixels import codes_from_file
+from nscc.words.container import Container
+from nscc.words.file import read_container
+
+SUFFIX = ".icw"
+
+
+def is_compiled(path: Path) -> bool:
+    """Whether a file's name says that it holds words, and not the text of a program."""
+    return path.suffix.lower() == SUFFIX
+
+
+def load_container(
+    path: Path, options: Options | None = None
+) -> tuple[Container, tuple[Diagnostic, ...]]:
+    """The container in an .icw file, or of a program that is compiled now; and its messages.
+
+    `options` are the compiler's, for programs. Raises Rejected where a program does not compile or
+    a file cannot be read.
+    """
+    if is_compiled(path):
+        return read_container(path), ()
+    compiled = compile_file(path, options)
+    if compiled.container is None:  # only a search can tell, and the options let that pass
+        raise ValueError(f"{path}: there are no words")
+    return compiled.container, compiled.diagnostics
+
+
+def with_pixels(container: Container, name: str | Path, pixels: Path | None = None) -> Container:
+    """The container with the codes in file `pixels`, or else with its own.
+
+    `name` is what messages call it. Raises Rejected: NS0741 (status 2) if there are no codes at
+    all, and what `codes_from_file` finds wrong.
+    """
+    target, fields = container.target, container.table.fields
+    if pixels is not None:
+        codes = codes_from_file(pixels, container.table, target.rows, target.cols)
+        return replace(container, pixel_codes=codes)
+    if container.pixel_codes is not None:
+        return container
+    if not fields:
+        return replace(container, pixel_codes=np.zeros((target.rows, target.cols), np.int32))
+    arrays = ", ".join(f"{name}=..." for name in fields)
+    raise rejected(
+        "NS0741",
+        f"'{name}' says nothing about its pixels' codes, so there is nothing to expose",
+        notes=(f"its code has the fields: {', '.join(fields)}",),
+        helps=(
+            f"add a statement such as `pixels {fields[0]} = ...` to the program",
+            f"or give codes with --pixels CODES.npz, written by np.savez('CODES.npz', "
+            f"{arrays}), integers ({target.rows}, {target.cols})",
+        ),
+    )

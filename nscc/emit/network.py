@@ -1,0 +1,201 @@
+"""The gates of a frame as a network: values and what is computed from them.
+
+A register is written again and again, so it is not registers that are nodes but what is written
+into them, once each (static single assignment), and every edge leads from a value to what reads it.
+The network holds what is needed to run it: bits of every plane, and the function of every gate.
+
+The graph's attributes are `encoding`, `lowering`, `shutters`, `slots`, `depth` (gates on the
+longest path) and `registers` (see `registers_needed`). Its nodes come in the order in which they
+run, and have a `kind`:
+
+plane   what a register holds when the frame starts: `register`, `name` in the listing of the gates,
+        `holder` in words, `bits` as a hexadecimal number, bit i for shutter i of the decode table
+gate    `function` WHERE or OR, NOR, MOV (OR of one), NOT, SET (1), CLR (0) of its predecessors; the
+        `register` that it writes (FLAG for WHERE), the value's `name`, `words`, `boundary`,
+        and the `kernel` it is stored in
+demand  what FLAG must hold: `edge` "open", "rise" or "fall", `bucket`, `boundary`
+end     a plane as it must be again when the frame ends: `register`, `boundary`
+"""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Iterable, Iterator
+
+import networkx as nx
+
+from nscc.logic.problem import Gate
+from nscc.lower.allocate import words
+from nscc.lower.lowered import Lowered
+from nscc.operations import Op
+
+
+def gate_network(lowered: Lowered) -> nx.DiGraph:
+    """The network of a program's gates; see the module for nodes and attributes."""
+    solution, program = lowered.solution, lowered.program
+    allocation = lowered.schedule.allocation
+    network = nx.DiGraph(
+        encoding=solution.encoding, lowering=lowered.plan.lowering,
+        shutters=lowered.plan.shutters, slots=lowered.plan.slots,
+    )  # fmt: skip
+    holds: dict[str, str] = {}
+
+    def plane(name: str, register: str, holder: str, vector: int) -> None:
+        bits = f"{vector:#x}"
+        network.add_node(name, kind="plane", register=register, name=name, holder=holder, bits=bits)
+        holds[name] = name
+
+    for i, (vector, holder) in enumerate(zip(solution.planes, solution.holders, strict=True)):
+        plane(f"p{i}", allocation.places[f"p{i}"], holder, vector)
+    if solution.state_in_flag:
+        plane("FLAG", "FLAG", "1 in every pixel", lowered.plan.everywhere)
+    kernels = _Kernels(lowered)
+    gates = demands = 0
+    for boundary, item in _in_order(lowered):
+        if isinstance(item, Gate):
+            node, read = f"g{gates}", [holds[source] for source in item.sources]
+            written = words((item,), allocation)
+            network.add_node(
+                node, kind="gate", function=item.name, name=item.destination,
+                register=allocation.places.get(item.destination, item.destination),
+                words=len(written), boundary=boundary, kernel=kernels.kernel_of(written, boundary),
+            )  # fmt: skip
+            holds[item.destination] = node
+            gates += 1
+        else:
+            node, read = f"d{demands}", [holds["FLAG"]]
+            edge, bucket = item
+            network.add_node(
+                node, kind="demand", edge=edge, bucket=program.buckets[bucket].name,
+                boundary=boundary,
+            )  # fmt: skip
+            demands += 1
+        network.add_edges_from((value, node) for value in read)
+    for i in range(len(solution.planes)):
+        register = allocation.places[f"p{i}"]
+        network.add_node(f"e{i}", kind="end", register=register, boundary=lowered.plan.slots)
+        network.add_edge(holds[f"p{i}"], f"e{i}")
+    network.graph |= {"depth": depth(network), "registers": registers_needed(network)}
+    return network
+
+
+def _in_order(lowered: Lowered) -> Iterator[tuple[int, Gate | tuple[str, int]]]:
+    """Gates, and the (edge, bucket) of demands, with their boundaries, as they run."""
+    solution = lowered.solution
+    steps = [step for step in lowered.plan.steps if step.predicate is not None]
+    for segment in solution.opening:
+        yield from ((0, gate) for gate in segment)
+    for step, answer in zip(steps, solution.answers, strict=True):
+        yield from ((step.boundary, gate) for segment in answer for gate in segment)
+        yield step.boundary, (step.role, step.bucket)
+    for segment in solution.closing:
+        yield from ((lowered.plan.slots, gate) for gate in segment)
+
+
+class _Kernels:
+    """Finds each gate's words again in the kernels that its boundary launches."""
+
+    def __init__(self, lowered: Lowered) -> None:
+        schedule = lowered.schedule
+        refreshes = set(lowered.time.refresh_at or ())
+        self._run: dict[int, list[tuple[Op, int]]] = {}
+        for boundary, number in schedule.launches:
+            kernel = schedule.kernels[number]
+            if boundary in refreshes and boundary not in self._run:
+                self._run[boundary] = []
+                if any(word.operation.name.startswith("REFRESH") for word in kernel):
+                    continue  # not gates: registers written back to themselves
+            self._run.setdefault(boundary, []).extend((word, number) for word in kernel)
+        self._next = dict.fromkeys(self._run, 0)
+
+    def kernel_of(self, gate: tuple[Op, ...], boundary: int) -> int:
+        """The kernel of a boundary's next gate."""
+        run, at = self._run[boundary], self._next[boundary]
+        while tuple(word for word, _ in run[at : at + len(gate)]) != gate:
+            if at >= len(run):
+                raise ValueError(f"boundary {boundary} does not launch its gates")
+            at += 1
+        self._next[boundary] = at + len(gate)
+        return run[at][1]
+
+
+def of_kind(network: nx.DiGraph, *kinds: str) -> list[str]:
+    """The nodes of some kinds, in the network's order."""
+    return [node for node, kind in network.nodes(data="kind") if kind in kinds]
+
+
+def depth(network: nx.DiGraph) -> int:
+    """Gates on the longest path."""
+    gates = network.subgraph(of_kind(network, "gate"))
+    return len(nx.dag_longest_path(gates))
+
+
+def interference(network: nx.DiGraph) -> nx.Graph:
+    """Values that are there at the same time, and so need different registers.
+
+    Planes are there before the first gate; a gate may write where it reads for the last time.
+    """
+    last: dict[str, str] = {}
+    for node in network:
+        last |= dict.fromkeys(network.predecessors(node), node)
+    graph = nx.Graph()
+    alive: set[str] = set()
+    for node, kind in network.nodes(data="kind"):
+        alive -= {value for value in network.predecessors(node) if last[value] == node}
+        if kind in ("plane", "gate"):
+            graph.add_node(node)
+            graph.add_edges_from((node, other) for other in alive)
+            if node in last:
+                alive.add(node)
+    return graph
+
+
+def registers_needed(network: nx.DiGraph) -> int:
+    """The fewest registers, FLAG among them, that hold all values in the order of the gates.
+
+    In straight code values live for an interval of time, and colouring intervals in the order in
+    which they begin takes no more colours than there are values at any one time.
+    """
+    colours = nx.greedy_color(interference(network), lambda graph, _: list(graph))
+    return 1 + max(colours.values(), default=-1)
+
+
+def graphml_bytes(network: nx.DiGraph) -> bytes:
+    """The network as GraphML: attributes as they are."""
+    out = io.BytesIO()
+    # The writer by name: `write_graphml` takes another one where lxml is installed.
+    nx.write_graphml_xml(network, out)
+    return out.getvalue() + b"\n"
+
+
+_SHAPES = {"plane": "box", "gate": "ellipse", "demand": "invhouse", "end": "box"}
+
+
+def dot_text(network: nx.DiGraph) -> str:
+    """The network for Graphviz, from left to right. (networkx's own writers need more packages.)"""
+    lines = ["digraph gates {", "  rankdir=LR;", "  node [fontname=monospace];"]
+    lines.append(f"  label={_quoted([network.graph['encoding']])};")
+    for node, attributes in network.nodes(data=True):
+        shape = _SHAPES[attributes["kind"]]
+        lines.append(f"  {node} [shape={shape}, label={_quoted(_label(attributes))}];")
+    lines += [f"  {value} -> {reader};" for value, reader in network.edges]
+    return "\n".join([*lines, "}"]) + "\n"
+
+
+def _label(node: dict[str, str | int]) -> list[str]:
+    match node["kind"]:
+        case "plane":
+            return [f"{node['name']} in {node['register']}", str(node["holder"])]
+        case "gate":
+            name = f"{node['function']} {node['name']}"
+            return [name, f"{node['register']}, boundary {node['boundary']}"]
+        case "demand":
+            return [f"{node['edge']} of {node['bucket']}", f"boundary {node['boundary']}"]
+        case _:
+            return [f"{node['register']} as it was"]
+
+
+def _quoted(lines: Iterable[str]) -> str:
+    """A string of DOT with these lines; JSON escapes what DOT does."""
+    return '"' + "\\n".join(json.dumps(line, ensure_ascii=False)[1:-1] for line in lines) + '"'

@@ -1,0 +1,86 @@
+"""What an installation of the compiler has: packages, grammar, targets, the cache."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Iterator
+from importlib import metadata
+from pathlib import Path
+from typing import NamedTuple
+
+from nscc import __version__
+from nscc.cache.store import MOST_BYTES, Store, cache_folder
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.requirements import extras, install_line
+from nscc.source import Source
+from nscc.syntax.parse import parse
+from nscc.target.load import load_target, target_names
+
+GOOD, ABSENT, WRONG = "ok", "absent", "WRONG"
+
+_OWN_WORK = ("bench", "test")
+"""Extras of those who work on nscc itself."""
+
+
+class Finding(NamedTuple):
+    """What was looked at and its state: GOOD, ABSENT (which only some commands need) or WRONG."""
+
+    state: str
+    text: str
+
+
+def findings() -> Iterator[Finding]:
+    """Everything about the compiler that is looked at, one after the other."""
+    yield Finding(GOOD, f"nscc {__version__}")
+    python, system = platform.python_version(), f"{platform.system()} {platform.machine()}"
+    yield Finding(GOOD, f"Python {python} on {system}")
+    yield from _packages()
+    yield _grammar()
+    yield _targets()
+    yield _cache()
+
+
+def _packages() -> Iterator[Finding]:
+    """Those that every command needs, and what each extra brings besides."""
+    of = extras()
+    for extra in sorted({*of.values()}.difference(_OWN_WORK)):
+        held = {name: _version(name) for name in sorted(of) if of[name] == extra}
+        label = f"[{extra}] " if extra else ""
+        missing = [name for name, version in held.items() if not version]
+        if missing:
+            state = ABSENT if extra else WRONG
+            yield Finding(state, f"{label}{', '.join(missing)}: {install_line(extra)}")
+        else:
+            yield Finding(GOOD, label + ", ".join(f"{n} {version}" for n, version in held.items()))
+
+
+def _version(distribution: str) -> str:
+    try:
+        return metadata.version(distribution)
+    except metadata.PackageNotFoundError:
+        return ""
+
+
+def _grammar() -> Finding:
+    _tree, wrong = parse(Source("doctor.nsl", "nsl 1\nframe 2 slots of 1ms\nopen when n < 1\n"))
+    return Finding(WRONG, "the grammar does not work") if wrong else Finding(GOOD, "grammar")
+
+
+def _targets() -> Finding:
+    try:
+        names = [load_target(name, Path()).name for name in target_names()]
+    except Rejected as rejected:
+        return Finding(WRONG, f"targets: {rejected}")
+    return Finding(GOOD, f"targets: {', '.join(names)}")
+
+
+def _cache() -> Finding:
+    folder = cache_folder()
+    if folder is None:
+        return Finding(ABSENT, "cache of search results: off (NSCC_CACHE=off, or no home folder)")
+    store = Store(folder)
+    where = f"cache of search results: {folder}"
+    if not store.writable():
+        return Finding(ABSENT, f"{where} cannot be written, so nothing is kept")
+    held = f"{store.entries()} results, {store.bytes_used() / 1e6:.1f} of {MOST_BYTES / 1e6:.0f} MB"
+    return Finding(GOOD, f"{where} ({held}; remove the folder to clear it)")

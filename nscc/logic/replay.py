@@ -1,0 +1,149 @@
+"""Whether a solution meets its problem: its gates on truth vectors, all shutters at once.
+
+Whatever no pass may rely on (scratch at the start, FLAG after other words, what a refresh leaves
+out) counts as unknown, and no gate may read it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution, quietest
+
+_SOURCES = {
+    "WHERE": (1, None), "OR": (1, None), "NOR": (1, None), "NOT": (1, 1), "MOV": (1, 1),
+    "SET": (0, 0), "CLR": (0, 0),
+}  # fmt: skip
+"""Fewest and most sources of each gate; None for as many as the machine allows."""
+
+_INVERTED = ("NOR", "NOT", "SET")
+
+
+class _Wrong(Exception):
+    """What a solution does that it must not."""
+
+
+def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
+    """Why `solution` does not meet `problem` on `machine`, in words; None where it does."""
+    try:
+        _fits(problem, machine, solution)
+        _Frame(problem, machine, solution).replay()
+    except _Wrong as wrong:
+        return str(wrong)
+    return None
+
+
+def _fits(problem: Problem, machine: Machine, solution: Solution) -> None:
+    """Raises _Wrong for a solution that names what is not there."""
+    planes, states, scratch = len(solution.planes), solution.states, solution.scratch
+    # Only a plane may live where a mask decides about writes.
+    room = machine.registers - (machine.masked and not planes)
+    if min(states, scratch) < 0 or planes + states + scratch > room:
+        raise _Wrong(f"{planes} planes, {states} states, {scratch} scratch in {room} registers")
+    if len(solution.holders) != planes:
+        raise _Wrong(f"{len(solution.holders)} holders of {planes} planes")
+    if len(solution.answers) != len(problem.demands):
+        raise _Wrong(f"{len(solution.answers)} answers to {len(problem.demands)} demands")
+    if not all(type(p) is int and 0 <= p <= problem.everything for p in solution.planes):
+        raise _Wrong("a plane is no truth vector of the shutters")
+    if solution.state_in_flag and not (problem.flag_lasts and scratch):
+        raise _Wrong("it keeps its state in FLAG, which does not last or has no scratch beside it")
+    registers = {*_names("p", planes), *_names("s", states), *_names("t", scratch)}
+    for gate in dict.fromkeys(gate for segment in solution.segments() for gate in segment):
+        if not _possible(gate, registers, machine):
+            raise _Wrong(f"the machine has no gate {_text(gate)}")
+
+
+def _names(kind: str, count: int) -> list[str]:
+    return [f"{kind}{i}" for i in range(count)]
+
+
+def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
+    if gate.name not in _SOURCES:
+        return False
+    where = gate.name == "WHERE"
+    least, most = _SOURCES[gate.name]
+    if most is None:
+        most = (machine.where_sources if where else machine.or_sources) or len(registers) + 1
+    destinations = {"FLAG"} if where else registers
+    readable = registers if where and not machine.where_reads_flag else registers | {"FLAG"}
+    return (
+        gate.destination in destinations
+        and readable.issuperset(gate.sources)
+        and least <= len(gate.sources) <= most
+    )
+
+
+def _text(gate: Gate) -> str:
+    return f"{gate.destination} = {gate.name}({', '.join(gate.sources)})"
+
+
+class _Frame:
+    """One frame of a solution; `held` is what each register holds, None where nobody knows."""
+
+    def __init__(self, problem: Problem, machine: Machine, solution: Solution) -> None:
+        self.problem = problem
+        self.solution = solution
+        self.scratch = _names("t", solution.scratch)
+        self.held: dict[str, int | None] = dict.fromkeys(_names("s", solution.states))
+        self.held |= dict(zip(_names("p", len(solution.planes)), solution.planes, strict=True))
+        self.masked = _masked(machine, solution)
+        self._forget(self.scratch)
+        self.held["FLAG"] = problem.everything if solution.state_in_flag else None
+
+    def replay(self) -> None:
+        """Raises _Wrong at the first demand that is not met."""
+        solution, demands = self.solution, self.problem.demands
+        self._run(solution.opening)
+        for index, (demand, answer) in enumerate(zip(demands, solution.answers, strict=True)):
+            self._wait(demand.flag_kept, demand.scratch_kept)
+            self._run(answer)
+            if self.held["FLAG"] != demand.predicate:
+                raise _Wrong(f"FLAG does not hold what demand {index} asks for")
+        self._wait(flag_kept=False, scratch_kept=self.problem.flag_lasts)
+        self._run(solution.closing)
+        for name, plane in zip(_names("p", len(solution.planes)), solution.planes, strict=True):
+            if self.held[name] != plane:
+                raise _Wrong(f"{name} does not hold its code when the frame ends")
+
+    def _wait(self, flag_kept: bool, scratch_kept: bool) -> None:
+        """Other words and boundaries pass."""
+        if self.solution.state_in_flag:
+            self._forget(("t0",))  # where FLAG waits while analog words need it
+        elif not flag_kept:
+            self._forget(("FLAG",))
+        if not scratch_kept:
+            self._forget(self.scratch)
+
+    def _forget(self, registers: Sequence[str]) -> None:
+        self.held |= dict.fromkeys(registers)
+
+    def _run(self, segments: Sequence[Segment]) -> None:
+        held, everything, masked = self.held, self.problem.everything, self.masked
+        for segment in segments:
+            for gate in segment:
+                some = 0
+                for name in gate.sources:
+                    content = held[name]
+                    if content is None:
+                        raise _Wrong(f"{_text(gate)} reads {name}, of which nothing is known")
+                    some |= content
+                held[gate.destination] = some ^ everything if gate.name in _INVERTED else some
+                if gate.destination == masked:
+                    if not self.scratch:
+                        raise _Wrong(f"{_text(gate)} writes the register that needs a free mask")
+                    held["t0"] = None
+
+
+def _masked(machine: Machine, solution: Solution) -> str | None:
+    """The plane that `nscc.lower.allocate` gives the masked register: where all are in use, the
+    one that is written least. Its writes destroy t0."""
+    planes = _names("p", len(solution.planes))
+    if not machine.masked or len(planes) + solution.states + solution.scratch < machine.registers:
+        return None
+    writes = dict.fromkeys(planes, 0)
+    for segment in solution.segments():
+        for gate in segment:
+            if gate.destination in writes:
+                writes[gate.destination] += 1
+    return planes[quietest([writes[name] for name in planes])]

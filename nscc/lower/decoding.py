@@ -1,0 +1,126 @@
+"""What a plan asks of the gates, and the gates that answer it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.problem import Demand, Problem, Solution
+from nscc.lower.plan import ExposurePlan, Opens, Step
+from nscc.lower.timeline import Timeline
+from nscc.operations import Effect
+from nscc.program.program import Program
+from nscc.target.target import Target
+from nscc.words.container import DecodeTable
+
+Before = Literal["nothing", "all", "keep", "load"]
+"""What a step needs done to FLAG before its words.
+
+"nothing": FLAG does not matter; "all": set it everywhere; "load": bring the step's predicate;
+"keep": FLAG still holds the last predicate that was loaded, or 1 everywhere if the step is for
+every pixel.
+"""
+
+
+@dataclass(frozen=True)
+class Decoding:
+    """A plan with the gates that compute its predicates.
+
+    `problem` is what the plan demands of them, `actions` what each of its steps does to FLAG.
+    """
+
+    plan: ExposurePlan
+    problem: Problem
+    actions: tuple[Before, ...]
+    solution: Solution
+
+
+def problem_of(
+    program: Program, plan: ExposurePlan, time: Timeline, opens: Opens
+) -> tuple[Problem, tuple[Before, ...]]:
+    """What the gates must compute for a plan, and what every step does to FLAG."""
+    actions = flag_actions(plan, time, program.target)
+    demands: list[Demand] = []
+    for step, action in zip(plan.steps, actions, strict=True):
+        if step.predicate is not None:
+            kept = action == "keep" and bool(demands)
+            last = demands[-1].boundary if demands else 0
+            quiet = not any(last < n <= step.boundary for n in time.refresh_at or ())
+            demands.append(
+                Demand(step.boundary, step.role, step.bucket, step.predicate, kept, quiet)
+            )
+    lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
+    values = _field_values(program)
+    return Problem(tuple(demands), plan.shutters, opens, lasts, values), tuple(actions)
+
+
+def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
+    """Every field's value in one code of each shutter; free bits are fields of their own.
+
+    Of several codes one is taken whose values other shutters need anyway.
+    """
+    codes = _code_of_shutter(program.table)
+    values: dict[str, NDArray[np.int64]] = {}
+    for index, field in enumerate(program.fields):
+        if field.bits is None:
+            values[field.name] = codes[:, index]
+        else:
+            bits = {f"{field.name}[{k}]": codes[:, index] >> k & 1 for k in range(field.bits)}
+            values.update(bits)
+    return values
+
+
+def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
+    """A row of `table.codes` for each shutter."""
+    if len(table.codes) == len(table.shutters):
+        return table.codes[np.argsort(table.shutter_of_code)]
+    meant = np.bincount(table.shutter_of_code, minlength=len(table.shutters))
+    only = table.codes[meant[table.shutter_of_code] == 1]
+    needed = np.ones(len(table.codes), dtype=np.bool_)
+    for column, used in zip(table.codes.T, only.T, strict=True):
+        needed &= np.isin(column, used)
+    order = np.argsort(~needed, kind="stable")
+    _, first = np.unique(table.shutter_of_code[order], return_index=True)
+    return table.codes[order[first]]
+
+
+def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:
+    """What each step of a plan needs."""
+    lost_at = set(time.refresh_at or ())
+    actions: list[Before] = []
+    held: Literal["unknown", "all", "predicate"] = "unknown"
+    loaded: int | None = None
+    since_us = 0.0
+    boundary = 0
+    for step in plan.steps:
+        now_us = time.boundary_us[step.boundary]
+        crossed = any(boundary < n <= step.boundary for n in lost_at) if lost_at else False
+        if crossed or now_us - since_us > time.keep_us:
+            held = "unknown"
+        boundary = step.boundary
+        if step.predicate is not None:
+            actions.append("keep" if held == "predicate" else "load")
+            if held != "predicate" or step.predicate != loaded:
+                since_us = now_us
+            held, loaded = "predicate", step.predicate
+        elif not _needs_flag(step, target):
+            actions.append("nothing")
+        elif held == "all":
+            actions.append("keep")
+        else:
+            actions.append("all")
+            held, since_us = "all", now_us
+    return actions
+
+
+def _needs_flag(step: Step, target: Target) -> bool:
+    for word in step.words:
+        effect = word.operation.effect
+        if effect is Effect.BUS:
+            return True
+        if effect is Effect.RESET_PIX and target.reset_honours_flag != "no":
+            return True
+    return False

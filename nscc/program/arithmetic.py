@@ -1,0 +1,217 @@
+"""Values of nodes, their faults, and arithmetic on them: exact, for many places at once.
+
+Integers never wrap: beyond 2^62 - 1 in magnitude an operation is a fault, as are division by zero
+and a shift count outside 0..61. `low` and `high` come from interval arithmetic in unbounded
+integers, so that places are searched for faults only where the intervals allow one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.program.expressions import LIMIT
+from nscc.program.problems import clipped
+from nscc.source import Span
+from nscc.syntax.tree import Binary
+
+MOST_SHIFT = 61
+
+Data = Any
+"""An int or a bool, or an int64 or bool array that broadcasts against the others."""
+
+
+class Fault:
+    """Why an expression has no value: a code of nscc, one line of text, the place."""
+
+    __slots__ = ("code", "message", "span", "text")
+
+    def __init__(self, code: str, message: str, span: Span, text: str) -> None:
+        self.code = code
+        self.message = message
+        self.span = span
+        self.text = text
+
+
+Faults = Fault | NDArray[np.bool_] | None
+"""No fault, one that holds everywhere, or the places where there is one."""
+
+
+class Value:
+    """What one node is worth: integers lie in `low`..`high`; where `faults` hold, data is void.
+
+    One integer bounds itself: the bounds given with it are not used.
+    """
+
+    __slots__ = ("data", "faults", "high", "low")
+
+    def __init__(self, data: Data, low: int, high: int, faults: Faults = None) -> None:
+        if type(data) is int:
+            low = high = data
+        self.data = data
+        self.low = low
+        self.high = high
+        self.faults = faults
+
+
+def scalar(number: int) -> Value:
+    """The value of one integer."""
+    return Value(number, number, number)
+
+
+def array(numbers: NDArray[np.int64]) -> Value:
+    """The value of an int64 array of numbers within the limit."""
+    if numbers.size == 0:
+        return Value(numbers, 0, 0)
+    return Value(numbers, int(numbers.min()), int(numbers.max()))
+
+
+def either(a: Faults, b: Faults) -> Faults:
+    """The faults of a result that needs both."""
+    if a is None or isinstance(b, Fault):
+        return b if a is None or not isinstance(a, Fault) else a
+    if b is None or isinstance(a, Fault):
+        return a
+    return a | b
+
+
+def where(condition: Data, faults: Faults) -> Faults:
+    """The faults that remain where only the places of `condition` are evaluated."""
+    if faults is None:
+        return None
+    if isinstance(condition, np.ndarray):
+        if isinstance(faults, Fault):
+            return condition.copy()
+        return condition & faults
+    return faults if condition else None
+
+
+def guard(
+    wrong: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
+) -> tuple[Data, Faults]:
+    """`data` with the places that are `wrong` made `harmless`, and the faults they are."""
+    if isinstance(wrong, np.ndarray):
+        if not wrong.any():
+            return data, before
+        return np.where(wrong, harmless, data), either(before, wrong)
+    if not wrong:
+        return data, before
+    return harmless, either(before, fault())
+
+
+def _bounded(
+    node: Binary, a: Value, b: Value, low: int, high: int, faults: Faults,
+    compute: Callable[[], Data], beyond: Callable[[], Data],
+) -> Value:  # fmt: skip
+    """`compute` guarded against results beyond the limit; `beyond` finds the places."""
+
+    def fault() -> Fault:
+        text = f"{clipped(a.data)} {node.op} {clipped(b.data)} is beyond 2^62 - 1"
+        return Fault("NS0305", f"a number becomes too large: {text}", node.span, text)
+
+    if low >= -LIMIT and high <= LIMIT:
+        return Value(compute(), low, high, faults)
+    if isinstance(a.data, int) and isinstance(b.data, int):
+        return Value(0, 0, 0, either(faults, fault()))
+    with np.errstate(over="ignore"):
+        data, faults = guard(beyond(), compute(), 0, fault, faults)
+    return Value(data, max(low, -LIMIT), min(high, LIMIT), faults)
+
+
+def _sum(node: Binary, a: Value, b: Value) -> Value:
+    sign = 1 if node.op == "+" else -1
+    low = a.low + (b.low if sign > 0 else -b.high)
+    high = a.high + (b.high if sign > 0 else -b.low)
+
+    def compute() -> Data:
+        return a.data + b.data if sign > 0 else a.data - b.data
+
+    faults = either(a.faults, b.faults)
+    return _bounded(
+        node, a, b, low, high, faults, compute, lambda: np.abs(compute()) > LIMIT
+    )  # two values within the limit sum to less than 2^63: compute() itself never wraps
+
+
+def _product(node: Binary, a: Value, b: Value) -> Value:
+    corners = (a.low * b.low, a.low * b.high, a.high * b.low, a.high * b.high)
+
+    def beyond() -> Data:
+        return np.abs(a.data) > LIMIT // np.maximum(np.abs(b.data), 1)
+
+    return _bounded(
+        node, a, b, min(corners), max(corners), either(a.faults, b.faults),
+        lambda: a.data * b.data, beyond,
+    )  # fmt: skip
+
+
+def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
+    faults = either(a.faults, b.faults)
+    if not b.low <= 0 <= b.high:
+        return b.data, faults
+    what = "division by zero" if node.op == "/" else "remainder of a division by zero"
+    return guard(
+        b.data == 0,
+        b.data,
+        1,
+        lambda: Fault("NS0302", what, node.right.span, "this is 0"),
+        faults,
+    )
+
+
+def _quotient(node: Binary, a: Value, b: Value) -> Value:
+    divisor, faults = _divisor(node, a, b)
+    if b.low <= 0 <= b.high:
+        most = max(abs(a.low), abs(a.high))
+        low, high = -most, most
+    else:
+        corners = (a.low // b.low, a.low // b.high, a.high // b.low, a.high // b.high)
+        low, high = min(corners), max(corners)
+    return Value(a.data // divisor, low, high, faults)
+
+
+def _remainder(node: Binary, a: Value, b: Value) -> Value:
+    divisor, faults = _divisor(node, a, b)
+    return Value(a.data % divisor, min(b.low + 1, 0), max(b.high - 1, 0), faults)
+
+
+def _shift(node: Binary, a: Value, b: Value) -> Value:
+    faults = either(a.faults, b.faults)
+    count = b
+    if b.low < 0 or b.high > MOST_SHIFT:
+
+        def fault() -> Fault:
+            text = f"the count is {clipped(b.data)}"
+            return Fault(
+                "NS0304", f"a shift by {clipped(b.data)} is not possible", node.right.span, text
+            )
+
+        wrong = (b.data < 0) | (b.data > MOST_SHIFT)
+        data, faults = guard(wrong, b.data, 0, fault, faults)
+        low, high = max(b.low, 0), min(max(b.high, 0), MOST_SHIFT)
+        count = Value(data, min(low, high), high, faults)
+        if data is not b.data:
+            count.low = 0
+    corners = (
+        a.low << count.low, a.low << count.high, a.high << count.low, a.high << count.high,
+    )  # fmt: skip
+
+    def beyond() -> Data:
+        return np.abs(a.data) > LIMIT >> count.data
+
+    return _bounded(
+        node, a, count, min(corners), max(corners), faults,
+        lambda: a.data << count.data, beyond,
+    )  # fmt: skip
+
+
+ARITHMETIC: dict[str, Callable[[Binary, Value, Value], Value]] = {
+    "+": _sum,
+    "-": _sum,
+    "*": _product,
+    "/": _quotient,
+    "%": _remainder,
+    "<<": _shift,
+}

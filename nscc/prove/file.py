@@ -1,0 +1,57 @@
+"""The proof of a file: words that came from anywhere, against their own decode table."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from nscc.diagnostics.rejection import rejected
+from nscc.prove.proof import Failure, Proof, prove
+from nscc.words.container import Container
+from nscc.words.file import read_container
+from nscc.words.legality import decoded
+
+
+def prove_file(path: Path) -> tuple[Container, Proof]:
+    """The container in `path` and the proof that its words open what its decode table says.
+
+    Raises Rejected where it cannot be read or holds words that are none; with status 1, NS0443
+    where it has no decode table, and NS0440 where the proof fails.
+    """
+    container = read_container(path)
+    kernels = decoded(container)
+    if not container.has_table:
+        raise rejected(
+            "NS0443",
+            f"'{path.as_posix()}' has no decode table: it says what its words are, but not which "
+            "shutters they should open",
+            helps=(
+                "`nscc shutters` finds what they open",
+                "`.shutter` and `.code` lines in the assembly text are a decode table",
+            ),
+            status=1,
+        )
+    proof = prove(container, kernels)
+    if proof.failure is not None:
+        raise rejected(
+            "NS0440",
+            f"the words of '{path.as_posix()}' do not do what its decode table says: "
+            f"{proof.failure.what} ({_where(proof.failure)})",
+            notes=proof.failure.doubts,
+            helps=("build the program again; `nscc diff` shows which words changed",),
+            data={
+                "frame": proof.failure.frame,
+                "bucket": proof.failure.bucket,
+                "shutter": proof.failure.shutter,
+            },
+            status=1,
+        )
+    return container, proof
+
+
+def _where(failure: Failure) -> str:
+    where = f"frame {failure.frame}"
+    if failure.bucket is not None:
+        where += f", bucket {failure.bucket}"
+    if failure.shutter is not None:
+        where += f", shutter {failure.shutter}"
+    return where

@@ -1,0 +1,54 @@
+"""What the words of a container open: its shutters, found by replay and not read from its table."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.rejection import rejected
+from nscc.prove.replay import shutters
+from nscc.words.container import Container, fields_at_pixels, packed_shutters
+from nscc.words.legality import decoded
+
+
+def replayed(container: Container, name: str = "this program") -> NDArray[np.bool_]:
+    """The distinct shutters bool (shutters, buckets, N) as the words open them.
+
+    Raises Rejected: NS0442 (status 1) where light counts half or twice; `name` is what the message
+    calls the container.
+    """
+    found = shutters(container, decoded(container))
+    if found is None:
+        raise rejected(
+            "NS0442",
+            f"the words of {name} open no shutters: some slot's light counts neither once nor not "
+            "at all",
+            helps=("`nscc prove` says what the words do wrong",),
+            status=1,
+        )
+    return found
+
+
+def shutters_of_pixels(container: Container, name: str = "this program") -> dict[str, NDArray[Any]]:
+    """The shutters and codes of all pixels: `shutter`, `shutter_shape`, `codes_FIELD`.
+
+    As in a frame file. A program of one code needs no pixel data. Raises Rejected: NS0441 (status
+    1) where pixels have no codes, NS0442 as `replayed`.
+    """
+    pixels = container.pixel_codes
+    if pixels is None and len(container.table.codes) == 1:
+        target = container.target
+        pixels = np.zeros((target.rows, target.cols), dtype=np.int32)
+    if pixels is None:
+        raise rejected(
+            "NS0441",
+            f"{name} has no pixel data, so its pixels have no shutters yet",
+            helps=("give the program a `pixels` statement",),
+            status=1,
+        )
+    laid = replace(container, pixel_codes=pixels)
+    shutter, shape = packed_shutters(laid, replayed(container, name))
+    return {"shutter": shutter, "shutter_shape": shape, **fields_at_pixels(laid)}

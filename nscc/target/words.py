@@ -1,0 +1,193 @@
+"""Words that a chip has beside those of `nscc.operations`: the `[[words]]` of its table.
+
+    [[words]]
+    name = "bus4"             # what the assembler calls it
+    effect = "bus"            # or nothing, reset_pix, flag_all, flag_analog, flag_digital, digital
+    destinations = 4          # how many registers it writes; 0 for other effects than bus, digital
+    sources = [0, 2]          # fewest and most that it reads
+    divisor = 4               # of a bus word; left out: 1
+    inverted = true           # of a digital word; left out: false
+    lines = ["fbus"]          # control lines that it raises besides its operands'; left out: none
+    us = 0.2                  # how long it takes; left out: as long as the words of its clock
+
+Reset, flag and bus words run at the analog clock, flag_digital and digital ones at the digital.
+What a word does comes from its effect, which the proof and the emulator know; so a target can have
+a word of another shape or another time, not one that does something new.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from math import isfinite
+from typing import Any
+
+from nscc.operations import (
+    ANALOG_SOURCES,
+    ANALOG_WRITE,
+    BY_NAME,
+    DIGITAL_SOURCES,
+    DIGITAL_WRITE,
+    LINE_NAMES,
+    OPERATIONS,
+    READ_LINES,
+    Effect,
+    Operation,
+)
+from nscc.toml.kinds import Kind
+from nscc.toml.text import written
+from nscc.words.macros import MNEMONICS
+
+EFFECTS = {
+    "nothing": Effect.NONE,
+    **{effect.name.lower(): effect for effect in Effect if effect is not Effect.NONE},
+}
+_DIGITAL = (Effect.FLAG_DIGITAL, Effect.DIGITAL)
+_WRITES = (Effect.BUS, Effect.DIGITAL)
+_READS = (Effect.BUS, Effect.FLAG_ANALOG, *_DIGITAL)
+_NEEDED = ("name", "effect", "destinations", "sources")
+_DEFAULTS: dict[str, Any] = {"divisor": 1, "inverted": False, "lines": [], "us": None}
+_LINES = {name: line for line, name in LINE_NAMES.items()}
+_MOST = 32
+
+
+class OwnWords(Kind):
+    """The words of a target's own, as rows of the table of operations."""
+
+    @property
+    def allowed(self) -> str:
+        return f"a list of at most {_MOST} [[words]], each different from every other word"
+
+    def read(self, value: Any) -> tuple[Operation, ...]:
+        if not isinstance(value, list) or len(value) > _MOST:
+            raise ValueError
+        found: list[Operation] = []
+        for number, each in enumerate(value, 1):
+            row = _row(each, f"word {number}")
+            for other in (*OPERATIONS, *found):
+                if _alike(row, other):
+                    raise ValueError(f"{row.name} and {other.name} can be the same word")
+            if row.name in (*MNEMONICS, *BY_NAME, *(other.name for other in found)):
+                raise ValueError(f"there is a word {row.name} already")
+            found.append(row)
+        return tuple(found)
+
+    def plain(self, value: Any) -> Any:
+        return [_plain(row) for row in value]
+
+
+def words_toml(rows: Iterable[Operation]) -> list[str]:
+    """The lines of a target file that say these words."""
+    lines = []
+    for row in rows:
+        lines += ["", "[[words]]", *(f"{key} = {written(v)}" for key, v in _plain(row).items())]
+    return lines
+
+
+def _plain(row: Operation) -> dict[str, Any]:
+    names = {effect: name for name, effect in EFFECTS.items()}
+    values = {
+        "name": row.name,
+        "effect": names[row.effect],
+        "destinations": row.destinations[0],
+        "sources": list(row.sources),
+        "divisor": row.divisor,
+        "inverted": row.inverted,
+        "lines": [LINE_NAMES[line] for line in row.lines],
+        "us": row.us,
+    }
+    return {k: v for k, v in values.items() if k in _NEEDED or v != _DEFAULTS[k]}
+
+
+def _row(values: Any, who: str) -> Operation:
+    """One word; ValueError with what is wrong with it."""
+    if not isinstance(values, Mapping):
+        raise ValueError(f"{who} is no table of keys")
+    if isinstance(values.get("name"), str):
+        who = ascii(values["name"][:40])
+    for key in values:
+        if key not in (*_NEEDED, *_DEFAULTS):
+            known = ", ".join((*_NEEDED, *_DEFAULTS))
+            raise ValueError(f"{who} has a key {key[:40]!a}: the keys of a word are {known}")
+    for key in _NEEDED:
+        if key not in values:
+            raise ValueError(f"{who} lacks the key {key}")
+    given = {**_DEFAULTS, **values}
+    name, effect, us = given["name"], EFFECTS.get(str(given["effect"])), given["us"]
+    if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]{0,31}", name):
+        raise ValueError(f"{who} is no name of letters and digits, a letter first")
+    if effect is None:
+        raise ValueError(f"{who} has the effect {str(given['effect'])[:40]!a}: "
+                         f"the effects are {', '.join(EFFECTS)}")  # fmt: skip
+    written_, read = _counts(who, effect, given["destinations"], given["sources"])
+    divisor = given["divisor"]
+    if not _whole(divisor, 1, 64) or (divisor != 1 and effect is not Effect.BUS):
+        raise ValueError(f"{who} has a divisor that is not 1 to 64, or is no bus word")
+    inverted = given["inverted"]
+    if not isinstance(inverted, bool) or (inverted and effect is not Effect.DIGITAL):
+        raise ValueError(f"{who} is inverted, and no digital word")
+    number = isinstance(us, int | float) and not isinstance(us, bool)
+    if us is not None and not (number and isfinite(us) and 0 < us <= 1e6):
+        raise ValueError(f"{who} takes a number of microseconds above 0 and up to 1000000 (us)")
+    return Operation(
+        name,
+        effect,
+        int(effect in _DIGITAL),
+        _lines(who, effect, given["lines"]),
+        (written_, written_),
+        read,
+        inverted=inverted,
+        divisor=divisor,
+        us=None if us is None else float(us),
+    )
+
+
+def _counts(who: str, effect: Effect, written_: Any, read: Any) -> tuple[int, tuple[int, int]]:
+    """How many registers a word writes and reads."""
+    digital = effect in _DIGITAL
+    most = len(DIGITAL_WRITE if digital else ANALOG_WRITE) if effect in _WRITES else 0
+    if not _whole(written_, int(effect in _WRITES), most):
+        raise ValueError(f"{who} writes {int(effect in _WRITES)} to {most} destinations")
+    most = len(DIGITAL_SOURCES if digital else ANALOG_SOURCES) if effect in _READS else 0
+    pair = isinstance(read, Sequence) and not isinstance(read, str) and len(read) == 2
+    least = int(effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL))
+    if not pair or not (_whole(read[0], least, most) and _whole(read[1], read[0], most)):
+        raise ValueError(f"{who} reads [fewest, most] sources, {least} to {most}")
+    return written_, (read[0], read[1])
+
+
+def _lines(who: str, effect: Effect, names: Any) -> tuple[int, ...]:
+    """The control lines of these names, in their order on the chip."""
+    if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
+        raise ValueError(f"{who} has lines that are no list of names")
+    for name in names:
+        if name not in _LINES:
+            raise ValueError(f"{who} raises {name[:40]!a}: there is no such control line")
+        if _LINES[name] in _operand_lines(effect in _DIGITAL):
+            raise ValueError(f"{who} raises {name}, which is the line of an operand")
+    return tuple(sorted({_LINES[name] for name in names}))
+
+
+def _operand_lines(digital: bool) -> frozenset[int]:
+    """The lines that say which registers a word reads and writes."""
+    reads, writes = (DIGITAL_SOURCES, DIGITAL_WRITE) if digital else (ANALOG_SOURCES, ANALOG_WRITE)
+    return frozenset({*(line for name in reads for line in READ_LINES[name]), *writes.values()})
+
+
+def _alike(one: Operation, other: Operation) -> bool:
+    """Whether two operations could be one word: equal but for the lines of their operands."""
+    if one.clock != other.clock:
+        return False
+    operands = _operand_lines(not one.analog)
+    if {*one.lines} - operands != {*other.lines} - operands:
+        return False
+    return _meet(one.destinations, other.destinations) and _meet(one.sources, other.sources)
+
+
+def _meet(one: tuple[int, int | None], other: tuple[int, int | None]) -> bool:
+    """Whether a number of operands is in both ranges; None is no limit."""
+    return (other[1] is None or one[0] <= other[1]) and (one[1] is None or other[0] <= one[1])
+
+
+def _whole(value: Any, low: int, high: int) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and low <= value <= high

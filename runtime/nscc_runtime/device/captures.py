@@ -1,0 +1,76 @@
+"""Frame after frame from a device into files, each with the time at which it was exposed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from itertools import count
+from pathlib import Path
+from time import monotonic, sleep
+
+from nscc.diagnostics.rejection import rejected
+from nscc.files import write_whole
+from nscc.target.load import load_target, target_names
+from nscc.target.target import Target
+from nscc.words.container import Container
+from nscc_runtime.device.chip import Chip
+from nscc_runtime.device.frames import device_meta
+from nscc_runtime.device.objects import target_digest
+from nscc_runtime.device.trouble import wrong_target
+from nscc_runtime.frame_file import FrameFile
+from nscc_runtime.sensor import Sensor
+
+
+def target_of(chip: Chip, named: str | None = None) -> Target:
+    """The chip behind the port: the table of its own name, or the one that the user names.
+
+    Raises Rejected where the device was made for another table.
+    """
+    info = chip.info()
+    name = named or (info.target_name if info.target_name in target_names() else "scamp5")
+    target = load_target(name, Path())
+    if target_digest(target) != info.target:
+        raise wrong_target(chip.link.path, target, info)
+    return target
+
+
+def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) -> Iterator[Path]:
+    """frame-000001.npz and so on in `folder`, each when its time has come; files there are kept.
+
+    At most `most` of them, `every_s` seconds apart. NS0784 where the folder cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise rejected(
+            "NS0784",
+            f"cannot write into '{folder}': {error.strerror}",
+            helps=("name a folder that you may write",),
+        ) from None
+    taken = {path.name for path in folder.glob("frame-*.npz")}
+    begin = monotonic()
+    written = 0
+    for number in count(1):
+        if written == most:
+            return
+        name = f"frame-{number:06d}.npz"
+        if name in taken:
+            continue
+        sleep(max(0.0, begin + written * every_s - monotonic()))
+        yield folder / name
+        written += 1
+
+
+def capture_to(
+    path: Path, chip: Chip, target: Target, sensor: Sensor, container: Container | None
+) -> None:
+    """Expose a frame of `container`, or of what the device holds, and write its file.
+
+    `meta` gets `time_utc` and `device_time_us`.
+    """
+    stamp = datetime.now(UTC).isoformat(timespec="microseconds")
+    shot = chip.capture(container) if container else chip.capture_held(target)
+    meta = device_meta(chip, shot.frame, sensor, container)
+    meta["time_utc"] = stamp
+    meta["device_time_us"] = shot.captured.started_us
+    write_whole(path, FrameFile(shot.frame, meta, {}, {}).write)

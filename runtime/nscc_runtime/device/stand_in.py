@@ -1,0 +1,102 @@
+"""A stand-in for a chip at a serial port: the loader that a chip has, over the emulator."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from time import monotonic
+from typing import Literal
+
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.rejection import rejected
+from nscc.target.target import Target
+from nscc_runtime.device import firmware
+from nscc_runtime.device.board import BackgroundChip, EmulatedChip
+from nscc_runtime.device.faults import Faults
+from nscc_runtime.device.loader import Loader
+from nscc_runtime.device.serving import Loaded, Server
+from nscc_runtime.light import Light
+from nscc_runtime.scenes import Scene
+from nscc_runtime.sensor import Sensor
+
+LoaderName = Literal["auto", "firmware", "python"]
+
+
+def emulated_chip(
+    scene: Scene,
+    target: Target,
+    sensor: Sensor,
+    device_seed: int = 0,
+    *,
+    warn: Callable[[Diagnostic], None] = lambda _: None,
+    failed: Callable[[Exception], None] = lambda _: None,
+) -> EmulatedChip:
+    """A chip that sees `scene` whatever program comes.
+
+    Refuses at once what is no scene for any program. Later `warn` gets what is said of the scene,
+    and `failed` why there is no frame: the host only learns that there is none.
+    """
+    if scene.name.startswith("builtin:") or not Path(scene.name).exists():
+        scene.light((1000.0,), target)
+
+    def light(slot_us: Sequence[float]) -> Light:
+        return scene.light(slot_us, target, warn)
+
+    return EmulatedChip(light, target, sensor, device_seed, failed)
+
+
+def serve(
+    loader: Loaded,
+    faults: Faults,
+    *,
+    opened: Callable[[str], None],
+    moved: Callable[[str], None] = lambda _: None,
+    once: bool = False,
+    seconds: float | None = None,
+) -> None:
+    """Serve a loader behind a pseudo-terminal whose name `opened` is told, through a bad cable.
+
+    Ends after the first host with `once`, after `seconds`, or never. `moved` is told the port's new
+    name where the old one was taken.
+    """
+    server = Server(loader, faults, moved)
+    try:
+        opened(server.port)
+        until = None if seconds is None else monotonic() + seconds
+        server.serve(once=once, until=until)
+    finally:
+        server.close()
+
+
+@contextmanager
+def loaded(
+    choice: LoaderName, target: Target, chip: EmulatedChip, say: Callable[[str], None]
+) -> Iterator[Loaded]:
+    """The loader that was chosen: the firmware in a process of its own, or its Python twin.
+
+    `auto` is the firmware where there is a C++ compiler; `say` is told what became of it.
+    NS0772 (status 2) where the firmware is asked for and cannot be compiled.
+    """
+    why = "as asked for"
+    if choice != "python":
+        try:
+            built = firmware.built(target)
+        except firmware.NotBuilt as reason:
+            if choice == "firmware":
+                raise rejected(
+                    "NS0772",
+                    f"the firmware cannot be compiled for this machine: {reason}",
+                    helps=(
+                        "install a C++17 compiler (g++ or clang++; CXX names another)",
+                        "or serve its Python twin: --loader python",
+                    ),
+                ) from None
+            why = str(reason)
+        else:
+            with firmware.Process(built, chip) as process:
+                say(f"loader: the firmware, compiled by {built.compiler}")
+                yield process
+            return
+    say(f"loader: the Python twin of the firmware ({why})")
+    yield Loader(target, BackgroundChip(chip), firmware.PYTHON_NAME)

@@ -1,0 +1,50 @@
+"""What an installation of the runtime has: compiled loops, serial ports, a C++ compiler."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from importlib.util import find_spec
+
+from nscc.installation import ABSENT, GOOD, WRONG, Finding
+from nscc_runtime.device.firmware import compiler
+
+
+def findings() -> Iterator[Finding]:
+    """Everything about the runtime that is looked at; the loops take a moment."""
+    yield _loops()
+    yield _ports()
+    yield _compiler()
+
+
+def _loops() -> Finding:
+    if find_spec("numba") is None:
+        return Finding(ABSENT, "the emulator's loops: numba compiles them")
+    from nscc_runtime.emulator.loops import expose_block
+
+    try:
+        expose_block.load()
+    except (ImportError, OSError, RuntimeError) as error:
+        return Finding(WRONG, f"the emulator's loops do not compile: {error}")
+    return Finding(GOOD, "the emulator's loops are compiled for this processor")
+
+
+def _ports() -> Finding:
+    if find_spec("serial") is None:
+        return Finding(ABSENT, "serial ports: pyserial lists them")
+    from nscc_runtime.device.port import list_ports
+
+    ports = [name + described(text) for name, text in list_ports()]
+    return Finding(GOOD, f"serial ports: {', '.join(ports) or 'none'}")
+
+
+def described(text: str) -> str:
+    """A port's description behind its name, where the system has one."""
+    return f" ({text})" if text not in ("", "n/a") else ""
+
+
+def _compiler() -> Finding:
+    found = compiler()
+    if found is None:
+        twin = "`nscc device serve` stands in with the firmware's twin"
+        return Finding(ABSENT, f"C++ compiler: {twin}")
+    return Finding(GOOD, f"C++ compiler: {found} (nscc device serve runs the firmware)")

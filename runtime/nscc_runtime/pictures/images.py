@@ -1,0 +1,61 @@
+"""Images side by side, with a title above each and a note below."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import NDArray
+
+from nscc_runtime.pictures import sheet
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_SIDE, _GAP, _LINE = 3.5, 0.2, 0.17
+"""Inches that an image has a side, between images, and of a line of text."""
+_LETTERS = 11
+"""A line of text has so many an inch."""
+
+
+@dataclass(frozen=True, eq=False)
+class Image:
+    """A grey image (rows, cols) of 0..255, its title, and what is to be known of it."""
+
+    values: NDArray[Any]
+    title: str = ""
+    note: str = ""
+
+
+def image_sheet(rows: Sequence[Sequence[Image]], title: str) -> Figure:
+    """Rows of images, magnified alike in a row of images of one size."""
+    columns = max(map(len, rows))
+    side = min(_SIDE, sheet.WIDTH / columns - _GAP)
+
+    def lines(text: str) -> list[str]:
+        return textwrap.wrap(text, int(side * _LETTERS))
+
+    boxes, top = [], 0.0
+    for row in rows:
+        sizes = [sheet.zoomed(image.values.shape, side) for image in row]
+        top += _LINE * max(len(lines(image.title)) for image in row)
+        boxes += [
+            (image, number * (side + _GAP), top, *size)
+            for number, (image, size) in enumerate(zip(row, sizes, strict=True))
+        ]
+        below = _LINE * max(len(lines(image.note)) for image in row)
+        top += max(height for _, height in sizes) + below + _GAP
+    figure = sheet.blank(columns * (side + _GAP) - _GAP, top)
+    for image, left, down, width, height in boxes:
+        axes = sheet.place(figure, left, down, width, height)
+        sheet.show_pixels(axes, image.values)
+        axes.set_axis_off()
+        axes.set_title("\n".join(lines(image.title)), pad=4)
+        axes.annotate(
+            "\n".join(lines(image.note)), (0, 0), (0, -4), "axes fraction",
+            textcoords="offset points", va="top", color=sheet.FAINT,
+        )  # fmt: skip
+    sheet.head(figure, title, "")
+    return figure

@@ -1,0 +1,196 @@
+"""What all pictures share: colours and type, the heading, places in inches, and how they are saved.
+
+A kind of picture is a function that returns a matplotlib figure of the size of its panels; what
+stands around them (heading, legend, names of rows) grows outwards, and saving takes it all in.
+"""
+
+from __future__ import annotations
+
+import io
+import textwrap
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any, ParamSpec
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.axis import Axis
+    from matplotlib.figure import Figure
+
+P = ParamSpec("P")
+
+INK, FAINT, GRID, CLOSED = "#1d2129", "#5b6270", "#e3e7ee", "#f1f3f6"
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#1d2129", "#56b4e9", "#e69f00")
+"""Okabe and Ito's colours, which the colour-blind tell apart, without their yellow: white paper."""
+MARKERS = "osD^vP"
+"""As many as have no divisor in common with COLOURS: 42 series differ in one of both."""
+SCALE = "viridis"
+"""Of what has an order; its lightness grows steadily."""
+WIDTH = 9.3
+"""Inches of the panels' room: at the width of a README the type is still read."""
+DPI = 150
+_SIZE = 8.5
+_MARGIN = 0.15
+
+_STYLE: Any = {
+    "figure.dpi": DPI, "savefig.dpi": "figure", "font.size": _SIZE, "text.color": INK,
+    "axes.edgecolor": FAINT, "axes.labelcolor": INK, "axes.axisbelow": True, "axes.grid": True,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.titlelocation": "left",
+    "axes.titlesize": _SIZE + 1, "axes.titleweight": "bold", "grid.color": GRID,
+    "grid.linewidth": 0.7, "xtick.color": FAINT, "ytick.color": FAINT, "legend.frameon": False,
+    "legend.borderpad": 0, "legend.borderaxespad": 0, "legend.handletextpad": 0.5,
+    "legend.columnspacing": 1.4, "lines.linewidth": 1.4, "lines.markersize": 5,
+}  # fmt: skip
+
+
+@contextmanager
+def style() -> Iterator[None]:
+    """The one style, whatever the user's plotting settings; figures are made and saved in it."""
+    import matplotlib
+
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(_STYLE)
+        yield
+
+
+def png_of(draw: Callable[P, Figure], *args: P.args, **options: P.kwargs) -> bytes:
+    """The figure that `draw` makes, as PNG: the same arguments give the same bytes."""
+    data = io.BytesIO()
+    with style():
+        figure = draw(*args, **options)
+        box = figure.get_tightbbox().padded(_MARGIN)
+        # Whole dots, or else images between them would blur.
+        box.set_points(np.round(box.get_points() * DPI) / DPI)
+        figure.savefig(data, format="png", bbox_inches=box, metadata={"Software": None})
+    return data.getvalue()
+
+
+def blank(width: float, height: float) -> Figure:
+    """A figure of so many inches, of whole dots; no window or global state knows of it."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure((_whole(width), _whole(height)))
+    FigureCanvasAgg(figure)
+    return figure
+
+
+def panels(count: int, size: tuple[float, float], columns: int) -> tuple[Figure, list[Axes]]:
+    """A figure with `count` panels of about this size in inches, row by row."""
+    columns = min(columns, count)
+    rows = -(-count // columns)
+    figure = blank(columns * size[0], rows * size[1])
+    figure.set_layout_engine("constrained", w_pad=0.08, h_pad=0.08)
+    return figure, [figure.add_subplot(rows, columns, i + 1) for i in range(count)]
+
+
+def place(figure: Figure, left: float, top: float, width: float, height: float) -> Axes:
+    """Axes at so many inches from the figure's top left corner."""
+    across, down = figure.get_size_inches()
+    box = [_whole(value) for value in (left, top, width, height)]
+    return figure.add_axes(
+        (box[0] / across, 1 - (box[1] + box[3]) / down, box[2] / across, box[3] / down)
+    )
+
+
+def _whole(inches: float) -> float:
+    return round(inches * DPI) / DPI
+
+
+def zoomed(shape: Sequence[int], room: float) -> tuple[float, float]:
+    """Width and height in inches of an image (rows, cols) that has `room` inches a side.
+
+    It is magnified by a whole number, as far as there is room: patterns of pixels make no moire.
+    """
+    dots = room * DPI / max(shape[:2])
+    zoom = max(1, int(dots)) / DPI
+    return shape[1] * zoom, shape[0] * zoom
+
+
+def show_pixels(axes: Axes, image: NDArray[Any]) -> None:
+    """An image, grey (rows, cols) of 0..255 or RGB, over all of the axes, a square for a pixel."""
+    axes.imshow(image, cmap="gray", vmin=0, vmax=255, interpolation="nearest", aspect="auto")
+    axes.grid(False)
+
+
+def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) -> None:
+    """Title, a line on what is shown, and legend, one on the other above the figure.
+
+    It comes after all that the panels hold, and lays them out for good.
+    """
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    width, height = figure.get_size_inches()
+    left, bottom = figure.get_tightbbox().x0 / width, 1 + 0.12 / height
+    for columns in range(len(handles), 0, -1):
+        legend = figure.legend(
+            handles=handles, loc="lower left", bbox_to_anchor=(left, bottom), ncols=columns
+        )
+        box = legend.get_window_extent()
+        if box.width <= figure.bbox.width or columns == 1:
+            bottom += (box.height / DPI + 0.1) / height
+            break
+        legend.remove()
+    # A letter is about half as wide as its size.
+    note = textwrap.fill(note, max(40, int(width * 72 / (0.56 * _SIZE))))
+    for text, size, weight, colour in ((note, _SIZE, "normal", FAINT), (title, 14, "bold", INK)):
+        if text:
+            written = figure.text(left, bottom, text, size=size, weight=weight, color=colour)
+            written.set_verticalalignment("bottom")
+            bottom += (written.get_window_extent().height / DPI + 0.07) / height
+
+
+def series(number: int) -> dict[str, Any]:
+    """The colour and marker of a series."""
+    return {"color": COLOURS[number % len(COLOURS)], "marker": MARKERS[number % len(MARKERS)]}
+
+
+def round_ticks(axis: Axis, most: int = 7) -> None:
+    """Few round numbers, written out, on an axis whose limits are set."""
+    from matplotlib.ticker import LogLocator, MaxNLocator, NullLocator
+
+    low, high = axis.get_view_interval()
+    axis.set_minor_locator(NullLocator())
+    if axis.get_scale() == "linear" or high < 4 * low:
+        axis.set_major_locator(MaxNLocator(5, steps=[1, 2, 2.5, 5, 10]))
+    else:
+        choices = ((1, 1.5, 2, 3, 5, 7), (1, 2, 5), (1, 3), (1,))
+        decades = np.log10(high / low)
+        subs = next((steps for steps in choices if len(steps) * decades <= most), (1,))
+        axis.set_major_locator(LogLocator(subs=subs, numticks=most))
+    axis.set_major_formatter(lambda value, _: f"{value:g}")
+
+
+def label_points(axes: Axes, labels: Sequence[tuple[float, float, str, str]]) -> None:
+    """Texts (x, y, text, colour) beside their points: above, below, left or right.
+
+    Each is where it covers no other text and no point; where there is no such place it is left out.
+    The figure has its head: it is laid out.
+    """
+    from matplotlib.patheffects import withStroke
+    from matplotlib.transforms import Bbox
+
+    reach = 3.0
+    points = axes.transData.transform([(x, y) for x, y, _, _ in labels] or np.empty((0, 2)))
+    taken = [Bbox([point - reach, point + reach]) for point in points]
+    sides = (((0, 5), "center", "bottom"), ((0, -5), "center", "top"), ((-6, 0), "right", "center"),
+             ((6, 0), "left", "center"))  # fmt: skip
+    for x, y, words, colour in labels:
+        for offset, across, upwards in sides if words else ():
+            text = axes.annotate(
+                words, (x, y), offset, textcoords="offset points", ha=across, va=upwards,
+                size=7, color=colour, path_effects=[withStroke(linewidth=2, foreground="white")],
+            )  # fmt: skip
+            text.set_in_layout(False)
+            box = text.get_window_extent()
+            inside = axes.bbox.containsx(box.x0) and axes.bbox.containsx(box.x1)
+            inside &= axes.bbox.containsy(box.y0) and axes.bbox.containsy(box.y1)
+            if inside and not box.count_overlaps(taken):
+                taken.append(box)
+                break
+            text.remove()

@@ -1,0 +1,262 @@
+"""The picture of a program: its shutters over time, and which pixel has which."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.pictures import sheet
+from nscc_runtime.pictures.frames import tile_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_MOST_ROWS, _CHOSEN_ROWS = 64, 48
+_COLUMNS = 1200
+"""With more slots than this the chart shows the share of open time in each of its columns."""
+_MOST_BOUNDARIES = 130
+_MOST_NUMBERS = 16
+_MOST_LABELLED = 8
+"""Cells a side of a tile map that still have room for their codes."""
+_CORNER = 16
+_MAP, _BETWEEN = 3.5, 0.6
+_CHART = 2 * _MAP + _BETWEEN
+"""Inches of the maps' sides, between them, and of the chart."""
+_ABOVE, _BELOW = 0.36, 1.0
+"""Inches for the numbers of the slots, and from the chart to the maps."""
+_BAR = 0.84
+
+
+@dataclass(frozen=True, eq=False)
+class Shutters:
+    """The shutters that a picture shows, in the order in which it shows them.
+
+    `rows` bool (rows, buckets, N); `labels` one a row; `rank` int (shutters of the table,), the
+    place of each in the order, -1 for those that no pixel has.
+    """
+
+    rows: NDArray[np.bool_]
+    labels: tuple[str, ...]
+    rank: NDArray[np.int64]
+
+
+def shutters_of(container: Container) -> Shutters:
+    """The distinct shutters in use (all of a program without pixels), by opening and length."""
+    table = container.table
+    if container.pixel_codes is None:
+        used_codes = np.arange(len(table.codes))
+    else:
+        used_codes = np.unique(container.pixel_codes)
+    used = np.unique(table.shutter_of_code[used_codes])
+    patterns = table.shutters[used]
+    slots = patterns.shape[2]
+    union: NDArray[np.bool_] = np.any(patterns, axis=1)
+    first = np.where(np.any(union, axis=1), np.argmax(union, axis=1), slots)
+    order = np.lexsort((used, (patterns[:, 0] @ np.array(container.slot_us)), first))
+    rank = np.full(len(table.shutters), -1, np.int64)
+    rank[used[order]] = np.arange(len(used))
+    codes_by_rank: list[list[int]] = [[] for _ in used]
+    for code in used_codes:
+        codes_by_rank[rank[table.shutter_of_code[code]]].append(int(code))
+    labels = tuple(_label(container, codes) for codes in codes_by_rank)
+    return Shutters(patterns[order], labels, rank)
+
+
+def _label(container: Container, codes: list[int]) -> str:
+    """The first code of a shutter in words, and how many more mean the same."""
+    fields = container.table.fields
+    if not fields:
+        return "all pixels"
+    text = ", ".join(
+        f"{name} {value}"
+        for name, value in zip(fields, container.table.codes[codes[0]], strict=True)
+    )
+    text = text if len(text) <= 30 else text[:29] + "…"
+    return text if len(codes) == 1 else f"{text}  (+{len(codes) - 1})"
+
+
+def shutter_sheet(container: Container, title: str) -> Figure:
+    """The time chart, and below it the map of codes with a magnified tile."""
+    from matplotlib import colormaps
+    from matplotlib.patches import Patch
+
+    shutters = shutters_of(container)
+    count, lanes = len(shutters.rows), len(container.buckets)
+    chosen = _chosen(count)
+    places = np.linspace(0.08, 0.9, count) if count > 1 else np.array([0.35])
+    colours: NDArray[np.float64] = colormaps[sheet.SCALE](places)[:, :3]
+    chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
+    maps, top = _maps(container, shutters, colours), _ABOVE + chart_height + _BELOW
+    sizes = [sheet.zoomed(each.colours.shape, _MAP) for each in maps]
+    figure = sheet.blank(_CHART, top + max((height for _, height in sizes), default=0.0))
+    chart = sheet.place(figure, 0, _ABOVE, _CHART, chart_height)
+    _draw_chart(chart, container, shutters.rows[chosen], colours[chosen])
+    chart.set_yticks(range(len(chosen)), [shutters.labels[i] for i in chosen])
+    for number, (drawing, size) in enumerate(zip(maps, sizes, strict=True)):
+        _draw_map(sheet.place(figure, number * (_MAP + _BETWEEN), top, *size), drawing)
+    note = _subtitle(container, count)
+    if len(chosen) < count:
+        note += f"   ·   {len(chosen)} of them shown, evenly chosen"
+    bars = enumerate(container.buckets) if lanes > 1 else ()
+    sheet.head(
+        figure,
+        title,
+        note,
+        [Patch(color=sheet.COLOURS[b % len(sheet.COLOURS)], label=n) for b, n in bars],
+    )
+    return figure
+
+
+def _subtitle(container: Container, shutters: int) -> str:
+    lengths, lowering = container.slot_us, container.notes.get("lowering")
+    length = _time(min(lengths))
+    if min(lengths) < max(lengths):
+        length += f" to {_time(max(lengths))}"
+    name = container.notes.get("class", "")
+    parts = (
+        f"class {name}" if len(name) == 1 else name,
+        f"{container.slots} slot{'s' * (container.slots > 1)} of {length}",
+        f"{shutters} shutter{'s' * (shutters != 1)}",
+        f"{len(container.buckets)} buckets" if len(container.buckets) > 1 else "",
+        f"{container.target.name}, {lowering}" if lowering else container.target.name,
+    )
+    return "   ·   ".join(part for part in parts if part)
+
+
+def _time(us: float) -> str:
+    scale, unit = _unit(us)
+    return f"{us * scale:.4g} {unit}"
+
+
+def _unit(us: float) -> tuple[float, str]:
+    """A factor and a unit that keep a time readable."""
+    if us >= 1e6:
+        return 1e-6, "s"
+    if us >= 1e3:
+        return 1e-3, "ms"
+    return (1.0, "µs") if us >= 1 else (1e3, "ns")
+
+
+def _chosen(count: int) -> NDArray[np.int64]:
+    """The rows that a chart has room for: all, or some at equal distances, first and last too."""
+    if count <= _MOST_ROWS:
+        return np.arange(count)
+    return np.rint(np.linspace(0, count - 1, _CHOSEN_ROWS)).astype(np.int64)
+
+
+def _draw_chart(
+    axes: Axes, container: Container, rows: NDArray[np.bool_], own: NDArray[np.float64]
+) -> None:
+    """Bars of open time: in the colour that the map has, or of several buckets in the bucket's."""
+    from matplotlib.colors import to_rgb
+
+    count, lanes, slots = rows.shape
+    edges_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
+    scale, unit = _unit(float(edges_us[-1]))
+    edges = edges_us * scale
+    columns = edges if slots <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
+    buckets = [to_rgb(sheet.COLOURS[lane % len(sheet.COLOURS)]) for lane in range(lanes)]
+    image = np.ones((count, lanes + 1, len(columns) - 1, 3))  # the last lane is the gap
+    for row, lane in np.ndindex(count, lanes):
+        open_until = np.concatenate(([0.0], np.cumsum(np.diff(edges) * rows[row, lane])))
+        share = np.diff(np.interp(columns, edges, open_until)) / np.diff(columns)
+        colour = own[row] if lanes == 1 else buckets[lane]
+        image[row, lane] = np.outer(1 - share, to_rgb(sheet.CLOSED)) + np.outer(share, colour)
+    lines = np.linspace(-_BAR / 2, _BAR / 2, lanes + 1)
+    heights = (np.arange(count)[:, None] + lines).ravel()
+    axes.pcolorfast(columns, heights, image.reshape(count * (lanes + 1), -1, 3)[:-1].clip(0, 1))
+    axes.set_xlim(0, edges[-1])
+    axes.set_ylim(count - 0.5, -0.5)
+    axes.grid(False)
+    if slots <= _MOST_BOUNDARIES:
+        axes.vlines(edges[1:-1], -0.5, count - 0.5, colors="white", linewidth=0.7)
+    axes.spines[:].set_visible(False)
+    axes.set_xlabel(f"time in the frame, {unit}")
+    axes.tick_params(axis="y", length=0, pad=13, labelcolor=sheet.INK)
+    axes.scatter(
+        np.full(count, -0.009), np.arange(count), s=36, c=own, marker="s", clip_on=False,
+        transform=axes.get_yaxis_transform(),
+    )  # fmt: skip
+    _number_slots(axes, edges)
+
+
+def _number_slots(axes: Axes, edges: NDArray[np.float64]) -> None:
+    """Numbers above the chart at the slots' middles, as many as have room."""
+    slots = len(edges) - 1
+    step = 1 << max(0, (slots - 1) // _MOST_NUMBERS).bit_length()
+    middles = (edges[:-1] + edges[1:]) / 2
+    numbers: list[int] = []
+    for number in range(0, slots, step):
+        if not numbers or middles[number] - middles[numbers[-1]] > 0.045 * edges[-1]:
+            numbers.append(number)
+    above = axes.secondary_xaxis("top")
+    above.set_xticks(middles[numbers], [str(number) for number in numbers])
+    above.tick_params(length=0, pad=1)
+    above.spines[:].set_visible(False)
+    above.set_xlabel("slot n")
+
+
+@dataclass(frozen=True, eq=False)
+class _Map:
+    """A part of the array to draw: colours (rows, cols, 3), the codes' values where they fit."""
+
+    title: str
+    colours: NDArray[np.float64]
+    codes: NDArray[Any] | None = None
+
+
+def _maps(
+    container: Container, shutters: Shutters, colours: NDArray[np.float64]
+) -> tuple[_Map, ...]:
+    """The array, and the smallest tile of codes that repeats; its corner if none does."""
+    codes = container.pixel_codes
+    if codes is None:
+        return ()
+    table = container.table
+    painted = colours[shutters.rank[table.shutter_of_code[codes]]]
+    rows, cols = codes.shape
+    whole = _Map(f"codes of the array, {rows} x {cols}", painted)
+    if not table.fields or (rows, cols) == (1, 1):
+        return (whole,)
+    tile = tile_of(codes)
+    if tile != (rows, cols) and max(tile) <= 4 * _CORNER:
+        title = f"the tile that repeats, {tile[0]} x {tile[1]}"
+    else:
+        tile = (min(_CORNER, rows), min(_CORNER, cols))
+        title = f"the top left corner, {tile[0]} x {tile[1]}"
+    part = np.s_[: tile[0], : tile[1]]
+    values = table.codes[codes[part]] if max(tile) <= _MOST_LABELLED else None
+    return whole, _Map(title, painted[part], values)
+
+
+def _draw_map(axes: Axes, drawing: _Map) -> None:
+    """The part, and in each cell its field values, a line each, in ink or white, as reads best."""
+    from matplotlib.ticker import MaxNLocator
+
+    rows, cols = drawing.colours.shape[:2]
+    sheet.show_pixels(axes, drawing.colours)
+    axes.set_title(drawing.title)
+    axes.spines[:].set_visible(False)
+    extent = axes.get_window_extent()
+    for axis, dots in ((axes.xaxis, extent.width), (axes.yaxis, extent.height)):
+        axis.set_major_locator(MaxNLocator(max(1, int(dots / 55)), integer=True))
+        axis.set_visible(dots > 55)
+    if max(rows, cols) <= 2 * _CORNER:
+        axes.hlines(np.arange(rows - 1) + 0.5, -0.5, cols - 0.5, colors="white")
+        axes.vlines(np.arange(cols - 1) + 0.5, -0.5, rows - 0.5, colors="white")
+    if drawing.codes is None:
+        return
+    widest = max(len(str(value)) for value in drawing.codes.flat)
+    cell = extent.width / cols / sheet.DPI * 72
+    size = min(18.0, 0.9 * cell / max(0.7 * widest, 1.3 * drawing.codes.shape[2], 1.6))
+    for (row, col), colour in np.ndenumerate(drawing.colours @ np.array([0.2126, 0.7152, 0.0722])):
+        if size >= 4.5:
+            axes.text(
+                col, row, "\n".join(map(str, drawing.codes[row, col])), ha="center", va="center",
+                size=size, color=sheet.INK if colour > 0.5 else "white",
+            )  # fmt: skip

@@ -1,0 +1,192 @@
+"""Pictures of the emulator's studies: what its time buys, whether its planner's promises are kept,
+and what each effect of a scene does to the exposure, simulated or left out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from nscc_runtime.pictures import sheet
+from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
+from nscc_runtime.tradeoff.study import (
+    DRAWN,
+    ELECTRONS,
+    LSB,
+    PLANNED,
+    REFERENCE,
+    SUMMED,
+    WITH_PLANNING,
+    Study,
+)  # fmt: skip
+from nscc_runtime.tradeoff.study_text import SLACK
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from nscc_runtime.plan.plan import Decision, Plan
+
+_KEPT, _DROPPED = sheet.COLOURS[:2]
+_LOWEST = 30.0
+"""Errors so many times below the least tolerance are drawn at the edge, with their number."""
+_SIDE = 6.2
+_BAR = 0.2
+"""Inches from bar to bar."""
+_COLUMNS = 3
+
+
+_NAMES = {
+    SUMMED: "f32 sum",
+    DRAWN: "per-slot Poisson",
+    PLANNED: "planned (numbers: tolerance in e)",
+    WITH_PLANNING: "with planning",
+}
+_ERRORS = {ELECTRONS: "RMS error, e", LSB: "RMS error after the ADC, LSB"}
+
+
+def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure:
+    """The work-precision diagram: for each scene the error in electrons, and in LSB."""
+    panels = []
+    for study in studies:
+        for unit, error in _ERRORS.items():
+            points = [point for point in study.points if point.error_unit == unit]
+            [truth] = [point for point in points if point.method == REFERENCE]
+            apart = study.resolution_e if unit == ELECTRONS else study.resolution_lsb
+            guides = (
+                Guide("reference (no error)", "-", time_ms=truth.time_ms),
+                Guide("two references, other draws", "--", error=apart),
+                Guide("reading the scene", ":", time_ms=study.floor_ms),
+            )
+            panels.append(Panel(study.scene, error, points, guides))
+    times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
+    return precision_diagram(
+        panels, "What the emulator's time buys",
+        "against the reference with all effects, same draws (hollow: dominated); "
+        f"{times} on {device}",
+        Reading(
+            "time of one frame, ms", line=lambda point: _NAMES.get(point.method, ""),
+            text=lambda p: p.setting.removesuffix("e") if p.method == PLANNED else "",
+        ),
+    )  # fmt: skip
+
+
+def promise_diagram(studies: Sequence[Study]) -> Figure:
+    """All plans: tolerance asked across, errors predicted and measured upwards. ValueError for no
+    plans."""
+    from matplotlib.lines import Line2D
+
+    plans = [
+        (study.scene, each.tolerance_e, each.plan.predicted_e, each.measured_e)
+        for study in studies
+        for each in study.asked
+    ]
+    if not plans:
+        raise ValueError("no promises to draw")
+    asked = np.array([tolerance_e for _, tolerance_e, _, _ in plans])
+    errors = np.array([found for _, _, *found in plans])
+    least, most = asked.min() / 1.5, asked.max() * 1.5
+    low = errors[errors > least / _LOWEST].min(initial=least) / 1.5
+    high = 1.2 * errors[errors < math.inf].max(initial=most)
+    figure, [axes] = sheet.panels(1, (_SIDE, _SIDE), 1)
+    axes.set(xscale="log", yscale="log", xlim=(least, most), ylim=(low, high))
+    axes.set(xlabel="tolerance asked, e", ylabel="error, e")
+    line, above = [least, most], [SLACK * least, SLACK * most]
+    axes.fill_between(line, above, high, color=sheet.CLOSED)
+    axes.plot(line, line, color=sheet.INK)
+    axes.plot(line, above, color=sheet.INK, linestyle="--")
+    scenes = list(dict.fromkeys(scene for scene, *_ in plans))
+    labels = []
+    for (scene, *_, measured), x, ends in zip(plans, asked, errors.clip(low, high), strict=True):
+        number = scenes.index(scene)
+        # Scenes side by side, so that none hides another.
+        x *= 1.05 ** (number - (len(scenes) - 1) / 2)
+        look = sheet.series(number)
+        axes.plot([x, x], ends, color=look["color"], linewidth=1)
+        axes.plot(x, ends[0], markersize=9, fillstyle="none", clip_on=False, **look)
+        axes.plot(x, ends[1], markersize=4, clip_on=False, **look)
+        labels.append((x, ends[1], f"{measured:.1g}" if measured < low else "", look["color"]))
+    sheet.round_ticks(axes.xaxis)
+    sheet.round_ticks(axes.yaxis)
+    dot: dict[str, Any] = {"color": sheet.FAINT, "linestyle": "", "marker": "o"}
+    sheet.head(
+        figure, "What was asked, what came of it", "RMS electrons before the ADC, worst bucket",
+        [
+            Line2D([], [], color=sheet.INK, label="y = x"),
+            Line2D([], [], color=sheet.INK, ls="--", label=f"y = {SLACK:g} x: the promise"),
+            Line2D([], [], markersize=4, label="measured", **dot),
+            Line2D([], [], markersize=9, fillstyle="none", label="predicted", **dot),
+            *(Line2D([], [], ls="", label=s, **sheet.series(i)) for i, s in enumerate(scenes)),
+        ],
+    )  # fmt: skip
+    sheet.label_points(axes, labels)
+    return figure
+
+
+def budget_diagram(studies: Sequence[Study]) -> Figure:
+    """A panel for each scene: what its effects do, and what leaving each out saves. The readout's
+    effects belong to no budget. ValueError for no scenes."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    if not studies:
+        raise ValueError("no budgets to draw")
+    budgets = [study.budget for study in studies]
+    values = [each.predicted_rms_e for plan in budgets for each in plan.decisions]
+    known = [e for e in values if e] + [plan.tolerance_e for plan in budgets]
+    span = (max(min(known), max(known) * 1e-6) / 2, max(known) * 2)
+    bars = max(len(_decisions(plan)) for plan in budgets)
+    figure, grid = sheet.panels(len(studies), (sheet.WIDTH / _COLUMNS, _BAR * bars + 0.8), _COLUMNS)
+    for axes, study in zip(grid, studies, strict=True):
+        _draw_budget(axes, study.budget, span)
+        axes.set_title(study.scene)
+    sheet.head(
+        figure, "Error budgets: what each effect does, and what is left out",
+        "RMS electrons of each effect; at the right, ms a frame that leaving it out saves (model)",
+        [
+            Patch(facecolor=_KEPT, edgecolor=_KEPT, label="simulated"),
+            Patch(facecolor="white", edgecolor=_DROPPED, label="left out"),
+            Line2D([], [], color=sheet.INK, label="tolerance asked"),
+            Line2D([], [], color=sheet.INK, linestyle="--", label="predicted error"),
+        ],
+    )  # fmt: skip
+    return figure
+
+
+def _decisions(plan: Plan) -> list[Decision]:
+    return [each for each in plan.decisions if each.kind != "after"]
+
+
+def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
+    decisions = _decisions(plan)
+    colours = {"kept": _KEPT, "dropped": _DROPPED, "absent": sheet.FAINT}
+    axes.set(xscale="log", xlim=span, ylim=(len(decisions) - 0.4, -0.6))
+    axes.set_xlabel(f"RMS, e; {plan.tolerance_e:g} asked, {plan.predicted_e:.3g} predicted")
+    axes.grid(False, axis="y")
+    sheet.round_ticks(axes.xaxis, most=4)
+    costs = axes.secondary_yaxis("right")
+    costs.spines[:].set_visible(False)
+    for i, each in enumerate(decisions):
+        rms_e, colour = each.predicted_rms_e, colours[each.decision]
+        if each.decision == "absent":
+            axes.text(span[0], i, " absent", size=7.5, color=colour, va="center", style="italic")
+        elif rms_e is not None and rms_e > span[0]:
+            face = colour if each.decision == "kept" else "white"
+            axes.barh(i, rms_e - span[0], 0.62, span[0], facecolor=face, edgecolor=colour)
+    axes.axvline(plan.tolerance_e, color=sheet.INK)
+    axes.axvline(plan.predicted_e, color=sheet.INK, linestyle="--")
+    axes.set_yticks(range(len(decisions)), [each.name for each in decisions])
+    costs.set_yticks(range(len(decisions)), [_saves(each) for each in decisions])
+    for side in (axes, costs):
+        side.tick_params(axis="y", length=0)
+        for label, each in zip(side.get_yticklabels(), decisions, strict=True):
+            drawn = side is axes and each.decision != "absent"
+            label.set_color(sheet.INK if drawn else colours[each.decision])
+
+
+def _saves(each: Decision) -> str:
+    if each.decision == "absent":
+        return ""
+    return f"{float(f'{each.cost_ms_model:.2g}'):g} ms" if each.cost_ms_model else "free"

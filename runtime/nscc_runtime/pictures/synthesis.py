@@ -1,0 +1,30 @@
+"""The picture of what compile time buys."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from nscc.tradeoff.points import Point
+from nscc_runtime.pictures.precision import Panel, Reading, precision_diagram
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def synthesis_diagram(points: Sequence[Point], words: str, repeats: int, device: str) -> Figure:
+    """For each program of `nscc.tradeoff.synthesis` the words against time, a line a lowering.
+
+    `words` says which words are counted; `repeats` compilations were timed on `device`.
+    """
+    panels = [
+        Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
+    ]
+    times = "one compilation" if repeats == 1 else f"median and range of {repeats} compilations"
+    return precision_diagram(
+        panels, "What compile time buys",
+        f"{words} at -O0 to -O3 (numbers; hollow: dominated) against {times}, from text to proof, "
+        f"on {device}",
+        Reading("time, s", 1e-3, text=lambda point: point.setting.removeprefix("-O")),
+    )  # fmt: skip

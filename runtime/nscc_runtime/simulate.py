@@ -1,0 +1,214 @@
+"""One run of a program over a scene on the emulated chip: by a plan, or words slot by slot.
+
+`nscc run` is this, with files around it. `nscc_runtime.capture` is the way from arrays to arrays.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import asdict, dataclass, field
+from hashlib import sha256
+from pathlib import Path
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.rejection import rejected
+from nscc.words.container import Container
+from nscc.words.file import to_bytes
+from nscc_runtime import frame_file
+from nscc_runtime.effects import Selection
+from nscc_runtime.frame_file import Frame, Provenance
+from nscc_runtime.light import Light
+from nscc_runtime.plan.audit import Audit
+from nscc_runtime.plan.plan import Plan
+from nscc_runtime.plan.program import Program
+from nscc_runtime.plan_file import plan_text, read_plan
+from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.sensor import Sensor
+from nscc_runtime.timings import Timings
+
+
+@dataclass(frozen=True)
+class Request:
+    """How to expose a scene.
+
+    With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb) by a plan: that of file
+    `plan`, or one made now, whose text is given back if `plan` names a file that does not exist.
+    Otherwise words are executed slot by slot, without effects or with all of `effects` exactly.
+    `audit` compares a plan's frames with that reference. `repeat` frames, or one (None).
+    """
+
+    effects: Selection
+    planned: bool = True
+    tolerance: str = "5e"
+    audit: bool = False
+    plan: Path | None = None
+    seed: int = 0
+    device_seed: int = 0
+    repeat: int | None = None
+
+
+@dataclass(frozen=True)
+class Listener:
+    """Who is told how a run goes: a line of text, a warning (which may raise), and progress.
+
+    `timings` gathers the seconds that were spent.
+    """
+
+    say: Callable[[str], None] = lambda _text: None
+    warn: Callable[[Diagnostic], None] = lambda _diagnostic: None
+    progress: Progress = unseen
+    timings: Timings = field(default_factory=Timings)
+
+
+@dataclass(frozen=True, eq=False)
+class Simulated:
+    """What became of it: the frame(s) and where they come from.
+
+    With a plan: the plan, its audit if there was one, the text of a plan's file to be written, and
+    what to raise once the frame is written if the audit says that the promise was broken.
+    """
+
+    frame: Frame
+    origin: Provenance
+    plan: Plan | None = None
+    audit: Audit | None = None
+    plan_file: str | None = None
+    broken: Rejected | None = None
+
+
+def simulate(
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    request: Request,
+    listener: Listener | None = None,
+) -> Simulated:
+    """Expose the scene. Raises Rejected where the program, the scene or the plan is unfit."""
+    listener = listener or Listener()
+    if request.planned:
+        return _planned(container, light, sensor, request, listener)
+    with listener.timings.part("expose_s"):
+        frame = _exact(container, light, sensor, request, listener)
+    fidelity = "planned" if request.effects.noiseless else "reference"
+    origin = Provenance(
+        to_bytes(container), request.seed, request.device_seed, fidelity, sensor,
+        frame_file.decisions(request.effects, light.motion is not None),
+    )  # fmt: skip
+    return Simulated(frame, origin)
+
+
+def _exact(
+    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
+) -> Frame:
+    """Words slot by slot: without effects, or by the reference."""
+    repeat = request.repeat
+    if request.effects.noiseless:
+        from nscc_runtime.emulator import expose
+        from nscc_runtime.emulator.loops import expose_block
+
+        _say_compiling(listener, expose_block.is_compiled(), "emulator")
+        exact = expose(container, light, device_seed=request.device_seed)
+        frame = frame_file.read_out(exact, container.target, sensor)
+        return frame_file.repeated(frame, repeat) if repeat else frame
+    from nscc_runtime.noise.loops import fill_normals
+    from nscc_runtime.reference import frames
+
+    _say_compiling(listener, fill_normals.is_compiled(), "noise")
+    made = frames(
+        container, light, sensor, request.effects,
+        seed=request.seed, device_seed=request.device_seed, count=repeat or 1,
+    )  # fmt: skip
+    return _gathered(made, repeat, listener)
+
+
+def _planned(
+    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
+) -> Simulated:
+    """By a plan: made here, or read from its file."""
+    from nscc_runtime.capture import made_ready, planned_frames
+    from nscc_runtime.emulator.capture import check
+    from nscc_runtime.plan.choose import plan_for, predicted_for
+    from nscc_runtime.plan.fused_loop import fused
+    from nscc_runtime.plan.pixel_loop import run_pixels
+    from nscc_runtime.plan.tolerance import tolerance_e
+
+    timings, device_seed = listener.timings, request.device_seed
+    tolerance = tolerance_e(request.tolerance, sensor)
+    _say_compiling(listener, fused.is_compiled() and run_pixels.is_compiled(), "planner")
+    check(container, light)
+    program_bytes = to_bytes(container)
+    digest = sha256(program_bytes).hexdigest()
+    with timings.part("analyse_s"):
+        program = made_ready(container, sensor)
+    given = request.plan is not None and request.plan.exists()
+    with timings.part("plan_s"):
+        if request.plan is not None and given:
+            plan = read_plan(request.plan, digest, sensor)
+            plan = predicted_for(program, light, plan, device_seed)
+        else:
+            plan = plan_for(program, light, tolerance, request.effects, device_seed)
+    if plan.predicted_e > plan.tolerance_e and (request.effects.auto or given):
+        listener.warn(_over(plan, given))
+    with timings.part("expose_s"):
+        made = planned_frames(program, light, plan, request.seed, device_seed, request.repeat or 1)
+        frame = _gathered(made, request.repeat, listener)
+    report, broken = None, None
+    if request.audit:
+        with timings.part("audit_s"):
+            report = _audited(program, light, plan, request)
+        broken = None if report.holds else _broken(plan, report)
+    origin = Provenance(
+        program_bytes, request.seed, device_seed, "planned", sensor, (), plan.as_json(),
+        None if report is None else asdict(report),
+    )  # fmt: skip
+    text = plan_text(plan, digest, sensor) if request.plan is not None and not given else None
+    return Simulated(frame, origin, plan, report, text, broken)
+
+
+def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
+    """The frame, or all of `repeat` with an axis in front."""
+    found = list(listener.progress(made, "exposing", repeat or 1))
+    return frame_file.stacked(found) if repeat else found[0]
+
+
+def _audited(program: Program, light: Light, plan: Plan, request: Request) -> Audit:
+    from nscc_runtime.plan.audit import audit
+    from nscc_runtime.plan.capture import prepared
+
+    planned = prepared(program, light, plan, device_seed=request.device_seed)
+    return audit(planned, request.seed, request.repeat or 1)
+
+
+def _over(plan: Plan, given: bool) -> Diagnostic:
+    """The warning that what the user forced off, or the plan given, costs more than allowed."""
+    forced = [each.name for each in plan.decisions if each.forced and each.decision == "dropped"]
+    why = "the plan was made for another scene" if given else f"forced off: {', '.join(forced)}"
+    return Diagnostic(
+        "NS0749",
+        f"the predicted error is {plan.predicted_e:.3g} e, the tolerance {plan.tolerance_e:.4g} e",
+        severity=Severity.WARNING,
+        notes=(why,),
+        helps=("make a new plan for this scene" if given else "let the planner decide on them",),
+        data={"predicted_e": plan.predicted_e, "tolerance_e": plan.tolerance_e},
+    )
+
+
+def _broken(plan: Plan, report: Audit) -> Rejected:
+    """The promise did not hold (status 1)."""
+    return rejected(
+        "NS0749",
+        f"the audit measured an error of {report.measured_rms_e:.3g} e, more than 1.1 times "
+        f"the tolerance of {plan.tolerance_e:.4g} e",
+        notes=(f"predicted were {plan.predicted_e:.3g} e",),
+        helps=(
+            "use --fidelity reference for this scene; a plan in which nothing was forced "
+            "should not come to this: please report it",
+        ),
+        data={"measured_rms_e": report.measured_rms_e, "tolerance_e": plan.tolerance_e},
+        status=1,
+    )
+
+
+def _say_compiling(listener: Listener, ready: bool, what: str) -> None:
+    if not ready:
+        listener.say(f"compiling the {what}'s loops for this processor: once, some seconds")

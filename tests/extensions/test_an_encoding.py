@@ -1,0 +1,59 @@
+"""Recipe: an encoding of another distribution's, from source text to a proof, at each level."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+from added_package import add_package, nscc_with
+
+SOURCE = '''
+from itertools import combinations_with_replacement
+
+import numpy as np
+from nscc.logic.generate import Generator
+from nscc.logic.problem import Gate, GaveUp, Solution
+from nscc.truth import vector
+
+
+def sums(problem, machine, steps, flipped=0):
+    """A register for each field; every predicate is one of them, or two of them together."""
+    names = sorted(problem.values)
+    planes = tuple(vector(np.flatnonzero(problem.values[name])) for name in names)
+    pairs = {
+        planes[i] | planes[j]: (f"p{i}", f"p{j}")
+        for i, j in combinations_with_replacement(range(len(planes)), 2)
+    }
+    if any(demand.predicate not in pairs for demand in problem.demands):
+        raise GaveUp("a predicate of another form")
+    answers = [((Gate("WHERE", "FLAG", pairs[d.predicate]),),) for d in problem.demands]
+    held = tuple(plane ^ flipped for plane in planes)
+    yield Solution("sums of two", held, tuple(names), 0, 0, (), tuple(answers), ())
+
+
+GOOD, EARLY = Generator("family", sums), Generator("family", sums, from_level=1)
+WRONG = Generator("family", lambda *asked: sums(*asked, flipped=1))
+BROKEN, FOREIGN = Generator("family", lambda *asked: 1 / 0), Generator("thermometer", sums)
+'''
+PROGRAM = "nsl 1 frame 15 slots of 1ms code b : bit[5] open when b[n % 5] or b[(n + n / 5) % 5]\n"
+BUILD = ("build", "p.nsl", "--lowering", "accumulate", "--emit", "report=-", "-O")
+
+
+@pytest.mark.parametrize("level", [0, 1, 2, pytest.param(3, marks=pytest.mark.slow)])
+def test_an_encoding_from_outside_serves_a_program(tmp_path: Path, level: int) -> None:
+    add_package(tmp_path, SOURCE, "nscc.encodings", "sums", "GOOD")
+    (tmp_path / "p.nsl").write_text(PROGRAM)
+    report = json.loads(nscc_with(tmp_path, *BUILD, level).stdout)
+    assert report["proof"]["holds"]
+    assert (report["logic"]["encoding"] == "sums of two") == (level >= 2)
+    assert nscc_with(tmp_path, "check", "p.nsl", "-O", level).returncode == 0
+
+
+@pytest.mark.parametrize("value", ["WRONG", "EARLY", "FOREIGN", "BROKEN", "sums"])
+def test_a_wrong_one_is_refused_by_name(tmp_path: Path, value: str) -> None:
+    add_package(tmp_path, SOURCE, "nscc.encodings", "odd", value)
+    (tmp_path / "p.nsl").write_text(PROGRAM)
+    assert nscc_with(tmp_path, "check", "p.nsl").returncode == 0
+    done = nscc_with(tmp_path, *BUILD, 2)
+    assert (done.returncode, "[NS0905]: the encoding 'odd'" in done.stderr) == (2, True)

@@ -1,0 +1,142 @@
+"""The network of gates as it is written: what a reader of the file alone can compute from it."""
+
+from __future__ import annotations
+
+import io
+import re
+from pathlib import Path
+
+import networkx as nx
+import pytest
+from nscc_command import invoke
+
+from nscc.compiler import compile_source
+from nscc.emit.network import dot_text, gate_network, graphml_bytes, interference
+from nscc.emit.report import report
+from nscc.pipeline import Options
+from nscc.source import Source
+
+BOOK = [f"{37 * k * k % 1023:010b}" for k in range(1, 25)]
+TEXTS = {
+    "a": "frame 4 slots of 1ms\nopen when true",
+    "b": "frame 40 slots of 1ms\ncode stop : 1..40\nopen when n < stop",
+    "b_many": "frame 300 slots of 100us\ncode stop : 1..300\nopen when n < stop",
+    "c": "frame 33 slots of 1ms\ncode s : 0..25\nopen when s <= n < s + 8",
+    "d": "frame 12 slots of 1ms\ncode a : 0..11\ncode b : 1..12\nrequire a < b\n"
+    "open when a <= n < b",
+    "buckets": "frame 21 slots of 1ms\ncode split : 1..20\n"
+    "bucket early open when n < split\nbucket late open when n >= split",
+    "book": f"frame 10 slots of 1ms\nshutters book [{', '.join(BOOK)}]\n"
+    "code id : row of book\nopen when book[id]",
+    "long": "frame 12 slots of 0.5s\ncode stop : 1..12\nopen when n < stop",
+}
+CASES = [(name, lowering, 1) for name in TEXTS for lowering in ("accumulate", "edges")]
+CASES += [("d", "accumulate", 2), ("c", "accumulate", 2)]
+
+
+def built(text, **options):
+    source = Source("test.nsl", f"nsl 1\n{text}\n")
+    return compile_source(source, Path(), Options(codes="open", cache=False, **options))
+
+
+def values_of(network, shutters):
+    """What every node is for each shutter, as sets of shutters: nothing but the file is used."""
+    everything, values = set(range(shutters)), {}
+    for node in nx.topological_sort(network):
+        facts = network.nodes[node]
+        read = [values[source] for source in network.predecessors(node)]
+        if facts["kind"] == "plane":
+            values[node] = {i for i in everything if int(facts["bits"], 16) >> i & 1}
+            continue
+        some = set().union(*read)
+        match facts.get("function"):
+            case "NOR" | "NOT" | "SET":
+                values[node] = everything - some
+            case "OR" | "MOV" | "WHERE" | "CLR" | None:
+                values[node] = some
+                assert facts["kind"] == "gate" or len(read) == 1
+    return values
+
+
+def expected(program, lowering):
+    """(bucket, edge, boundary) -> shutters, for all that differ between shutters."""
+    table, found = program.table.shutters, {}
+    count, _, slots = table.shape
+
+    def add(bucket, edge, boundary, wanted):
+        if 0 < wanted.sum() < count:
+            name = program.buckets[bucket].name
+            found[name, edge, boundary] = set(wanted.nonzero()[0].tolist())
+
+    for bucket in range(table.shape[1]):
+        level = table[:, bucket]
+        for n in range(1, slots + 1):
+            if lowering == "accumulate":
+                add(bucket, "open", n, level[:, n - 1])
+                continue
+            after = level[:, n] if n < slots else level[:, 0] & False
+            add(bucket, "fall", n, level[:, n - 1] & ~after)
+            add(bucket, "rise", n, after & ~level[:, n - 1])
+    return found
+
+
+@pytest.mark.parametrize(("name", "lowering", "level"), CASES)
+def test_the_file_alone_computes_the_shutters(name, lowering, level):
+    compiled = built(TEXTS[name], lowering=lowering, level=level)
+    lowered = compiled.lowered
+    network = nx.read_graphml(io.BytesIO(graphml_bytes(gate_network(lowered))))
+    values = values_of(network, network.graph["shutters"])
+    asked = {}
+    for node, facts in network.nodes(data=True):
+        if facts["kind"] == "demand":
+            asked[facts["bucket"], facts["edge"], facts["boundary"]] = values[node]
+        elif facts["kind"] == "end":
+            (plane,) = [p for p, f in network.nodes(data=True)
+                        if f["kind"] == "plane" and f["register"] == facts["register"]]  # fmt: skip
+            assert values[node] == values[plane]
+    assert asked == expected(compiled.program, lowering)
+    gates = [facts for _, facts in network.nodes(data=True) if facts["kind"] == "gate"]
+    if not lowered.solution.state_in_flag:
+        logic = report(compiled.choice, compiled.proof)["logic"]
+        assert sum(facts["words"] for facts in gates) == logic["words"]
+    for facts in gates:
+        assert (facts["boundary"], facts["kernel"]) in lowered.schedule.launches
+    registers = len(lowered.schedule.allocation.holders)
+    assert network.graph["registers"] <= registers + 1  # FLAG
+
+
+def test_depth_and_registers_of_a_program_done_by_hand():
+    """Two stops: planes p0, p1 and a WHERE for each; both planes live on, and FLAG."""
+    network = gate_network(
+        built("frame 3 slots of 1ms\ncode s : 1..3\nopen when n < s", lowering="latch").lowered
+    )
+    assert (network.graph["depth"], network.graph["registers"]) == (1, 3)
+    both = [frozenset(pair) for pair in interference(network).edges]
+    assert frozenset({"p0", "p1"}) in both
+    assert frozenset({"g0", "g1"}) not in both
+
+
+def test_dot_has_every_node_and_edge():
+    network = gate_network(built(TEXTS["d"], level=1).lowered)
+    text = dot_text(network)
+    assert set(re.findall(r"^  (\w+) \[shape", text, re.M)) == set(network)
+    assert re.findall(r"^  (\w+) -> (\w+);$", text, re.M) == list(network.edges)
+    assert text.startswith("digraph gates {\n")
+    assert text.endswith("}\n")
+
+
+@pytest.mark.parametrize("name", ["a", "b_many"])
+def test_view_draws_gates(name, tmp_path):
+    (tmp_path / "p.nsl").write_text(f"nsl 1\n{TEXTS[name]}\n")
+    arguments = ["view", "p.nsl", "--gates", "-O1", "--codes", "open", "-o", "p.png"]
+    outcome = invoke(arguments, tmp_path)
+    assert outcome.status == 0, outcome.err
+    assert (tmp_path / "p.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_compiled_program_has_no_gates(tmp_path):
+    (tmp_path / "p.nsl").write_text(f"nsl 1\n{TEXTS['b']}\n")
+    assert invoke(["build", "p.nsl", "-O1"], tmp_path).status == 0
+    outcome = invoke(["view", "p.icw", "--gates", "-o", "p.png"], tmp_path)
+    assert (outcome.status, outcome.codes) == (2, ["NS0743"])
+    assert not (tmp_path / "p.png").exists()

@@ -1,0 +1,301 @@
+"""Pictures of every kind, of little and of much: their bytes, and that nothing lies on anything."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+from itertools import combinations
+from typing import Any
+
+import matplotlib
+import numpy as np
+import pytest
+from matplotlib.axes import Axes
+from matplotlib.colors import to_rgb
+from matplotlib.figure import Figure
+from matplotlib.text import Text
+from PIL import Image as PillowImage
+
+from nscc.target.load import builtin_target
+from nscc.tradeoff.points import Point
+from nscc.words.container import Container, DecodeTable
+from nscc_runtime.pictures import sheet
+from nscc_runtime.pictures.frames import Readout, frame_sheet
+from nscc_runtime.pictures.images import Image, image_sheet
+from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
+from nscc_runtime.pictures.shutters import shutter_sheet
+from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
+from nscc_runtime.plan.plan import Choice, Decision, Plan
+from nscc_runtime.tradeoff.study import (
+    DRAWN,
+    ELECTRONS,
+    LSB,
+    OTHER_DRAWS,
+    PLANNED,
+    REFERENCE,
+    SUMMED,
+    WITH_PLANNING,
+    Asked,
+    Study,
+)
+
+RNG = np.random.default_rng(0)
+
+
+def point(case: str, method: str, setting: str, error: float, time_ms: float, **more: Any) -> Point:
+    times_ms = (time_ms / 2, time_ms, time_ms * 3)
+    return Point(case, method, setting, error, "words_per_frame", times_ms, **more)
+
+
+def problems(cases: int, methods: int, settings: int) -> list[Panel]:
+    """Points that lie close to each other, and on each other."""
+    times = RNG.lognormal(0, 1, (cases, methods, settings)).cumsum(axis=2)
+    errors = RNG.lognormal(3, 1, (cases, methods, settings)).round()
+    return [
+        Panel(
+            f"case {c}",
+            "words a frame",
+            [
+                point(
+                    f"case {c}", f"method number {m}", f"-O{s}", errors[c, m, s], times[c, m, s],
+                    bound=7.0 + m if m % 3 == 0 else None,
+                )
+                for m in range(methods)
+                for s in range(settings)
+            ],
+            (Guide("as fast as can be", ":", time_ms=0.05), Guide("chance", "--", error=1e3)),
+        )
+        for c in range(cases)
+    ]  # fmt: skip
+
+
+def diagram(cases: int, methods: int, settings: int, **reading: Any) -> Callable[[], Figure]:
+    panels = problems(cases, methods, settings)
+    note = "what was measured, on what, and what hollow marks mean; " * 3
+    return partial(precision_diagram, panels, "A title", note, Reading("time, ms", **reading))
+
+
+def at_the_ends() -> Figure:
+    """No error, no difference, one point, none at all, and what has no number."""
+    points = [point("a", "one", "x", 0.0, 1.0), point("a", "one", "y", 1e-13, 1.0),
+              point("a", "two", "z", 300.0, 9.0), point("a", "two", "no", np.inf, 9.0)]  # fmt: skip
+    alike = [point("b", "one", "x", 5.0, 1.0), point("b", "two", "y", 5.0, 1.0)]
+    panels = [Panel("a", "e", points), Panel("b", "e", alike), Panel("c", "e", [])]
+    return precision_diagram(panels, "t", "n", Reading("time, ms"))
+
+
+def decision(name: str, choice: Choice, rms_e: float | None, cost_ms: float) -> Decision:
+    return Decision(name, "random", choice, False, "why", rms_e, 0.0, rms_e, cost_ms)
+
+
+def plan(tolerance_e: float, predicted_e: float, effects: int = 4) -> Plan:
+    decisions = (
+        decision("shot", "kept", 1e4, 1.25), decision("read", "dropped", 0.0, 0.0),
+        decision("lag", "absent", None, 0.0), decision("decay", "kept", None, 123.0),
+        *(decision(f"effect_{i}", "dropped", 0.1 * i, 0.1) for i in range(4, effects)),
+    )  # fmt: skip
+    return Plan(tolerance_e, predicted_e, 9.0, "none", (), 1.0, (), decisions)
+
+
+def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[Study]:
+    def study(name: str) -> Study:
+        methods = [(REFERENCE, "all", 0.0, 200.0), (OTHER_DRAWS, "all", 300.0, 200.0),
+                   (SUMMED, "none", 25e3, 2.0), (DRAWN, "shot", 24e3, 30.0)]  # fmt: skip
+        for number, t in enumerate(tolerances):
+            methods.append((PLANNED, f"{t:g}e", 0.9 * t * (number > 0), 20 / t))
+            methods.append((WITH_PLANNING, f"{t:g}e", 0.9 * t * (number > 0), 40 / t))
+        points = tuple(
+            replace(point(name, m, s, e / divisor, t), error_unit=unit)
+            for unit, divisor in ((ELECTRONS, 1), (LSB, 120))
+            for m, s, e, t in methods
+        )
+        asked = tuple(
+            Asked(plan(t, 0.8 * t), 0.9 * t if number else 2e-12, 0.0)
+            for number, t in enumerate(tolerances)
+        )
+        return Study(name, points, asked, 300.0, 2.5, 5e-3, plan(5.0, 3.3, effects), ())
+
+    return [study(f"builtin:scene number {i}") for i in range(scenes)]
+
+
+def container(codes: int, buckets: int, slots: int, shape: tuple[int, int] | None) -> Container:
+    """`codes` shutters at random, and the array's codes at random if it has pixels."""
+    table = DecodeTable(
+        ("start", "length"), np.array([[n, 2 * n] for n in range(codes)]),
+        np.arange(codes, dtype=np.int32), RNG.random((codes, buckets, slots)) < 0.5,
+    )  # fmt: skip
+    return Container(
+        target=builtin_target("scamp5"), slot_us=tuple(1.0 + n for n in range(slots)),
+        buckets=tuple(f"bucket{b}" for b in range(buckets)), table=table, kernels=(),
+        launches=(), code_registers=(), encoding=np.zeros((codes, 13), bool),
+        pixel_codes=None if shape is None else RNG.integers(0, codes, shape, np.int32),
+        readouts=(), notes={"class": "e", "lowering": "edges"},
+    )  # fmt: skip
+
+
+def readout(rows: int, cols: int, name: str = "frame") -> Readout:
+    frame = RNG.integers(0, 256, (rows, cols)).astype(np.uint8)
+    return Readout(name, frame, 255, np.full((rows, cols), 1e-3), (2, 2))
+
+
+TOLERANCES = (0.5, 1, 2, 5, 10, 20, 50)
+KINDS: dict[str, Callable[[], Figure]] = {
+    "a point": diagram(1, 1, 1),
+    "two lines": diagram(2, 2, 4),
+    "many lines": diagram(3, 16, 4),
+    "decibels": diagram(2, 9, 5, linear=True),
+    "ends": at_the_ends,
+    "a study": partial(study_diagram, studies(1, (5.0,)), 1, "a card"),
+    "studies": partial(study_diagram, studies(3, TOLERANCES), 5, "a card"),
+    "a promise": partial(promise_diagram, studies(1, (5.0,))),
+    "promises": partial(promise_diagram, studies(8, TOLERANCES)),
+    "a budget": partial(budget_diagram, studies(1, (5.0,))),
+    "budgets": partial(budget_diagram, studies(4, (5.0,), effects=16)),
+    "a shutter": partial(shutter_sheet, container(1, 1, 1, (1, 1)), "a.nsl"),
+    "buckets": partial(shutter_sheet, container(5, 3, 16, (4, 4)), "a.nsl"),
+    "many shutters": partial(shutter_sheet, container(200, 1, 64, (256, 256)), "a.nsl"),
+    "many slots": partial(shutter_sheet, container(9, 2, 4096, (3, 200)), "a.nsl"),
+    "no pixels": partial(shutter_sheet, container(2, 1, 7, None), "a.nsl"),
+    "a frame": partial(frame_sheet, [readout(256, 256)], "a.nsl"),
+    "frames": partial(frame_sheet, [readout(2, 90, "b0"), readout(2, 90, "b1")], "a.nsl"),
+    "images": partial(
+        image_sheet,
+        [[Image(np.zeros((64, 64)), f"the method number {i}", "a note") for i in range(6)]] * 2,
+        "many images",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", KINDS)
+def test_pictures(name: str) -> None:
+    """No text lies on another or leaves the picture; the same picture has the same bytes."""
+    with sheet.style():
+        figure = KINDS[name]()
+        figure.draw_without_rendering()
+        boxes = [(t.get_text(), t.get_window_extent()) for t in written(figure)]
+        whole = figure.get_tightbbox().transformed(figure.dpi_scale_trans)
+    assert boxes
+    for text, box in boxes:
+        assert whole.x0 - 1 <= box.x0 <= box.x1 <= whole.x1 + 1, f"{text!r} leaves the picture"
+        assert whole.y0 - 1 <= box.y0 <= box.y1 <= whole.y1 + 1, f"{text!r} leaves the picture"
+    for (one, a), (other, b) in combinations(boxes, 2):
+        # Letters do not fill their boxes: a dot more or less is nothing to see.
+        assert not a.padded(-1).overlaps(b.padded(-1)), f"{one!r} lies on {other!r}"
+    first = sheet.png_of(lambda: figure)
+    with matplotlib.rc_context({"lines.linewidth": 9, "axes.facecolor": "red", "font.size": 20}):
+        assert sheet.png_of(KINDS[name]) == first
+    image = PillowImage.open(io.BytesIO(first))
+    image.load()
+    assert 300 < image.size[0] < 1800
+    assert "Software" not in image.info
+
+
+def written(figure: Figure) -> list[Text]:
+    """All that is to be read; ticks out of the axes' view are not drawn."""
+    texts = [*figure.texts, *(text for legend in figure.legends for text in legend.get_texts())]
+    for axes in figure.axes:
+        for part in (axes, *axes.child_axes):
+            texts += [part.title, part._left_title, *part.texts]  # type: ignore[attr-defined]
+            for axis in (part.xaxis, part.yaxis):
+                if axis.get_visible() and part.axison:
+                    low, high = sorted(axis.get_view_interval())
+                    texts.append(axis.label)
+                    texts += [
+                        t.label1 for t in axis.get_major_ticks() if low <= t.get_loc() <= high
+                    ]
+                    texts += [
+                        t.label2 for t in axis.get_major_ticks() if low <= t.get_loc() <= high
+                    ]
+    return [text for text in texts if text.get_text().strip() and text.get_visible()]
+
+
+@pytest.mark.parametrize(
+    "draw",
+    [
+        partial(precision_diagram, [], "t", "n", Reading("time, s")),
+        partial(precision_diagram, [Panel("a", "e", [])], "t", "n", Reading("time, s")),
+        partial(promise_diagram, []),
+        partial(budget_diagram, []),
+    ],
+)
+def test_nothing_to_draw(draw: Callable[[], Figure]) -> None:
+    with pytest.raises(ValueError, match="to draw"):
+        sheet.png_of(draw)
+
+
+def test_each_line_is_in_the_legend_and_each_lone_mark_has_its_text() -> None:
+    with sheet.style():
+        figure = diagram(3, 2, 1)()
+    [legend] = figure.legends
+    assert [text.get_text() for text in legend.get_texts()] == [
+        "method number 0", "method number 1", "proved bound", "as fast as can be", "chance",
+    ]  # fmt: skip
+    for axes in figure.axes:
+        assert [text.get_text() for text in axes.texts].count("-O0") == 2
+
+
+def test_dominated_marks_are_hollow() -> None:
+    points = [
+        point("a", "m", "good", 1, 1), point("a", "m", "bad", 2, 2), point("a", "", "n", 0.5, 1.5),
+        point("a", "m", "beaten by one that is not drawn", 0.7, 1.7),
+    ]  # fmt: skip
+    with sheet.style():
+        figure = precision_diagram([Panel("", "e", points)], "t", "n", Reading("ms"))
+    marks = [line for line in figure.axes[0].lines if line.get_marker() not in ("None", None)]
+    assert [mark.get_markerfacecolor() == "white" for mark in marks] == [False, True, True]
+
+
+@pytest.mark.parametrize("low", [0.013, 1.0, 97.0, 1777.0])
+@pytest.mark.parametrize("ratio", [1.1, 1.5, 2.0, 4.0, 10.0, 70.0, 1e3, 1e9])
+def test_ticks_are_few_and_round(low: float, ratio: float) -> None:
+    figure = sheet.blank(4, 3)
+    axes: Axes = figure.add_subplot()
+    axes.set(xscale="log", xlim=(low, low * ratio))
+    sheet.round_ticks(axes.xaxis)
+    found = [at for at in axes.get_xticks() if low <= at <= low * ratio * (1 + 1e-9)]
+    assert 2 <= len(found) <= 8
+    assert all(len(f"{at:g}") <= 6 for at in found)
+
+
+@pytest.mark.parametrize("bar", [0, 1])
+def test_shares_of_open_time_keep_their_sum(bar: int) -> None:
+    """Slots finer than the chart's columns: as dark as they are open."""
+    program = container(2, 1, 4096, None)
+    with sheet.style():
+        figure = shutter_sheet(replace(program, slot_us=(1.0,) * 4096), "a.nsl")
+    image = figure.axes[0].images[0].get_array()
+    closed, own = image[2 * bar].max(axis=0), image[2 * bar].min(axis=0)
+    assert 0.3 < (image[2 * bar].mean(axis=0) - closed)[0] / (own - closed)[0] < 0.7
+
+
+# Machado, Oliveira and Fernandes 2009, severity 1.0, on linear RGB.
+BLIND = {
+    "protanopia": [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216],
+                   [-0.003882, -0.048116, 1.051998]],
+    "deuteranopia": [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413],
+                     [-0.011820, 0.042940, 0.968881]],
+    "tritanopia": [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602],
+                   [0.004733, 0.691367, 0.303900]],
+}  # fmt: skip
+LAB = [[0.4122214708, 0.5363325363, 0.0514459929], [0.2119034982, 0.6806995451, 0.1073969566],
+       [0.0883024619, 0.2817188376, 0.6299787005]]  # fmt: skip
+OKLAB = [[0.2104542553, 0.7936177850, -0.0040720468], [1.9779984951, -2.4285922050, 0.4505937099],
+         [0.0259040371, 0.7827717662, -0.8086757660]]  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", BLIND)
+def test_the_colour_blind_tell_series_apart(kind: str) -> None:
+    """By colour (0.07 in Oklab is three times the least difference to be seen)."""
+    rgb = np.array([to_rgb(colour) for colour in sheet.COLOURS])
+    linear = np.where(rgb > 0.04045, ((rgb + 0.055) / 1.055) ** 2.4, rgb / 12.92)
+    seen = np.clip(linear @ np.array(BLIND[kind]).T, 0, 1)
+    lab = np.cbrt(seen @ np.array(LAB).T) @ np.array(OKLAB).T
+    apart = [np.linalg.norm(a - b) for a, b in combinations(lab, 2)]
+    assert min(apart) > 0.07
+
+
+def test_series_differ_in_colour_or_marker() -> None:
+    looks = [tuple(sheet.series(i).values()) for i in range(42)]
+    assert len(set(looks)) == 42

@@ -1,0 +1,123 @@
+"""The passes are what runs: each value is seen, has a text, and is verified before the next one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import pytest
+from nscc_command import invoke
+
+from nscc import pipeline
+from nscc.checks import Inconsistent
+from nscc.emit.listing import text_after
+from nscc.lower.plan import LOWERINGS
+from nscc.pipeline import PASSES, Options, run_passes
+from nscc.prove.proof import Failure
+from nscc.source import Source
+
+NAMES = [each.name for each in PASSES]
+TEXT = "nsl 1 frame 8 slots of 1ms code stop : 1..7 open when n < stop pixels stop = 1 + x % 7\n"
+
+
+def compiled(**options):
+    """TEXT through all passes: (name, value) after each, and what comes out."""
+    seen = []
+    given = Options(level=0, cache=False, **options)
+    made = run_passes(Source("p.nsl", TEXT), Path(), given, lambda *each: seen.append(each))
+    return seen, made
+
+
+def test_every_value_is_seen_in_the_order_of_the_passes() -> None:
+    seen, made = compiled()
+    assert [name for name, _ in seen] == NAMES
+    values = dict(seen)
+    assert values["program"] is made.program
+    assert values["schedule"] is made.choice
+    assert values["words"] is made.container
+    assert values["prove"] is made.proof
+
+
+def test_a_pass_needs_nothing_but_the_value_before_it() -> None:
+    seen, _ = compiled(price_all=True)
+    job = pipeline.Job(Options(level=0, price_all=True), Path(), None)
+    values = dict(seen)
+    for before, each in pairwise(PASSES):
+        again, _ = each.run(values[before.name], job)
+        text = text_after(each.name, again)
+        assert text == text_after(each.name, values[each.name])
+        assert text.endswith("\n")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_every_pass_can_be_printed(name: str, tmp_path: Path) -> None:
+    (tmp_path / "p.nsl").write_text(TEXT)
+    outcome = invoke(["build", "p.nsl", "-O", "0", "--print-after", name], tmp_path)
+    assert outcome.status == 0
+    assert outcome.out == text_after(name, dict(compiled()[0])[name])
+
+
+def test_what_does_not_fit_is_printed_all_the_same(tmp_path: Path) -> None:
+    (tmp_path / "p.nsl").write_text(TEXT.replace("1ms", "1us"))
+    outcome = invoke(["build", "p.nsl", "--print-after", "schedule"], tmp_path)
+    assert outcome.codes == ["NS0601"]
+    assert "does not fit" in outcome.out
+
+
+def test_plans_and_gates_of_all_lowerings_are_shown() -> None:
+    values = dict(compiled(price_all=True)[0])
+    for name in ("plan", "gates"):
+        shown = text_after(name, values[name])
+        assert [shown.count(f"lowering {lowering}") for lowering in LOWERINGS] == [1, 1, 1]
+
+
+def spoilt_plan(planned):
+    """A step in other pixels."""
+    plan = planned.plans[0]
+    steps = [s._replace(predicate=s.predicate ^ 1) if s.predicate else s for s in plan.steps]
+    return replace(planned, plans=(replace(plan, steps=tuple(steps)), *planned.plans[1:]))
+
+
+def spoilt_gates(gated):
+    """Other codes."""
+    first = gated.tried[0]
+    planes = tuple(plane ^ 1 for plane in first.solution.planes)
+    solution = replace(first.solution, planes=planes)
+    return replace(gated, tried=(replace(first, solution=solution), *gated.tried[1:]))
+
+
+def spoilt_schedule(choice):
+    """The frame's words in another order."""
+    laid = choice.best.schedule
+    best = replace(choice.best, schedule=replace(laid, launches=laid.launches[::-1]))
+    return replace(choice, tried=(best,))
+
+
+SPOILT = {
+    "parse": lambda parsed: replace(parsed, source=Source("p.nsl", "nsl 1")),
+    "program": lambda program: replace(program, buckets=()),
+    "plan": spoilt_plan,
+    "gates": spoilt_gates,
+    "schedule": spoilt_schedule,
+    "words": lambda container: replace(container, readouts=()),
+    "prove": lambda proof: replace(proof, failure=Failure("a frame without light", 1)),
+}
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_value_that_is_wrong_is_a_fault_of_the_compiler(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def spoilt(each):
+        def run(value, job):
+            made, found = each.run(value, job)
+            return SPOILT[name](made), found
+
+        return replace(each, run=run) if each.name == name else each
+
+    monkeypatch.setattr(pipeline, "PASSES", tuple(map(spoilt, PASSES)))
+    with pytest.raises(Inconsistent):
+        compiled()
+    (tmp_path / "p.nsl").write_text(TEXT)
+    assert invoke(["build", "p.nsl", "-O", "0"], tmp_path).status == 70

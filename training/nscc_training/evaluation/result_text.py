@@ -1,0 +1,73 @@
+"""Results of `nscc evaluate` as people read them, and as they are kept."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections import Counter
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.files import Product
+
+
+def result_json(found: Any) -> str:
+    """A result as it is printed and written."""
+    return json.dumps(found, indent=2, allow_nan=False) + "\n"
+
+
+def arrays_in(folder: Path, arrays: Mapping[str, NDArray[Any]]) -> dict[Path, Product]:
+    """The files of `--save`: one NAME.npy in `folder`, which is made, for each array."""
+    folder.mkdir(parents=True, exist_ok=True)
+    products: dict[Path, Product] = {}
+    for name, values in arrays.items():
+        stream = io.BytesIO()
+        np.save(stream, values)
+        products[folder / f"{name}.npy"] = stream.getvalue()
+    return products
+
+
+def result_text(found: dict[str, Any]) -> str:
+    """A result of `nscc_training.evaluation.results` as a few lines."""
+    lines = [f"{found['method']}, protocol {found['protocol']} ({found['protocol_sha256'][:12]})"]
+    if found["sees"] == "truth":
+        lines.append("  a yardstick: it sees the truth, not the capture")
+    files = list(dict.fromkeys(item["file"] for item in found["items"]))
+    for file in files:
+        items = [item for item in found["items"] if item["file"] == file]
+        finite = [item["psnr_db"] for item in items if item["psnr_db"] != "inf"]
+        mean = f"{sum(finite) / len(finite):.2f} dB" if finite else "inf"
+        ssim = sum(item["ssim"] for item in items) / len(items)
+        lines.append(f"  {file:32} {mean}, SSIM {ssim:.4f}, {len(items)} items")
+    passed = Counter(f"{entry['file']}: {entry['reason']}" for entry in found["left_out"])
+    for reason, count in passed.items():
+        lines.append(f"  left out: {reason}" + (f", {count} times" if count > 1 else ""))
+    if found["mean"] is not None:
+        interval = found["ci95"]
+        between = "one scene" if interval is None else "95 % {:.2f} to {:.2f}".format(*interval)
+        lines.append(
+            f"  mean {found['mean']:.2f} dB, sd {found['sd']:.2f}, {between}"
+            f", {found['infinite']} infinite"
+        )
+    if found["decoder_ms"] is not None:
+        lines.append(f"  {found['decoder_ms']:.0f} ms a scene on {found['device']}")
+    return "\n".join(lines) + "\n"
+
+
+def comparison_text(found: Mapping[str, Any], metric: str) -> str:
+    """What `nscc_training.evaluation.results.compare` found, in a line."""
+    gain, interval = found["gain_db"], found["ci95"]
+    if gain is None:
+        return "no pair of items has finite scores"
+    unit = " dB" if metric.endswith("_db") else ""
+    between = "one scene" if interval is None else f"95 % {interval[0]:+.3f} to {interval[1]:+.3f}"
+    seeds = f" with {found['pairs']} seeds" if found["pairs"] > 1 else ""
+    return (
+        f"{found['second']['method']} over {found['first']['method']}: {gain:+.3f}{unit}, "
+        f"{between} ({metric}, {found['items']} items of {found['scenes']} scenes{seeds}, "
+        f"protocol {found['protocol']})"
+    )

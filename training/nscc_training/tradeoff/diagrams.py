@@ -1,0 +1,59 @@
+"""The pictures of what decoding time and slots buy."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from nscc.tradeoff.points import Point
+from nscc_runtime.pictures.precision import Panel, Reading, precision_diagram
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from nscc_training.tradeoff.sensor import Measured
+
+TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
+"""What the units of a decoder's points are called."""
+
+
+def decoder_diagram(points: Sequence[Point], repeats: int, device: str) -> Figure:
+    """For each case, and each of TITLES, error against time of one scene, a line a decoder."""
+    panels = [
+        Panel(case, title, [point for point in held if point.error_unit == unit])
+        for case, group in groupby(points, key=lambda point: point.case)
+        for held in [list(group)]
+        for unit, title in TITLES.items()
+    ]
+    times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
+    return precision_diagram(
+        panels, "What decoding time buys",
+        f"more is better; hollow: dominated; time of one scene, {times}, on {device}",
+        Reading("time of one scene, ms", linear=True),
+    )  # fmt: skip
+
+
+def sensor_diagram(found: Measured, slot_us: float | None) -> Figure:
+    """PSNR against the shortest slot, or against slots of `slot_us`: stills apart from clips."""
+
+    def names(point: Point) -> tuple[str, str]:
+        """Panel and line: stills have one class; clips have a panel for each way to compile."""
+        shutters, way = point.method.split(", ", 1)
+        return (f"stills, class {shutters}", way) if point.case == "stills" else (way, shutters)
+
+    points = sorted(found.points, key=names)
+    panels = [
+        Panel(title, "PSNR, dB", list(group))
+        for title, group in groupby(points, key=lambda point: names(point)[0])
+    ]
+    slots = "shortest slots" if slot_us is None else f"slots of {slot_us:g} us"
+    return precision_diagram(
+        panels, "What the shortest slot costs",
+        f"captured by the emulated {found.target} at {slots} (numbers: slots of a frame; hollow: "
+        "dominated), decoded without training",
+        Reading(
+            "shortest slot, us", 1e3, lambda point: names(point)[1],
+            lambda point: point.setting.split()[0], linear=True,
+        ),
+    )  # fmt: skip
