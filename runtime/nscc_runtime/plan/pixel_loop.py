@@ -147,6 +147,90 @@ def _execute(
         registers[register] = value
 
 
+@compiled
+def _surround(sizes: Sizes, place: int, places: Ints) -> None:
+    """places := the pixel and its neighbours up, down, left and right; -1 where there is none."""
+    rows, cols = sizes.rows, sizes.cols
+    row, col = place // cols, place % cols
+    places[0] = place
+    places[1] = place - cols if row > 0 else -1
+    places[2] = place + cols if row + 1 < rows else -1
+    places[3] = place - 1 if col > 0 else -1
+    places[4] = place + 1 if col + 1 < cols else -1
+
+
+@compiled
+def _begin(sizes: Sizes, numbers: Numbers, keys: Keys, place: int, registers: Floats) -> None:
+    """What registers hold when a frame begins."""
+    pix = sizes.registers
+    for register in range(pix + 1):
+        # PIX comes first in the stream of what registers hold at the start.
+        stream = np.uint64(0 if register == pix else register + 1)
+        held = uniform(stream_key(keys.start, 0, stream), place) / 2.0
+        most = numbers.pix_start if register == pix else numbers.register_start
+        registers[register] = held * most
+    registers[pix + 1] = 0.0
+    registers[pix + 2] = 0.0
+
+
+@compiled
+def _fall(sizes: Sizes, numbers: Numbers, charge_e: float, registers: Floats) -> None:
+    """Charge falls on PIX."""
+    pix = sizes.registers
+    registers[pix] += charge_e
+    if sizes.holds and registers[pix] > numbers.well:
+        registers[pix] = numbers.well
+
+
+@compiled
+def _run(
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, leak: float, first: int, stop: int,
+    start_s: Floats, groups: Ints32, present: Bytes, lanes: Ints32, group_ids: Words,
+    entries: Entries, operands: Ints, weights: Floats, signs: Floats, rates: Floats, heap: Floats,
+    stamps: Ints, missing: Floats, registers: Floats, places: Ints,
+) -> None:  # fmt: skip
+    """Run a pixel through its words, the charge of the slots falling meanwhile."""
+    slots, pattern = sizes.slots, 0.0
+    if sizes.word_errors:
+        z = normal(uniform(keys.pattern, place))
+        pattern = numbers.bias + numbers.pattern * z
+    at, fallen = 0, 0.0
+    for e in range(first, stop + 1):
+        boundary = slots if e == stop else entries[e].boundary
+        if e < stop and not entries[e].acts:
+            continue
+        if at < boundary:
+            fallen_e = charge(
+                sizes, numbers, keys, places, at + 1, boundary, rates, groups, present,
+                lanes, group_ids, heap, stamps,
+            )  # fmt: skip
+            fallen_e += (1.0 - fallen) * charge(
+                sizes, numbers, keys, places, at, at + 1, rates, groups, present,
+                lanes, group_ids, heap, stamps,
+            )  # fmt: skip
+            _fall(sizes, numbers, fallen_e, registers)
+            if sizes.leaks:
+                kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
+                for register in range(sizes.registers):
+                    registers[register] *= kept
+            at, fallen = boundary, 0.0
+        if e == stop:
+            break
+        if sizes.slow_words:
+            now = entries[e].end
+            slot = at if at < slots else slots - 1
+            fallen_e = (now - fallen) * charge(
+                sizes, numbers, keys, places, slot, slot + 1, rates, groups, present,
+                lanes, group_ids, heap, stamps,
+            )  # fmt: skip
+            _fall(sizes, numbers, fallen_e, registers)
+            fallen = now
+        _execute(
+            sizes, numbers, keys, place, e, entries, operands, weights, signs, missing, pattern,
+            registers,
+        )  # fmt: skip
+
+
 @loop
 def run_pixels(
     sizes: Sizes,
@@ -187,17 +271,10 @@ def run_pixels(
     `weights`: of their draws in the buckets. From `rates` to `places`: scratch, `stamps` and `tags`
     once filled with -1. Places in rising order find most of their neighbours' charge already there.
     """
-    slots, rows, cols = sizes.slots, sizes.rows, sizes.cols
-    buckets, pix = sizes.buckets, sizes.registers
-    well = numbers.well
+    buckets = sizes.buckets
     for i in range(sizes.pixels):
-        place = chosen[i]
-        row, col = place // cols, place % cols
-        places[0] = place
-        places[1] = place - cols if row > 0 else -1
-        places[2] = place + cols if row + 1 < rows else -1
-        places[3] = place - 1 if col > 0 else -1
-        places[4] = place + 1 if col + 1 < cols else -1
+        place, lane = chosen[i], lanes[chosen[i]]
+        _surround(sizes, place, places)
         for site in range(SITES if sizes.exchanges else 1):
             if places[site] < 0:
                 continue
@@ -208,66 +285,23 @@ def run_pixels(
                     slot_s, groups, present, lanes, group_ids, rates, heap, stamps,
                 )  # fmt: skip
                 tags[site_at] = places[site]
-        lane = lanes[place]
         first, stop = entry_start[lane], entry_start[lane + 1]
         if sizes.read_errors:
             _missing(sizes, keys, place, first, stop, entries, weights, _READS, missing)
         if sizes.reset_errors:
             _missing(sizes, keys, place, first, stop, entries, weights, _RESETS, missing)
-        pattern, leak = 0.0, 0.0
+        leak = 0.0
         if sizes.word_errors:
             _missing(sizes, keys, place, first, stop, entries, weights, _WORDS, missing)
-            z = normal(uniform(keys.pattern, place))
-            pattern = numbers.bias + numbers.pattern * z
         if sizes.leaks:
             z = normal(uniform(keys.leak, place))
             leak = numbers.leak * log_normal_in_loop(numbers.leak_variance, z)
-        for register in range(pix + 1):
-            # PIX comes first in the stream of what registers hold at the start.
-            stream = np.uint64(0 if register == pix else register + 1)
-            held = uniform(stream_key(keys.start, 0, stream), place) / 2.0
-            most = numbers.pix_start if register == pix else numbers.register_start
-            registers[register] = held * most
-        registers[pix + 1] = 0.0
-        registers[pix + 2] = 0.0
-        at, fallen = 0, 0.0
-        for e in range(first, stop + 1):
-            boundary = slots if e == stop else entries[e].boundary
-            if e < stop and not entries[e].acts:
-                continue
-            if at < boundary:
-                fallen_e = charge(
-                    sizes, numbers, keys, places, at + 1, boundary, rates, groups, present,
-                    lanes, group_ids, heap, stamps,
-                )  # fmt: skip
-                fallen_e += (1.0 - fallen) * charge(
-                    sizes, numbers, keys, places, at, at + 1, rates, groups, present,
-                    lanes, group_ids, heap, stamps,
-                )  # fmt: skip
-                registers[pix] += fallen_e
-                if sizes.holds and registers[pix] > well:
-                    registers[pix] = well
-                if sizes.leaks:
-                    kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
-                    for register in range(pix):
-                        registers[register] *= kept
-                at, fallen = boundary, 0.0
-            if e == stop:
-                break
-            if sizes.slow_words:
-                now = entries[e].end
-                slot = at if at < slots else slots - 1
-                registers[pix] += (now - fallen) * charge(
-                    sizes, numbers, keys, places, slot, slot + 1, rates, groups, present,
-                    lanes, group_ids, heap, stamps,
-                )  # fmt: skip
-                if sizes.holds and registers[pix] > well:
-                    registers[pix] = well
-                fallen = now
-            _execute(
-                sizes, numbers, keys, place, e, entries, operands, weights, signs, missing, pattern,
-                registers,
-            )  # fmt: skip
+        _begin(sizes, numbers, keys, place, registers)
+        _run(
+            sizes, numbers, keys, place, leak, first, stop, start_s, groups, present, lanes,
+            group_ids, entries, operands, weights, signs, rates, heap, stamps, missing, registers,
+            places,
+        )  # fmt: skip
         for bucket in range(buckets):
             value = registers[readout_register[bucket]] * readout_gain[bucket]
             if sizes.leaks:
