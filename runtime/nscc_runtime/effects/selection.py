@@ -46,8 +46,14 @@ class Selection:
         return [each.reference[stage] for each in self.effects if stage in each.reference]
 
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
-        """Those that have a part of that kind in sums over slots, with the part."""
-        return [(effect, part) for effect in self.effects for part in effect.parts(kind)]
+        """Those that have a part of that kind in sums over slots, with the part; kept."""
+        if kind not in self._having:
+            self._having[kind] = [(e, part) for e in self.effects for part in e.parts(kind)]
+        return self._having[kind]
+
+    @cached_property
+    def _having(self) -> dict[type[Part], list[Any]]:
+        return {}
 
     def part(self, kind: type[P]) -> P | None:
         """The part of that kind; None where nothing that is on has one."""

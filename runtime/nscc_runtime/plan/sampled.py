@@ -124,7 +124,7 @@ class SampledScene:
     def _light(self) -> dict[Model, Values]:
         """`light` by every model of the words that an effect may ask for, summed in one go."""
         models = {self.program.full, self._faster}
-        models |= {self.program.model(self.all.without(each.name)) for each in self.all.effects}
+        models |= {*self.program.less.values()}
         known = list({self.program.tables.same(model): None for model in models})
         weights = [
             each
@@ -150,7 +150,7 @@ class SampledScene:
 
     def without(self, name: str) -> Values:
         """`light` as the words would weigh it without an effect."""
-        return self.lit(self.program.model(self.all.without(name)))
+        return self.lit(self.program.less[name])
 
     @cached_property
     def base(self) -> Values:
