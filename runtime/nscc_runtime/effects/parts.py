@@ -22,8 +22,11 @@ Values = NDArray[np.float64]
 
 
 class Part:
-    """A part of an effect. `fused`: the loop that does a simple plan in one go has it too."""
+    """A part of an effect, for what it does at a `stage` of the reference. `fused`: the loop that
+    does a simple plan in one go has it too.
+    """
 
+    stage: ClassVar[str]
     fused: ClassVar[bool] = False
 
 
@@ -31,6 +34,7 @@ class Part:
 class Moving(Part):
     """Light is that with motion inside slots, where a scene has any."""
 
+    stage: ClassVar[str] = "scene"
     fused: ClassVar[bool] = True
 
 
@@ -38,6 +42,7 @@ class Moving(Part):
 class Echo(Part):
     """A part of the light of the frame before, the same scene, comes again."""
 
+    stage: ClassVar[str] = "light"
     fraction: OfSensor
     fused: ClassVar[bool] = True
 
@@ -46,6 +51,7 @@ class Echo(Part):
 class Response(Part):
     """A factor of each pixel on its light."""
 
+    stage: ClassVar[str] = "response"
     factor: OnDevice
     fused: ClassVar[bool] = True
 
@@ -59,6 +65,7 @@ class Counted(Part):
 class CountedLight(Counted):
     """Of light."""
 
+    stage: ClassVar[str] = "count"
     fused: ClassVar[bool] = True
 
 
@@ -66,6 +73,7 @@ class CountedLight(Counted):
 class CountedDark(Counted):
     """Of charge that falls without light, `per_s` electrons a second in the mean."""
 
+    stage: ClassVar[str] = "charge"
     per_s: OnDevice
 
 
@@ -74,6 +82,7 @@ class Exchange(Part):
     """A part of the charge of a pixel goes to each of its four neighbours: `smeared(charge (..,
     rows, cols), fraction)` is what there is afterwards."""
 
+    stage: ClassVar[str] = "neighbours"
     fraction: OfSensor
     smeared: Callable[[Values, float], Values]
 
@@ -89,6 +98,7 @@ class Saturates(Part):
 class Well(Saturates):
     """PIX holds `full_e`, exactly: sums of one read may be clipped."""
 
+    stage: ClassVar[str] = "well"
     full_e: OfSensor
 
 
@@ -96,6 +106,7 @@ class Well(Saturates):
 class Soft(Saturates):
     """Registers are linear up to `linear_e`; of a value of this size they lose `lost_e`."""
 
+    stage: ClassVar[str] = "registers"
     linear_e: OfSensor
     lost_e: Callable[[Sensor, Values], Values]
 
@@ -109,12 +120,18 @@ class Errors(Part):
     sigma_e: OfSensor
     fused: ClassVar[bool] = True
 
+    @property
+    def stage(self) -> str:  # type: ignore[override]
+        """Where it is made."""
+        return self.at
+
 
 @dataclass(frozen=True)
 class WordGain(Part):
     """A word multiplies with `gain` and adds a fixed error: of mean `mean_e` and standard deviation
     `spread_e` over the pixels."""
 
+    stage: ClassVar[str] = "words"
     gain: OfSensor
     error_e: OnDevice
     mean_e: OfSensor
@@ -126,6 +143,7 @@ class Leak(Part):
     """Registers lose their values at a rate in 1/s of each pixel: 1 / `tau_s` in the mean,
     lognormal, `spread` its relative standard deviation."""
 
+    stage: ClassVar[str] = "hold"
     per_s: OnDevice
     tau_s: OfSensor
     spread: OfSensor
@@ -135,16 +153,21 @@ class Leak(Part):
 class SlowWords(Part):
     """Light falls while words run."""
 
+    stage: ClassVar[str] = "time"
+
 
 @dataclass(frozen=True)
 class Fading(Part):
     """Digital registers lose their values after a while."""
+
+    stage: ClassVar[str] = "digital"
 
 
 @dataclass(frozen=True)
 class Converter(Part):
     """The converter is off by `sigma_lsb` codes, drawn for every pixel and bucket."""
 
+    stage: ClassVar[str] = "converter"
     sigma_lsb: OfSensor
     fused: ClassVar[bool] = True
 
@@ -153,6 +176,7 @@ class Converter(Part):
 class Codes(Part):
     """The converter's codes: electrons a code, and the code of no electrons."""
 
+    stage: ClassVar[str] = "codes"
     electrons: OfSensor
     offset: OfSensor
     fused: ClassVar[bool] = True

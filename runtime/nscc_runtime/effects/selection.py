@@ -9,11 +9,10 @@ from typing import Any, TypeVar
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.suggest import closest
-from nscc_runtime.effects.effect import Effect
+from nscc_runtime.effects.effect import RESERVED, Effect
 from nscc_runtime.effects.parts import Errors, Part
 from nscc_runtime.effects.registry import always_on, by_name, optional, registered
 
-_WORDS = ("auto", "all", "none")
 P = TypeVar("P", bound=Part)
 
 
@@ -93,12 +92,12 @@ def selected(text: str) -> Selection:
     """
     parts = [part.strip() for part in text.split(",") if part.strip()]
     if not parts:
-        raise _wrong("--effects names no effect", f"write one of {', '.join(_WORDS)}, or effects")
+        raise _wrong("--effects names no effect", f"write one of {', '.join(RESERVED)}, or effects")
     auto = parts[0] == "auto"
     on = set(optional()) if parts[0] in ("auto", "all") or parts[0][0] == "-" else set()
     forced: set[str] = set()
     for index, part in enumerate(parts):
-        if part in _WORDS:
+        if part in RESERVED:
             if index:
                 raise _wrong(f"--effects has `{part}` after its beginning", f"put `{part}` first")
             continue
@@ -116,7 +115,7 @@ def named(name: str) -> Effect:
     """The effect of that name; NS0756 (status 2) if there is none."""
     found = by_name().get(name)
     if found is None:
-        near = closest(name, (*by_name(), *_WORDS))
+        near = closest(name, (*by_name(), *RESERVED))
         raise _wrong(
             f"there is no effect {name[:60]!a}",
             f"did you mean `{near}`?" if near else "`nscc effects` lists them",
