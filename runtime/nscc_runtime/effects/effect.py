@@ -146,7 +146,7 @@ class Effect:
         ]
         if not re.fullmatch(r"[a-z][a-z0-9_]*", str(self.name)) or self.name in RESERVED:
             found.append(
-                "a `name` of small letters, digits and `_`: auto, all and none are choices"
+                "a `name` of small letters, digits, `_`; auto, all and none are choices"
             )
         if not (isinstance(self.stream, int) and 0 < self.stream < 1 << 32):
             found.append("`stream`, a number from 1 to 2**32 - 1")
