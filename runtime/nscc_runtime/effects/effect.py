@@ -145,9 +145,7 @@ class Effect:
             if not (isinstance(getattr(self, name), str) and getattr(self, name).strip())
         ]
         if not re.fullmatch(r"[a-z][a-z0-9_]*", str(self.name)) or self.name in RESERVED:
-            found.append(
-                "a `name` of small letters, digits, `_`; auto, all and none are choices"
-            )
+            found.append("a `name` of small letters, digits, `_`; auto, all and none are choices")
         if not (isinstance(self.stream, int) and 0 < self.stream < 1 << 32):
             found.append("`stream`, a number from 1 to 2**32 - 1")
         if self.kind not in get_args(Kind):
@@ -174,7 +172,8 @@ class Effect:
         elif not isinstance(self.sums, CannotHave):
             strange = [each for each in self.sums if not isinstance(each, Part)]
             found += [f"`sums` of known parts only, and {each!r:.60} is none" for each in strange]
-            bare = {*self.reference} ^ {part.stage for part in self.parts(Part)}
+            made = {getattr(part, "at", part.stage) for part in self.parts(Part)}
+            bare = {*self.reference} ^ made
             if not strange and bare:
                 text = "`sums` that go with `reference`: one of them has no "
                 found.append(text + ", ".join(sorted(bare)))

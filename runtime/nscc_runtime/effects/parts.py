@@ -26,112 +26,90 @@ class Part:
     does a simple plan in one go has it too.
     """
 
-    stage: ClassVar[str]
+    stage: ClassVar[str] = ""
     fused: ClassVar[bool] = False
 
+    def __init_subclass__(cls, stage: str = "", fused: bool = False) -> None:
+        cls.stage, cls.fused = stage, fused
+
 
 @dataclass(frozen=True)
-class Moving(Part):
+class Moving(Part, stage="scene", fused=True):
     """Light is that with motion inside slots, where a scene has any."""
 
-    stage: ClassVar[str] = "scene"
-    fused: ClassVar[bool] = True
-
 
 @dataclass(frozen=True)
-class Echo(Part):
+class Echo(Part, stage="light", fused=True):
     """A part of the light of the frame before, the same scene, comes again."""
 
-    stage: ClassVar[str] = "light"
     fraction: OfSensor
-    fused: ClassVar[bool] = True
 
 
 @dataclass(frozen=True)
-class Response(Part):
+class Response(Part, stage="response", fused=True):
     """A factor of each pixel on its light."""
 
-    stage: ClassVar[str] = "response"
     factor: OnDevice
-    fused: ClassVar[bool] = True
 
 
-@dataclass(frozen=True)
 class Counted(Part):
     """Charge is counted in whole electrons."""
 
 
 @dataclass(frozen=True)
-class CountedLight(Counted):
+class CountedLight(Counted, stage="count", fused=True):
     """Of light."""
-
-    stage: ClassVar[str] = "count"
-    fused: ClassVar[bool] = True
 
 
 @dataclass(frozen=True)
-class CountedDark(Counted):
+class CountedDark(Counted, stage="charge"):
     """Of charge that falls without light, `per_s` electrons a second in the mean."""
 
-    stage: ClassVar[str] = "charge"
     per_s: OnDevice
 
 
 @dataclass(frozen=True)
-class Exchange(Part):
+class Exchange(Part, stage="neighbours"):
     """A part of the charge of a pixel goes to each of its four neighbours: `smeared(charge (..,
     rows, cols), fraction)` is what there is afterwards."""
 
-    stage: ClassVar[str] = "neighbours"
     fraction: OfSensor
     smeared: Callable[[Values, float], Values]
 
 
-@dataclass(frozen=True)
 class Saturates(Part):
     """Something holds no more than so much; pixels that come near run through their words."""
 
-    fused: ClassVar[bool] = True
-
 
 @dataclass(frozen=True)
-class Well(Saturates):
+class Well(Saturates, stage="well", fused=True):
     """PIX holds `full_e`, exactly: sums of one read may be clipped."""
 
-    stage: ClassVar[str] = "well"
     full_e: OfSensor
 
 
 @dataclass(frozen=True)
-class Soft(Saturates):
+class Soft(Saturates, stage="registers", fused=True):
     """Registers are linear up to `linear_e`; of a value of this size they lose `lost_e`."""
 
-    stage: ClassVar[str] = "registers"
     linear_e: OfSensor
     lost_e: Callable[[Sensor, Values], Values]
 
 
 @dataclass(frozen=True)
-class Errors(Part):
-    """Many small errors that are one draw a bucket: `sigma_e` at every read or reset of PIX, or
+class Errors(Part, fused=True):
+    """Many small errors that are one draw a bucket: `sigma_e` `at` every read or reset of PIX, or
     at every word."""
 
     at: Literal["reads", "resets", "words"]
     sigma_e: OfSensor
-    fused: ClassVar[bool] = True
-
-    @property
-    def stage(self) -> str:  # type: ignore[override]
-        """Where it is made."""
-        return self.at
 
 
 @dataclass(frozen=True)
-class WordGain(Part):
+class WordGain(Part, stage="words"):
     """A word multiplies with `gain` and adds a fixed error: of mean `mean_e` and standard deviation
     `spread_e` over the pixels."""
 
-    stage: ClassVar[str] = "words"
     gain: OfSensor
     error_e: OnDevice
     mean_e: OfSensor
@@ -139,44 +117,35 @@ class WordGain(Part):
 
 
 @dataclass(frozen=True)
-class Leak(Part):
+class Leak(Part, stage="hold"):
     """Registers lose their values at a rate in 1/s of each pixel: 1 / `tau_s` in the mean,
     lognormal, `spread` its relative standard deviation."""
 
-    stage: ClassVar[str] = "hold"
     per_s: OnDevice
     tau_s: OfSensor
     spread: OfSensor
 
 
 @dataclass(frozen=True)
-class SlowWords(Part):
+class SlowWords(Part, stage="time"):
     """Light falls while words run."""
 
-    stage: ClassVar[str] = "time"
-
 
 @dataclass(frozen=True)
-class Fading(Part):
+class Fading(Part, stage="digital"):
     """Digital registers lose their values after a while."""
 
-    stage: ClassVar[str] = "digital"
-
 
 @dataclass(frozen=True)
-class Converter(Part):
+class Converter(Part, stage="converter", fused=True):
     """The converter is off by `sigma_lsb` codes, drawn for every pixel and bucket."""
 
-    stage: ClassVar[str] = "converter"
     sigma_lsb: OfSensor
-    fused: ClassVar[bool] = True
 
 
 @dataclass(frozen=True)
-class Codes(Part):
+class Codes(Part, stage="codes", fused=True):
     """The converter's codes: electrons a code, and the code of no electrons."""
 
-    stage: ClassVar[str] = "codes"
     electrons: OfSensor
     offset: OfSensor
-    fused: ClassVar[bool] = True
