@@ -38,9 +38,10 @@ ROOMS = (
     ("syntax",),
     ("installation", "program"),
     ("lower",),
-    ("checks", "emit"),
+    ("checks",),
     ("pipeline",),
-    ("limits", "tradeoff"),
+    ("emit", "limits"),
+    ("tradeoff",),
     ("compiler",),
     ("containers",),
 )
