@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.advice import judge_bumps, judge_codes, judge_names, judge_rules
 from nscc.program.classes import Recognised, recognise
-from nscc.program.expressions import Checked, names_in
+from nscc.program.expressions import names_in
 from nscc.program.limits import SURVEY_LIMIT
 from nscc.program.names import Declarations, Rule
 from nscc.program.pixels import codes_in_use, rows_of
@@ -43,31 +45,26 @@ from nscc.target.target import Target
 from nscc.words.container import DecodeTable
 
 
+@dataclass(eq=False, repr=False)
 class Completion:
     """The second half of the analysis: codes, shutters and class of sound declarations.
 
     `planes` has the values of every field at every pixel where the file has `pixels`.
     """
 
-    def __init__(
-        self,
-        problems: Problems,
-        declared: Declarations,
-        target: Target,
-        frame: Frame,
-        rules: Rules,
-        planes: dict[str, Plane],
-        codes: Codes,
-    ) -> None:
-        self.problems = problems
-        self.declared = declared
-        self.target = target
-        self.frame = frame
-        self.rules = rules
-        self.planes = [planes[f.name] for f in rules.fields] if declared.has_pixels else []
-        self.has_data = declared.has_pixels or not rules.fields
-        self.mode: Codes = codes if declared.has_pixels and rules.fields else "open"
-        self.buckets = tuple(_bucket(rule) for rule in declared.rules)
+    problems: Problems
+    declared: Declarations
+    target: Target
+    frame: Frame
+    rules: Rules
+    planes: dict[str, Plane]
+    codes: Codes
+
+    def __post_init__(self) -> None:
+        has_pixels, fields = self.declared.has_pixels, self.rules.fields
+        self.has_data = has_pixels or not fields
+        self.mode: Codes = self.codes if has_pixels and fields else "open"
+        self.buckets = tuple(_bucket(rule) for rule in self.declared.rules)
 
     def run(self) -> Program:
         """The program; raises Rejected for codes that break `require` (NS0312), rules without a
@@ -99,7 +96,8 @@ class Completion:
 
     def _codes_in_use(self) -> tuple[CodeArray, NDArray[np.int32]]:
         shape = (self.target.rows, self.target.cols)
-        in_use, at_pixel = codes_in_use(self.planes, shape)
+        planes = [self.planes[field.name] for field in self.rules.fields] if self.planes else []
+        in_use, at_pixel = codes_in_use(planes, shape)
         if self.has_data:
             self._require(in_use, at_pixel)
         return in_use, at_pixel
@@ -123,7 +121,7 @@ class Completion:
             for statement, condition in zip(
                 self.declared.requires, self.rules.requires, strict=True
             )
-            if not allowed(self._with_requires([condition]), code[None, :])[0]
+            if not allowed(replace(self.rules, requires=[condition]), code[None, :])[0]
         )
         self.problems.error(
             "NS0312",
@@ -134,10 +132,6 @@ class Completion:
             data={"x": x, "y": y, "pixels": count},
         )
         self.problems.stop_on_errors()
-
-    def _with_requires(self, requires: list[Checked]) -> Rules:
-        rules = self.rules
-        return Rules(rules.fields, requires, rules.rules, rules.books, rules.slots)
 
     def _decode(self, codes: CodeArray, mode: Codes) -> DecodeTable:
         try:
@@ -219,15 +213,8 @@ class Completion:
             self._too_much(problem, span, mode)
         else:
             for finding in problem.findings:
-                fault = finding.fault
-                self.problems.error(
-                    fault.code,
-                    fault.message,
-                    fault.span,
-                    fault.text,
-                    notes=(finding.text,),
-                    data={"count": finding.count},
-                )
+                notes, data = (finding.text,), {"count": finding.count}
+                self.problems.error(*finding.fault, notes=notes, data=data)
         return Rejected(self.problems.sorted())
 
     def _too_much(self, problem: TooMuch, span: Span, mode: Codes) -> None:

@@ -7,6 +7,7 @@ nodes in evaluation order, by a loop: a chain of ten thousand operators is no de
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from typing import Literal, assert_never
 
 from nscc.program.problems import Problems, clipped
@@ -33,6 +34,7 @@ LIMIT = 2**62 - 1
 MinMax = ("min", "max")
 
 
+@dataclass(eq=False, repr=False)
 class Meaning:
     """What a name stands for in one place.
 
@@ -41,19 +43,10 @@ class Meaning:
     is known but cannot stand here, and `note` says why.
     """
 
-    __slots__ = ("bits", "kind", "note", "value")
-
-    def __init__(
-        self,
-        kind: Literal["constant", "variable", "book", "failed", "misplaced"],
-        value: int = 0,
-        note: str = "",
-        bits: bool = False,
-    ) -> None:
-        self.kind = kind
-        self.value = value
-        self.note = note
-        self.bits = bits
+    kind: Literal["constant", "variable", "book", "failed", "misplaced"]
+    value: int = 0
+    note: str = ""
+    bits: bool = False
 
 
 Scope = Mapping[str, Meaning]
@@ -61,6 +54,7 @@ FAILED = Meaning("failed")
 VARIABLE = Meaning("variable")
 
 
+@dataclass(eq=False, repr=False)
 class Checked:
     """An expression whose names and types are right.
 
@@ -68,22 +62,11 @@ class Checked:
     of constant names, `variables` the fields and n, x, y that it reads, `books` its codebooks.
     """
 
-    __slots__ = ("books", "constants", "nodes", "span", "type", "variables")
-
-    def __init__(
-        self,
-        nodes: tuple[Expr, ...],
-        type_: Type,
-        constants: Mapping[str, int],
-        variables: frozenset[str],
-        books: frozenset[str],
-    ) -> None:
-        self.nodes = nodes
-        self.type = type_
-        self.constants = constants
-        self.variables = variables
-        self.books = books
-        self.span = nodes[-1].span
+    nodes: tuple[Expr, ...]
+    type: Type
+    constants: Mapping[str, int]
+    variables: frozenset[str]
+    books: frozenset[str]
 
 
 def operands(node: Expr) -> tuple[Expr, ...]:
