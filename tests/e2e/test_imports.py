@@ -29,8 +29,8 @@ FLOORS = {
 """From the ground up: each may import those before it."""
 
 ROOMS = (
-    ("operations", "requirements", "source", "truth"),
-    ("diagnostics",),
+    ("npy", "operations", "requirements", "source", "truth"),
+    ("diagnostics", "macros"),
     ("files", "plugins", "toml"),
     ("target",),
     ("logic", "words"),

@@ -11,9 +11,9 @@ Operands are register names, destinations first.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
 from itertools import groupby
 
 from nscc.operations import (
@@ -263,14 +263,13 @@ def _macros() -> Iterator[Mnemonic]:
             for text in (re.sub(r"\[.*?\]", "", line), re.sub(r"[\[\]]", "", line)):
                 forms[len(_Form(text).operands)] = _Form(text)
         scratch = {r for form in forms.values() for _, operands in form.words for r in operands[:1]}
-        yield Mnemonic(
-            name,
-            "` or `".join(shown),
-            lambda x, forms=forms: forms[len(x)].write(x),
-            min(forms),
-            max(forms),
-            tuple(r for r in (SCRATCH, GUARD, GUARDED) if r in scratch),
-        )
+        passed = tuple(r for r in (SCRATCH, GUARD, GUARDED) if r in scratch)
+        usage, write = "` or `".join(shown), partial(_written, forms)
+        yield Mnemonic(name, usage, write, min(forms), max(forms), passed)
+
+
+def _written(forms: Mapping[int, _Form], given: Sequence[str]) -> Ops:
+    return forms[len(given)].write(given)
 
 
 _IN_PLACE = (
