@@ -28,19 +28,7 @@ from nscc.program.table import (
     legal_codes,
 )
 from nscc.source import Span
-from nscc.syntax.tree import (
-    Bucket,
-    CodeBits,
-    CodeRange,
-    EqualSlots,
-    Expr,
-    Int,
-    Node,
-    PixelsExpr,
-    PixelsTile,
-    TargetByName,
-    TargetFromFile,
-)
+from nscc.syntax import tree
 from nscc.target.target import Target
 from nscc.words.container import DecodeTable
 
@@ -245,44 +233,44 @@ class Completion:
         return max(self.rules.fields, key=lambda f: f.high - f.low).span
 
     def _pixels_span(self) -> Span:
-        statements: list[Node] = list(self.declared.pixels.values())
+        statements: list[tree.Node] = list(self.declared.pixels.values())
         if self.declared.pixels_file is not None:
             statements.append(self.declared.pixels_file)
         return min((s.span for s in statements), key=lambda span: span.start)
 
 
 def _bucket(rule: Rule) -> BucketRule:
-    if isinstance(rule, Bucket):
+    if isinstance(rule, tree.Bucket):
         return BucketRule(rule.name.text, rule.span)
     return BucketRule("frame", rule.span)
 
 
 def _names_read(declared: Declarations) -> set[str]:
     """Every name that an expression anywhere in the file reads."""
-    exprs: list[Expr] = [let.value for let in declared.lets.values()]
+    exprs: list[tree.Expr] = [let.value for let in declared.lets.values()]
     exprs += [r.condition for r in declared.requires]
     exprs += [r.rule for r in declared.rules]
-    if isinstance(declared.frame, EqualSlots):
+    if isinstance(declared.frame, tree.EqualSlots):
         exprs.append(declared.frame.count)
     for code in declared.codes.values():
-        if isinstance(code, CodeRange):
+        if isinstance(code, tree.CodeRange):
             exprs += [code.low, code.high]
-        elif isinstance(code, CodeBits):
+        elif isinstance(code, tree.CodeBits):
             exprs.append(code.count)
     for pixels in declared.pixels.values():
-        if isinstance(pixels, PixelsExpr):
+        if isinstance(pixels, tree.PixelsExpr):
             exprs.append(pixels.value)
-        elif isinstance(pixels, PixelsTile):
+        elif isinstance(pixels, tree.PixelsTile):
             values = (value for row in pixels.rows for value in row.values)
-            exprs += [value for value in values if not isinstance(value, Int)]
+            exprs += [value for value in values if not isinstance(value, tree.Int)]
     return {name.text for expr in exprs for name in names_in(expr)}
 
 
-def _named_at(target: TargetByName | TargetFromFile | None) -> Span | None:
+def _named_at(target: tree.TargetByName | tree.TargetFromFile | None) -> Span | None:
     """Where the target statement names the chip."""
     match target:
-        case TargetByName(name=name):
+        case tree.TargetByName(name=name):
             return name.span
-        case TargetFromFile(path=path):
+        case tree.TargetFromFile(path=path):
             return path.span
     return None
