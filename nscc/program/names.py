@@ -149,7 +149,7 @@ class _Gatherer:
             f"`{word}` is given twice; a program has one",
             second.span,
             "the second",
-            related=_related(first.span, "the first"),
+            related=(Label(first.span, "the first"),),
         )
         return False
 
@@ -179,7 +179,7 @@ class _Gatherer:
             message,
             name.span,
             "the second",
-            related=_related(first, "the first"),
+            related=(Label(first, "the first"),),
             helps=("choose another name for one of them",),
         )
         return False
@@ -195,7 +195,7 @@ class _Gatherer:
                 "a program has either one `open when` or named buckets, not both",
                 rule.span,
                 "of the other kind",
-                related=_related(rules[0].span, "the first rule"),
+                related=(Label(rules[0].span, "the first rule"),),
                 helps=("give each frame of the exposure a name: `bucket NAME open when ...`",),
             )
         elif isinstance(rule, tree.Open):
@@ -216,9 +216,5 @@ class _Gatherer:
                 f"the pixels of `{name}` are given twice",
                 statement.field.span,
                 "the second",
-                related=_related(first.field.span, "the first"),
+                related=(Label(first.field.span, "the first"),),
             )
-
-
-def _related(span: Span, text: str) -> tuple[Label, ...]:
-    return (Label(span, text),)
