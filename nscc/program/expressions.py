@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Literal, assert_never
+from typing import Any, Literal, assert_never
 
 from nscc.program.problems import Problems, clipped
 from nscc.source import Span
@@ -291,17 +291,9 @@ class _Checker:
         self.sound = False
         self.problems.unknown(what, node.text, node.span, known)
 
-    def _error(
-        self,
-        code: str,
-        message: str,
-        span: Span,
-        label: str,
-        notes: tuple[str, ...] = (),
-        helps: tuple[str, ...] = (),
-    ) -> None:
+    def _error(self, code: str, message: str, span: Span, label: str, **more: Any) -> None:
         self.sound = False
-        self.problems.error(code, message, span, label, notes=notes, helps=helps)
+        self.problems.error(code, message, span, label, **more)
 
     def _readable(self) -> list[str]:
         return [k for k, m in self.scope.items() if m.kind in ("constant", "variable", "failed")]
