@@ -16,7 +16,7 @@ class Bumps:
     """Shutter k is open in steps start[k] .. stop[k] - 1, never where start[k] = stop[k] = 0.
 
     Both are (shutters,) in 0 .. steps; `step[i]` is the step of demand i, one for each run of
-    demands that ask for the same. `slot` (steps,) is the time slot that a step starts with.
+    demands that ask for the same.
     """
 
     start: NDArray[np.int64]

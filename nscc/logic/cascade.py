@@ -9,6 +9,7 @@ last ones are changed, and those predicates are made by cascades too (short ones
 from __future__ import annotations
 
 import random
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
@@ -21,7 +22,7 @@ from nscc.logic.encodings import asked
 from nscc.logic.gates import Gates
 from nscc.logic.point_sets import Planes, Points, packed
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
-from nscc.truth import columns, rows
+from nscc.truth import columns, rows, set_bits
 
 # More scratch registers leave too few planes to make anything of.
 _MOST_SCRATCH = 3
@@ -87,8 +88,7 @@ def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
     best: _Plan | None = None
     try:
         for plan in finder.plans():
-            if best is None or plan.words < best.words:
-                best = plan
+            best = plan
     except GaveUp:
         if best is None:
             raise
@@ -108,6 +108,8 @@ class _Finder:
         self._points = _points(problem)
         self._sets = packed(self._points.bits)
         self._tasks = self._tasks_of_demands()
+        # How often each task comes in a frame.
+        self._times = Counter(task for task in self._tasks if task is not None)
 
     def plans(self) -> Iterator[_Plan]:
         """Plans, each better than the last; raises GaveUp when the steps run out."""
@@ -133,9 +135,7 @@ class _Finder:
                 if plan is not None:
                     best = plan
                     yield plan
-        if best is None:
-            return
-        if best.words == sum(self._times().values()):
+        if best is None or best.words == self._times.total():
             return
         for plan in self._chosen(best, int(allowed * (1 - _CHOOSING)), quick):
             best = plan
@@ -209,8 +209,8 @@ class _Finder:
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
         """A plan of at most `most` words found with a narrow beam."""
         planes = _separating(self._points.bits, choice)
-        times = self._times()
-        repeats = sum(times.values()) - len(times)
+        times = self._times
+        repeats = times.total() - len(times)
         found = self._search(planes, scratch).find(
             *self._wanted(list(times)), [min(most, _LONGEST)] * len(times), width, most - repeats
         )
@@ -219,14 +219,6 @@ class _Finder:
             return None
         words = sum(count * cascades[task].words for task, count in times.items())
         return _Plan(choice, planes, scratch, cascades, words) if words <= most else None
-
-    def _times(self) -> dict[_Task, int]:
-        """How often each task comes in a frame."""
-        times: dict[_Task, int] = {}
-        for task in self._tasks:
-            if task is not None:
-                times[task] = times.get(task, 0) + 1
-        return times
 
     def _search(self, planes: NDArray[np.bool_], scratch: int) -> Search:
         sets = packed(planes)
@@ -269,7 +261,7 @@ class _Finder:
     def _widened(self, best: _Plan, width: int) -> Iterator[_Plan]:
         """Shorter cascades for the same planes, the longest first."""
         search = self._search(best.planes, best.scratch)
-        for task, times in sorted(self._times().items(), key=lambda t: -best.cascades[t[0]].words):
+        for task, times in sorted(self._times.items(), key=lambda t: -best.cascades[t[0]].words):
             old = best.cascades[task].words
             (found,) = search.find(*self._wanted([task]), [old - 1], width, _LONGEST)
             if found is not None:
@@ -323,7 +315,7 @@ def _write(gates: Gates, found: Cascade, scratch: int) -> None:
         sources = inner + ["FLAG"] * link.held
         free = [register for register in registers if register not in sources]
         for register, mask in zip(free, link.cubes, strict=False):
-            gates.nor(register, _names(i for i in range(mask.bit_length()) if mask >> i & 1))
+            gates.nor(register, _names(set_bits(mask)))
             sources.append(register)
         sources += _names(link.planes)
         if link.to_flag:

@@ -11,8 +11,10 @@ are scratch. `nscc.lower.allocate` gives them places.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,6 +42,9 @@ class Gate:
         """
         return 2 if self.destination in self.sources else 1
 
+
+Planes = Sequence[tuple[int, str]]
+"""Of each plane the truth vector at the start of a frame, and in words what it carries."""
 
 Segment = tuple[Gate, ...]
 """Gates that run one after the other and are worth storing as one kernel."""
@@ -138,10 +143,17 @@ class Solution:
 
     def segments(self) -> Sequence[Segment]:
         """All segments in the order in which they run."""
-        run = [*self.opening]
-        for answer in self.answers:
-            run.extend(answer)
-        return [*run, *self.closing]
+        return [*self.opening, *chain.from_iterable(self.answers), *self.closing]
+
+    def writes(self) -> list[int]:
+        """How often a frame writes each plane."""
+        times = Counter(gate.destination for segment in self.segments() for gate in segment)
+        return [times[f"p{i}"] for i in range(len(self.planes))]
+
+
+def unzipped(planes: Planes) -> tuple[tuple[int, ...], tuple[str, ...]]:
+    """`planes` and `holders` of a solution."""
+    return tuple(plane for plane, _ in planes), tuple(holder for _, holder in planes)
 
 
 def quietest(writes: Sequence[int]) -> int:
