@@ -14,6 +14,7 @@ from nscc.logic.cubes import Budget
 from nscc.logic.improve.blocks import Block, Token, blocks_of
 from nscc.logic.improve.code import Check, Content, Frame, Illegal, Item
 from nscc.logic.improve.run import Run
+from nscc.truth import union
 
 Pass = Callable[[Frame, list[Item], Budget], list[Item]]
 """Makes items shorter that a frame, or a part of one, consists of."""
@@ -27,16 +28,15 @@ def improve_kernels(
     Sequences of kernels are rewritten as one where there is `room` for all words (see `blocks_of`).
     """
     run = Run(frame, items, budget)
-    blocks = blocks_of(frame, run.items, room)
     # Where each item of the run has gone: rewriting a block replaces its items by others.
     parts: list[list[Item]] = [[item] for item in run.items]
-    for block in blocks:
+    for block in blocks_of(frame, run.items, room):
         new = _shortened(frame, run, block, budget, shorten)
         if new is None:
             continue
         before = {}
-        for tokens in block.places:
-            moved = _moved(run.items, block.places[0], tokens, new)
+        for tokens in block:
+            moved = _moved(run.items, block[0], tokens, new)
             for k in range(tokens[0].start, tokens[-1].end):
                 before[k] = parts[k]
                 parts[k] = []
@@ -55,11 +55,9 @@ def _shortened(
 ) -> list[Item] | None:
     """Items in place of those of the block's first place; None if there are no shorter ones."""
     size = (frame.everything.bit_length() + 7) // 8
-    starts = [tokens[0].start for tokens in block.places]
-    length = block.places[0][-1].end - starts[0]
-    live = 0
-    for k in starts:
-        live |= run.live[k + length]
+    starts = [tokens[0].start for tokens in block]
+    length = block[0][-1].end - starts[0]
+    live = union(run.live[k + length] for k in starts)
     start = tuple(
         _joined([run.before[k][register] for k in starts], size)
         for register in range(frame.flag + 1)

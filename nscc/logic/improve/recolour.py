@@ -17,7 +17,8 @@ from dataclasses import dataclass, field
 
 import networkx as nx
 
-from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op, bits, op
+from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op, op
+from nscc.truth import set_bits
 
 
 @dataclass(slots=True)
@@ -44,8 +45,16 @@ def recoloured(frame: Frame, items: Sequence[Item], without: int = 0) -> list[It
     values, written = _values(frame, items)
     for value in values:
         value.banned |= without
-    if frame.masked is not None:
-        _ban_mask(frame, items, values, written)
+    if frame.masked is not None and frame.mask is not None:
+        # A write to the masked register destroys its mask.
+        writes = [
+            k
+            for k, item in enumerate(items)
+            if isinstance(item, Op) and item.destination == frame.masked
+        ]
+        for value in values:
+            if any(value.first < k <= value.last for k in writes):
+                value.banned |= 1 << frame.mask
     return _Painter(frame, items, values, written).paint()
 
 
@@ -66,13 +75,15 @@ def _values(frame: Frame, items: Sequence[Item]) -> tuple[list[_Value], list[int
         holds[item.destination] = len(values)
         written.append(len(values))
         values.append(_Value(k, k, sources=sources))
-    for register in bits(frame.unscathed):
+    for register in set_bits(frame.unscathed):
         values[holds[register]].last = len(items)
         if register != frame.flag:
             values[holds[register]].home = register
-    checks = [(k, item.forgets) for k, item in enumerate(items) if isinstance(item, Check)]
-    lossy = [(k, forgets & ~(1 << frame.flag)) for k, forgets in checks]
-    lossy = [(k, forgets) for k, forgets in lossy if forgets]
+    lossy = [
+        (k, forgets)
+        for k, item in enumerate(items)
+        if isinstance(item, Check) and (forgets := item.forgets & ~(1 << frame.flag))
+    ]
     at = 0
     for value in values:
         while at < len(lossy) and lossy[at][0] < value.first:
@@ -84,34 +95,14 @@ def _values(frame: Frame, items: Sequence[Item]) -> tuple[list[_Value], list[int
     return values, written
 
 
-def _ban_mask(
-    frame: Frame, items: Sequence[Item], values: Sequence[_Value], written: Sequence[int]
-) -> None:
-    """A write to the masked register destroys its mask."""
-    assert frame.masked is not None
-    writes = [k for k, item in enumerate(items) if isinstance(item, Op)]
-    writes = [k for k in writes if items[k].destination == frame.masked]  # type: ignore[union-attr]
-    if not writes or frame.mask is None:
-        return
-    for value in values:
-        if any(value.first < k <= value.last for k in writes):
-            value.banned |= 1 << frame.mask
-
-
 class _Painter:
     """Gives out registers from front to back."""
 
     def __init__(
-        self,
-        frame: Frame,
-        items: Sequence[Item],
-        values: list[_Value],
-        written: list[int],
+        self, frame: Frame, items: Sequence[Item], values: list[_Value], written: list[int]
     ) -> None:
-        self.frame = frame
-        self.items = items
-        self.values = values
-        self.written = written
+        self.frame, self.items = frame, items
+        self.values, self.written = values, written
         self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
         # Which value a register holds; the first ones that nobody reads do not count.
         self.holds: list[int] = list(range(frame.flag))
