@@ -7,7 +7,6 @@ changes least, and each of its writes is preceded by SET of the mask, which is s
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 
 from nscc.logic.problem import Gate, Segment, Solution, quietest
@@ -26,17 +25,9 @@ class Allocation:
     mask: str | None
     masked: str | None
 
-    @property
-    def mask_is_code(self) -> bool:
-        """Whether the mask register itself carries code."""
-        return self.mask in self.code_registers
-
 
 def allocate(solution: Solution, target: Target) -> Allocation:
     """Registers of `target` for a solution that its generator sized for this target."""
-    writes = Counter(
-        gate.destination for segment in solution.segments() for gate in segment
-    )  # fmt: skip
     planes = [f"p{i}" for i in range(len(solution.planes))]
     scratch = [f"t{i}" for i in range(solution.scratch)]
     states = [f"s{i}" for i in range(solution.states)]
@@ -48,8 +39,7 @@ def allocate(solution: Solution, target: Target) -> Allocation:
             places[scratch[0]] = target.mask_register
             free.remove(target.mask_register)
         if total == len(target.digital_registers):
-            quiet = planes[quietest([writes[name] for name in planes])]
-            places[quiet] = target.masked_register
+            places[planes[quietest(solution.writes())]] = target.masked_register
         free.remove(target.masked_register)
         if not scratch and len(free) > len(planes) + len(states):
             free.remove(target.mask_register)  # code stays out of the mask while there is room
@@ -60,11 +50,10 @@ def allocate(solution: Solution, target: Target) -> Allocation:
         **dict.fromkeys(states, "state: open"),
         **dict.fromkeys(scratch, "scratch"),
     }
-    order = {register: i for i, register in enumerate(target.digital_registers)}
     by_place = {places[name]: holders[name] for name in (*planes, *states, *scratch)}
     return Allocation(
         places,
-        {register: by_place[register] for register in sorted(by_place, key=order.__getitem__)},
+        {r: by_place[r] for r in target.digital_registers if r in by_place},
         _load_order([places[name] for name in planes], target),
         tuple(places[name] for name in states),
         target.mask_register,
@@ -111,7 +100,7 @@ def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[O
     out: list[Op] = []
     plain = [r for r in registers if r != masked]
     if masked in registers and mask is not None:
-        if allocation.mask_is_code:
+        if mask in allocation.code_registers:
             # The mask's code waits in FLAG; moving it back refreshes it too.
             out += [op("WHERE", (), (mask,)), op("SET", (mask,))]
             out += [*pair("REFRESH", masked, (masked,)), op("MOV", (mask,), ("FLAG",))]

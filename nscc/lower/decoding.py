@@ -117,10 +117,5 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
 
 
 def _needs_flag(step: Step, target: Target) -> bool:
-    for word in step.words:
-        effect = word.operation.effect
-        if effect is Effect.BUS:
-            return True
-        if effect is Effect.RESET_PIX and target.reset_honours_flag != "no":
-            return True
-    return False
+    heeding = {Effect.BUS} if target.reset_honours_flag == "no" else {Effect.BUS, Effect.RESET_PIX}
+    return any(word.operation.effect in heeding for word in step.words)

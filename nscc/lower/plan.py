@@ -130,21 +130,20 @@ def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> Exposur
     buckets = len(program.buckets)
     free = program.target.analog_available
     reference_needed = lowering != "edges" or buckets < len(free)
-    required = buckets + (1 if reference_needed else 0)
+    required = buckets + reference_needed
     if required > len(free):
         return Misfit(
             f"{lowering} needs {required} analog registers beside {program.target.analog_scratch}: "
-            f"{buckets} buckets"
-            + (" and the reset level" if reference_needed else "")
-            + f"; there are {len(free)}",
+            f"{buckets} buckets{' and the reset level' * reference_needed}; there are {len(free)}",
             "analog registers",
             required,
             len(free),
         )
-    if lowering == "latch" and not _prefixes(program):
+    shutters = program.table.shutters
+    if lowering == "latch" and np.any(shutters[:, :, 1:] & ~shutters[:, :, :-1]):
         return Misfit("latch serves only shutters that open with slot 0 and close once")
-    builder = _Builder(program, lowering, opens, free[buckets] if reference_needed else None)
-    return builder.build()
+    reference = free[buckets] if reference_needed else None
+    return _Builder(program, lowering, opens, reference).build()
 
 
 def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
@@ -166,11 +165,6 @@ def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
     return (int(used.min()), int(used.max())) if used.size else (0, 0)
 
 
-def _prefixes(program: Program) -> bool:
-    shutters = program.table.shutters
-    return not bool(np.any(shutters[:, :, 1:] & ~shutters[:, :, :-1]))
-
-
 class _Builder:
     """Collects the steps of one plan in the order in which they run."""
 
@@ -189,13 +183,8 @@ class _Builder:
 
     def build(self) -> ExposurePlan:
         self._setup()
-        match self.lowering:
-            case "accumulate":
-                self._accumulate()
-            case "latch":
-                self._latch()
-            case "edges":
-                self._edges()
+        lowerings = {"accumulate": self._accumulate, "latch": self._latch, "edges": self._edges}
+        lowerings[self.lowering]()
         holders = {
             register: f"exposure of {bucket.name}"
             for register, bucket in zip(self.registers, self.program.buckets, strict=True)
@@ -269,10 +258,8 @@ class _Builder:
     def _edges(self) -> None:
         """Falls before rises: a rise may reset what another bucket's fall still has to read."""
         falls = [self._add(register) for register in self.registers]
-        if self._can_reset_at_rise():
-            rises = [self._reset() for _ in self.registers]
-        else:
-            rises = [self._subtract(register) for register in self.registers]
+        reset = self._reset() if self._can_reset_at_rise() else None
+        rises = [reset or self._subtract(register) for register in self.registers]
         # With a reference, PIX stands at it at boundary 0: there is nothing to subtract.
         first_rise = 0 if self.reference is None else 1
         for boundary, changes in self._changes():
