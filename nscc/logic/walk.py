@@ -320,4 +320,5 @@ class _Walker:
         self.gates.where(sources, spare)
         if spare is not None:
             self.values.pop(spare, None)
+            self.used = max(self.used, int(spare[1:]) + 1)
         self.values["FLAG"] = some
