@@ -254,7 +254,8 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
         made[each.name] = value
         see(each.name, value)
         wrong = [d for d in found if d.severity is Severity.ERROR]
-        if wrong and not _may_pass(wrong, job.options):
+        unproved = all(map(fit.only_search_can_tell, wrong))
+        if wrong and (job.options.unproved_is_error or not unproved):
             said = [*messages, *found]
             raise Unfit(made["program"], said) if "program" in made else Rejected(said)
         if wrong:
@@ -262,11 +263,6 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
         messages += found
         each.verify(value)
     return _compiled(made, messages, fits=True)
-
-
-def _may_pass(wrong: Found, options: Options) -> bool:
-    """Whether errors become notes: they are all such that only a search can tell."""
-    return not options.unproved_is_error and all(map(fit.only_search_can_tell, wrong))
 
 
 def _compiled(made: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:

@@ -24,6 +24,13 @@ class Bumps:
     step: tuple[int, ...]
     steps: int
 
+    def groups(self, size: int = 1) -> list[tuple[int, int]]:
+        """(group, demand) for every group of `size` steps: the first demand in it."""
+        first: dict[int, int] = {}
+        for demand, step in enumerate(self.step):
+            first.setdefault(step // size, demand)
+        return list(first.items())
+
     @property
     def length(self) -> int:
         """The longest bump in steps."""

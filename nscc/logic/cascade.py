@@ -55,12 +55,8 @@ class _Points:
     shutters: NDArray[np.int64]
 
 
-@dataclass(frozen=True)
-class _Choice:
-    """Which predicates planes hold (numbers into `_Points.bits`) and which stand inverted."""
-
-    stored: tuple[int, ...]
-    inverted: tuple[bool, ...]
+_Choice = tuple[tuple[int, bool], ...]
+"""Of each plane the predicate that it holds (a number into `_Points.bits`), and if inverted."""
 
 
 @dataclass(frozen=True)
@@ -129,9 +125,9 @@ class _Finder:
             width = min(self._machine.registers - scratch, widest)
             if width < least or scratch > self._machine.registers - width:
                 continue
-            for stored in self._first_choices(width):
+            for choice in self._first_choices(width):
                 most = best.words - 1 if best is not None else _LONGEST * len(self._tasks)
-                plan = self._quick(_Choice(stored, (False,) * width), scratch, quick, most)
+                plan = self._quick(choice, scratch, quick, most)
                 if plan is not None:
                     best = plan
                     yield plan
@@ -160,9 +156,7 @@ class _Finder:
             points.names[number]
             + (", inverted" if turned else "")
             + ("" if (plane == (points.bits[number] ^ turned)).all() else ", changed in places")
-            for number, turned, plane in zip(
-                plan.choice.stored, plan.choice.inverted, plan.planes, strict=True
-            )
+            for (number, turned), plane in zip(plan.choice, plan.planes, strict=True)
         ]
         return Solution(
             "predicates stored, the rest by cascades of cubes",
@@ -199,12 +193,13 @@ class _Finder:
         steps = cascades * (1 + links) * (20 + cubes * sets * 8 // 640)
         return int(max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps))))
 
-    def _first_choices(self, width: int) -> Iterator[tuple[int, ...]]:
+    def _first_choices(self, width: int) -> Iterator[_Choice]:
         """Planes to begin with: first what is no demand's (levels make edges), then demands."""
-        others = range(self._points.demanded, len(self._points.bits))
+        numbers = range(len(self._points.bits))
+        others = numbers[self._points.demanded :]
         if others:
-            yield tuple((*others, *range(self._points.demanded))[:width])
-        yield tuple(range(width))
+            yield tuple((number, False) for number in (*others, *numbers)[:width])
+        yield tuple((number, False) for number in numbers[:width])
 
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
         """A plan of at most `most` words found with a narrow beam."""
@@ -239,19 +234,19 @@ class _Finder:
         current = best
         span = max(1, self._budget.left - until)
         while self._budget.left > until:
-            stored = list(current.choice.stored)
-            inverted = list(current.choice.inverted)
-            place = choose.randrange(len(stored))
-            others = [number for number in everyone if number not in stored]
+            near = list(current.choice)
+            place = choose.randrange(len(near))
+            number, turned = near[place]
+            held = dict(near)
+            others = [number for number in everyone if number not in held]
             if others and choose.random() < _EXCHANGED:
-                stored[place], inverted[place] = choose.choice(others), False
+                near[place] = choose.choice(others), False
             else:
-                inverted[place] = not inverted[place]
+                near[place] = number, not turned
             # A little worse is allowed at first, less and less (threshold accepting; Dueck and
             # Scheuer, 1990): most choices have no better neighbour.
             slack = round(_SLACK * current.words * (self._budget.left - until) / span)
-            near = _Choice(tuple(stored), tuple(inverted))
-            plan = self._quick(near, current.scratch, width, current.words + slack)
+            plan = self._quick(tuple(near), current.scratch, width, current.words + slack)
             if plan is not None:
                 current = plan
                 if plan.words < best.words:
@@ -291,7 +286,8 @@ def _points(problem: Problem) -> _Points:
 
 def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
     """The planes of a choice, changed in as few points as tell all points apart."""
-    planes: NDArray[np.bool_] = bits[list(choice.stored)] ^ np.array(choice.inverted)[:, None]
+    stored, inverted = np.array(choice).T
+    planes: NDArray[np.bool_] = bits[stored] ^ (inverted[:, None] == 1)
     count = planes.shape[1]
     # `kinds` numbers what the planes so far tell apart; a plane may split each kind in two. A half
     # that the planes to come cannot tell apart any more gives its surplus to the other half.

@@ -11,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from nscc.logic.digits import Planes, unzipped
 from nscc.logic.gates import Gates
-from nscc.logic.problem import GaveUp, Machine, Planes, Problem, Segment, Solution, unzipped
+from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 
 Cube = tuple[tuple[int, int], ...]
 """Literals (plane, value), planes in rising order."""

@@ -11,8 +11,13 @@ from numpy.typing import NDArray
 from nscc.logic.problem import Gate, Segment
 from nscc.truth import columns, number_planes
 
-Named = list[tuple[int, str]]
-"""Planes, as in `nscc.logic.problem`."""
+Planes = list[tuple[int, str]]
+"""Of each plane the truth vector at the start of a frame, and in words what it carries."""
+
+
+def unzipped(planes: Planes) -> tuple[tuple[int, ...], tuple[str, ...]]:
+    """`planes` and `holders` of a solution."""
+    return tuple(plane for plane, _ in planes), tuple(holder for _, holder in planes)
 
 
 @cache
@@ -41,7 +46,7 @@ def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
     return tuple(sorted(found, key=lambda r: (sum(r), len(r), int(np.prod(r))))[:6])
 
 
-def binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Named:
+def binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
     """The lowest `bits` binary digits of numbers (shutters,), the lowest first: `name 0`, .."""
     return [(plane, f"{name} {i}") for i, plane in enumerate(number_planes(numbers, bits))]
 
@@ -60,7 +65,7 @@ def digits_of(
 
 def thermometers(
     numbers: NDArray[np.int64], radices: Sequence[int], negative: bool | NDArray[np.bool_]
-) -> Named:
+) -> Planes:
     """For each digit, the highest first, a plane for each m: digit <= m, or > m if `negative`.
 
     (Thermometer codes: 3 of 0..4 is 1110 in "> m". To compare with a constant is to look at one

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget, Cube, Encoding, cover
-from nscc.logic.digits import Named, binary_planes
+from nscc.logic.digits import Planes, binary_planes
 from nscc.logic.gray import gray
 from nscc.logic.problem import Demand, GaveUp, Machine, Problem
 from nscc.truth import members, union
@@ -59,7 +59,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     field: its planes hold the Gray code of the event's number, and one in-place NOT before each
     event keeps "all zero" meaning "now".
     """
-    planes: Named = []
+    planes: Planes = []
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
     fields = event_fields(problem, machine.registers - 1)
     for (edge, bucket, rank), events in fields.items():
@@ -118,7 +118,7 @@ def event_fields(problem: Problem, most: int) -> Events:
     return dict(sorted(fields.items()))
 
 
-def _index_planes(problem: Problem, machine: Machine) -> Named:
+def _index_planes(problem: Problem, machine: Machine) -> Planes:
     """Planes of the Gray code of every shutter's number, as few as tell all shutters apart."""
     numbers = np.arange(problem.shutters, dtype=np.int64)
     width = max(1, (problem.shutters - 1).bit_length())
@@ -181,7 +181,7 @@ def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) 
     encoding = _covered(problem, "shutter number in Gray code, both polarities", half, budget)
     # Plane 2i holds bit i, 2i + 1 its complement; a NOR reads the complement of each literal, so
     # the literal (i, value) is (2i + value, 0), and alone it is the plane that equals it.
-    planes: Named = []
+    planes: Planes = []
     for plane, bit in half:
         planes += [(plane, bit), (problem.everything & ~plane, f"{bit}, inverted")]
     cubes = tuple(tuple(_twice(cube) for cube in predicate) for predicate in encoding.cubes)
@@ -196,7 +196,7 @@ def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encodi
     """
     if len(problem.values) < 2:
         raise GaveUp("one field is as good as the shutters' numbers")
-    planes: Named = []
+    planes: Planes = []
     for name, values in problem.values.items():
         rank = np.searchsorted(np.unique(values), values)
         planes += binary_planes(f"{name}, Gray bit", gray(rank), int(rank.max()).bit_length())
@@ -231,7 +231,7 @@ def covered_stored(problem: Problem, machine: Machine, budget: Budget) -> Encodi
     return _covered(problem, "predicates, the rest made from them", planes, budget)
 
 
-def _covered(problem: Problem, name: str, planes: Named, budget: Budget) -> Encoding:
+def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Encoding:
     wanted = [demand.predicate for demand in problem.demands]
     vectors = [plane for plane, _ in planes]
     covers = {p: _best_cover(problem, p, vectors, budget) for p in dict.fromkeys(wanted)}
@@ -245,9 +245,8 @@ def _best_cover(
     """The smaller of the covers of a predicate and of its complement, which costs a gate more."""
     complement = problem.everything & ~predicate
     direct = cover(predicate, complement, planes, problem.everything, budget)
-    if len(direct) <= 1:
-        return tuple(direct), False
-    other = cover(complement, predicate, planes, problem.everything, budget)
-    if len(other) + 1 < len(direct):
-        return tuple(other), True
+    if len(direct) > 1:
+        other = cover(complement, predicate, planes, problem.everything, budget)
+        if len(other) + 1 < len(direct):
+            return tuple(other), True
     return tuple(direct), False

@@ -15,7 +15,7 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.digits import Named, binary_planes, digits_of, radices_of, turned_over
+from nscc.logic.digits import Planes, binary_planes, digits_of, radices_of, turned_over
 from nscc.logic.encodings import asked, event_fields, event_name
 from nscc.logic.gray import cycle
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
@@ -176,7 +176,7 @@ def _script(
     raw = raw[len(raw) - stored :]
     if raw:
         fields = _fields(problem, frozenset(raw))
-    planes: Named = []
+    planes: Planes = []
     before: dict[int, tuple[Segment, ...]] = {}
     for field, form in zip(fields, chosen, strict=False):
         for demand, flips in _turns(field, form, len(planes)).items():

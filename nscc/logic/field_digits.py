@@ -8,7 +8,7 @@ from itertools import chain, islice, product
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.digits import Named, radices_of, thermometers
+from nscc.logic.digits import Planes, radices_of, thermometers
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns
@@ -40,10 +40,10 @@ def field_digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
         yield from walk(problem, machine, Script("digits of the fields", planes), steps)
 
 
-def _forms(name: str, ranks: NDArray[np.int64], room: int) -> list[Named]:
+def _forms(name: str, ranks: NDArray[np.int64], room: int) -> list[Planes]:
     """Ways to hold a field of values 0 .. max, each of at most `room` planes."""
     count = int(ranks.max()) + 1
-    forms: list[Named] = []
+    forms: list[Planes] = []
     seen: set[int] = set()
     # A radix r takes r - 1 planes: up to four digits fit where their sum is four more than the
     # room.

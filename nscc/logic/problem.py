@@ -43,9 +43,6 @@ class Gate:
         return 2 if self.destination in self.sources else 1
 
 
-Planes = Sequence[tuple[int, str]]
-"""Of each plane the truth vector at the start of a frame, and in words what it carries."""
-
 Segment = tuple[Gate, ...]
 """Gates that run one after the other and are worth storing as one kernel."""
 
@@ -149,11 +146,6 @@ class Solution:
         """How often a frame writes each plane."""
         times = Counter(gate.destination for segment in self.segments() for gate in segment)
         return [times[f"p{i}"] for i in range(len(self.planes))]
-
-
-def unzipped(planes: Planes) -> tuple[tuple[int, ...], tuple[str, ...]]:
-    """`planes` and `holders` of a solution."""
-    return tuple(plane for plane, _ in planes), tuple(holder for _, holder in planes)
 
 
 def quietest(writes: Sequence[int]) -> int:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.bumps import Bumps, bumps_of
-from nscc.logic.digits import Named, binary_planes, turned_over
+from nscc.logic.digits import Planes, binary_planes, turned_over
 from nscc.logic.gray import gray
 from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
@@ -76,7 +76,7 @@ def counted_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[So
                 yield from walk(problem, machine, script, steps)
 
 
-def _offsets(bumps: Bumps, start: NDArray[np.int64], last: NDArray[np.int64], size: int) -> Named:
+def _offsets(bumps: Bumps, start: NDArray[np.int64], last: NDArray[np.int64], size: int) -> Planes:
     """Thermometers of both ends' places in their groups, in the sense that a NOR reads."""
     places = np.arange(size - 1)
     starts = columns(np.where(bumps.never, 0, start)[:, None] <= places)
@@ -141,7 +141,7 @@ class _Risers:
         )
 
 
-def _ends(bumps: Bumps, size: int, bits: int, risers: _Risers) -> Named:
+def _ends(bumps: Bumps, size: int, bits: int, risers: _Risers) -> Planes:
     """Planes 0 .. bits - 1: the group of the start; bits .. 2 bits - 1: that of the last slot.
 
     What never opens rises with group 1 and is taken out at once.
@@ -169,9 +169,7 @@ def _flag_script(bumps: Bumps, bits: int, risers: _Risers) -> Script:
         Gate("NOR", "t0", ("t0", "FLAG")), Gate("WHERE", "FLAG", ("t0",)),
     )  # fmt: skip
     before: dict[int, tuple[Segment, ...]] = {}
-    for i, step in enumerate(bumps.step):
-        if i and step == bumps.step[i - 1]:
-            continue
+    for step, i in bumps.groups():
         if not step:
             rise = _nor("t0", [f"p{b}" for b in range(bits)])
             before[i] = ((*rise, Gate("WHERE", "FLAG", ("t0",))),)
@@ -195,15 +193,9 @@ def _register_script(bumps: Bumps, size: int, bits: int, risers: _Risers, *, exa
     planes = _ends(bumps, size, bits, risers)
     planes += _offsets(bumps, bumps.start % size, (bumps.stop - 1) % size, size)
     before: dict[int, tuple[Segment, ...]] = {}
-    done = -1
-    for i, step in enumerate(bumps.step):
-        group = step // size
-        if group == done:
-            continue
-        done = group
+    for group, i in bumps.groups(size):
         if not group:
-            first = tuple(f"p{b}" for b in range(bits))
-            before[i] = ((Gate("OR", "s0", first),),)
+            before[i] = ((Gate("OR", "s0", tuple(f"p{b}" for b in range(bits))),),)
             continue
         m = group - 1
         run: list[Segment] = [_nor("t0", [f"p{b}" for b in risers.cubes[m]]), _fallers(m, bits)]

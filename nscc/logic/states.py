@@ -14,9 +14,10 @@ from itertools import pairwise
 from operator import itemgetter
 
 from nscc.logic.cubes import Budget, Cube, Encoding, Standing
+from nscc.logic.digits import unzipped
 from nscc.logic.encodings import covered_fields, gray_index, gray_times
 from nscc.logic.gates import Gates
-from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Segment, Solution, unzipped
+from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Segment, Solution
 
 
 def state_register(problem: Problem, machine: Machine, budget: Budget) -> Solution:
@@ -34,7 +35,8 @@ def state_in_flag(problem: Problem, machine: Machine, budget: Budget) -> Solutio
 def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool) -> Solution:
     if any(d.edge != "open" for d in problem.demands):
         raise GaveUp("the demands are events already")
-    from_open = [_closes_only(levels) for levels in problem.opens]
+    # Where no shutter opens later than slot 0, all start open, the never-open ones too.
+    from_open = [not any(b & ~a for a, b in pairwise(levels)) for levels in problem.opens]
     events, needed_before = _events(problem, from_open)
     inner = replace(problem, demands=tuple(events), flag_lasts=False)
     states = 0 if in_flag else len(problem.opens)
@@ -52,7 +54,8 @@ def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool)
         segments: list[Segment] = []
         for i in range(first, end):
             segments += walker.event(events[i], encoding.cubes[i])
-        segments += walker.load(demand)
+        if not in_flag:
+            segments.append((Gate("WHERE", "FLAG", (f"s{demand.bucket}",)),))
         answers.append(tuple(segments))
     return Solution(
         encoding.name + (", state in FLAG" if in_flag else ", state in a register"),
@@ -71,11 +74,6 @@ def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Enc
         if len(encoding.planes) <= room and not any(encoding.inverted):
             return encoding
     return gray_index(problem, machine, budget)
-
-
-def _closes_only(levels: Sequence[int]) -> bool:
-    """Whether no shutter opens later than slot 0: then all start open, the never-open ones too."""
-    return not any(after & ~before for before, after in pairwise(levels))
 
 
 def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], list[int]]:
@@ -157,10 +155,3 @@ class _Walker:
             self._gates.nor("t0", equal)
             self._gates.nor("t0", ["t0", "FLAG"])
         self._gates.where(["t0"], None)
-
-    def load(self, demand: Demand) -> list[Segment]:
-        """The segment that brings the level of the demand's bucket into FLAG."""
-        if self._in_flag:
-            return []
-        self._gates.where([f"s{demand.bucket}"], None)
-        return [self._gates.take()]

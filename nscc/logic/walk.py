@@ -12,21 +12,13 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from itertools import chain
 
 from nscc.logic.cover import Cover, Covers, life
 from nscc.logic.cubes import Budget
+from nscc.logic.digits import Planes, unzipped
 from nscc.logic.gates import Gates
-from nscc.logic.problem import (
-    Gate,
-    GaveUp,
-    Machine,
-    Planes,
-    Problem,
-    Segment,
-    Solution,
-    quietest,
-    unzipped,
-)
+from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution, quietest
 from nscc.truth import union
 
 
@@ -112,9 +104,8 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
 
 
 def _all_gates(script: Script) -> Iterator[Gate]:
-    for run in (script.opening, *script.before.values(), script.closing):
-        for segment in run:
-            yield from segment
+    runs = (script.opening, *script.before.values(), script.closing)
+    return chain.from_iterable(chain.from_iterable(runs))
 
 
 @dataclass
@@ -165,25 +156,23 @@ class _Walker:
         )  # fmt: skip
 
     def _run(self, segments: Sequence[Segment]) -> None:
-        for segment in segments:
-            for gate in segment:
-                self._do(gate)
+        """Brings the truth vectors up to date with scripted gates."""
+        for gate in chain.from_iterable(segments):
+            for name in gate.sources:
+                if name not in self.values:
+                    raise GaveUp(f"the script reads {name}, which holds nothing known")
+            inverted = gate.name in ("NOT", "NOR", "SET")
+            self.values[gate.destination] = self._or(gate.sources, inverted)
+            if gate.destination == self.quiet:
+                # Its mask, the first scratch register, is set for the write.
+                self.values.pop("t0", None)
+            if gate.destination.startswith("t"):
+                self._use(gate.destination)
+                if self.used > self.scratch:
+                    raise GaveUp("the script needs more scratch registers than there are")
 
-    def _do(self, gate: Gate) -> None:
-        """Brings the truth vectors up to date."""
-        for name in gate.sources:
-            if name not in self.values:
-                raise GaveUp(f"the script reads {name}, which holds nothing known")
-        inverted = gate.name in ("NOT", "NOR", "SET")
-        self.values[gate.destination] = self._or(gate.sources, inverted)
-        if gate.destination == self.quiet:
-            # Its mask, the first scratch register, is set for the write.
-            self.values.pop("t0", None)
-        if gate.destination.startswith("t"):
-            number = int(gate.destination[1:]) + 1
-            if number > self.scratch:
-                raise GaveUp("the script needs more scratch registers than there are")
-            self.used = max(self.used, number)
+    def _use(self, scratch: str) -> None:
+        self.used = max(self.used, int(scratch[1:]) + 1)
 
     def _answer(self, index: int) -> Segment:
         """The gates that bring demand `index` into FLAG, from the cheapest cover found.
@@ -302,7 +291,7 @@ class _Walker:
         inverted = kind == "NOR"
         (self.gates.nor if inverted else self.gates.or_)(destination, sources)
         self.values[destination] = self._or(sources, inverted)
-        self.used = max(self.used, int(destination[1:]) + 1)
+        self._use(destination)
 
     def _or(self, sources: Sequence[str], inverted: bool) -> int:
         some = union(self.values[name] for name in sources)
@@ -320,5 +309,5 @@ class _Walker:
         self.gates.where(sources, spare)
         if spare is not None:
             self.values.pop(spare, None)
-            self.used = max(self.used, int(spare[1:]) + 1)
+            self._use(spare)
         self.values["FLAG"] = some

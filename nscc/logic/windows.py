@@ -88,9 +88,7 @@ def _toggle_script(
     state = "FLAG" if in_flag else "s0"
     before: dict[int, tuple[Segment, ...]] = {}
     standing = 0
-    for i, step in enumerate(bumps.step):
-        if i and step == bumps.step[i - 1]:
-            continue
+    for step, i in bumps.groups():
         now, place = divmod(step, length)
         wanted = gray(now) << low | gray(place)
         flips = turned_over(set_bits(standing ^ wanted))
@@ -175,13 +173,9 @@ def _script(
             planes.append((everything & ~plane, f"{text}, inverted"))
     before: dict[int, tuple[Segment, ...]] = {}
     standing = 0
-    done = 0
-    for i, step in enumerate(bumps.step):
-        if step // length == done:
-            continue
-        done = step // length
-        behind = turns is _Turns.AFTER or (turns is _Turns.EVEN and done % 2 == 1)
-        asked = codes[done - behind]
+    for now, i in bumps.groups(length)[1:]:
+        behind = turns is _Turns.AFTER or (turns is _Turns.EVEN and now % 2 == 1)
+        asked = codes[now - behind]
         before[i] = turned_over(place[b] for b in set_bits(asked ^ standing) if b >= low)
         standing = asked
     closing = turned_over(place[b] for b in set_bits(standing) if b >= low)

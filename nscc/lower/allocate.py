@@ -64,9 +64,9 @@ def allocate(solution: Solution, target: Target) -> Allocation:
 def _load_order(registers: list[str], target: Target) -> tuple[str, ...]:
     """Code registers in the order of loading: the masked one needs its mask at 1, so it goes first
     and the mask's own code last."""
-    order = {register: i for i, register in enumerate(target.digital_registers)}
-    rank = {target.masked_register: -1, target.mask_register: len(order)}
-    return tuple(sorted(registers, key=lambda r: rank.get(r, order[r])))
+    order: dict[str | None, int] = {r: i for i, r in enumerate(target.digital_registers)}
+    order |= {target.masked_register: -1, target.mask_register: len(order)}
+    return tuple(sorted(registers, key=order.__getitem__))
 
 
 def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:

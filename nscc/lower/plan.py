@@ -175,6 +175,7 @@ class _Builder:
         self.lowering = lowering
         self.opens = opens
         self.reference = reference
+        self.zero = () if reference is None else (reference,)
         self.slots = len(program.frame.slot_us)
         self.registers = program.target.analog_available[: len(program.buckets)]
         self.scratch = program.target.analog_scratch
@@ -225,13 +226,13 @@ class _Builder:
 
     def _add(self, register: str) -> tuple[Op, ...]:
         """register += PIX - reference."""
-        scratch, zero = self.scratch, (self.reference,) if self.reference else ()
-        return (op("bus", (scratch,), (register, "PIX")), op("bus", (register,), (scratch, *zero)))
+        before, after = (register, "PIX"), (self.scratch, *self.zero)
+        return op("bus", (self.scratch,), before), op("bus", (register,), after)
 
     def _subtract(self, register: str) -> tuple[Op, ...]:
         """register -= PIX - reference."""
-        scratch, zero = self.scratch, (self.reference,) if self.reference else ()
-        return (op("bus", (scratch,), (register, *zero)), op("bus", (register,), (scratch, "PIX")))
+        before, after = (register, *self.zero), (self.scratch, "PIX")
+        return op("bus", (self.scratch,), before), op("bus", (register,), after)
 
     def _accumulate(self) -> None:
         adds = [self._add(register) for register in self.registers]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
+from itertools import islice
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.code import CLOSING, OPENING, Check, Frame, Illegal, Item, Op, flatten
@@ -99,16 +100,10 @@ def _relieve(run: Run, loads: _Loads, boundary: int, most: int) -> bool:
 def _earlier(run: Run, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
     """(item, place, segment) at the ends of earlier answers with room for another word."""
     found = []
-    segment = -1
     own = loads.boundary(run.items[k].place)
-    checks = 0
-    for at in range(k - 1, -1, -1):
+    checks = (at for at in range(k - 1, -1, -1) if isinstance(run.items[at], Check))
+    for at in islice(checks, REACH):
         item = run.items[at]
-        if not isinstance(item, Check):
-            continue
-        checks += 1
-        if checks > REACH:
-            break
         boundary = loads.boundary(item.place)
         if boundary == own or loads.words[boundary] + 1 >= most:
             continue

@@ -116,12 +116,9 @@ class _Merger:
         self.words.append(words)
         self.lengths.append(self.lengths[left] + self.lengths[right])
         out: list[int] = []
-        k = 0
-        while k < len(self.sequence):
-            if self.sequence[k : k + 2] == [left, right]:
-                out.append(symbol)
-                k += 2
+        for following in self.sequence:
+            if out and (out[-1], following) == (left, right):
+                out[-1] = symbol
             else:
-                out.append(self.sequence[k])
-                k += 1
+                out.append(following)
         self.sequence = out

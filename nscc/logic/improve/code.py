@@ -116,18 +116,10 @@ class Frame:
         in_place = target != self.flag and item.reads >> target & 1
         return 1 + in_place + (target == self.masked)
 
-    def total(self, items: Iterable[Item]) -> int:
+    def total(self, items: Sequence[Item]) -> int:
         """ICWs of a frame, with those that refresh planes nobody writes."""
-        written = 0
-        count = 0
-        for item in items:
-            count += self.words(item)
-            if isinstance(item, Op):
-                written |= 1 << item.destination
-        if self.ends is not None:
-            return count
-        left_alone = (~written & self.unscathed).bit_count()
-        return count + REFRESH_WORDS * left_alone
+        left_alone = self.writes(items).count(0) if self.ends is None else 0
+        return sum(map(self.words, items)) + REFRESH_WORDS * left_alone
 
     def value(self, item: Op, state: Sequence[Content]) -> Content:
         """What an operation writes in a state; None where a source is unknown."""
@@ -254,11 +246,9 @@ def _forgotten(frame: Frame, coming: int) -> int:
 def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
     """Items as a solution again; raises Illegal where no answer is left for a demand's segment."""
     solution = frame.solution
-    parts: dict[int, list[list[Gate]]] = {
-        OPENING: [[] for _ in solution.opening],
-        CLOSING: [[] for _ in solution.closing],
-    }
-    parts |= {i: [[] for _ in answer] for i, answer in enumerate(solution.answers)}
+    runs = {OPENING: solution.opening, CLOSING: solution.closing}
+    runs |= dict(enumerate(solution.answers))
+    parts: dict[int, list[list[Gate]]] = {place: [[] for _ in run] for place, run in runs.items()}
     names = frame.names()
     used = 0
     for item in items:

@@ -8,7 +8,9 @@ that is right for these is right in every place, and all passes work on it uncha
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
+from itertools import chain
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.blocks import Block, Token, blocks_of
@@ -34,20 +36,15 @@ def improve_kernels(
         new = _shortened(frame, run, block, budget, shorten)
         if new is None:
             continue
-        before = {}
+        tried = list(parts)
         for tokens in block:
-            moved = _moved(run.items, block[0], tokens, new)
-            for k in range(tokens[0].start, tokens[-1].end):
-                before[k] = parts[k]
-                parts[k] = []
-            parts[tokens[0].start] = moved
+            start, end = tokens[0].start, tokens[-1].end
+            tried[start:end] = [_moved(run.items, block[0], tokens, new), *[[]] * (end - start - 1)]
         # Right in every place by itself, but the masked register's plane may be another one now.
-        try:
-            Run(frame, [item for part in parts for item in part], budget)
-        except Illegal:
-            for k, part in before.items():
-                parts[k] = part
-    return [item for part in parts for item in part]
+        with suppress(Illegal):
+            Run(frame, list(chain.from_iterable(tried)), budget)
+            parts = tried
+    return list(chain.from_iterable(parts))
 
 
 def _shortened(
@@ -58,20 +55,17 @@ def _shortened(
     starts = [tokens[0].start for tokens in block]
     length = block[0][-1].end - starts[0]
     live = union(run.live[k + length] for k in starts)
-    start = tuple(
-        _joined([run.before[k][register] for k in starts], size)
-        for register in range(frame.flag + 1)
-    )
+    states = zip(*(run.before[k] for k in starts), strict=True)
+    start = tuple(_joined(contents, size) for contents in states)
     everything = _joined([frame.everything] * len(starts), size)
     assert everything is not None
     part = replace(frame, everything=everything, start=start, ends=live)
-    items: list[Item] = []
-    for offset, item in enumerate(run.items[starts[0] : starts[0] + length]):
+    items = run.items[starts[0] : starts[0] + length]
+    for offset, item in enumerate(items):
         if isinstance(item, Check) and item.need is not None:
             checks = [run.items[k + offset] for k in starts]
             needs = [check.need for check in checks if isinstance(check, Check)]
-            item = replace(item, need=_joined(needs, size))
-        items.append(item)
+            items[offset] = replace(item, need=_joined(needs, size))
     try:
         found = shorten(part, items, budget)
     except Illegal:

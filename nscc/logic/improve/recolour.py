@@ -13,7 +13,7 @@ or a value may not be everywhere; what is chosen among the free ones decides the
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import networkx as nx
 
@@ -33,7 +33,7 @@ class _Value:
     last: int
     home: int = -1
     banned: int = 0
-    sources: tuple[int, ...] = field(default=())
+    sources: tuple[int, ...] = ()
 
 
 def recoloured(frame: Frame, items: Sequence[Item], without: int = 0) -> list[Item] | None:
@@ -139,13 +139,8 @@ class _Painter:
         masked = self.frame.masked
         if item.destination == masked:
             return masked
-        best: int | None = None
-        best_price = (9, 0, 0, 0)
-        for register in range(self.frame.flag):
-            if register == masked or value.banned >> register & 1:
-                continue
-            if self.values[self.holds[register]].last > k:
-                continue
+
+        def price(register: int) -> tuple[int, bool, bool, int]:
             in_place = int(register in sources)
             if in_place and _copies(item):
                 in_place = -1  # nothing to do at all
@@ -156,15 +151,21 @@ class _Painter:
             # Words first, the copy home among them (a part of a frame has no place for one, so away
             # is dearer there). Then no plane's way home is blocked, then as little as can be is
             # changed, then a register is taken that no plane needs, or only late.
-            price = (
+            return (
                 in_place + away * (1 if self.frame.ends is None else 2),
-                int(in_the_way),
-                int(register != item.destination),
+                in_the_way,
+                register != item.destination,
                 -self.homing[register] if self.homing[register] >= 0 else -len(self.items),
             )
-            if best is None or price < best_price:
-                best, best_price = register, price
-        return best
+
+        free = [
+            register
+            for register in range(self.frame.flag)
+            if register != masked
+            and not value.banned >> register & 1
+            and self.values[self.holds[register]].last <= k
+        ]
+        return min(free, key=price, default=None)
 
     def _bring_home(self, out: list[Item]) -> list[Item] | None:
         """Copies every plane that is astray to its home; None where that takes a register more.
