@@ -158,16 +158,10 @@ class _Finder:
             + ("" if (plane == (points.bits[number] ^ turned)).all() else ", changed in places")
             for (number, turned), plane in zip(plan.choice, plan.planes, strict=True)
         ]
+        name, planes = "predicates stored, the rest by cascades of cubes", columns(shutters.T)
         return Solution(
-            "predicates stored, the rest by cascades of cubes",
-            tuple(columns(shutters.T)),
-            tuple(holders),
-            0,
-            plan.scratch,
-            (),
-            tuple(answers),
-            (),
-        )  # fmt: skip
+            name, tuple(planes), tuple(holders), 0, plan.scratch, (), tuple(answers), ()
+        )
 
     def _tasks_of_demands(self) -> list[_Task | None]:
         """Every demand's task; None where FLAG already holds what is asked for."""

@@ -208,11 +208,8 @@ class Search:
             before, last, _ = self._recorded[-1]
             first = before + len(last)
         self._recorded.append((first, values, in_flag))
-        count = len(values)
-        return _Values(
-            values.on, values.off, values.task, np.arange(first, first + count),
-            np.zeros(count, dtype=np.bool_), np.zeros_like(values.cubes),
-        )  # fmt: skip
+        via, none = np.arange(first, first + len(values)), np.zeros(len(values), dtype=np.bool_)
+        return replace(values, via=via, negated=none, cubes=np.zeros_like(values.cubes))
 
     def _links(
         self, values: _Values, in_flag: bool, words: int, width: int

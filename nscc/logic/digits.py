@@ -80,6 +80,11 @@ def thermometers(
     ]
 
 
+def nor(destination: str, sources: Sequence[str]) -> Segment:
+    """destination := NOR(sources), of which there are some."""
+    return (Gate("NOR" if len(sources) > 1 else "NOT", destination, tuple(sources)),)
+
+
 def turned_over(planes: Iterable[int]) -> tuple[Segment, ...]:
     """Inverts planes in place, each in a segment of its own."""
     return tuple((Gate("NOT", f"p{plane}", (f"p{plane}",)),) for plane in planes)

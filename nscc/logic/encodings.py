@@ -96,9 +96,8 @@ Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
 def event_fields(problem: Problem, most: int) -> Events:
     """For each kind of event and its rank: (demand, shutters) in time order.
 
-    Raises GaveUp where there are more than `most` such fields.
-
-    Demands that find FLAG as they want it are nobody's event.
+    Demands that find FLAG as they want it are nobody's event. Raises GaveUp where there are more
+    than `most` such fields.
     """
     seen: dict[tuple[str, int], NDArray[np.int64]] = {}
     fields: Events = {}

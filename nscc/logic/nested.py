@@ -15,7 +15,7 @@ from itertools import combinations, pairwise, product
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.digits import binary_planes, radices_of, thermometers, turned_over
+from nscc.logic.digits import binary_planes, nor, radices_of, thermometers, turned_over
 from nscc.logic.gray import gray
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
@@ -95,11 +95,10 @@ _Flips = tuple[tuple[int, ...], ...]
 def _turns(bits: int) -> tuple[_Flips, int]:
     """The cheapest way to turn bits over, and the most cubes of a group.
 
-    It is a shortest path through (group, polarities).
-
-    In group h the bits must mask every lower value but not h, and the values above h must be an
-    OR of planes as they stand and a few cubes. The path enters group 0 and leaves the last group
-    with every bit as it was stored; an edge costs two words a bit turned in place, and a cube's.
+    It is a shortest path through (group, polarities). In group h the bits must mask every lower
+    value but not h, and the values above h must be an OR of planes as they stand and a few cubes.
+    The path enters group 0 and leaves the last group with every bit as it was stored; an edge costs
+    two words a bit turned in place, and a cube's.
     """
     import networkx as nx  # only from -O2 on: `check` starts without it
 
@@ -271,10 +270,6 @@ def _counted_script(
 
 def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...]:
     """Takes the shutters of cube NOR(equal) out of "greater"; `equal` empty: all of them."""
-
-    def cube(destination: str) -> Segment:
-        return (Gate("NOR" if len(equal) > 1 else "NOT", destination, tuple(equal)),)
-
     # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still holds
     # those that are equal now: DIGITS keep its inverse, for the demands that lower digits decide.
     if form in (_Form.DIGITS, _Form.STATE):
@@ -282,22 +277,22 @@ def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...
         turn = Gate("NOT", rest, ("s0",))
         if not equal:
             return ((turn, Gate("CLR", "s0", ())),)
-        return (turn,), cube("t0"), (Gate("NOR", "s0", (rest, "t0")),)
+        return (turn,), nor("t0", equal), (Gate("NOR", "s0", (rest, "t0")),)
     if form is _Form.TIGHT:
         # One scratch register: the cube goes where the state was, which waits inverted.
         if not equal:
             return ((Gate("CLR", "s0", ()),),)
         turn = Gate("NOT", "t0", ("s0",))
-        return (turn,), cube("s0"), (Gate("NOR", "s0", ("s0", "t0")),)
+        return (turn,), nor("s0", equal), (Gate("NOR", "s0", ("s0", "t0")),)
     if form is _Form.PAIR:
         # Two demands a group: FLAG, which the plane of the last digit decides as well, answers the
         # first; t1, "greater" alone, waits for the second and is the state from then on.
         left = Gate("NOR", "t1", ("t1", "t0")) if equal else Gate("CLR", "t1", ())
         both = Gate("NOR", "t0", ("t0", f"p{bits}")), Gate("WHERE", "FLAG", ("t0", "t1"))
-        cubes = (cube("t1"),) if equal else ()
+        cubes = (nor("t1", equal),) if equal else ()
         return (Gate("NOT", "t0", ("FLAG",)),), *cubes, (left, *both)
     load = Gate("WHERE", "FLAG", ("t0",))
     if not equal:
         return ((Gate("CLR", "t0", ()), load),)
     turn, left = Gate("NOT", "t0", ("FLAG",)), Gate("NOR", "t0", ("t0", "FLAG"))
-    return (turn, load), cube("t0"), (left, load)
+    return (turn, load), nor("t0", equal), (left, load)

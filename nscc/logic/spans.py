@@ -7,14 +7,14 @@ are active is stored, or a state that every group brings forward.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.bumps import Bumps, bumps_of
-from nscc.logic.digits import Planes, binary_planes, turned_over
+from nscc.logic.digits import Planes, binary_planes, nor, turned_over
 from nscc.logic.gray import gray
 from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
@@ -153,31 +153,25 @@ def _ends(bumps: Bumps, size: int, bits: int, risers: _Risers) -> Planes:
     return planes + binary_planes("group of the last slot, bit", last, bits)
 
 
-def _nor(destination: str, sources: Sequence[str]) -> Segment:
-    return (Gate("NOR" if len(sources) > 1 else "NOT", destination, tuple(sources)),)
-
-
 def _fallers(m: int, bits: int) -> Segment:
     """t0 := shutters whose last group is a submask of m: m itself, and some before it."""
-    return _nor("t0", [f"p{bits + i}" for i in range(bits) if not m >> i & 1])
+    return nor("t0", [f"p{bits + i}" for i in range(bits) if not m >> i & 1])
 
 
 def _flag_script(bumps: Bumps, bits: int, risers: _Risers) -> Script:
     """The state in FLAG, one scratch register, groups of one step."""
     # FLAG := NOR(NOR(FLAG, rising), falling) in two steps; FLAG is inverted in between.
-    into_flag: Segment = (
-        Gate("NOR", "t0", ("t0", "FLAG")), Gate("WHERE", "FLAG", ("t0",)),
-    )  # fmt: skip
+    into_flag = (Gate("NOR", "t0", ("t0", "FLAG")), Gate("WHERE", "FLAG", ("t0",)))
     before: dict[int, tuple[Segment, ...]] = {}
     for step, i in bumps.groups():
         if not step:
-            rise = _nor("t0", [f"p{b}" for b in range(bits)])
+            rise = nor("t0", [f"p{b}" for b in range(bits)])
             before[i] = ((*rise, Gate("WHERE", "FLAG", ("t0",))),)
             continue
         m = step - 1
         before[i] = (
             *turned_over(risers.flips[m]),
-            _nor("t0", [f"p{b}" for b in risers.cubes[m]]),
+            nor("t0", [f"p{b}" for b in risers.cubes[m]]),
             into_flag,
             _fallers(m, bits),
             into_flag,
@@ -198,7 +192,7 @@ def _register_script(bumps: Bumps, size: int, bits: int, risers: _Risers, *, exa
             before[i] = ((Gate("OR", "s0", tuple(f"p{b}" for b in range(bits))),),)
             continue
         m = group - 1
-        run: list[Segment] = [_nor("t0", [f"p{b}" for b in risers.cubes[m]]), _fallers(m, bits)]
+        run: list[Segment] = [nor("t0", [f"p{b}" for b in risers.cubes[m]]), _fallers(m, bits)]
         state, last = "FLAG", "OR"
         if exact:
             run.reverse()

@@ -34,11 +34,10 @@ def allocate(solution: Solution, target: Target) -> Allocation:
     places: dict[str, str] = {}
     free = list(target.digital_registers)
     if target.masked_register is not None and target.mask_register is not None:
-        total = len(planes) + len(scratch) + len(states)
         if scratch:
             places[scratch[0]] = target.mask_register
             free.remove(target.mask_register)
-        if total == len(target.digital_registers):
+        if len(planes) + len(states) + len(scratch) == len(target.digital_registers):
             places[planes[quietest(solution.writes())]] = target.masked_register
         free.remove(target.masked_register)
         if not scratch and len(free) > len(planes) + len(states):

@@ -160,9 +160,12 @@ def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
             counts += buses
         else:
             counts[members(predicate, shutters)] += buses
-    opening = program.table.shutters.any(axis=(1, 2))
-    used = counts[opening]
+    used = counts[program.table.shutters.any(axis=(1, 2))]
     return (int(used.min()), int(used.max())) if used.size else (0, 0)
+
+
+# Twice and a pause, as the library's respix does: one word is too short to empty the well.
+_RESET = (op("rpix"), op("rpix"), op("nop"))
 
 
 class _Builder:
@@ -211,10 +214,6 @@ class _Builder:
             where = None if predicate == self.everywhere else predicate
             self.steps.append(Step(boundary, role, bucket, where, words))
 
-    def _reset(self) -> tuple[Op, ...]:
-        # Twice and a pause, as the library's respix does: one word is too short to empty the well.
-        return (op("rpix"), op("rpix"), op("nop"))
-
     def _setup(self) -> None:
         scratch = self.scratch
         clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
@@ -222,7 +221,7 @@ class _Builder:
         sample: tuple[Op, ...] = ()
         if self.reference is not None:
             sample = (op("bus", (scratch,), ("PIX",)), op("bus", (self.reference,), (scratch,)))
-        self.steps.append(Step(0, "reset", -1, None, (*self._reset(), *sample)))
+        self.steps.append(Step(0, "reset", -1, None, (*_RESET, *sample)))
 
     def _add(self, register: str) -> tuple[Op, ...]:
         """register += PIX - reference."""
@@ -236,10 +235,9 @@ class _Builder:
 
     def _accumulate(self) -> None:
         adds = [self._add(register) for register in self.registers]
-        reset = self._reset()
         for slot, lit in enumerate(zip(*self.opens, strict=True)):
             if slot and any(lit):
-                self.steps.append(Step(slot, "reset", -1, None, reset))
+                self.steps.append(Step(slot, "reset", -1, None, _RESET))
             for bucket, add in enumerate(adds):
                 self._step(slot + 1, "open", bucket, lit[bucket], add)
 
@@ -259,8 +257,8 @@ class _Builder:
     def _edges(self) -> None:
         """Falls before rises: a rise may reset what another bucket's fall still has to read."""
         falls = [self._add(register) for register in self.registers]
-        reset = self._reset() if self._can_reset_at_rise() else None
-        rises = [reset or self._subtract(register) for register in self.registers]
+        resets = self._can_reset_at_rise()
+        rises = [_RESET if resets else self._subtract(register) for register in self.registers]
         # With a reference, PIX stands at it at boundary 0: there is nothing to subtract.
         first_rise = 0 if self.reference is None else 1
         for boundary, changes in self._changes():

@@ -148,10 +148,8 @@ class Replay:
             return
         where, unsure = self._flagged(word)
         if self.target.reset_honours_flag == "unknown":
-            ones = self._split[0][0]
-            unsure = (
-                members(self.everything & ~ones, self.lanes) if ones != self.everything else None
-            )
+            rest = self.everything & ~self._split[0][0]
+            unsure = members(rest, self.lanes) if rest else None
         self.pix[where] = self._reset_level[where]
         if unsure is not None:
             self._spoil(self.pix, unsure)

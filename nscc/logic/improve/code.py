@@ -137,12 +137,9 @@ class Frame:
         if item.destination == self.flag:
             limit = self.machine.where_sources
             reads_flag = item.reads >> self.flag & 1
-            return (
-                not item.inverted
-                and count > 0
-                and (limit is None or count <= limit)
-                and (self.machine.where_reads_flag or not reads_flag)
-            )
+            if item.inverted or not count or (reads_flag and not self.machine.where_reads_flag):
+                return False
+            return limit is None or count <= limit
         if item.destination == self.masked and (self.mask is None or item.reads >> self.mask & 1):
             return False
         limit = self.machine.or_sources

@@ -16,7 +16,7 @@ from nscc.logic.cubes import Budget
 from nscc.logic.improve.code import REFRESH_WORDS, Illegal, Op, flatten, states_before, unflatten
 from nscc.logic.improve.recolour import recoloured
 from nscc.logic.improve.run import Run
-from nscc.logic.improve.shrink import drop_pairs, drop_singles
+from nscc.logic.improve.shrink import shrink
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
 # So many of the most promising vectors are tried for each register: each try is a search of its
@@ -65,8 +65,7 @@ def _shortened(
 ) -> tuple[Solution, int]:
     """A shorter solution, and its words."""
     run = Run(*flatten(solution, problem, machine), budget)
-    drop_singles(run)
-    drop_pairs(run, NEAR)
+    shrink(run, NEAR)
     found = unflatten(run.frame, run.items)
     frame, items = flatten(found, problem, machine)
     states_before(frame, items)

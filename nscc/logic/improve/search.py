@@ -10,7 +10,7 @@ from nscc.logic.improve.code import Frame, Illegal, Item, flatten, states_before
 from nscc.logic.improve.kernels import improve_kernels
 from nscc.logic.improve.recolour import recoloured
 from nscc.logic.improve.run import Run
-from nscc.logic.improve.shrink import drop_pairs, drop_singles
+from nscc.logic.improve.shrink import shrink
 from nscc.logic.improve.wander import wander
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -104,8 +104,7 @@ def _sweep(run: Run) -> None:
     words = run.words() + 1
     while run.words() < words:
         words = run.words()
-        drop_singles(run)
-        drop_pairs(run, PAIR_SPAN)
+        shrink(run, PAIR_SPAN)
         _recolour(run)
 
 

@@ -10,15 +10,11 @@ from nscc.logic.improve.rewrite import rewrite
 from nscc.logic.improve.run import Run
 
 
-def drop_singles(run: Run) -> None:
-    """Tries to do without each operation."""
+def shrink(run: Run, span: int) -> None:
+    """Tries to do without each operation, then without any two at most `span` apart."""
     for k in reversed(range(len(run.items))):
         if k < len(run.items):
             _drop(run, k)
-
-
-def drop_pairs(run: Run, span: int) -> None:
-    """Tries to do without two operations at most `span` apart."""
     k = len(run.items) - 2
     while k >= 0:
         for j in range(k + 1, min(k + 1 + span, len(run.items))):
