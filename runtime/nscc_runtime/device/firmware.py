@@ -19,12 +19,13 @@ from hashlib import sha256
 from pathlib import Path
 from select import select
 from struct import Struct
-from typing import TYPE_CHECKING, NamedTuple, Self
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from nscc.cache.store import cache_folder
 from nscc_runtime.device.board import in_background
+from nscc_runtime.device.messages import Fault
 from nscc_runtime.device.objects import RUN, WORD
-from nscc_runtime.device.parsing import container_of
+from nscc_runtime.device.parsing import Reader, container_of
 from nscc_runtime.device.target_header import target_header
 
 if TYPE_CHECKING:
@@ -40,7 +41,6 @@ CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
 _RECORD = Struct("<BI")
 _READOUT = Struct("<Id")
 _EVENT = Struct("<II")
-_COUNT = Struct("<I")
 _LIGHT_FALLS = 0xFFFF_FFFF
 _MOST_READ = 1 << 16
 _START_S = 10.0
@@ -250,40 +250,26 @@ class Process(Firmware):
 
 def container_of_job(job: bytes, target: Target) -> tuple[Container, int]:
     """What a loader's board was told to do, as a program for the emulator; and the channels."""
-    at = 0
+    reader = Reader(job, Fault.MALFORMED)
+    channels = reader.count()
 
-    def taken(layout: Struct, count: int = 1) -> list[tuple[float, ...]]:
-        nonlocal at
-        found = [layout.unpack_from(job, at + i * layout.size) for i in range(count)]
-        at += count * layout.size
-        return found
+    def rows(layout: Struct) -> list[Any]:
+        return list(reader.rows(layout, reader.count()))
 
-    def number() -> int:
-        return int(taken(_COUNT)[0][0])
-
-    channels = number()
-    readouts = [(int(reg), gain) for reg, gain in taken(_READOUT, number())]
-    runs = taken(RUN, number())
-    kernels = []
-    for _ in range(number()):
-        words = taken(WORD, number())
-        kernels.append(tuple((int(a), int(b), int(c), int(d), int(e)) for a, b, c, d, e in words))
+    readouts, runs = rows(_READOUT), rows(RUN)
+    kernels = [tuple(rows(WORD)) for _ in range(reader.count())]
     launches, boundary = [], 0
-    for what, slots in taken(_EVENT, number()):
+    for what, slots in rows(_EVENT):
         if what == _LIGHT_FALLS:
-            boundary += int(slots)
+            boundary += slots
         else:
-            launches.append((boundary, int(what)))
-    planes, size = {}, (target.rows * target.cols + 7) // 8
-    for _ in range(number()):
-        register = number()
-        planes[register] = job[at : at + size]
-        at += size
+            launches.append((boundary, what))
+    plane_bytes = (target.rows * target.cols + 7) // 8
     return container_of(
         target,
         readouts=readouts,
         kernels=kernels,
         launches=launches,
-        slot_us=[float(us) for count, us in runs for _ in range(int(count))],
-        planes=planes,
+        slot_us=[us for count, us in runs for _ in range(count)],
+        planes={reader.count(): reader.take(plane_bytes) for _ in range(reader.count())},
     ), channels

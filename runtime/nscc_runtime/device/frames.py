@@ -27,7 +27,8 @@ def exposed(
     """
     chip.upload(container)
     count = repeat or 1
-    frames = [shot.frame for shot in progress(chip.frames(container, count), "exposing", count)]
+    shots = (chip.capture(container) for _ in range(count))
+    frames = [shot.frame for shot in progress(shots, "exposing", count)]
     frame = stacked(frames) if repeat else frames[0]
     sensor = chip.sensor or default_sensor(container.target)
     return frame, device_meta(chip, frame, sensor, container, light)
@@ -56,7 +57,9 @@ def device_meta(
         "device_seed": None,
         "fidelity": "device",
         "lowering": container.notes.get("lowering") if container else None,
-        "buckets": list(container.buckets) if container else _numbered(frame),
+        "buckets": [*container.buckets]
+        if container
+        else [f"bucket{number}" for number in range(frame.frame.shape[-3])],
         "electrons_per_lsb": sensor.electrons_per_lsb,
         "adc_offset": sensor.adc_offset_lsb,
         "exposure_scale_e": light.exposure_scale_e if light else None,
@@ -66,7 +69,3 @@ def device_meta(
         "audit": None,
         "device": {"target": info.target_name, "loader": info.firmware},
     }
-
-
-def _numbered(frame: Frame) -> list[str]:
-    return [f"bucket{number}" for number in range(frame.frame.shape[-3])]
