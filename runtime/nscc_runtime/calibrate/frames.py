@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.calibrate.errors import UNUSABLE
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.scenes.errors import size
 
@@ -59,7 +58,7 @@ def load_stack(given: str, top_code: int) -> Stack:
     name = str(path)
     if not path.exists():
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"the frames '{name[:200]}' cannot be read: there is no such file",
             helps=(
                 "name a frame file, an array (.npz, .npy, .mat), a picture or a folder of them",
@@ -75,7 +74,7 @@ def load_stack(given: str, top_code: int) -> Stack:
         except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
             reason = " ".join(str(error).split())[:200]
             raise rejected(
-                UNUSABLE,
+                "NS0757",
                 f"the frames '{name}' cannot be read: {reason}",
                 helps=("check that the file is whole and that its ending says what it is",),
             ) from error
@@ -148,7 +147,7 @@ def _time_of_key(name: str, value: NDArray[Any]) -> float:
 
 def _wrong_time(name: str, what: str) -> Rejected:
     return rejected(
-        UNUSABLE,
+        "NS0757",
         f"the exposure time of '{name[:200]}' is no time: {what}",
         helps=("write PATH@TIME with TIME such as 2ms, 500us or 0.1s",),
     )
@@ -180,7 +179,7 @@ def _chosen(name: str, found: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[
         return others[0], found[others[0]]
     shown = ", ".join(repr(key[:40]) for key in others[:12]) or "nothing"
     raise rejected(
-        UNUSABLE,
+        "NS0757",
         f"'{name}' has no array 'frame'",
         notes=(f"it holds {shown}",),
         helps=("save the codes under that name: np.savez(file, frame=a), (K, rows, cols)",),
@@ -205,7 +204,7 @@ def _ours(
     shaped = values[None] if values.ndim == 3 else values
     if shaped.ndim != 4 or shaped.shape[1] != 1:
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"the frame file '{name}' has {size(values.shape)} codes: more than one bucket",
             helps=("expose flats and darks with a program of one bucket: `open when n < N`",),
         )
@@ -214,7 +213,7 @@ def _ours(
     times = meta["open_us"]
     if not isinstance(times, list) or len(times) != 1 or not isinstance(times[0], int | float):
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"the pixels of '{name}' were not open for the same time",
             notes=("photon transfer compares pixels of one light and one exposure time",),
             helps=("expose flats and darks with a program without codes: `open when n < N`",),
@@ -242,7 +241,7 @@ def _pictures(path: Path) -> NDArray[Any]:
         found = [picture_files.read_picture(path)]
     else:
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"'{path}' does not end like frames",
             notes=(f"frames end in .npz, .npy, .mat, {', '.join(picture_files.PICTURES)}",),
             helps=("give the file the ending of its format",),
@@ -250,7 +249,7 @@ def _pictures(path: Path) -> NDArray[Any]:
     for picture in found:
         if picture.ndim == 3 and np.any(picture != picture[..., :1]):
             raise rejected(
-                UNUSABLE,
+                "NS0757",
                 f"'{path}' is in colour",
                 notes=("photon transfer takes the codes of the ADC, one a pixel",),
                 helps=("save the frames as grey pictures or arrays",),
@@ -264,14 +263,14 @@ def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
         values = values[None]
     if values.ndim != 3 or 0 in values.shape or min(values.shape[1:]) < 2:
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"'{key}' in '{name}' is {size(values.shape)}, not frames",
             notes=("a frame is (rows, cols), frames of one level (K, rows, cols)",),
             helps=("in a .mat file frames are (rows, cols, K)",),
         )
     if values.dtype.kind not in "uif":
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"'{key}' in '{name}' is of type {values.dtype}, not codes of the ADC",
             helps=("save the codes as integers: a.astype(np.uint8)",),
         )
@@ -280,7 +279,7 @@ def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
     if not (whole and low >= 0 and high <= top_code):
         what = f"values from {low:g} to {high:g}" if whole else "values that are not whole"
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"'{key}' in '{name}' has {what}: no codes of an ADC that ends at {top_code}",
             notes=("averages and electrons have lost what photon transfer measures: the noise",),
             helps=(
