@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
+from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc_runtime.calibrate.estimate import Calibration, Quantity
 from nscc_runtime.calibrate.levels import Moments
@@ -95,8 +96,7 @@ def as_table(found: Calibration) -> str:
         if q.value is not None:
             value = f"{bound}{q.value:.6g}{error} {q.unit if q.unit != '1' else ''}".rstrip()
         rows.append((q.title, value, q.remark))
-    widths = [max(len(row[i]) for row in rows) for i in (0, 1)]
-    return "\n".join(f"{a:<{widths[0]}}  {b:<{widths[1]}}  {c}".rstrip() for a, b, c in rows)
+    return columns(rows)
 
 
 def messages(found: Calibration) -> list[Diagnostic]:

@@ -72,11 +72,11 @@ def sensor_of(chosen: Mapping[str, Choice]) -> Sensor:
 
 
 def _take(chosen: dict[str, Choice], name: str, quantity: Quantity) -> None:
-    if quantity.value is None or quantity.known == "at least":
-        return
-    status: Status = "bound" if quantity.known == "at most" else quantity.known
-    said = "" if status == "measured" else f"{quantity.known}: "
-    chosen[name] = Choice(quantity.value, quantity.se, status, said + quantity.remark)
+    kinds: dict[str, Status] = {"measured": "measured", "at most": "bound", "given": "given"}
+    if quantity.value is not None and quantity.known in kinds:
+        said = "" if quantity.known == "measured" else f"{quantity.known}: "
+        status = kinds[quantity.known]
+        chosen[name] = Choice(quantity.value, quantity.se, status, said + quantity.remark)
 
 
 def _contain(chosen: dict[str, Choice], name: str, value: float, where: str) -> None:
