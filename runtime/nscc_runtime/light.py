@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -117,23 +116,17 @@ class Light:
 
     @cached_property
     def _total_e(self) -> NDArray[np.float64]:
-        total = np.zeros(self.shape, np.float64)
-        for n, count in self._distinct_slots():
-            if count == 1:
-                total += self.slot(n)
-            else:
-                total += self.slot(n).astype(np.float64) * count
-        total.flags.writeable = False
-        return total
-
-    def _distinct_slots(self) -> Iterator[tuple[int, int]]:
-        """The first slot of each distinct row of the matrix, and how many slots have that row."""
-        counts: dict[tuple[bytes, bytes], list[int]] = {}
+        slots: dict[tuple[bytes, bytes], list[int]] = {}
         for n in range(self.slots):
             part = slice(int(self.row_start[n]), int(self.row_start[n + 1]))
             key = (self.frame_index[part].tobytes(), self.weight[part].tobytes())
-            counts.setdefault(key, [n, 0])[1] += 1
-        yield from ((n, count) for n, count in counts.values())
+            slots.setdefault(key, []).append(n)
+        total = np.zeros(self.shape, np.float64)
+        for alike in slots.values():
+            slot = self.slot(alike[0])
+            total += slot if len(alike) == 1 else slot.astype(np.float64) * len(alike)
+        total.flags.writeable = False
+        return total
 
     def on_frames(self, slots: NDArray[np.float64]) -> NDArray[np.float64]:
         """Weights (N, J) of the slots as weights (T, J) of the frames."""

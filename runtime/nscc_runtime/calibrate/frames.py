@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -64,33 +64,22 @@ def load_stack(given: str, top_code: int) -> Stack:
                 "name a frame file, an array (.npz, .npy, .mat), a picture or a folder of them",
             ),
         )
-    suffix = path.suffix.lower()
-    origin = None
-    if suffix in (".npz", ".npy", ".mat") and path.is_file():
-        try:
-            found = _arrays(path)
-        except Rejected:
-            raise
-        except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
-            reason = " ".join(str(error).split())[:200]
-            raise rejected(
-                "NS0757",
-                f"the frames '{name}' cannot be read: {reason}",
-                helps=("check that the file is whole and that its ending says what it is",),
-            ) from error
+    origin, valid = None, None
+    if path.suffix.lower() in (".npz", ".npy", ".mat") and path.is_file():
+        found = _arrays(path)
         key, values = _chosen(name, found)
         meta = _meta(found)
         if meta is not None:
             values, from_meta = _ours(name, values, meta)
             origin = json.dumps([meta.get(key) for key in _SAME_PROGRAM])
             time_s = from_meta if time_s is None else time_s
-        elif suffix == ".mat" and values.ndim == 3:
+            valid = _valid(found, values.shape)
+        elif path.suffix.lower() == ".mat" and values.ndim == 3:
             values = np.moveaxis(values, 2, 0)
         if time_s is None and TIME_KEY in found:
             time_s = _time_of_key(name, found[TIME_KEY])
-        valid = _valid(found, values.shape) if meta is not None else None
     else:
-        key, values, valid = "the picture", _pictures(path), None
+        key, values = "the picture", _pictures(path)
     codes = _codes(name, key, values, top_code)
     if valid is None:
         valid = np.ones(codes.shape[1:], np.bool_)
@@ -101,24 +90,16 @@ def load_stack(given: str, top_code: int) -> Stack:
 
 def grouped(stacks: Iterable[Stack]) -> list[Stack]:
     """The same with frame files of one run (other seeds, same light) made one stack."""
-    found: list[Stack] = []
+    found: dict[object, Stack] = {}
     for stack in stacks:
-        for index, other in enumerate(found):
-            if _alike(stack, other):
-                codes = np.concatenate([other.codes, stack.codes])
-                valid = other.valid & stack.valid
-                found[index] = Stack(other.name, codes, valid, stack.exposure_s, stack.origin)
-                break
-        else:
-            found.append(stack)
-    return found
-
-
-def _alike(one: Stack, other: Stack) -> bool:
-    same = one.origin is not None and one.origin == other.origin
-    return (
-        same and one.exposure_s == other.exposure_s and one.codes.shape[1:] == other.codes.shape[1:]
-    )
+        run = (stack.origin, stack.exposure_s, stack.codes.shape[1:])
+        key = len(found) if stack.origin is None else run
+        if key in found:
+            other = found[key]
+            codes = np.concatenate([other.codes, stack.codes])
+            stack = replace(other, codes=codes, valid=other.valid & stack.valid)
+        found[key] = stack
+    return [*found.values()]
 
 
 def _timed(given: str) -> tuple[Path, float | None]:
@@ -155,19 +136,25 @@ def _wrong_time(name: str, what: str) -> Rejected:
 
 def _arrays(path: Path) -> dict[str, NDArray[Any]]:
     """Everything in the file that is needed, by key; an .npy file's array is `frame`."""
-    suffix = path.suffix.lower()
-    if suffix == ".npy":
-        return {KEYS[0]: np.load(path, allow_pickle=False)}
-    if suffix == ".mat":
-        from scipy.io import loadmat
+    try:
+        if path.suffix.lower() == ".mat":
+            from scipy.io import loadmat
 
-        found = loadmat(path)
-        return {key: value for key, value in found.items() if isinstance(value, np.ndarray)}
-    with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
-        names = set(archive.files)
-        if "meta" in names:  # the exposures in electrons are what a chip does not give
-            names &= {KEYS[0], "valid", "meta", TIME_KEY}
-        return {key: archive[key] for key in sorted(names)}
+            found = loadmat(path)
+            return {key: value for key, value in found.items() if isinstance(value, np.ndarray)}
+        if path.suffix.lower() == ".npy":
+            return {KEYS[0]: np.load(path, allow_pickle=False)}
+        with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
+            names = set(archive.files)
+            if "meta" in names:  # the exposures in electrons are what a chip does not give
+                names &= {KEYS[0], "valid", "meta", TIME_KEY}
+            return {key: archive[key] for key in sorted(names)}
+    except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
+        raise rejected(
+            "NS0757",
+            f"the frames '{path}' cannot be read: {' '.join(str(error).split())[:200]}",
+            helps=("check that the file is whole and that its ending says what it is",),
+        ) from error
 
 
 def _chosen(name: str, found: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[Any]]:
