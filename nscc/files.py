@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from pathlib import Path
 from typing import BinaryIO
 
@@ -42,6 +42,19 @@ def write_together(products: Mapping[Path, Product]) -> None:
     finally:
         for temporary, _ in waiting:
             temporary.unlink(missing_ok=True)
+
+
+def refuse_same(paths: Collection[Path], options: str) -> None:
+    """Raises Rejected (NS0745, status 2) where two of the products would be one file.
+
+    `options` are those that name them.
+    """
+    if len({path.absolute() for path in paths}) < len(paths):
+        raise rejected(
+            "NS0745",
+            f"two products would be written to one file: {', '.join(map(str, paths))}",
+            helps=(f"give {options} different names",),
+        )
 
 
 def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
-from nscc.files import Product
+from nscc.files import Product, refuse_same
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
@@ -39,12 +39,7 @@ def frame_path(program: Path, options: dict[str, Any]) -> Path:
     """
     out: Path = options["out"] or Path(program.stem + ".frame.npz")
     named = [out, *(options[name] for name in ("png", "timings", "plan") if options[name])]
-    if len({file.absolute() for file in named}) < len(named):
-        raise rejected(
-            "NS0745",
-            f"two products would be written to one file: {', '.join(map(str, named))}",
-            helps=("give -o, --png, --timings and --plan different names",),
-        )
+    refuse_same(named, "-o, --png, --timings and --plan")
     return out
 
 

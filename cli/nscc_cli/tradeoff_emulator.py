@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.files import Product, write_together
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.files import Product, refuse_same, write_together
 from nscc_cli.programs import BuildChoice, build_options, compile_options, load_program
 from nscc_cli.scene_options import scene_of, scene_options, sensor_of, sensor_options
 from nscc_cli.support import CommonCommand, done, progress, say
@@ -158,16 +158,7 @@ def _files(out: Path | None, csv_path: Path | None, png_path: Path | None) -> di
         found["budget"] = out.with_name(out.name + "_budget.png")
     given = {"csv": csv_path, "png": png_path}
     found = {name: path for name, path in given.items() if path is not None} | found
-    if len({path.absolute() for path in found.values()}) < len(found):
-        names = ", ".join(map(str, found.values()))
-        raise Rejected(
-            Diagnostic(
-                "NS0745",
-                f"two products would be written to one file: {names}",
-                helps=("give --csv and --png different names",),
-            ),
-            status=2,
-        )
+    refuse_same(found.values(), "--csv and --png")
     return found
 
 

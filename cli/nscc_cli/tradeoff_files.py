@@ -8,8 +8,7 @@ from typing import Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.files import Product, write_together
+from nscc.files import Product, refuse_same, write_together
 from nscc_cli.support import done
 
 
@@ -51,15 +50,7 @@ def output_files(
     if out is not None:
         csv_path = csv_path or out.with_name(out.name + ".csv")
         png_path = png_path or out.with_name(out.name + ".png")
-    if csv_path is not None and png_path is not None and csv_path.absolute() == png_path.absolute():
-        raise Rejected(
-            Diagnostic(
-                "NS0745",
-                f"two products would be written to one file: {csv_path}",
-                helps=("give --csv and --png different names",),
-            ),
-            status=2,
-        )
+    refuse_same([path for path in (csv_path, png_path) if path is not None], "--csv and --png")
     return csv_path, png_path
 
 

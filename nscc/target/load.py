@@ -124,7 +124,7 @@ def target_toml(target: Target) -> str:
         "A target of nscc: what the compiler, the checker and the emulator know of a chip.",
         "Keys marked (not public) are this project's defaults; they may be left out.",
     )
-    plain = replace(SCHEMA, keys=tuple(key for key in SCHEMA.keys if key.name != "words"))
+    plain = replace(SCHEMA, keys=tuple(key for key in SCHEMA.keys if key.path != "words"))
     text = file_text(plain, _values(target), remark, head, beside=True)
     return text + "".join(f"{line}\n" for line in words_toml(target.words))
 

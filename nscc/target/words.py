@@ -22,6 +22,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
 from typing import Any
 
+from nscc.macros import MNEMONICS
 from nscc.operations import (
     ANALOG_SOURCES,
     ANALOG_WRITE,
@@ -36,7 +37,6 @@ from nscc.operations import (
 )
 from nscc.toml.kinds import Kind
 from nscc.toml.text import written
-from nscc.words.macros import MNEMONICS
 
 EFFECTS = {
     "nothing": Effect.NONE,
@@ -179,15 +179,14 @@ def _alike(one: Operation, other: Operation) -> bool:
     if one.clock != other.clock:
         return False
     operands = _operand_lines(not one.analog)
-    same = {*one.lines} - operands == {*other.lines} - operands
-    return same and all(
-        low <= (other_high if other_high is not None else high)
-        and other_low <= (high if high is not None else other_low)
-        for (low, high), (other_low, other_high) in (
-            (one.destinations, other.destinations),
-            (one.sources, other.sources),
-        )
-    )
+    if {*one.lines} - operands != {*other.lines} - operands:
+        return False
+    return _meet(one.destinations, other.destinations) and _meet(one.sources, other.sources)
+
+
+def _meet(one: tuple[int, int | None], other: tuple[int, int | None]) -> bool:
+    """Whether a number of operands is in both ranges; None is no limit."""
+    return (other[1] is None or one[0] <= other[1]) and (one[1] is None or other[0] <= one[1])
 
 
 def _whole(value: Any, low: int, high: int) -> bool:

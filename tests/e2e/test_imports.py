@@ -30,7 +30,7 @@ FLOORS = {
 
 ROOMS = (
     ("operations", "requirements", "source", "truth"),
-    ("diagnostics",),
+    ("diagnostics", "macros"),
     ("files", "plugins", "toml"),
     ("target",),
     ("logic", "words"),
@@ -38,9 +38,10 @@ ROOMS = (
     ("syntax",),
     ("installation", "program"),
     ("lower",),
-    ("checks", "emit"),
+    ("checks",),
     ("pipeline",),
-    ("limits", "tradeoff"),
+    ("emit", "limits"),
+    ("tradeoff",),
     ("compiler",),
     ("containers",),
 )

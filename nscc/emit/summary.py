@@ -1,0 +1,55 @@
+"""A compiled program in a few lines: what it is, where it fits, what it costs."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from nscc.lower.ledger import ledger
+from nscc.lower.resources import time_text
+from nscc.program.problems import counted
+
+if TYPE_CHECKING:
+    from nscc.pipeline import Compiled
+
+
+def summary(name: str, compiled: Compiled) -> str:
+    """What `nscc check` prints of a program that passes."""
+    program, lowered, proof = compiled.program, compiled.lowered, compiled.proof
+    table = program.table
+    lines = [f"class      {program.class_name}: {program.class_reason}"]
+    lines.append(
+        f"codes      {len(table.codes)} {'in use' if program.mode == 'fixed' else 'legal'}, "
+        f"{counted(len(table.shutters), 'shutter')}, {counted(len(program.frame.slot_us), 'slot')}"
+    )
+    if lowered is None or proof is None:
+        return "\n  ".join([f"{name}: passes, unless its words do not fit", *lines])
+    schedule = lowered.schedule
+    digital = ledger(schedule.allocation.holders)
+    shortest = min(program.frame.slot_us)
+    lines += [
+        f"lowering   {lowered.plan.lowering}; encoding: {lowered.solution.encoding}",
+        f"digital    {digital or 'no register needed'}",
+        f"analog     {ledger(lowered.plan.registers)}",
+        f"words      {schedule.words_stored} stored of {program.target.store_words}, "
+        f"{schedule.words_total} a frame",
+        f"time       shortest slot {time_text(shortest)}, longest instructions "
+        f"{time_text(lowered.shortest_slot_us)}",
+        f"proved     {counted(proof.codes, 'code')} x {counted(proof.slots, 'slot')}, "
+        f"{counted(proof.frames, 'frame')}",
+    ]
+    return "\n  ".join([f"{name}: fits {program.target.name}", *lines])
+
+
+def cost_text(compiled: Compiled) -> str:
+    """What the words cost, in two lines."""
+    lowered = compiled.lowered
+    assert lowered is not None
+    target, schedule = lowered.program.target, lowered.schedule
+    launches = lowered.shortest_slot_launches
+    launched = counted(launches, "kernel launch", "kernel launches")
+    return (
+        f"  words  {schedule.words_total} a frame, at most {max(lowered.words_per_boundary)} in a "
+        f"slot, {schedule.words_stored} stored of {target.store_words}\n"
+        f"  time   shortest legal slot {time_text(lowered.shortest_slot_us)}, "
+        f"with {launched} of {time_text(target.launch_us)}"
+    )
