@@ -90,11 +90,10 @@ def simulate(
     with listener.timings.part("expose_s"):
         frame = _exact(container, light, sensor, request, listener)
     fidelity = "planned" if request.effects.noiseless else "reference"
-    origin = Provenance(
-        to_bytes(container), request.seed, request.device_seed, fidelity, sensor,
-        frame_file.decisions(request.effects, light.motion is not None),
-    )  # fmt: skip
-    return Simulated(frame, origin)
+    digest = sha256(to_bytes(container)).hexdigest()
+    plan = frame_file.unplanned(request.effects, light.motion is not None)
+    seeds = request.seed, request.device_seed
+    return Simulated(frame, Provenance(digest, sensor, *seeds, fidelity, plan))
 
 
 def _exact(
@@ -136,8 +135,7 @@ def _planned(
     tolerance = tolerance_e(request.tolerance, sensor)
     _say_compiling(listener, fused.is_compiled() and run_pixels.is_compiled(), "planner")
     check(container, light)
-    program_bytes = to_bytes(container)
-    digest = sha256(program_bytes).hexdigest()
+    digest = sha256(to_bytes(container)).hexdigest()
     with timings.part("analyse_s"):
         program = made_ready(container, sensor)
     given = request.plan is not None and request.plan.exists()
@@ -158,7 +156,7 @@ def _planned(
             report = _audited(program, light, plan, request)
         broken = None if report.holds else _broken(plan, report)
     origin = Provenance(
-        program_bytes, request.seed, device_seed, "planned", sensor, (), plan.as_json(),
+        digest, sensor, request.seed, device_seed, "planned", plan.as_json(),
         None if report is None else asdict(report),
     )  # fmt: skip
     text = plan_text(plan, digest, sensor) if request.plan is not None and not given else None
