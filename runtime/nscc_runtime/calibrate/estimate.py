@@ -10,13 +10,15 @@ from typing import Literal
 import numpy as np
 
 from nscc.diagnostics.rejection import rejected
+from nscc.target.target import Target
 from nscc_runtime.calibrate.dark import Dark, dark_of
 from nscc_runtime.calibrate.fit import propagated, root, shared_variance
-from nscc_runtime.calibrate.frames import Stack
+from nscc_runtime.calibrate.frames import Stack, grouped, load_stack
 from nscc_runtime.calibrate.levels import QUIET, Mask, Moments, level_of, moments
 from nscc_runtime.calibrate.pixels import good_pixels, refuse_uneven, valid_pixels
 from nscc_runtime.calibrate.response import linearity, response_variance
 from nscc_runtime.calibrate.transfer import Transfer, kept_variance, transfer
+from nscc_runtime.progress import Progress, unseen
 
 ROUNDING = 1 / 12
 """The variance that an ADC adds by rounding, in squared codes."""
@@ -88,6 +90,24 @@ class Calibration:
     def frames(self) -> int:
         """How many frames it was made from."""
         return sum(level.frames for level in (*self.flats, *self.darks))
+
+
+def calibrate_files(
+    flats: Sequence[str],
+    darks: Sequence[str],
+    target: Target,
+    crosstalk: float | None = None,
+    progress: Progress = unseen,
+) -> Calibration:
+    """The photon transfer fit of frames in files, folders or PATH@TIME, one level each.
+
+    `crosstalk` None: it is measured. Raises Rejected for frames that cannot be read or do not do.
+    """
+    top = (1 << target.adc_bits) - 1
+    named = [*flats, *darks]
+    stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]
+    split = len(flats)
+    return calibrated(grouped(stacks[:split]), grouped(stacks[split:]), top, crosstalk)
 
 
 def calibrated(

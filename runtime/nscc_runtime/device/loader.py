@@ -264,21 +264,18 @@ class Loader:
         return pixels * bytes_a_pixel(channels)
 
     def _captured(self, frame: Frame, held: Held) -> bytes:
+        us = sum(count * us for count, us in held.runs or ())
+        us += len(held.readouts or ()) * self.target.readout_us
         return Captured(
             number=frame.number,
             ready=frame.data is not None,
             channels=frame.channels,
             readouts=len(held.readouts or ()),
-            estimate_ms=self._estimate_ms(held),
+            estimate_ms=min(int(us / 1000) + 1, 0xFFFFFFFF),
             length=self._frame_bytes(held, frame.channels),
             started_us=frame.started_us,
             sha256=frame.digest,
         ).pack()
-
-    def _estimate_ms(self, held: Held) -> int:
-        slots_us = sum(count * us for count, us in held.runs or ())
-        us = slots_us + len(held.readouts or ()) * self.target.readout_us
-        return min(int(us / 1000) + 1, 0xFFFFFFFF)
 
     def _watch_exposure(self) -> None:
         if not self.exposing:

@@ -32,17 +32,6 @@ def _kind(name: Path_or_name) -> str:
     return f"a {ending} file" if ending else "a scene"
 
 
-def misfit(name: Path_or_name, have: tuple[int, int], need: tuple[int, int]) -> Rejected:
-    """The picture is smaller than the array (NS0734)."""
-    return rejected(
-        "NS0734",
-        f"the scene '{name}' is {size(have)}, smaller than the array of {size(need)}",
-        notes=("sizes are rows x columns; pictures are cropped to the array, never scaled",),
-        helps=("use a larger picture, or a target with a smaller array",),
-        data={"scene": list(have), "array": list(need)},
-    )
-
-
 def size(shape: Sequence[int]) -> str:
     """`256 x 256` for (256, 256)."""
     return " x ".join(str(n) for n in shape) if len(shape) else "a single number"
