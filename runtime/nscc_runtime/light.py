@@ -47,28 +47,16 @@ class Light:
         cls, frame: NDArray[np.float32], weight: NDArray[np.float64], exposure_scale_e: float = 1.0
     ) -> Light:
         """One picture (rows, cols); slot n is weight[n] times the picture."""
-        slots = len(weight)
-        return cls(
-            frames=frame[None],
-            row_start=np.arange(slots + 1, dtype=np.int64),
-            frame_index=np.zeros(slots, np.int32),
-            weight=np.asarray(weight, np.float64),
-            kind="still",
-            exposure_scale_e=exposure_scale_e,
-        )
+        starts, index = np.arange(len(weight) + 1, dtype=np.int64), np.zeros(len(weight), np.int32)
+        weight = np.asarray(weight, np.float64)
+        return cls(frame[None], starts, index, weight, "still", exposure_scale_e)
 
     @classmethod
     def of_clip(cls, frames: NDArray[np.float32], exposure_scale_e: float = 1.0) -> Light:
         """A clip (N, rows, cols); slot n is `exposure_scale_e` times frame n."""
-        slots = len(frames)
-        return cls(
-            frames=frames,
-            row_start=np.arange(slots + 1, dtype=np.int64),
-            frame_index=np.arange(slots, dtype=np.int32),
-            weight=np.full(slots, exposure_scale_e, np.float64),
-            kind="clip",
-            exposure_scale_e=exposure_scale_e,
-        )
+        starts = np.arange(len(frames) + 1, dtype=np.int64)
+        weight = np.full(len(frames), exposure_scale_e, np.float64)
+        return cls(frames, starts, starts[:-1].astype(np.int32), weight, "clip", exposure_scale_e)
 
     @property
     def slots(self) -> int:

@@ -20,7 +20,6 @@ from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
 from nscc_runtime.plan.audit import Audit
 from nscc_runtime.plan.plan import Plan
-from nscc_runtime.plan.program import Program
 from nscc_runtime.plan_file import plan_text, read_plan
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor
@@ -152,8 +151,12 @@ def _planned(
         frame = _gathered(made, request.repeat, listener)
     report, broken = None, None
     if request.audit:
+        from nscc_runtime.plan.audit import audit
+        from nscc_runtime.plan.capture import prepared
+
         with timings.part("audit_s"):
-            report = _audited(program, light, plan, request)
+            exposed = prepared(program, light, plan, device_seed=device_seed)
+            report = audit(exposed, request.seed, request.repeat or 1)
         broken = None if report.holds else _broken(plan, report)
     origin = Provenance(
         digest, sensor, request.seed, device_seed, "planned", plan.as_json(),
@@ -167,14 +170,6 @@ def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> 
     """The frame, or all of `repeat` with an axis in front."""
     found = list(listener.progress(made, "exposing", repeat or 1))
     return frame_file.stacked(found) if repeat else found[0]
-
-
-def _audited(program: Program, light: Light, plan: Plan, request: Request) -> Audit:
-    from nscc_runtime.plan.audit import audit
-    from nscc_runtime.plan.capture import prepared
-
-    planned = prepared(program, light, plan, device_seed=request.device_seed)
-    return audit(planned, request.seed, request.repeat or 1)
 
 
 def _over(plan: Plan, given: bool) -> Diagnostic:

@@ -26,11 +26,6 @@ from nscc.words.container import Word
 from nscc.words.encoding import encode, masks
 from nscc_runtime.device.objects import target_digest
 
-_EFFECTS = {
-    Effect.NONE: "NOTHING", Effect.RESET_PIX: "RESET_PIX", Effect.BUS: "BUS",
-    Effect.FLAG_ALL: "FLAG_ALL", Effect.FLAG_ANALOG: "FLAG_ANALOG",
-    Effect.FLAG_DIGITAL: "FLAG_DIGITAL", Effect.DIGITAL: "DIGITAL",
-}  # fmt: skip
 _PHASES = {Phase.WHOLE: "WHOLE", Phase.READ: "FIRST_HALF", Phase.WRITE: "SECOND_HALF"}
 _PAIRS = ("OR", "NOR", "REFRESH")
 _NO_LIMIT = 255
@@ -108,7 +103,7 @@ def _operations() -> Iterator[str]:
         counts = [*row.destinations, *row.sources]
         numbers = [
             str(row.clock),
-            _EFFECTS[row.effect],
+            "NOTHING" if row.effect is Effect.NONE else row.effect.name,
             _PHASES[row.phase],
             str(1 + _PAIRS.index(kind) if half else 0),
             *(str(_limit(count)) for count in counts),

@@ -18,18 +18,14 @@ Path_or_name = Path | str
 def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) -> Rejected:
     """The file of that name cannot be decoded (NS0732); `reason` is the reader's own word."""
     words = " ".join(str(reason).split())[:200]
+    ending = Path(str(name)).suffix.lower()
     notes = (f"the reader says: {words}",) if words else ()
     return rejected(
         "NS0732",
-        f"cannot read '{name}' as {_kind(name)}",
+        f"cannot read '{name}' as {f'a {ending} file' if ending else 'a scene'}",
         notes=notes,
         helps=helps or ("check that the file is whole and that its ending says what it is",),
     )
-
-
-def _kind(name: Path_or_name) -> str:
-    ending = Path(str(name)).suffix.lower()
-    return f"a {ending} file" if ending else "a scene"
 
 
 def size(shape: Sequence[int]) -> str:
