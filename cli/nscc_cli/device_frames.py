@@ -14,8 +14,8 @@ from nscc_cli.support import done, progress, say
 def capture_frames(port: str, program: Path | None, options: dict[str, Any]) -> None:
     """Expose and write as `nscc device capture` was told to."""
     from nscc.containers import with_pixels
-    from nscc_runtime.device.captures import capture_to, numbered_paths, target_of
     from nscc_runtime.device.chip import Chip
+    from nscc_runtime.device.frames import capture_to, numbered_paths, target_of
     from nscc_runtime.device.link import Link
     from nscc_runtime.frame_file import check_adc
 
