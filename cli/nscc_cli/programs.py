@@ -1,13 +1,11 @@
-"""What commands that take a program share: build's options, and .nsl or .icw to a container."""
+"""What commands that take a program share: build's choices, and .nsl or .icw to a container."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
-
-import click
+from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected
 
@@ -15,8 +13,6 @@ if TYPE_CHECKING:
     from nscc.diagnostics.diagnostic import Diagnostic
     from nscc.pipeline import Compiled, Options
     from nscc.words.container import Container
-
-Command = TypeVar("Command", bound=Callable[..., Any])
 
 
 @dataclass(frozen=True)
@@ -45,45 +41,6 @@ class BuildChoice:
             ("--max-words-per-slot", self.max_words_per_slot),
         )
         return [name for name, value in named if value is not None]
-
-
-def build_options(function: Command) -> Command:
-    """Adds the options of BuildChoice, under the names of its fields."""
-    options = (
-        click.option(
-            "-O",
-            "level",
-            type=click.IntRange(0, 3),
-            help="How long to search for fewer words (default: 2; check: 1).",
-        ),
-        click.option(
-            "--codes",
-            type=click.Choice(["fixed", "open"]),
-            help="Compile for the codes in use, or for every legal one (default: fixed).",
-        ),
-        click.option(
-            "--lowering",
-            type=click.Choice(["auto", "accumulate", "latch", "edges"]),
-            help="How exposure is gathered (default: auto, the cheapest).",
-        ),
-        click.option(
-            "--target", metavar="NAME|FILE.toml", help="The chip, instead of the program's own."
-        ),
-        click.option(
-            "--cache/--no-cache",
-            default=True,
-            help="Keep search results of -O2 and -O3 and reuse them (default), or search anew.",
-        ),
-        click.option(
-            "--max-words-per-slot",
-            metavar="W",
-            type=click.IntRange(min=1),
-            help="Reject what executes more words than this in any slot.",
-        ),
-    )
-    for option in reversed(options):
-        function = option(function)
-    return function
 
 
 def compile_program(path: Path, choice: BuildChoice, **more: Any) -> Compiled:

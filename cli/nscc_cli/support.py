@@ -12,6 +12,8 @@ from typing import Any, Literal, TypeVar
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import closest
 
 Item = TypeVar("Item")
 MessageFormat = Literal["human", "short", "json"]
@@ -87,6 +89,12 @@ def done(text: str) -> None:
         click.echo(text, err=True)
 
 
+def say_compiling(loop: Any, what: str) -> None:
+    """Say that a loop has yet to be compiled, where that is so: the user will wait for it."""
+    if not loop.is_compiled():
+        done(f"compiling {what} for this processor: once, some seconds")
+
+
 def _denied(diagnostic: Diagnostic) -> Diagnostic:
     if diagnostic.severity is not Severity.WARNING:
         return diagnostic
@@ -102,35 +110,52 @@ class CommonCommand(click.Command):
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
         super().__init__(*arguments, **settings)
-        self.params.append(
+        self.params += [
             click.Option(
-                ["--message-format"],
-                type=click.Choice(FORMATS),
-                default=None,
-                expose_value=False,
-                callback=_set_format,
+                ["--message-format"], type=click.Choice(FORMATS), default=None,
+                expose_value=False, callback=_to_session,
                 help="How messages are written to standard error (default: human).",
-            )
-        )
-        self.params.append(
+            ),
             click.Option(
-                ["--deny-warnings"],
-                is_flag=True,
-                expose_value=False,
-                callback=_set_deny,
+                ["--deny-warnings"], is_flag=True, expose_value=False, callback=_to_session,
                 help="Treat warnings as errors.",
-            )
-        )
+            ),
+        ]  # fmt: skip
 
 
-def _set_format(context: click.Context, _option: click.Parameter, value: Any) -> None:
-    if value is not None:
-        context.find_root().ensure_object(Session).message_format = value
-
-
-def _set_deny(context: click.Context, _option: click.Parameter, value: Any) -> None:
+def _to_session(context: click.Context, option: click.Parameter, value: Any) -> None:
     if value:
-        context.find_root().ensure_object(Session).deny_warnings = True
+        setattr(context.find_root().ensure_object(Session), str(option.name), value)
+
+
+class Subcommands(CommonCommand, click.Group):
+    """A command with commands of its own; other names are rejected (NS0781)."""
+
+    unknown = "command '{}'"
+    """What a name is called that is none of them."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The command named first in `args`, and what follows it."""
+        name = args[0]
+        if name not in self.commands and not name.startswith("-"):
+            return self.other(name, args)
+        return super().resolve_command(ctx, args)
+
+    def other(
+        self, name: str, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The same where there is no command of that name."""
+        near = closest(name, self.commands)
+        raise rejected(
+            "NS0781",
+            f"nscc has no {self.unknown.format(name[:60])}",
+            helps=(
+                *((f"did you mean `nscc {self.name} {near}`?",) if near else ()),
+                f"there is: {', '.join(self.commands)}",
+            ),
+        )
 
 
 def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> Iterator[Item]:

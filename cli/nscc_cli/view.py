@@ -7,20 +7,18 @@ from typing import Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
-from nscc_cli.programs import BuildChoice, build_options, compile_program, load_program
+from nscc_cli.options import PATH, build_options, program_argument
+from nscc_cli.programs import BuildChoice, compile_program, load_program
 from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command(name="view", cls=CommonCommand)
-@click.argument("program", metavar="FILE.nsl|FILE.icw", type=click.Path(path_type=Path))
-@click.option(
-    "-o",
-    "out",
-    type=click.Path(path_type=Path),
-    help="The picture (default: the program's name with .png, in this folder).",
-)
+@program_argument
+@click.option("-o", "out", type=PATH,
+              help="The picture (default: the program's name with .png, in this "
+              "folder).")  # fmt: skip
 @click.option("--gates", is_flag=True, help="Draw the gates that decode the codes instead.")
 @build_options
 def command(program: Path, out: Path | None, gates: bool, **options: Any) -> None:
@@ -43,14 +41,11 @@ def _shutters(program: Path, choice: BuildChoice) -> bytes:
 
 def _gates(program: Path, choice: BuildChoice) -> bytes:
     if program.suffix.lower() == ".icw":
-        raise Rejected(
-            Diagnostic(
-                "NS0743",
-                f"--gates cannot draw '{program}': it is compiled already",
-                notes=("a compiled program holds words, not the gates they come from",),
-                helps=("give the .nsl file instead",),
-            ),
-            status=2,
+        raise rejected(
+            "NS0743",
+            f"--gates cannot draw '{program}': it is compiled already",
+            notes=("a compiled program holds words, not the gates they come from",),
+            helps=("give the .nsl file instead",),
         )
     compiled = compile_program(program, choice)
     say(compiled.diagnostics)
