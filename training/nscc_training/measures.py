@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc_training import metrics
 from nscc_training.array_files import read_picture_or_clip
-from nscc_training.metrics.psnr import mean_square_error
-from nscc_training.metrics.ssim import WINDOW
+from nscc_training.metrics import WINDOW, mean_square_error
 
 NITS = 1000.0
 """The luminance in cd/m2 that the data range stands for in PU21-PSNR, unless stated."""

@@ -4,20 +4,26 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_training.measures import number
 from nscc_training.protocols import Protocol
+from nscc_training.scene_files import labels
 from nscc_training.statistics import paired, summary
 
 SCHEMA = "nscc-result-1"
 _MOST_REASONS = 5
-STAGES = ("soft", "hard", "compiled", "emulated")
+
+Array = NDArray[Any]
 
 
 @dataclass(frozen=True)
@@ -37,6 +43,70 @@ class Item:
     def as_json(self) -> dict[str, Any]:
         """The item as one flat object."""
         return {"file": self.file, "crop": self.crop, "frame": self.frame, **self.metrics}
+
+
+class Scored(NamedTuple):
+    """An item, its reconstruction and truth (float32), and the seconds that decoding took."""
+
+    item: Item
+    made: Array
+    truth: Array
+    seconds: float
+
+
+class Scene(ABC):
+    """A scene as a protocol exposes it; `light_e` in electrons."""
+
+    light_e: Array
+
+    @abstractmethod
+    def scores(self, result_e: Array) -> dict[str, Any]:
+        """The protocol's metrics of what was made of it, as JSON values."""
+
+    @abstractmethod
+    def item(self, result_e: Array) -> Item:
+        """The same as an item of a result."""
+
+
+@dataclass(frozen=True)
+class Unusable:
+    """A scene that cannot be exposed as the protocol says: its file, its place there, and why."""
+
+    file: str
+    place: Mapping[str, Any]
+    reason: str
+
+    def as_json(self) -> dict[str, Any]:
+        """What a result says of it."""
+        return {"file": self.file, **self.place, "reason": self.reason}
+
+
+def scored(
+    scenes: Iterable[Scene | Unusable],
+    decode: Callable[[Scene, int], tuple[Array, float]],
+    left_out: list[dict[str, Any]],
+) -> Iterator[Scored]:
+    """Every scene that can be used, decoded and scored; the others go into `left_out`.
+
+    `decode` gives electrons and seconds; it is told the scene's number, for noise of its own.
+    """
+    for index, scene in enumerate(scenes):
+        if isinstance(scene, Unusable):
+            left_out.append(scene.as_json())
+            continue
+        made, seconds = decode(scene, index)
+        kept = (array.astype(np.float32) for array in (made, scene.light_e))
+        yield Scored(scene.item(made), *kept, seconds)
+
+
+def saved(every: Sequence[Scored], files: Iterable[Path], kind: str) -> dict[str, Array]:
+    """What `--save` writes: of every item the reconstruction, an `image` or `video`, and truth."""
+    called, arrays = labels(files), {}
+    for item, made, truth, _ in every:
+        place = [item.frame] if item.crop is None else item.crop
+        label = "_".join([called[item.file], *map(str, place)])
+        arrays[f"{label}_{kind}"], arrays[f"{label}_truth"] = made, truth
+    return arrays
 
 
 @dataclass(frozen=True)

@@ -26,7 +26,7 @@ from nscc_training.least_squares import solve
 from nscc_training.loop.setup import Parts
 from nscc_training.loop.steps import Scores, scored
 from nscc_training.measures import decibels
-from nscc_training.metrics import psnr
+from nscc_training.metrics import finite_mean, psnr
 from nscc_training.programs import (
     CODES_FILE,
     compiled,
@@ -191,8 +191,7 @@ def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
         truth, peak = batch.truth[0, ..., :rows, :cols], batch.peak.item()
         pair = [np.clip(x.cpu().numpy() / peak, 0, 1) for x in (truth, prediction[0])]
         values.append(psnr(pair[0], pair[1], 1.0))
-    finite = [v for v in values if np.isfinite(v)]
-    return float(np.mean(finite)) if finite else float("inf")
+    return finite_mean(values)
 
 
 def _from_exposure(parts: Parts, exposure: Tensor, tile: Tensor) -> Tensor:

@@ -159,18 +159,9 @@ def _model(
     chosen: SensorSettings, sensor: Sensor, target: Target, protocol: Protocol
 ) -> SensorModel:
     """The sensor's own numbers where a file is named, else the protocol's where it has some."""
-    noise = chosen.noise
-    model = SensorModel.of(sensor, target, noise=noise)
-    if not chosen.file and "full_well_e" in protocol.values:
-        well, bits = float(protocol["full_well_e"]), int(protocol["adc_bits"])
-        model = SensorModel(
-            full_well_e=well,
-            electrons_per_lsb=well / ((1 << bits) - 1),
-            adc_bits=bits,
-            adc_noise_lsb=float(protocol["read_noise_lsb"]) if noise else 0.0,
-            shot_noise=noise,
-        )
-    return SensorModel(**{**vars(model), "slope": chosen.slope})
+    fixed = not chosen.file and "full_well_e" in protocol.values
+    model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
+    return replace(model if chosen.noise else model.noiseless(), slope=chosen.slope)
 
 
 def _loss(name: str) -> Loss:

@@ -28,10 +28,9 @@ from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.baselines.sci import gap_tv
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.base import Encoder
-from nscc_training.evaluation import hdr, video
+from nscc_training.evaluation import hdr
 from nscc_training.measures import number
 from nscc_training.programs import Chip, program_of
-from nscc_training.protocols import Protocol
 from nscc_training.sensor_model import SensorModel, laid
 from nscc_training.tradeoff.scenes import Kind, Scene, kinds_in, protocol_of, scenes
 from nscc_training.tradeoff.ways import Taken, clip_light, merged_still
@@ -181,7 +180,6 @@ def _encoder(each: Configuration, seed: int) -> Encoder:
 class _Bench:
     """Scenes of one kind in front of one sensor; `known` are scores of captures seen before."""
 
-    protocol: Protocol
     shown: tuple[Scene, ...]
     sensor: Sensor
     model: SensorModel
@@ -222,10 +220,10 @@ class _Bench:
             # Charge is compressed above the knee, long before the code is the largest.
             knee_e = self.sensor.register_knee_fraction * self.sensor.full_well_e
             made = merged_still(taken, knee_e / self.model.electrons_per_lsb)
-            return number(hdr.scores(scene.light_e, made, self.protocol)["psnr_db"])
+            return number(scene.scores(made)["psnr_db"])
         made = clip_light(partial(gap_tv, iterations=_ITERATIONS), taken)
         each = len(scene.light_e) // len(made)
-        return number(video.scores(scene, np.repeat(made / each, each, axis=0))["psnr_db"])
+        return number(scene.scores(np.repeat(made / each, each, axis=0))["psnr_db"])
 
 
 def _bench(kind: Kind, target: Target, settings: Settings) -> _Bench:
@@ -236,7 +234,7 @@ def _bench(kind: Kind, target: Target, settings: Settings) -> _Bench:
         replace(scene, light_e=scene.light_e[..., : target.rows, : target.cols])
         for scene in scenes(kind, protocol, settings.data, settings.count, settings.seed)
     )
-    return _Bench(protocol, shown, sensor, SensorModel.of(sensor, target))
+    return _Bench(shown, sensor, SensorModel.of(sensor, target))
 
 
 def _light(scene: Scene, slots: int) -> Light:
