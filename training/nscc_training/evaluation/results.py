@@ -99,16 +99,6 @@ def scored(
         yield Scored(scene.item(made), *kept, seconds)
 
 
-def saved(every: Sequence[Scored], files: Iterable[Path], kind: str) -> dict[str, Array]:
-    """What `--save` writes: of every item the reconstruction, an `image` or `video`, and truth."""
-    called, arrays = labels(files), {}
-    for item, made, truth, _ in every:
-        place = [item.frame] if item.crop is None else item.crop
-        label = "_".join([called[item.file], *map(str, place)])
-        arrays[f"{label}_{kind}"], arrays[f"{label}_truth"] = made, truth
-    return arrays
-
-
 @dataclass(frozen=True)
 class Subject:
     """What was evaluated: a method's name and settings, its stage and what it costs."""
@@ -167,6 +157,26 @@ def result(
         "left_out": list(left_out),
         **more,
     }  # fmt: skip
+
+
+def with_arrays(
+    protocol: Protocol,
+    subject: Subject,
+    files: Sequence[Path],
+    every: Sequence[Scored],
+    left_out: Sequence[Mapping[str, Any]],
+    **more: Any,
+) -> tuple[dict[str, Any], dict[str, Array]]:
+    """The same of what was scored, and what `--save` writes of every item, by name: the
+    reconstruction, an `image` or a `video`, and the truth."""
+    found = result(protocol, subject, files, [each.item for each in every], left_out, **more)
+    called, arrays = labels(files), {}
+    for item, made, truth, _ in every:
+        place = [item.frame] if item.crop is None else item.crop
+        label = "_".join([called[item.file], *map(str, place)])
+        kind = "image" if protocol.name == "hdr-v1" else "video"
+        arrays[f"{label}_{kind}"], arrays[f"{label}_truth"] = made, truth
+    return found, arrays
 
 
 def read_result(path: Path) -> dict[str, Any]:
