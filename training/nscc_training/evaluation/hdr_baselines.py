@@ -13,7 +13,7 @@ from nscc_training.baselines.hdr import merged
 from nscc_training.baselines.sparse_coding import coded_still
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.evaluation.hdr import Crop, Picture, also_saturated, panoramas, parted
-from nscc_training.evaluation.results import Item, Scene, Scored, Subject, result, saved, scored
+from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
 from nscc_training.protocols import Protocol, load_protocol
@@ -65,10 +65,7 @@ def evaluate_hdr_baseline(
     subject = Subject(name, settings, stage="hard", decoder_ms=spent)
     others = also_saturated(files, protocol, items)
     passed = [crop.as_json() for crop in left_out]
-    found = result(
-        protocol, subject, files, [each.item for each in every], passed, also_saturated=others
-    )
-    return found, saved(every, {crop.file for crop in usable}, "image")
+    return with_arrays(protocol, subject, files, every, passed, also_saturated=others)
 
 
 def _decoded(

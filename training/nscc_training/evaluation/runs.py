@@ -24,9 +24,8 @@ from nscc_training.evaluation.results import (
     Scene,
     Scored,
     Subject,
-    result,
-    saved,
     scored,
+    with_arrays,
 )
 from nscc_training.evaluation.sci8 import frame_scores, read_sci_clip, sci_clips
 from nscc_training.protocols import Protocol
@@ -81,8 +80,7 @@ def evaluate_run(
         flops=flops(parts.decoder, parts.slots, *size),
     )  # fmt: skip
     more["flops_size"] = list(size)
-    found = result(protocol, subject, files, [each.item for each in every], left_out, **more)
-    return found, saved(every, files, "image" if parts.still else "video")
+    return with_arrays(protocol, subject, files, every, left_out, **more)
 
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:

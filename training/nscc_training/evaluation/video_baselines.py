@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nscc_training.baselines.sci import ITERATIONS, METHODS, WEIGHT
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.evaluation.results import Scene, Subject, result, saved, scored
+from nscc_training.evaluation.results import Scene, Subject, scored, with_arrays
 from nscc_training.evaluation.video import Window, clips_of, windows
 from nscc_training.protocols import load_protocol
 from nscc_training.sensor_model import SensorModel, frame_of, laid
@@ -64,5 +64,4 @@ def evaluate_video_baseline(
     subject = Subject(
         name, settings, stage="hard", sees=method.sees, decoder_ms=1e3 * spent / max(1, len(every))
     )
-    found = result(protocol, subject, files, [each.item for each in every], left_out)
-    return found, saved(every, files, "video")
+    return with_arrays(protocol, subject, files, every, left_out)
