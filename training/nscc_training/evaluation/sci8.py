@@ -18,6 +18,7 @@ from nscc_training.baselines.tv import Clip
 from nscc_training.evaluation.results import Item, Subject, result
 from nscc_training.measures import decibels
 from nscc_training.metrics import WINDOW
+from nscc_training.problems import said
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.scene_files import files_in, labels
 
@@ -54,7 +55,7 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     except FileNotFoundError:
         raise _unusable(path, "there is no such file") from None
     except Exception as error:  # scipy.io raises a dozen types for damaged files
-        raise _unusable(path, " ".join(str(error).split())[:200]) from error
+        raise _unusable(path, said(error)) from error
     frames = int(protocol["frames"])
     try:
         orig, mask, meas = (np.asarray(found[key]) for key in ("orig", "mask", "meas"))

@@ -15,7 +15,7 @@ from nscc_training.evaluation.results import Item, Scene, Unusable
 from nscc_training.measures import decibels
 from nscc_training.metrics import mean_square_error
 from nscc_training.protocols import Protocol
-from nscc_training.scene_files import CLIPS, protocol_files
+from nscc_training.scene_files import CLIPS, frames_in, light_in, protocol_files
 
 Clip = NDArray[np.float64]
 
@@ -58,8 +58,6 @@ def windows(
     files: list[Path], protocol: Protocol, transfer: str | None = None
 ) -> Iterator[Window | Unusable]:
     """The windows of clips, in order; what cannot be used as `Unusable`."""
-    from nscc_runtime.scenes.colour import linear, luminance
-
     size, count, start = int(protocol["size"]), int(protocol["frames"]), {"first": 0}
     for path in files:
         known = protocol["transfer"]
@@ -67,14 +65,14 @@ def windows(
         srgb = chosen == "srgb"
         held: list[Clip] = []
         number = -1
-        for number, frame in enumerate(_stored(path)):
+        for number, frame in enumerate(frames_in(path)):
             rows, cols = frame.shape[:2]
             if min(rows, cols) < size:
                 yield Unusable(path.name, start, f"{rows} x {cols} is smaller than {size} x {size}")
                 break
             top, left = (rows - size) // 2, (cols - size) // 2
-            part = linear(frame[top : top + size, left : left + size], "srgb" if srgb else "linear")
-            held.append(luminance(part) if part.ndim == 3 else part)
+            part = frame[top : top + size, left : left + size]
+            held.append(light_in(part, "srgb" if srgb else "linear"))
             if len(held) == count:
                 yield exposed_window(path, number + 1 - count, np.stack(held), srgb, protocol)
                 held = []
@@ -98,14 +96,3 @@ def encoded(light: Clip, srgb: bool) -> Clip:
     """Light in the source's encoding, clipped to 0..1."""
     clipped = np.clip(light, 0.0, 1.0)
     return curves.srgb(clipped) if srgb else clipped
-
-
-def _stored(path: Path) -> Iterator[NDArray[Any]]:
-    from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, read_mat
-    from nscc_runtime.scenes.clips import read_clip
-
-    if path.suffix.lower() != ".mat":
-        yield from read_clip(path)
-        return
-    key, found = read_mat(path, lambda _shape: None)
-    yield from np.moveaxis(found, 2, 0) if key == MAT_CLIP_KEY else found
