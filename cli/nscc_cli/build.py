@@ -14,7 +14,7 @@ from nscc.emit.products import SUFFIXES, emitted
 from nscc.emit.summary import cost_text
 from nscc.files import write_together
 from nscc_cli.options import PATH, build_options
-from nscc_cli.programs import BuildChoice, compile_program
+from nscc_cli.programs import compile_program
 from nscc_cli.support import CommonCommand, done, say
 
 
@@ -32,7 +32,7 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
     wanted = _kinds(kinds)
     compiled = compile_program(
         file,
-        BuildChoice.of(options),
+        options,
         price_all="report" in wanted,  # only the report lists the other lowerings
         see=_printer(after),
     )

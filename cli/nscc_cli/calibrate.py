@@ -9,7 +9,7 @@ import click
 from nscc.files import write_whole
 from nscc.target.load import DEFAULT_NAME, load_target
 from nscc_cli.options import PATH
-from nscc_cli.programs import BuildChoice, load_program
+from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, NumberRange, done, progress, say
 
 _DARK = "--dark"
@@ -70,7 +70,7 @@ def command(
     chip = load_target(target, Path())
     chain = calibrate.Chain()
     if program is not None:
-        container, said = load_program(program, BuildChoice())
+        container, said = load_program(program, {})
         say(said)
         chain = calibrate.Chain.of(container)
     found = calibrate.calibrate_files(flats, darks, chip, crosstalk, progress)

@@ -20,7 +20,7 @@ from nscc_cli.options import (
     scene_options,
     sensor_options,
 )
-from nscc_cli.programs import BuildChoice, load_program
+from nscc_cli.programs import load_program
 from nscc_cli.support import (
     CommonCommand,
     NumberRange,
@@ -134,7 +134,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.link import Link
 
-    container, messages = load_program(program, BuildChoice.of(options))
+    container, messages = load_program(program, options)
     container = with_pixels(container, program, options["pixels"])
     say(list(messages))
     with Link(port, baud=options["baud"], patience_s=options["patience"]) as link:
@@ -182,7 +182,7 @@ def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
 
     container = None
     if program is not None:
-        container, messages = load_program(program, BuildChoice(target=options["target"]))
+        container, messages = load_program(program, options)
         container = with_pixels(container, program, options["pixels"])
         say(messages)
     elif options["pixels"]:

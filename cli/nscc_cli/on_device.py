@@ -10,7 +10,7 @@ import click
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc_cli.frames import frame_path, scene_of, sensor_of, summary, write_frame
-from nscc_cli.programs import BuildChoice, load_program
+from nscc_cli.programs import load_program
 from nscc_cli.support import done, progress, say
 
 _SIMULATION = ("effects", "seed", "device_seed", "fidelity", "tolerance", "audit", "plan")
@@ -30,7 +30,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     _refuse_simulation(place, scene, keep)
     timings = Timings()
     with timings.part("compile_s"):
-        container, messages = load_program(program, BuildChoice.of(options))
+        container, messages = load_program(program, options)
         container = with_pixels(container, program, options["pixels"])
     check_adc(container.target)
     sensor = sensor_of(container.target, options)

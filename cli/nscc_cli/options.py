@@ -68,7 +68,7 @@ build_options = together(
     option("--max-words-per-slot", metavar="W", type=IntRange(min=1),
            help="Reject what executes more words than this in any slot."),
 )  # fmt: skip
-"""How a program is compiled; `nscc_cli.programs.BuildChoice` takes them."""
+"""How a program is compiled; `nscc_cli.programs` takes them."""
 
 link_options = together(
     option("--baud", type=IntRange(1200, 12_000_000), default=DEFAULT_BAUD, show_default=True,

@@ -20,7 +20,7 @@ from nscc_cli.options import (
     scene_options,
     sensor_options,
 )
-from nscc_cli.programs import BuildChoice, load_program
+from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, done, progress, say
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ..
     listener = Listener(done, lambda diagnostic: say([diagnostic]), progress)
     timings = listener.timings
     with timings.part("compile_s"):
-        container, messages = load_program(program, BuildChoice.of(options))
+        container, messages = load_program(program, options)
         container = with_pixels(container, program, options["pixels"])
     sensor = sensor_of(container.target, options)
     with timings.part("scene_s"):

@@ -9,7 +9,7 @@ import click
 
 from nscc.files import write_whole
 from nscc_cli.options import PATH, build_options
-from nscc_cli.programs import BuildChoice, load_program
+from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, say
 
 
@@ -27,7 +27,7 @@ def command(file: Path, out: Path, **options: Any) -> None:
 
     from nscc.prove.shutters import shutters_of_pixels
 
-    container, messages = load_program(file, BuildChoice.of(options))
+    container, messages = load_program(file, options)
     say(messages)
     arrays = shutters_of_pixels(container, f"'{file.as_posix()}'")
 

@@ -23,7 +23,7 @@ from nscc_cli.options import (
     scene_options,
     sensor_options,
 )
-from nscc_cli.programs import BuildChoice, compile_options, load_program
+from nscc_cli.programs import compile_options, load_program
 from nscc_cli.support import CommonCommand, progress, say
 from nscc_cli.tradeoff_files import output_files, write_files
 
@@ -90,13 +90,13 @@ def _container(
 
     messages: tuple[Diagnostic, ...] = ()
     if path is not None:
-        container, messages = load_program(path, BuildChoice.of(options))
+        container, messages = load_program(path, options)
     else:
         from nscc.compiler import compile_source
         from nscc.source import Source
         from nscc_runtime.tradeoff.study import PROGRAM
 
-        path, choice = Path("default.nsl"), compile_options(BuildChoice.of(options))
+        path, choice = Path("default.nsl"), compile_options(options)
         compiled = compile_source(Source(path.name, PROGRAM), Path(), choice).container
         assert compiled is not None  # what does not fit is rejected
         container = compiled
