@@ -95,8 +95,8 @@ def scored(
             left_out.append(scene.as_json())
             continue
         made, seconds = decode(scene, index)
-        kept = (array.astype(np.float32) for array in (made, scene.light_e))
-        yield Scored(scene.item(made), *kept, seconds)
+        truth = scene.light_e.astype(np.float32)
+        yield Scored(scene.item(made), made.astype(np.float32), truth, seconds)
 
 
 @dataclass(frozen=True)

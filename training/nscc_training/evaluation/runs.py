@@ -158,5 +158,4 @@ def _sci(folder: RunFolder, files: list[Path], protocol: Protocol) -> Iterator[S
         scaled = np.clip(made * (level / len(clip.mask)), 0, 1) * top
         for k, (frame_made, truth) in enumerate(zip(scaled, clip.orig, strict=True)):
             item = Item(path.name, None, k, frame_scores(truth, frame_made, top))
-            kept = (array.astype(np.float32) for array in (frame_made, truth))
-            yield Scored(item, *kept, seconds)
+            yield Scored(item, frame_made.astype(np.float32), truth.astype(np.float32), seconds)
