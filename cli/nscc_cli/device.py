@@ -130,12 +130,10 @@ def info(port: str, as_json: bool, baud: int, patience: float) -> None:
 @build_options
 def upload(port: str, program: Path, **options: Any) -> None:
     """Bring a program to the device at PORT; what it has of it already is not sent again."""
-    from nscc.containers import with_pixels
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.link import Link
 
     container, messages = load_program(program, options)
-    container = with_pixels(container, program, options["pixels"])
     say(list(messages))
     with Link(port, baud=options["baud"], patience_s=options["patience"]) as link:
         sent = Chip(link, progress=progress).upload(container)
@@ -174,7 +172,6 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
 
 
 def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
-    from nscc.containers import with_pixels
     from nscc_runtime.device.captures import capture_to, numbered_paths, target_of
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.link import Link
@@ -183,7 +180,6 @@ def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
     container = None
     if program is not None:
         container, messages = load_program(program, options)
-        container = with_pixels(container, program, options["pixels"])
         say(messages)
     elif options["pixels"]:
         raise rejected(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -66,7 +67,7 @@ def sci8(
         raise click.UsageError(f"a clip counts once, and results know it by its name: {twice[0]}")
     if method.endswith("-tv"):
         say_compiling(denoise, "the loop of total variation")
-    _finish(*evaluate_sci8(list(clips), method, iterations, weight), **outputs)
+    _of_scenes(*evaluate_sci8(list(clips), method, iterations, weight), **outputs)
 
 
 @command.command("of", cls=CommonCommand)
@@ -88,7 +89,7 @@ def of(subject: str, data: Path, protocol: str, seed: int, **outputs: Any) -> No
     """
     from nscc_training.evaluation.subjects import evaluate
 
-    _finish(*evaluate(subject, data, protocol, seed), **outputs)
+    _of_scenes(*evaluate(subject, data, protocol, seed), **outputs)
 
 
 @command.command("tables", cls=CommonCommand)
@@ -99,23 +100,17 @@ def of(subject: str, data: Path, protocol: str, seed: int, **outputs: Any) -> No
 @click.option("--results", type=PATH, metavar="DIR",
               help="What `nscc evaluate -o` wrote before: it is not done again.")  # fmt: skip
 @_outputs
-def tables(
-    data: Path, runs: Path | None, results: Path | None, as_json: bool, out: Path | None
-) -> None:
+def tables(data: Path, runs: Path | None, results: Path | None, **outputs: Any) -> None:
     """The paper's Tables 2, 3 and 4: its rows and ours, what was measured here beside them.
 
     Baselines are evaluated on the data, which takes minutes; rows of decoders need runs of `nscc
     train`. Rows that were not run say so.
     """
-    from nscc_training.evaluation.result_text import result_json
     from nscc_training.evaluation.tables import tables as filled
     from nscc_training.evaluation.tables import text_of
 
     rows = filled(data, runs, results, lambda rows: progress(rows, "evaluating"))
-    text = result_json(rows)
-    if out is not None:
-        write_together({out: text.encode()})
-    click.echo(text if as_json else text_of(rows), nl=False)
+    _finish(rows, text_of(rows), {}, **outputs)
 
 
 @command.command("compare", cls=CommonCommand)
@@ -124,37 +119,38 @@ def tables(
 @click.option("--metric", default="psnr_db", show_default=True, metavar="NAME_db",
               help="Which metric of the items; hdr-v1 has mu_psnr_db, too.")  # fmt: skip
 @_outputs
-def compare(results: tuple[Path, ...], metric: str, as_json: bool, out: Path | None) -> None:
+def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     """How much better B is than A, in pairs: the same items of the same scenes.
 
     More pairs are more seeds of the same two: the interval is over scenes, with all seeds.
     """
     if len(results) % 2:
         raise click.UsageError("results are compared in pairs: A.json B.json, for each seed")
-    from nscc_training.evaluation.result_text import comparison_text, result_json
+    from nscc_training.evaluation.result_text import comparison_text
     from nscc_training.evaluation.results import compare as compared
     from nscc_training.evaluation.results import read_result
 
     read = [read_result(path) for path in results]
     found = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
-    text = result_json(found)
-    if out is not None:
-        write_together({out: text.encode()})
-    click.echo(text.rstrip("\n") if as_json else comparison_text(found, metric))
+    _finish(found, comparison_text(found, metric) + "\n", {}, **outputs)
+
+
+def _of_scenes(
+    found: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, **outputs: Any
+) -> None:
+    """Write and print what was scored."""
+    from nscc_training.evaluation.result_text import arrays_in, result_text
+
+    products = {} if save is None else arrays_in(save, arrays)
+    _finish(found, result_text(found), products, **outputs)
 
 
 def _finish(
-    found: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, as_json: bool,
-    out: Path | None,
-) -> None:  # fmt: skip
+    found: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
+) -> None:
     """Write and print a result."""
-    from nscc_training.evaluation.result_text import arrays_in, result_json, result_text
+    from nscc_training.evaluation.result_text import result_json
 
     text = result_json(found)
-    products: dict[Path, Product] = {}
-    if out is not None:
-        products[out] = text.encode()
-    if save is not None:
-        products |= arrays_in(save, arrays)
-    write_together(products)
-    click.echo(text if as_json else result_text(found), nl=False)
+    write_together({**({out: text.encode()} if out else {}), **products})
+    click.echo(text if as_json else human, nl=False)

@@ -19,7 +19,6 @@ _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
 def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
     """Expose on the device at `options["place"]`, as `nscc run` does on the emulator."""
-    from nscc.containers import with_pixels
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.frames import exposed
     from nscc_runtime.device.link import Link
@@ -31,7 +30,6 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     timings = Timings()
     with timings.part("compile_s"):
         container, messages = load_program(program, options)
-        container = with_pixels(container, program, options["pixels"])
     check_adc(container.target)
     sensor = sensor_of(container.target, options)
     light, said = None, list(messages)

@@ -46,10 +46,12 @@ def load_program(
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
     """The container in an .icw file, or of a program that is compiled now; and its messages.
 
+    A command that has the option `pixels` gets a container whose pixels have codes.
+
     Raises Rejected as `nscc.containers.load_container` does, and NS0743 (status 2) for build's
     options beside a compiled program.
     """
-    from nscc.containers import is_compiled, load_container
+    from nscc.containers import is_compiled, load_container, with_pixels
 
     names = ", ".join(_SPELLED[name] for name in _given(options, *_SPELLED))
     if names and is_compiled(path):
@@ -59,7 +61,10 @@ def load_program(
             notes=("build's options take effect where a program becomes words",),
             helps=(f"give the .nsl file instead, or leave {names} out",),
         )
-    return load_container(path, compile_options(options))
+    container, messages = load_container(path, compile_options(options))
+    if "pixels" in options:
+        container = with_pixels(container, path, options["pixels"])
+    return container, messages
 
 
 def _given(options: Mapping[str, Any], *names: str) -> dict[str, Any]:

@@ -73,7 +73,6 @@ def command(program: Path, **options: Any) -> None:
 
 
 def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
-    from nscc.containers import with_pixels
     from nscc_runtime.frame_file import meta
     from nscc_runtime.plan_file import plan_table
     from nscc_runtime.simulate import Listener, simulate
@@ -83,7 +82,6 @@ def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ..
     timings = listener.timings
     with timings.part("compile_s"):
         container, messages = load_program(program, options)
-        container = with_pixels(container, program, options["pixels"])
     sensor = sensor_of(container.target, options)
     with timings.part("scene_s"):
         scene, said = scene_of(options), list(messages)

@@ -86,21 +86,17 @@ def _container(
     path: Path | None, options: dict[str, Any]
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
     """The program given, or else one of 16 slots."""
-    from nscc.containers import with_pixels
-
-    messages: tuple[Diagnostic, ...] = ()
     if path is not None:
-        container, messages = load_program(path, options)
-    else:
-        from nscc.compiler import compile_source
-        from nscc.source import Source
-        from nscc_runtime.tradeoff.study import PROGRAM
+        return load_program(path, options)
+    from nscc.compiler import compile_source
+    from nscc.containers import with_pixels
+    from nscc.source import Source
+    from nscc_runtime.tradeoff.study import PROGRAM
 
-        path, choice = Path("default.nsl"), compile_options(options)
-        compiled = compile_source(Source(path.name, PROGRAM), Path(), choice).container
-        assert compiled is not None  # what does not fit is rejected
-        container = compiled
-    return with_pixels(container, path, options["pixels"]), messages
+    path = Path("default.nsl")
+    made = compile_source(Source(path.name, PROGRAM), Path(), compile_options(options)).container
+    assert made is not None  # what does not fit is rejected
+    return with_pixels(made, path, options["pixels"]), ()
 
 
 def _settings(options: dict[str, Any], sensor: Sensor) -> Settings:

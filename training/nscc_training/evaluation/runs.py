@@ -18,7 +18,6 @@ from nscc.diagnostics.rejection import rejected
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.evaluation import hdr, video
-from nscc_training.evaluation.keys import key_of
 from nscc_training.evaluation.results import (
     Item,
     Scene,
@@ -31,6 +30,25 @@ from nscc_training.evaluation.sci8 import frame_scores, read_sci_clip, sci_clips
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
 from nscc_training.sensor_model import frame_of, laid
+from nscc_training.settings import Settings
+
+Key = tuple[str, str, str]
+"""What rows of tables know runs by: decoder, class, and what became of the codes: learned, words,
+random, quad or fixed."""
+
+
+def key_of(settings: Settings) -> Key:
+    """The key of a run's settings."""
+    shutter = settings.shutter
+    codes = "learned"
+    if not shutter.learn:
+        codes = shutter.init if shutter.init in ("random", "quad") else "fixed"
+    elif shutter.words_weight > 0:
+        codes = "words"
+    decoder = settings.decoder
+    # Narrower decoders are none of the tables' rows.
+    name = decoder.name if decoder.width == 1 else f"{decoder.name} x {decoder.width:g}"
+    return name, shutter.kind, codes
 
 
 def evaluate_run(

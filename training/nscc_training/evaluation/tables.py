@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,8 +18,8 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_training.config import load_config
 from nscc_training.evaluation.hdr import ENDINGS, panoramas
-from nscc_training.evaluation.keys import Key, key_of
 from nscc_training.evaluation.results import read_result
+from nscc_training.evaluation.runs import Key, key_of
 from nscc_training.evaluation.subjects import evaluate
 from nscc_training.evaluation.video import clips_of
 from nscc_training.measures import number
@@ -150,12 +150,9 @@ def _held(folder: Path | None, places: Mapping[str, _Place]) -> list[dict[str, A
         result = read_result(path)
         place = places.get(str(result.get("protocol")))
         digests = frozenset(str(entry["sha256"]) for entry in result.get("data", ()))
-        current = (
-            place is not None
-            and place.digests == digests
-            and load_protocol(str(result["protocol"])).sha256 == result.get("protocol_sha256")
-        )
-        if current:
+        if place is None or place.digests != digests:
+            continue
+        if load_protocol(str(result["protocol"])).sha256 == result.get("protocol_sha256"):
             found.append(result)
     return found
 
@@ -164,18 +161,12 @@ def _config(found: dict[str, Any]) -> object:
     return found.get("settings", {}).get("config_sha256")
 
 
-@dataclass(frozen=True)
-class _Run:
+class _Run(NamedTuple):
     """A run folder that may be evaluated: its configuration and that file's digest."""
 
     path: Path
     settings: Settings
     config_sha256: str
-
-    @classmethod
-    def of(cls, path: Path) -> _Run:
-        file = path / "config.resolved.toml"
-        return cls(path, load_config(file), sha256(file.read_bytes()).hexdigest())
 
 
 def _runs(folder: Path | None) -> list[_Run]:
@@ -187,8 +178,11 @@ def _runs(folder: Path | None) -> list[_Run]:
             f"'{folder}' is no folder of runs",
             helps=("name the folder in which the run folders of nscc train are",),
         )
-    places = sorted(p for p in folder.iterdir() if (p / "result.json").is_file())
-    return [_Run.of(place) for place in places]
+    found = []
+    for place in sorted(p for p in folder.iterdir() if (p / "result.json").is_file()):
+        file = place / "config.resolved.toml"
+        found.append(_Run(place, load_config(file), sha256(file.read_bytes()).hexdigest()))
+    return found
 
 
 def _row(row: Row, place: _Place, fresh: list[_Run], held: list[dict[str, Any]]) -> dict[str, Any]:

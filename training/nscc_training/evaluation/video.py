@@ -54,15 +54,12 @@ def clips_of(folder: Path) -> list[Path]:
     return protocol_files(folder, CLIPS, "video-v1", "clips end in", "clips of at least 256 x 256")
 
 
-def windows(
-    files: list[Path], protocol: Protocol, transfer: str | None = None
-) -> Iterator[Window | Unusable]:
+def windows(files: list[Path], protocol: Protocol) -> Iterator[Window | Unusable]:
     """The windows of clips, in order; what cannot be used as `Unusable`."""
     size, count, start = int(protocol["size"]), int(protocol["frames"]), {"first": 0}
     for path in files:
         known = protocol["transfer"]
-        chosen = transfer or known.get(path.suffix.lower().lstrip("."), known["other"])
-        srgb = chosen == "srgb"
+        srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
         held: list[Clip] = []
         number = -1
         for number, frame in enumerate(frames_in(path)):

@@ -121,25 +121,23 @@ def split_digest(scenes: Scenes) -> str:
 
 def capture_toml(parts: Parts) -> str:
     """What a frame must have been made with for the decoder to understand it."""
-    model = parts.model
-    lines = [
-        "# What the decoder was trained on; `nscc reconstruct` refuses frames of something else.",
-        f"sensor_sha256 = {json.dumps(sensor_sha256(parts.sensor))}",
-        f"full_well_e = {model.full_well_e!r}",
-        f"electrons_per_lsb = {model.electrons_per_lsb!r}",
-        f"adc_offset_lsb = {model.adc_offset_lsb!r}",
-        f"adc_bits = {model.adc_bits}",
-        f"slots = {parts.slots}",
-        f"slot_us = {parts.chip.slot_us!r}",
-        f"scenes = {json.dumps('stills' if parts.still else 'clips')}",
-        f"transfer = {json.dumps(parts.settings.data.transfer)}",
-        'exposure = "'
-        + ("30 % of the pixels saturate when always open" if parts.still
-           else "percentile 99 of the all-open sum is a full well")
-        + '"',
-        'normalisation = "1 is a full well'
-        + (" over the frame" if parts.still else " / slots in a slot") + '"',
-    ]  # fmt: skip
+    model, slots = parts.model, "" if parts.still else " / slots in a slot"
+    values = {
+        "sensor_sha256": sensor_sha256(parts.sensor),
+        "full_well_e": model.full_well_e,
+        "electrons_per_lsb": model.electrons_per_lsb,
+        "adc_offset_lsb": model.adc_offset_lsb,
+        "adc_bits": model.adc_bits,
+        "slots": parts.slots,
+        "slot_us": parts.chip.slot_us,
+        "scenes": "stills" if parts.still else "clips",
+        "transfer": parts.settings.data.transfer,
+        "exposure": "30 % of the pixels saturate when always open" if parts.still
+        else "percentile 99 of the all-open sum is a full well",
+        "normalisation": f"1 is a full well{slots or ' over the frame'}",
+    }  # fmt: skip
+    head = "# What the decoder was trained on; `nscc reconstruct` refuses frames of something else."
+    lines = [head, *(f"{key} = {json.dumps(value)}" for key, value in values.items())]
     return "\n".join(lines) + "\n"
 
 
