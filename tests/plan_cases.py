@@ -8,7 +8,7 @@ import numpy as np
 from reference_programs import program
 
 from nscc.words.container import Container
-from nscc_runtime.effects import EFFECTS, selected
+from nscc_runtime.effects import registered, selected
 from nscc_runtime.light import Light
 from nscc_runtime.plan.plan import Decision, Plan
 
@@ -107,6 +107,6 @@ def plan_of(effects: str, tolerance_e: float = 5.0, loop: str = "some", **values
             effect.name, effect.kind, "kept" if effect in on else "dropped", not effect.always,
             "", 0.0, 0.0, 0.0, 0.0,
         )
-        for effect in EFFECTS
+        for effect in registered()
     )  # fmt: skip
     return Plan(tolerance_e, 0.0, 0.0, loop, (), 0.0, (), decisions, **values)  # type: ignore[arg-type]

@@ -10,7 +10,7 @@ from promise import SCENES, TOLERANCES, Outcome, full_frames, outcome, pool, sce
 from reference_programs import sensor_of
 
 from nscc.words.container import Container
-from nscc_runtime.sensor import PARAMETERS, Sensor
+from nscc_runtime.sensor import Sensor, parameters
 
 ROWS = COLS = 64
 _ZERO = 0.15
@@ -28,7 +28,7 @@ class Draw:
 def random_sensor(container: Container, rng: np.random.Generator) -> Sensor:
     """Every figure but the readout's a tenth to ten times its default, or 0."""
     base, values = sensor_of(container), {}
-    for row in PARAMETERS:
+    for row in parameters():
         if row.heading == "readout" or row.name == "digital_retention_us":
             continue
         default, zero, factor = getattr(base, row.name), rng.random(), 10 ** rng.uniform(-1, 1)

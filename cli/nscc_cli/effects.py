@@ -46,10 +46,10 @@ def command(name: str | None, as_json: bool, toml: bool, target: str, **options:
 
 def listing() -> str:
     """One line an effect."""
-    from nscc_runtime.effects import EFFECTS
+    from nscc_runtime.effects import registered
 
-    width = max(len(effect.name) for effect in EFFECTS)
-    lines = [f"{e.name:<{width}}  {e.kind:<6}  {e.title}" for e in EFFECTS]
+    width = max(len(effect.name) for effect in registered())
+    lines = [f"{e.name:<{width}}  {e.kind:<6}  {e.title}" for e in registered()]
     lines += [
         "",
         "fixed: the same in every frame; random: new in every frame; after: in the readout",
@@ -60,21 +60,20 @@ def listing() -> str:
 
 def details(name: str, sensor: Sensor) -> str:
     """Everything about one effect, with its parameters; NS0756 for one that there is not."""
-    from nscc_runtime.effects.registry import named
-    from nscc_runtime.sensor import SCHEMA
+    from nscc_runtime.effects import named
 
     effect = named(name)
     lines = [f"{effect.name}: {effect.title} ({effect.kind})"]
     for heading, text in (
         ("model", effect.model),
-        ("predicted", effect.contribution),
+        ("predicted", effect.predicted),
         ("cost", effect.cost),
         ("applied", effect.applied),
     ):
         lines += textwrap.wrap(
             text, _WIDTH, initial_indent=f"  {heading:<11}", subsequent_indent=" " * 13
         )
-    for row in map(SCHEMA.by_path.__getitem__, effect.parameters):
+    for row in effect.parameters:
         value = f"{getattr(sensor, row.name):.10g} {row.kind.unit}"
         lines.append(f"  {row.name} = {value}, {row.kind.range}: {row.meaning} ({row.source})")
     return "\n".join(lines)

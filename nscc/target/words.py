@@ -22,6 +22,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from math import isfinite
 from typing import Any
 
+from nscc.macros import MNEMONICS
 from nscc.operations import (
     ANALOG_SOURCES,
     ANALOG_WRITE,
@@ -36,7 +37,6 @@ from nscc.operations import (
 )
 from nscc.toml.kinds import Kind
 from nscc.toml.text import written
-from nscc.words.macros import MNEMONICS
 
 EFFECTS = {
     "nothing": Effect.NONE,

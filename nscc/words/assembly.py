@@ -2,7 +2,7 @@
 
 A text is a list of lines; `;` or `#` begins a comment.
 
-    OP a, b, c                an instruction or macro (`nscc.words.macros`), destinations first
+    OP a, b, c                an instruction or macro (`nscc.macros`), destinations first
     .word 0x.. (five times)   the bits of a word
     .kernel NAME              the instructions below belong to this kernel
     .target NAME              or "FILE.toml", or a TOML table below, each line behind a bar
@@ -28,6 +28,7 @@ from pathlib import Path
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.suggest import closest
+from nscc.macros import OperandError, expand, mnemonics
 from nscc.operations import READ_LINES, Operation
 from nscc.source import Source, Span
 from nscc.words.container import Container, Word
@@ -35,7 +36,6 @@ from nscc.words.directives import DIRECTIVES
 from nscc.words.draft import Block, Draft, Faults, Instruction, Token, shown
 from nscc.words.encoding import encode
 from nscc.words.linking import check_instructions, find_target, link
-from nscc.words.macros import OperandError, expand, mnemonics
 from nscc.words.text import read_block_line, read_string
 
 _TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[^\s;#"]+')

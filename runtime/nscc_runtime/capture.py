@@ -22,8 +22,8 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
-from nscc_runtime.effects.readout import ADC_NOISE, noise_lsb
-from nscc_runtime.frame_file import Frame, check_adc, read_out, stacked
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.frame_file import Frame, check_adc, converted, stacked
 from nscc_runtime.light import Light
 from nscc_runtime.plan.capture import prepared
 from nscc_runtime.plan.choose import plan_for
@@ -32,7 +32,6 @@ from nscc_runtime.plan.pool import processors
 from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.tolerance import tolerance_e
 from nscc_runtime.sensor.file import default_sensor
-from nscc_runtime.sensor.sensor import Sensor
 
 _programs: WeakKeyDictionary[Container, dict[Sensor, Program]] = WeakKeyDictionary()
 
@@ -134,21 +133,13 @@ def planned_frames(
         raise ValueError(f"{count} frames")
     scene = prepared(program, light, plan, device_seed=device_seed, threads=threads)
     sensor, target = program.sensor, program.container.target
-    noisy = ADC_NOISE in plan.kept
     check_adc(target)
-    if scene.fused is not None:
-        for number in range(count):
-            yield scene.fused.expose(seed, number, read_out=True)
-        return
-    places = np.arange(light.shape[0] * light.shape[1], dtype=np.int64)
     for number in range(count):
-        exposure = scene.expose(seed, number)
-        noise: NDArray[np.float64] | float = 0.0
-        if noisy:
-            buckets = range(len(program.container.buckets))
-            drawn = [noise_lsb(sensor, seed, number, bucket, places) for bucket in buckets]
-            noise = np.stack(drawn).reshape(exposure.exposure_e.shape)
-        yield read_out(exposure, target, sensor, noise)
+        if scene.fused is not None:
+            yield scene.fused.expose(seed, number, read_out=True)
+        else:
+            exposure = scene.expose(seed, number)
+            yield converted(exposure, target, sensor, plan.kept, (seed, device_seed), number)
 
 
 def made_ready(container: Container, sensor: Sensor) -> Program:

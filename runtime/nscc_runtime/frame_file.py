@@ -27,8 +27,9 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.target.target import Target
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
-from nscc_runtime.effects import EFFECTS, Effect, Selection
-from nscc_runtime.effects.timing import MOTION
+from nscc_runtime.effects import Effect, Selection, everything, registered
+from nscc_runtime.effects.parts import Moving
+from nscc_runtime.effects.views import Where
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
@@ -65,10 +66,33 @@ def read_out(
     sensor = sensor or default_sensor(target)
     check_adc(target)
     known = ~np.isnan(exposure.exposure_e)
-    scaled = np.where(known, exposure.exposure_e, 0.0) / sensor.electrons_per_lsb
-    codes = np.clip(np.rint(scaled + noise_lsb) + sensor.adc_offset_lsb, 0, 2**target.adc_bits - 1)
-    frame = np.where(known, np.rint(codes), 0.0).astype(np.uint8)
+    (codes,) = everything().at("codes")
+    electrons = np.where(known, exposure.exposure_e, 0.0)
+    found = codes(sensor, electrons, noise_lsb, 2**target.adc_bits - 1)
+    frame = np.where(known, found, 0.0).astype(np.uint8)
     return Frame(frame, exposure.exposure_e, exposure.valid & known)
+
+
+def converted(
+    exposure: Exposure,
+    target: Target,
+    sensor: Sensor,
+    effects: Selection,
+    seeds: tuple[int, int],
+    frame: int,
+) -> Frame:
+    """Frame number `frame` read out with the converter's noise, where `effects` have some.
+
+    `seeds` are those of the frames' noise and of the device.
+    """
+    noise: NDArray[np.float64] | float = 0.0
+    shape = exposure.exposure_e.shape
+    places = np.arange(shape[1] * shape[2], dtype=np.int64)
+    where = Where(sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame, places=places)
+    for off in effects.at("converter"):
+        drawn = [off(where, bucket) for bucket in range(shape[0])]
+        noise = noise + np.stack(drawn).reshape(shape)
+    return read_out(exposure, target, sensor, noise)
 
 
 def check_adc(target: Target) -> None:
@@ -159,21 +183,21 @@ def decisions(chosen: Selection, moving: bool) -> list[dict[str, Any]]:
             "predicted_if_dropped_e": None,
             "cost_ms_model": None,
         }
-        for effect in EFFECTS
+        for effect in registered()
     ]
 
 
 def _decision(effect: Effect, chosen: Selection, moving: bool) -> str:
     if effect not in chosen:
         return "dropped"
-    return "kept" if moving or effect is not MOTION else "absent"
+    return "kept" if moving or not effect.parts(Moving) else "absent"
 
 
 def _reason(effect: Effect, chosen: Selection, moving: bool) -> str:
     if effect.always:
         return "always applied"
-    if effect in chosen and effect is MOTION and not moving:
-        return "the scene's frames are the slots' integrals"
+    if effect in chosen and not moving and effect.parts(Moving):
+        return effect.absent
     if effect.name in chosen.forced:
         return "named in --effects"
     return "part of --effects all" if effect in chosen else "not in --effects"

@@ -130,7 +130,10 @@ class Loop(Generic[_P]):
         """Run it. Drops the GIL. Raises TypeError for what the declaration does not allow."""
         if args:
             raise TypeError(f"{self.name} takes what it is given by name")
-        self.bound()(**values)
+        if values.keys() != self.parameters.keys():
+            raise TypeError(f"{self.name}: {_unlike(self.parameters, values)}")
+        axes: dict[str, int] = {}
+        self.entry(*[p.address(values[name], axes) for name, p in self.parameters.items()])
 
     def bound(self, **values: Any) -> Bound:
         """The loop with some of its parameters checked and given."""

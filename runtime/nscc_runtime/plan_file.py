@@ -79,11 +79,13 @@ def plan_table(plan: Plan, report: Audit | None = None) -> str:
         f"tolerance {plan.tolerance_e:.4g} e, from {plan.sampled_fraction:.1%} of the pixels"
     )
     lines += [f"short cut: {each.name}, {each.error_e:.2g} e" for each in plan.approximations]
-    loop = {"none": "no pixel runs", "some": "some pixels run", "all": "all pixels run"}
-    because = "; ".join(plan.slot_loop_reasons)
-    lines.append(
-        f"{loop[plan.slot_loop]} through the words one by one" + (f": {because}" if because else "")
-    )
+    loop = {
+        "none": "no pixel runs through the words one by one",
+        "some": "some pixels run through the words one by one",
+        "all": "all pixels run through the words one by one",
+        "reference": "the reference runs, slot by slot",
+    }
+    lines.append(": ".join(filter(None, (loop[plan.slot_loop], "; ".join(plan.slot_loop_reasons)))))
     if report is not None:
         verdict = "the promise holds" if report.holds else "THE PROMISE IS BROKEN"
         ratio = "" if report.std_ratio is None else (

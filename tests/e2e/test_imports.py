@@ -30,7 +30,7 @@ FLOORS = {
 
 ROOMS = (
     ("operations", "requirements", "source", "truth"),
-    ("diagnostics",),
+    ("diagnostics", "macros"),
     ("files", "plugins", "toml"),
     ("target",),
     ("logic", "words"),

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from nscc_command import Outcome, invoke
 
-from nscc_runtime.effects import EFFECTS, OPTIONAL
+from nscc_runtime.effects import optional, registered
 
 PROGRAM = """nsl 1
 target "small.toml"
@@ -53,7 +53,7 @@ def test_all_effects_leave_a_frame_file(lowering: str, folder: Path) -> None:
     assert meta["fidelity"] == "reference"
     assert meta["lowering"] == lowering
     found = {row["name"]: row for row in meta["plan"]["effects"]}  # type: ignore[index]
-    assert list(found) == [effect.name for effect in EFFECTS]
+    assert list(found) == [effect.name for effect in registered()]
     assert {name for name, row in found.items() if row["decision"] == "absent"} == {"motion"}
     assert not any(row["forced"] for row in found.values())
     assert "the first is described" in outcome.err
@@ -74,7 +74,7 @@ def test_meta_says_which_effects_were_forced_and_which_sensor(folder: Path) -> N
     assert (meta["seed"], meta["device_seed"]) == (7, 8)
     assert meta["sensor_sha256"] != plain["sensor_sha256"]
     none = {row["name"]: row["decision"] for row in plain["plan"]["effects"]}  # type: ignore[index]
-    assert none == {**dict.fromkeys(OPTIONAL, "dropped"), "adc": "kept"}
+    assert none == {**dict.fromkeys(optional(), "dropped"), "adc": "kept"}
     assert before["exposure_e"][0, 0, :5] == pytest.approx([0, 500, 1000, 1500, 2000])
 
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from nscc_command import Outcome, invoke
 
-from nscc_runtime.effects import EFFECTS
+from nscc_runtime.effects import registered
 
 PROGRAM = """nsl 1
 target "small.toml"
@@ -57,7 +57,7 @@ def test_auto_makes_a_plan_and_says_it_all(folder: Path) -> None:
     assert set(plan) >= META
     assert plan["tolerance_e"] == 2.0
     assert 0 < plan["predicted_e"] <= 1.8
-    assert [each["name"] for each in plan["effects"]] == [effect.name for effect in EFFECTS]
+    assert [each["name"] for each in plan["effects"]] == [effect.name for effect in registered()]
     assert all(set(each) >= EFFECT for each in plan["effects"])
     for each in plan["effects"]:
         assert f"\n{each['name']} " in outcome.err

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from reference_programs import LOWERINGS, program, sensor_of
 
 from nscc.words.container import Container
-from nscc_runtime.effects import OPTIONAL, selected
+from nscc_runtime.effects import optional, selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose as by_reference
@@ -194,12 +194,12 @@ def test_what_a_frame_begins_with_does_not_matter(light: np.ndarray) -> None:
 
 
 @settings(max_examples=40, deadline=None)
-@given(patterns(), st.sampled_from([*OPTIONAL, "all", "all,-crosstalk", "shot,dark,read"]))
+@given(patterns(), st.sampled_from([*optional(), "all", "all,-crosstalk", "shot,dark,read"]))
 def test_every_effect_of_any_light_is_a_number(light: np.ndarray, effects: str) -> None:
     container = program(EVERY, "edges", ROWS, COLS)
     found = by_reference(
         container, Light.of_clip(light), sensor_of(container), selected(f"none,{effects}"
-        if effects in OPTIONAL else effects),
+        if effects in optional() else effects),
     )  # fmt: skip
     assert found.valid.all()
     assert np.isfinite(found.exposure_e).all()

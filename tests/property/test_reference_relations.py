@@ -23,8 +23,8 @@ import nscc_runtime.reference.capture
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import op
 from nscc.words.container import Container
-from nscc_runtime.effects import BY_NAME, OPTIONAL, selected
-from nscc_runtime.effects.photons import LIGHT, SHOT, count_key
+from nscc_runtime.effects import named, optional, selected
+from nscc_runtime.effects.counts import LIGHT, count_key
 from nscc_runtime.emulator import expose as noiseless
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, poisson
@@ -62,7 +62,8 @@ def test_the_counts_of_the_slots_are_the_draw_of_their_sum(lowering: str) -> Non
     stop = np.arange(COLS) % 5
     opened = np.arange(SLOTS)[:, None] < stop
     rate = (light.frames.astype(np.float64) * opened[:, None, :]).sum(axis=0).reshape(-1)
-    counts, valid = poisson(count_key(9, SHOT, LIGHT, 0, 1), PLACES, rate, exact=True)
+    stream = count_key(9, named("shot").stream, LIGHT, 0, 1)
+    counts, valid = poisson(stream, PLACES, rate, exact=True)
     assert valid.all()
     np.testing.assert_allclose(found.reshape(-1), counts, atol=1e-9)
 
@@ -75,7 +76,7 @@ def test_the_noise_of_the_reads_is_the_draw_of_their_sum(lowering: str) -> None:
     found = exposures(container, flat(10.0), sensor, "read", seed=9)[0, 0]
     stop = np.arange(COLS) % 5
     reads = stop + stop**2 if lowering == "accumulate" else 2 * (stop > 0)
-    z = normals(key(9, BY_NAME["read"].stream), PLACES).reshape(ROWS, COLS)
+    z = normals(key(9, named("read").stream), PLACES).reshape(ROWS, COLS)
     np.testing.assert_allclose(found, 10.0 * stop + 7.0 * np.sqrt(reads) * z, atol=1e-6)
 
 
@@ -262,6 +263,6 @@ def test_every_effect_runs_alone_and_changes_something() -> None:
     container = program(BUMPS, "accumulate")
     light, sensor = random_light(scale=12000.0), sensor_of(container, register_max_e=2e4)
     nothing = exposures(container, light, sensor, "none")
-    absent = {name for name in OPTIONAL
+    absent = {name for name in optional()
               if np.array_equal(exposures(container, light, sensor, name), nothing)}  # fmt: skip
     assert absent == {"motion", "decay", "adc_noise"}

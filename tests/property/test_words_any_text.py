@@ -9,11 +9,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.macros import MNEMONICS
 from nscc.source import Source
 from nscc.words.assembly import assemble, assemble_words
 from nscc.words.directives import DIRECTIVES
 from nscc.words.file import from_bytes, to_bytes
-from nscc.words.macros import MNEMONICS
 
 PIECES = st.sampled_from(
     [

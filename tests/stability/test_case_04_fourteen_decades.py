@@ -9,7 +9,7 @@ import pytest
 from reference_programs import LOWERINGS, program, sensor_of
 
 from nscc_runtime.capture import capture
-from nscc_runtime.effects import OPTIONAL, selected
+from nscc_runtime.effects import optional, selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.light import Light
@@ -61,7 +61,7 @@ def test_case_04_codes() -> None:
     assert np.abs(frame.frame[0] - expected).max() == 0
 
 
-@pytest.mark.parametrize("effect", [*OPTIONAL, "all"])
+@pytest.mark.parametrize("effect", [*optional(), "all"])
 def test_case_04_every_effect_stays_finite(effect: str) -> None:
     container = program(TEXT, "edges", ROWS, COLS)
     chosen = selected(f"none,{effect}" if effect != "all" else "all")

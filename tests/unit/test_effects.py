@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from dataclasses import fields
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,33 +12,45 @@ from nscc_command import invoke
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
-from nscc_runtime.effects import BY_NAME, EFFECTS, OPTIONAL, Statistics, selected
+from nscc_runtime.effects import (
+    AfterExposure,
+    ByParts,
+    CannotHave,
+    Field,
+    InLoop,
+    effects_json,
+    named,
+    optional,
+    register,
+    registered,
+    selected,
+)
 from nscc_runtime.effects.crosstalk import smeared
 from nscc_runtime.effects.dark import current_e_per_s
-from nscc_runtime.effects.photons import response
-from nscc_runtime.effects.registers import soft
-from nscc_runtime.sensor import PARAMETERS, default_sensor
+from nscc_runtime.effects.prnu import response
+from nscc_runtime.effects.register import soft
+from nscc_runtime.sensor import default_sensor, parameter, parameters
 
 SENSOR = default_sensor(builtin_target("scamp5"))
 PIXELS = np.arange(200_000, dtype=np.int64)
 
 
 def test_names_and_streams_are_unique_and_every_parameter_serves_an_effect() -> None:
-    assert len({effect.name for effect in EFFECTS}) == len(EFFECTS)
-    assert len({effect.stream for effect in EFFECTS}) == len(EFFECTS)
-    used = {name for effect in EFFECTS for name in effect.parameters}
-    assert used == {row.name for row in PARAMETERS}
+    assert len({effect.name for effect in registered()}) == len(registered())
+    assert len({effect.stream for effect in registered()}) == len(registered())
+    used = {row.name for effect in registered() for row in effect.parameters}
+    assert used == {row.name for row in parameters()}
 
 
 @pytest.mark.parametrize(
     ("text", "on", "forced"),
     [
         ("none", set(), set()),
-        ("all", set(OPTIONAL), set()),
+        ("all", set(optional()), set()),
         ("shot", {"shot"}, {"shot"}),
         ("shot, read", {"shot", "read"}, {"shot", "read"}),
-        ("all,-lag,-adc_noise", set(OPTIONAL) - {"lag", "adc_noise"}, {"lag", "adc_noise"}),
-        ("-lag", set(OPTIONAL) - {"lag"}, {"lag"}),
+        ("all,-lag,-adc_noise", set(optional()) - {"lag", "adc_noise"}, {"lag", "adc_noise"}),
+        ("-lag", set(optional()) - {"lag"}, {"lag"}),
         ("+lag", {"lag"}, {"lag"}),
         ("none,+shot,-shot", set(), {"shot"}),
         ("adc", set(), set()),
@@ -59,27 +71,66 @@ def test_bad_choices(text: str) -> None:
     assert caught.value.status == 2
 
 
-def test_predictions_follow_the_formulas() -> None:
-    scene = Statistics(mean_e=900.0, rms_e=1000.0, reads=4.0, resets=2.0, open_s=0.5, rms_open_s=1)
-    sensor = SENSOR.changed(
-        read_noise_e=3.0, reset_noise_e=5.0, prnu_fraction=0.02,
-        dark_current_e_per_s=8.0, dark_spread_fraction=0.0,
-        adc_noise_lsb=2.0, electrons_per_lsb=6.0,
+def test_the_readouts_figures() -> None:
+    sensor = SENSOR.changed(adc_noise_lsb=2.0, electrons_per_lsb=6.0)
+    found = {
+        effect.name: effect.field.rms_e(sensor)
+        for effect in registered()
+        if isinstance(effect.field, AfterExposure)
+    }
+    assert found == {"adc_noise": 12.0, "adc": pytest.approx(3**0.5)}
+
+
+def test_what_people_read_is_said_by_the_function_that_the_planner_calls() -> None:
+    row = next(row for row in effects_json(SENSOR) if row["name"] == "lag")
+    assert row["predicted"] == " ".join(named("lag").field.__doc__.split())
+
+
+INCOMPLETE = [
+    ({"name": ""}, "a text"),
+    ({"name": "shot"}, "there is an effect `shot`"),
+    ({"stream": 1}, "1 is that of `shot`"),
+    ({"stream": 0}, "`stream`, a number"),
+    ({"kind": "odd"}, "`kind`, one of"),
+    ({"absent": None}, "`absent`, a text"),
+    ({"reference": {}}, "`reference`, a function"),
+    ({"reference": {"nowhere": abs}}, "`reference`, a function"),
+    ({"reference": {"codes": abs}}, "it is that of `adc`"),
+    ({"field": None}, "`field`, a function"),
+    ({"field": lambda sample: Field()}, "what `field` is: its docstring"),
+    ({"kind": "after"}, "a `field` that goes with its `kind`"),
+    ({"sums": None}, "`sums`, its parts"),
+    ({"sums": (1,)}, "`sums` of known parts only"),
+    ({"sums": named("lag").sums}, "that of `lag`"),
+    ({"fused": None}, "`fused`, ByParts"),
+    ({"sums": named("dark").sums, "fused": ByParts()}, "does not know all of its parts"),
+    ({"words": None}, "`words`, InLoop"),
+    ({"words": InLoop()}, "`words` that is CannotHave"),
+    ({"parameters": (1,)}, "`parameters`, each a parameter"),
+    ({"parameters": (parameter("lag_fraction", "light", 0, "1", 0, 1, "?"),)}, "`lag_fraction`"),
+    ({"cost_ns": -1}, "`cost_ns`, a number"),
+]
+
+
+@pytest.mark.parametrize(("changes", "text"), INCOMPLETE, ids=[text for _, text in INCOMPLETE])
+def test_what_an_effect_lacks_is_refused_by_name(changes: dict[str, object], text: str) -> None:
+    whole = replace(
+        named("lag"), name="tilt", stream=99, parameters=(), sums=CannotHave("so"),
+        fused=CannotHave("so"), words=CannotHave("so"),
     )  # fmt: skip
-    expected = {
-        "shot": 30.0, "prnu": 20.0, "read": 6.0, "reset": 50**0.5, "dark": 68**0.5,
-        "adc_noise": 12.0, "adc": 3**0.5,
-    }  # fmt: skip
-    for name, rms in expected.items():
-        assert BY_NAME[name].predict(scene, sensor).rms_e == pytest.approx(rms)
-    assert BY_NAME["dark"].predict(scene, sensor).bias_e == 4.0
+    before = registered()
+    with pytest.raises(Rejected) as caught:
+        register(replace(whole, **changes))
+    found = caught.value.diagnostics[0]
+    assert found.code == "NS0905"
+    assert text in " ".join((found.message, *found.notes))
+    assert str(changes.get("name", "tilt") or "Effect") in found.message
+    assert registered() == before
 
 
-def test_a_scene_without_anything_contributes_nothing_before_the_adc() -> None:
-    assert all(value.default == 0.0 for value in fields(Statistics))
-    for effect in EFFECTS:
-        found = effect.predict(Statistics(), SENSOR)
-        assert (found.rms_e == 0.0) == (effect.kind != "after")
+def test_what_is_no_effect_is_refused() -> None:
+    with pytest.raises(Rejected, match="it is no Effect"):
+        register("columns")
 
 
 def test_fixed_patterns_have_the_stated_mean_and_spread() -> None:
@@ -124,11 +175,11 @@ def test_crosstalk_moves_charge_and_loses_none() -> None:
 def test_the_command_lists_shows_and_prints(tmp_path: Path) -> None:
     listed = invoke(["effects"], tmp_path)
     assert listed.status == 0
-    assert all(effect.title in listed.out for effect in EFFECTS)
+    assert all(effect.title in listed.out for effect in registered())
     one = invoke(["effects", "dark"], tmp_path)
     assert "dark_current_e_per_s = 1000 e/s" in one.out
     found = json.loads(invoke(["effects", "--json"], tmp_path).out)["effects"]
-    assert [row["name"] for row in found] == [effect.name for effect in EFFECTS]
+    assert [row["name"] for row in found] == [effect.name for effect in registered()]
     assert all(row["model"] and row["predicted"] and row["cost"] for row in found)
     printed = invoke(["effects", "--toml", "--sensor-set", "read_noise_e=3"], tmp_path).out
     (tmp_path / "s.toml").write_text(printed)

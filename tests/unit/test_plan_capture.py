@@ -11,7 +11,7 @@ from reference_programs import exposures, sensor_of
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
-from nscc_runtime.effects import OPTIONAL
+from nscc_runtime.effects import optional
 from nscc_runtime.light import Light
 from nscc_runtime.plan.capture import Planned, prepared
 from nscc_runtime.plan.plan import Plan
@@ -154,7 +154,7 @@ def test_the_full_well_alone_clips_sums_with_a_single_read() -> None:
     np.testing.assert_allclose(scene.expose(SEED, 0).exposure_e, full, rtol=1e-6)
 
 
-@pytest.mark.parametrize("effects", ["all", "none", "shot,crosstalk,read", *OPTIONAL])
+@pytest.mark.parametrize("effects", ["all", "none", "shot,crosstalk,read", *optional()])
 def test_all_pixels_through_their_words_are_the_reference(effects: str) -> None:
     container = case("d edges", rows=ROWS, cols=COLS)
     light, sensor = moving_light((8, ROWS, COLS), 3000.0), sensor_of(container)

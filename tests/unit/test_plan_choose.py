@@ -12,7 +12,7 @@ from promise import full_frames, outcome, pool, scene
 from reference_programs import exposures, sensor_of
 
 from nscc.words.container import Container
-from nscc_runtime.effects import EFFECTS, OPTIONAL, selected
+from nscc_runtime.effects import optional, registered, selected
 from nscc_runtime.light import Light
 from nscc_runtime.plan.choose import plan_for, predicted_for
 from nscc_runtime.plan.plan import Decision, Plan
@@ -41,7 +41,7 @@ def mid() -> tuple[Container, Light, Sensor]:
 
 def test_a_plan_has_every_effect_once_and_says_why(mid: tuple[Container, Light, Sensor]) -> None:
     plan = made(*mid, 5.0)
-    assert [each.name for each in plan.decisions] == [effect.name for effect in EFFECTS]
+    assert [each.name for each in plan.decisions] == [effect.name for effect in registered()]
     assert all(each.reason for each in plan.decisions)
     assert not any(each.forced for each in plan.decisions)
     assert row(plan, "adc").decision == row(plan, "adc_noise").decision == "kept"
@@ -64,7 +64,7 @@ def test_larger_tolerances_keep_less_and_huge_ones_nothing(
     assert costs[-1] == 0 < costs[0]
 
 
-@pytest.mark.parametrize("name", OPTIONAL)
+@pytest.mark.parametrize("name", optional())
 @pytest.mark.parametrize("sign", "+-")
 def test_forced_effects_are_as_told(
     sign: str, name: str, mid: tuple[Container, Light, Sensor]
@@ -132,7 +132,7 @@ def test_dropping_one_more_is_predicted(mid: tuple[Container, Light, Sensor]) ->
     for name in ("shot", "prnu", "read", "analog", "crosstalk"):
         if name in off:
             continue
-        rest = [n for n in OPTIONAL if n not in {*off, name}]
+        rest = [n for n in optional() if n not in {*off, name}]
         other = made(container, light, sensor, 5.0, ",".join(rest))
         found = row(plan, name).predicted_if_dropped_e
         assert other.predicted_e == pytest.approx(found, rel=0.02, abs=0.05)

@@ -15,7 +15,7 @@ from plan_cases import plan_of
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
-from nscc_runtime.effects import EFFECTS, OPTIONAL
+from nscc_runtime.effects import optional, registered
 from nscc_runtime.plan.plan import Approximation, Plan
 from nscc_runtime.plan.tolerance import tolerance_e
 from nscc_runtime.sensor import default_sensor
@@ -158,7 +158,7 @@ def test_a_value_of_another_kind_is_noticed(at: tuple[Any, ...], junk: Any) -> N
     text = json.dumps(found.as_json(), allow_nan=False)
     again = json.loads(text)
     for plan in (found, Plan.from_json(again)):
-        assert {each.name for each in plan.decisions} == {effect.name for effect in EFFECTS}
+        assert {each.name for each in plan.decisions} == {effect.name for effect in registered()}
         assert 0 < plan.tolerance_e < math.inf
         assert plan.leak_nodes >= 1
     if isinstance(junk, (list, dict)) or (isinstance(junk, float) and not math.isfinite(junk)):
@@ -174,5 +174,5 @@ def test_what_a_plan_simulates() -> None:
     assert plan.kept_in_words.on == {"shot", "full_well", "adc"}
     free = replace(plan, decisions=tuple(replace(each, forced=False) for each in plan.decisions))
     assert free.kept.on == {"shot", "full_well", "adc"}
-    assert free.wanted.on == {*OPTIONAL, "adc"}
-    assert free.kept_in_words.on == {*OPTIONAL, "adc"} - {"register"}
+    assert free.wanted.on == {*optional(), "adc"}
+    assert free.kept_in_words.on == {*optional(), "adc"} - {"register"}

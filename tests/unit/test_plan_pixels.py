@@ -10,7 +10,7 @@ from plan_cases import CASES, case, moving_light
 from reference_programs import sensor_of
 
 from nscc.words.container import Container
-from nscc_runtime.effects import OPTIONAL, selected
+from nscc_runtime.effects import optional, selected
 from nscc_runtime.light import Light
 from nscc_runtime.plan.program import Program
 from nscc_runtime.reference import expose
@@ -18,7 +18,7 @@ from nscc_runtime.sensor import Sensor
 
 SEEDS = {"seed": 3, "device_seed": 5, "frame": 2}
 SETS = (
-    "none", "all", *OPTIONAL, "shot,dark", "shot,crosstalk", "dark,crosstalk,leakage",
+    "none", "all", *optional(), "shot,dark", "shot,crosstalk", "dark,crosstalk,leakage",
     "read,reset,analog", "all,-full_well,-register", "full_well,register,dead_time",
 )  # fmt: skip
 
@@ -169,28 +169,3 @@ def test_order_and_threads_change_no_bit_and_nothing_is_asked_for_twice() -> Non
         assert again.tobytes() == once[:, order].tobytes()
     none = program.pixels.exposures(light, program.slot_s, places[:0], selected("all"))
     assert none.shape == (1, 0)
-
-
-def test_expected_leaves_everything_random_out() -> None:
-    """Its own oracle: the reference's mean effects, and no draw of any seed in it."""
-    container = case("b edges", rows=6, cols=9)
-    light = moving_light((8, 6, 9), 100.0)
-    sensor = sensor_near(container, dark_spread_fraction=0.0, analog_pattern_lsb=0.0)
-    program = Program.of(container, sensor)
-    one, other = (
-        program.pixels.exposures(
-            light, program.slot_s, np.arange(54), selected("all"), seed=seed, expected=True
-        )
-        for seed in (1, 2)
-    )
-    assert one.tobytes() == other.tobytes()
-    off = sensor.changed(analog_noise_lsb=0.0, dark_current_e_per_s=0.0)
-    plain = expose(container, light, off, selected("all,-shot,-read,-reset,-dark"), device_seed=0)
-    open_s = container.table.shutters[
-        container.table.shutter_of_code[container.pixel_codes]
-    ].sum(axis=-1) * 500e-6  # fmt: skip
-    dark = (one[0] - plain.exposure_e.reshape(-1)) / (
-        sensor.dark_current_e_per_s * open_s[..., 0].reshape(-1)
-    )
-    # Dark charge, less what leaks and what the gains of the words take.
-    assert np.all((dark > 0.85) & (dark < 1.0))

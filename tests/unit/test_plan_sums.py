@@ -10,12 +10,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from nscc.target.load import builtin_target
-from nscc_runtime.effects.registers import leak_per_s
+from nscc_runtime.effects import everything
+from nscc_runtime.effects.leakage import leak_per_s
+from nscc_runtime.effects.parts import Leak
 from nscc_runtime.light import Light
 from nscc_runtime.plan import leak_nodes, sums
 from nscc_runtime.sensor import default_sensor
 
 SENSOR = default_sensor(builtin_target("scamp5"))
+LEAK = everything().part(Leak)
 
 
 def exact(frames: np.ndarray, lanes: np.ndarray, tables: np.ndarray) -> np.ndarray:
@@ -107,7 +110,7 @@ def test_slots_that_share_frames(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_between_rates_polynomials_are_exact(count: int, spread: float, power: int) -> None:
     """With K rates, powers of the rate below K come out as they are."""
     sensor = SENSOR.changed(leakage_spread_fraction=spread)
-    nodes = leak_nodes.rates(sensor, count)
+    nodes = leak_nodes.rates(LEAK, sensor, count)
     assert len(nodes) == len(set(nodes.tolist())) == count
     mean = 1.0 / sensor.leakage_tau_s
     leak = np.linspace(nodes.min(), nodes.max(), 11)
@@ -126,16 +129,16 @@ def test_the_error_between_rates_is_that_of_real_pixels(spread: float, age_s: fl
     for count in range(1, leak_nodes.MOST + 1):
         if spread == 0.0 and count > 1:
             break  # one rate is all there is
-        nodes = leak_nodes.rates(sensor, count)
+        nodes = leak_nodes.rates(LEAK, sensor, count)
         near = np.exp(-nodes * age_s) @ leak_nodes.between(nodes, leak)
         measured = float(np.sqrt(((near - np.exp(-leak * age_s)) ** 2).mean()))
-        predicted = leak_nodes.error(sensor, count, age_s)
+        predicted = leak_nodes.error(LEAK, sensor, count, age_s)
         # A spread is all in the tails: beyond four sigmas there are few pixels with large errors.
         assert measured == pytest.approx(predicted, rel=0.25, abs=1e-12)
 
 
 def test_more_rates_are_better() -> None:
     sensor = SENSOR.changed(leakage_spread_fraction=0.3)
-    errors = [leak_nodes.error(sensor, count, 5.0) for count in range(1, leak_nodes.MOST + 1)]
+    errors = [leak_nodes.error(LEAK, sensor, count, 5.0) for count in range(1, leak_nodes.MOST + 1)]
     assert errors == sorted(errors, reverse=True)
     assert errors[-1] < 1e-4 * errors[0]

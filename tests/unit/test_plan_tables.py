@@ -8,7 +8,8 @@ from plan_cases import CASES, case
 from reference_programs import program, sensor_of
 
 from nscc.words.container import Container
-from nscc_runtime.effects import selected
+from nscc_runtime.effects import named, selected
+from nscc_runtime.effects.parts import Errors
 from nscc_runtime.light import Light
 from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.reach import reach_of
@@ -43,11 +44,11 @@ def probed(container: Container, sensor: Sensor, effects: str) -> np.ndarray:
     ("effects", "model"),
     [
         ("none", Model()),
-        ("analog", Model(gain=True)),
+        ("analog", Model(gain=0.996)),
         ("leakage", Model(leak_per_s=50.0)),
         ("dead_time", Model(dead_time=True)),
         ("decay", Model(decay=True)),
-        ("analog,leakage,dead_time,decay", Model(True, 50.0, True, True)),
+        ("analog,leakage,dead_time,decay", Model(0.996, 50.0, True, True)),
     ],
 )
 def test_weights_are_those_of_the_words(name: str, effects: str, model: Model) -> None:
@@ -76,13 +77,12 @@ def test_noise_is_as_large_as_the_references(name: str, effect: str) -> None:
     container = case(name, rows=rows, cols=cols)
     quiet = {**QUIET, "analog_noise_lsb": 0.75, "analog_gain": 1.0, "leakage_tau_s": 1e6}
     sensor = sensor_of(container, **quiet)
-    sigma = {
-        "read": sensor.read_noise_e, "reset": sensor.reset_noise_e, "analog": sensor.analog_noise_e
-    }[effect]  # fmt: skip
+    (errors,) = named(effect).parts(Errors)
+    sigma = errors.sigma_e(sensor)
     made = Program.of(container, sensor)
     dark = Light.of_clip(np.zeros((container.slots, rows, cols), np.float32))
     found = expose(container, dark, sensor, selected(effect)).exposure_e.reshape(-1, rows * cols)
-    factor, rest = made.tables.noise(effect, Model())
+    factor, rest = made.tables.noise(errors.at, Model())
     variance = sigma**2 * ((factor**2).sum(axis=2) + rest)
     assert np.all(rest <= 1e-9 * variance.max() / sigma**2 + 1e-12)
     for lane in np.unique(made.lanes):
@@ -98,7 +98,7 @@ def test_noise_of_other_weights_than_the_draws_is_split_in_drawn_and_left_out() 
     sensor = sensor_of(container, **{**QUIET, "leakage_tau_s": 0.002})
     tables = Program.of(container, sensor).tables
     full = tables.weights(Model())
-    factor, rest = tables.noise("read", Model())
+    factor, rest = tables.noise("reads", Model())
     total = sum(weight**2 for weight in full.reads.values())
     np.testing.assert_allclose((factor**2).sum(axis=2) + rest, total, rtol=1e-12)
     assert rest.max() > 1e-3

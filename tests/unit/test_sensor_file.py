@@ -9,14 +9,14 @@ import pytest
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_names, builtin_target
+from nscc_runtime.effects.parameters import HEADINGS
 from nscc_runtime.sensor import (
-    PARAMETERS,
     default_sensor,
     load_sensor,
+    parameters,
     sensor_sha256,
     sensor_toml,
 )
-from nscc_runtime.sensor.parameters import HEADINGS
 
 TARGET = builtin_target("scamp5")
 
@@ -29,9 +29,9 @@ def codes(path: Path | None = None, *changes: str) -> list[str]:
 
 
 def test_the_table_covers_every_attribute_once_and_says_where_defaults_come_from() -> None:
-    assert [row.name for row in PARAMETERS] == list(default_sensor(TARGET).values)
-    assert all(row.source and row.kind.unit and row.meaning for row in PARAMETERS)
-    assert {row.heading for row in PARAMETERS} == set(HEADINGS)
+    assert [row.name for row in parameters()] == list(default_sensor(TARGET).values)
+    assert all(row.source and row.kind.unit and row.meaning for row in parameters())
+    assert {row.heading for row in parameters()} == set(HEADINGS)
 
 
 def test_defaults_are_the_targets_and_within_their_ranges() -> None:
@@ -41,7 +41,7 @@ def test_defaults_are_the_targets_and_within_their_ranges() -> None:
     assert sensor.adc_noise_lsb == 0.65
     for name in builtin_names():
         found = default_sensor(builtin_target(name))
-        for row in PARAMETERS:
+        for row in parameters():
             assert row.kind.low <= getattr(found, row.name) <= row.kind.high
     wide = replace(TARGET, full_well_e=1000.0, adc_bits=4, adc_offset_lsb=2.0)
     assert default_sensor(wide).electrons_per_lsb == 1000 / 15

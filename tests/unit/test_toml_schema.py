@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from nscc_runtime.sensor.parameters import parameter, schema_of
 
 from nscc.source import Source
 from nscc.target.load import builtin_target
@@ -16,7 +17,6 @@ from nscc.toml.kinds import Flag, Integer, Number, Several, Text
 from nscc.toml.schema import Codes, Key, Schema
 from nscc.toml.text import parsed
 from nscc_runtime.sensor import PARAMETERS, default_sensor
-from nscc_runtime.sensor.parameters import parameter, schema_of
 
 ROWS = (
     Key("", "title", Text(), "what it is called", default=""),

@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.macros import MNEMONICS, OperandError, expand
 from nscc.operations import BY_NAME, DIGITAL_WRITE, OPERATIONS, Effect, Op, Phase, op, pair
 from nscc.target.load import builtin_target
 from nscc.words.encoding import decode, encode, matching, word_lines, word_text
 from nscc.words.legality import split_pairs, target_fault
-from nscc.words.macros import MNEMONICS, OperandError, expand
 
 EXAMPLES = json.loads(
     (Path(__file__).parents[1] / "data" / "icw_examples.json").read_text(encoding="utf-8")

@@ -1,6 +1,6 @@
 """Kernels as C++: calls of the devkit's library where they say exactly the words, else tables.
 
-A call is taken only if `nscc.words.macros` writes it out as just these words and the library has it
+A call is taken only if `nscc.macros` writes it out as just these words and the library has it
 with so many operands; a kernel with one word that no call says is a constant table as a whole.
 """
 
@@ -11,10 +11,10 @@ from functools import cache, lru_cache
 from itertools import product
 
 from nscc.emit.cpp.text import Call, call_text, remarked
+from nscc.macros import MNEMONICS, OperandError, expand
 from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE, Effect, Op, Phase
 from nscc.words.container import Word
 from nscc.words.encoding import decode, word_text
-from nscc.words.macros import MNEMONICS, OperandError, expand
 
 MOST_SOURCES = {"OR": 4, "NOR": 4, "WHERE": 3}
 """Most sources that the library's calls take; the array itself takes any number."""

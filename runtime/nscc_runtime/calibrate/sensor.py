@@ -15,7 +15,7 @@ from typing import Literal
 from nscc.target.target import Target
 from nscc_runtime.calibrate.chain import Chain
 from nscc_runtime.calibrate.estimate import Calibration, Quantity
-from nscc_runtime.sensor import SCHEMA, Sensor, completed
+from nscc_runtime.sensor import Sensor, completed, schema
 
 Status = Literal["measured", "bound", "given", "contained", "default"]
 _NO_PART = 1e-9
@@ -48,12 +48,12 @@ def parameters(found: Calibration, target: Target, chain: Chain) -> dict[str, Ch
     _range(chosen, quantity["full_well"], target)
 
     plain = completed({name: choice.value for name, choice in chosen.items()}, target)
-    for name, row in SCHEMA.by_path.items():
+    for name, row in schema().by_path.items():
         if name not in chosen:
             said = _unknown(name, quantity)
             remark = f"not measured: {said}; {row.source}"
             chosen[name] = Choice(getattr(plain, name), None, "default", remark)
-    return {name: _rounded(chosen[name]) for name in SCHEMA.by_path}
+    return {name: _rounded(chosen[name]) for name in schema().by_path}
 
 
 def sensor_of(chosen: Mapping[str, Choice]) -> Sensor:

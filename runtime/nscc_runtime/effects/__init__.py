@@ -1,4 +1,7 @@
-"""The effects of the sensor: models, parameters, predictions and what the reference applies.
+"""The effects of the sensor, one file each, with all that any part of the emulator needs of it.
+
+Nothing outside of this package names an effect: who wants one iterates over those that are
+registered. `effect` says what a declaration has, `parts` of what a path can make an effect.
 
 Noise that reaches an exposure in many small parts (reads, resets, analog words) is drawn so that
 its sum is one keyed draw: with e_i independent normal numbers and c_i their coefficients in the
@@ -10,24 +13,34 @@ leaving one out changes no draw.
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import Contribution, Effect, Statistics
-from nscc_runtime.effects.registry import (
-    BY_NAME,
-    EFFECTS,
-    OPTIONAL,
-    Selection,
-    effects_json,
-    selected,
+from nscc_runtime.effects.effect import (
+    AfterExposure,
+    ByParts,
+    ByWords,
+    CannotHave,
+    Effect,
+    InLoop,
 )
+from nscc_runtime.effects.field import Field
+from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.registry import effects_json, optional, register, registered
+from nscc_runtime.effects.selection import Selection, everything, named, selected
 
 __all__ = [
-    "BY_NAME",
-    "EFFECTS",
-    "OPTIONAL",
-    "Contribution",
+    "AfterExposure",
+    "ByParts",
+    "ByWords",
+    "CannotHave",
     "Effect",
+    "Field",
+    "InLoop",
     "Selection",
-    "Statistics",
     "effects_json",
+    "everything",
+    "named",
+    "optional",
+    "parameter",
+    "register",
+    "registered",
     "selected",
 ]

@@ -1,25 +1,43 @@
-"""Dark current, its spread over the pixels and its shot noise."""
+"""Dark current, its spread and its shot noise."""
 
 from __future__ import annotations
 
-from math import sqrt
-
-import numpy as np
-from numpy.typing import NDArray
-
-from nscc_runtime.effects.effect import Contribution, Effect, Statistics, quadrature
+from nscc_runtime.effects.counts import WITHOUT_LIGHT
+from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
+from nscc_runtime.effects.field import Field, Places, Sampled, Values
+from nscc_runtime.effects.parameters import MOST_E, parameter
+from nscc_runtime.effects.parts import CountedDark
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.spread import log_normal, log_variance
+from nscc_runtime.effects.views import Slots
 from nscc_runtime.noise import key, normals
-from nscc_runtime.sensor.sensor import Sensor
+
+CURRENT = parameter(
+    "dark_current_e_per_s", "dark", 1000.0, "e/s", 0, MOST_E, "dark current, mean over the pixels"
+)
+SPREAD = parameter(
+    "dark_spread_fraction", "dark", 0.2, "1", 0, 10,
+    "its standard deviation over the pixels, relative to the mean",
+)  # fmt: skip
 
 
-def _predict(scene: Statistics, sensor: Sensor) -> Contribution:
-    current, spread = sensor.dark_current_e_per_s, sensor.dark_spread_fraction
-    rms = quadrature(
-        current * scene.rms_open_s,
-        spread * current * scene.rms_open_s,
-        sqrt(current * scene.open_s),
+def current_e_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
+    """The dark current of each pixel."""
+    z = normals(key(device_seed, DARK.stream), pixels)
+    return CURRENT(sensor) * log_normal(SPREAD(sensor), z)
+
+
+def _fall(slots: Slots, charge: Values) -> Values:
+    rates = slots.scene.slot_s[:, None, None] * slots.fixed(current_e_per_s)
+    return charge + slots.counted(DARK.stream, WITHOUT_LIGHT, rates)
+
+
+def _field(sample: Sampled) -> Field:
+    """bias = mean of D t, t the open time by weight, D of each pixel and what its neighbours spill;
+    rms = sqrt(mean (D t)^2 + counts of variance D t)"""
+    return Field(
+        sample.dark_s * (sample.dark + sample.spilt), variance=sample.dark_2_s * sample.dark
     )
-    return Contribution(rms, current * scene.open_s)
 
 
 DARK = Effect(
@@ -31,24 +49,21 @@ DARK = Effect(
     "D exp(s z - s^2/2), s^2 = ln(1 + d^2), z a standard normal number of the device: "
     "lognormal with mean D and standard deviation d D. It is counted as light is, in counts "
     "of its own.",
-    contribution="bias = D T; rms = sqrt((D T)^2 + (d D T)^2 + D T), T the open time",
-    parameters=("dark_current_e_per_s", "dark_spread_fraction"),
     cost="one Poisson number a pixel and group of slots",
     applied="with the light of every slot, open or not",
-    predict=_predict,
+    absent="this sensor has none",
+    parameters=(CURRENT, SPREAD),
+    reference={"charge": _fall},
+    field=_field,
+    sums=(CountedDark(current_e_per_s),),
+    fused=CannotHave("it counts light only"),
+    words=InLoop(
+        "counts_dark",
+        {
+            "dark": CURRENT,
+            "dark_variance": lambda sensor: log_variance(SPREAD(sensor)),
+        },
+        "dark",
+    ),
+    cost_ns=14.0,
 )
-
-
-def current_e_per_s(
-    sensor: Sensor, device_seed: int, pixels: NDArray[np.int64]
-) -> NDArray[np.float64]:
-    """The dark current of each pixel."""
-    return sensor.dark_current_e_per_s * spread(
-        sensor.dark_spread_fraction, normals(key(device_seed, DARK.stream), pixels)
-    )
-
-
-def spread(fraction: float, z: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Positive factors with mean 1 and standard deviation `fraction` from normal numbers."""
-    variance = np.log1p(fraction * fraction)
-    return np.asarray(np.exp(np.sqrt(variance) * z - variance / 2))

@@ -1,73 +1,106 @@
-"""What an effect is, and what a prediction of its contribution is made from."""
+"""What an effect is: one declaration, from which every part of the emulator takes what it needs.
+
+The reference runs an effect's functions at the stages of a frame where it acts (`STAGES`). The
+planner asks it for its field (`nscc_runtime.effects.field`). The fast paths know the parts of
+`nscc_runtime.effects.parts` and simulate an effect by those it is made of. One that is made of
+something else says that a path cannot have it, and a run that keeps it takes a slower path: in the
+end the reference.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from math import sqrt
-from typing import Literal
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, TypeVar, get_args
 
-from nscc_runtime.sensor.sensor import Sensor
+from nscc_runtime.effects.field import Field, Sampled
+from nscc_runtime.effects.parameters import HEADINGS, Parameter
+from nscc_runtime.effects.parts import Part
+from nscc_runtime.effects.sensor import Sensor
 
 Kind = Literal["fixed", "random", "both", "after"]
+P = TypeVar("P", bound=Part)
+
+STAGES = {
+    "scene": "(scene) -> scene: which light falls on the array",
+    "light": "(slots, light) -> electrons (N, rows, cols) of light that fall in every slot",
+    "response": "(slots, light) -> light as the pixels take it",
+    "count": "(slots, light) -> charge that light makes",
+    "charge": "(slots, charge) -> charge with what falls without light",
+    "neighbours": "(slots, charge) -> charge, exchanged by pixels that touch",
+    "digital": "(sensor) -> microseconds for which a digital register keeps its value",
+    "time": "(word) -> microseconds after its boundary at which a word ends",
+    "well": "(pixels, charge) -> charge that PIX holds",
+    "resets": "(pixels, level, word) -> level that a reset leaves on PIX",
+    "reads": "(pixels, level, word) -> level of PIX as a word reads it",
+    "word": "(pixels, value, word, destination, sign) -> what a word writes, of its exact result; "
+    "-1 is the sign of a register that holds inverted values",
+    "registers": "(pixels, value) -> what a register holds of what is written to it",
+    "hold": "(pixels, seconds) -> the part of its value that a register keeps so long",
+    "readout": "(pixels, exposure, bucket) -> exposure as it leaves the pixels",
+    "converter": "(where, bucket) -> codes by which the converter is off before it rounds",
+    "codes": "(sensor, exposure, noise, top) -> codes of exposures, `noise` codes off",
+}
+"""Where in a frame effects act, in the order in which a frame comes to them, and the function that
+an effect has there; `slots`, `pixels`, `where` and `word` are of `nscc_runtime.effects.views`."""
 
 
 @dataclass(frozen=True)
-class Statistics:
-    """A frame in a bucket, as far as predictions need it: means over the pixels.
+class CannotHave:
+    """The statement that a path cannot simulate an effect."""
 
-    L is the exposure in electrons. `rms_*_e` are root mean squares of what one effect alone
-    does to the exposure, signed and summed over the slots. `reads`, `resets` and `words` count how
-    often the noise of a PIX read, of a reset and of an analog word reaches the exposure, each
-    weighted with its squared coefficient; `word_sum` and `word_sum_rms` are mean and rms of the
-    signed sum of the words' coefficients, which offsets common to all words add up with.
+    reason: str
+
+
+@dataclass(frozen=True)
+class ByParts:
+    """The loop that does a simple plan in one go simulates the effect by its parts in sums."""
+
+
+@dataclass(frozen=True)
+class InLoop:
+    """What the loop over the words of single pixels is told of an effect, by the loop's own names
+    (`nscc_runtime.plan.layout`): `switch` turns it on, `numbers` are its figures, `device_key` is
+    that of its stream on the device, `function` what it calls. `cost_ns`: nanoseconds a pixel that
+    leaving it out saves there.
     """
 
-    mean_e: float = 0.0
-    rms_e: float = 0.0
-    open_s: float = 0.0
-    rms_open_s: float = 0.0
-    reads: float = 0.0
-    resets: float = 0.0
-    words: float = 0.0
-    word_sum: float = 0.0
-    word_sum_rms: float = 0.0
-    mean_gain_loss_e: float = 0.0
-    rms_gain_loss_e: float = 0.0
-    mean_leaked_e: float = 0.0
-    rms_leaked_e: float = 0.0
-    mean_well_loss_e: float = 0.0
-    rms_well_loss_e: float = 0.0
-    mean_register_loss_e: float = 0.0
-    rms_register_loss_e: float = 0.0
-    mean_motion_e: float = 0.0
-    rms_motion_e: float = 0.0
-    mean_dead_e: float = 0.0
-    rms_dead_e: float = 0.0
-    mean_decay_e: float = 0.0
-    rms_decay_e: float = 0.0
-    rms_laplacian_e: float = 0.0
-    mean_previous_e: float = 0.0
-    rms_previous_e: float = 0.0
+    switch: str | None = None
+    numbers: Mapping[str, Callable[[Sensor], float]] = field(default_factory=dict)
+    device_key: str | None = None
+    function: Callable[..., float] | None = None
+    cost_ns: float = 0.0
 
 
 @dataclass(frozen=True)
-class Contribution:
-    """What an effect does to an exposure: root mean square of the whole change, and its mean."""
+class ByWords:
+    """A field that the words make of pixels near saturation, run with the effect and without."""
 
-    rms_e: float
-    bias_e: float = 0.0
+    text: str
 
 
 @dataclass(frozen=True)
+class AfterExposure:
+    """Of the readout: nothing in the exposure, `rms_e` in the frame."""
+
+    text: str
+    rms_e: Callable[[Sensor], float]
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Effect:
-    """One effect of the sensor.
+    """One effect of the sensor, whole; `nscc_runtime.effects.registry.register` takes no less.
 
     `stream` is its number in the keys of random numbers and never changes. `kind`: the same in
-    every frame; new in every frame; both; after the exposure, in the readout only. `model` is
-    the effect in words with its formula, `contribution` the formula of `predict`, `parameters` the
-    sensor's parameters it depends on, `cost` what simulating it takes, `applied` where the
-    reference does. `always` effects cannot be left out.
+    every frame; new in every frame; both; after the exposure, in the readout only. `model` is the
+    effect in words with its formula, `cost` what simulating it takes, `applied` where the reference
+    does, `absent` why it does nothing where its field is nothing. `parameters`: the sensor's that
+    it depends on. `reference`: its functions by stage. `field`: what it does to exposures, for the
+    planner and, by its docstring, for people. `sums`: its parts in sums over slots; `fused`: in the
+    loop that does a simple plan in one go; `words`: in the loop over the words of single pixels.
+    `cost_ns`: nanoseconds a pixel that leaving it out saves, measured, to a factor of about two.
+    `always` effects cannot be left out.
     """
 
     name: str
@@ -75,14 +108,72 @@ class Effect:
     kind: Kind
     title: str
     model: str
-    contribution: str
-    parameters: tuple[str, ...]
     cost: str
     applied: str
-    predict: Callable[[Statistics, Sensor], Contribution]
+    absent: str
+    reference: Mapping[str, Callable[..., Any]]
+    field: Callable[[Sampled], Field] | ByWords | AfterExposure
+    sums: tuple[Part, ...] | CannotHave
+    fused: ByParts | CannotHave
+    words: InLoop | CannotHave
+    parameters: tuple[Parameter, ...] = ()
+    cost_ns: float = 0.0
     always: bool = False
 
+    @property
+    def predicted(self) -> str:
+        """What the planner takes it to contribute, in words."""
+        told = isinstance(self.field, ByWords | AfterExposure)
+        text = getattr(self.field, "text" if told else "__doc__", None)
+        return " ".join((text or "").split())
 
-def quadrature(*parts: float) -> float:
-    """Root of the sum of squares."""
-    return sqrt(sum(part * part for part in parts))
+    def parts(self, kind: type[P]) -> list[P]:
+        """Its parts of that kind in sums over slots."""
+        if isinstance(self.sums, CannotHave):
+            return []
+        return [part for part in self.sums if isinstance(part, kind)]
+
+    def lacks(self) -> list[str]:
+        """What this declaration lacks, in words."""
+        found = [
+            f"`{name}`, a text"
+            for name in ("name", "title", "model", "cost", "applied", "absent")
+            if not (isinstance(getattr(self, name), str) and getattr(self, name).strip())
+        ]
+        if not (isinstance(self.stream, int) and 0 < self.stream < 1 << 32):
+            found.append("`stream`, a number from 1 to 2**32 - 1")
+        if self.kind not in get_args(Kind):
+            found.append(f"`kind`, one of {', '.join(get_args(Kind))}")
+        found += [
+            f"`parameters`, each a parameter(..) under one of the headings {', '.join(HEADINGS)}"
+            for row in self.parameters
+            if not (isinstance(row, Parameter) and row.heading in HEADINGS)
+        ]
+        if not self.reference or not all(
+            stage in STAGES and callable(call) for stage, call in self.reference.items()
+        ):
+            found.append(f"`reference`, a function at one of the stages {', '.join(STAGES)}")
+        if not (callable(self.field) or isinstance(self.field, ByWords | AfterExposure)):
+            found.append("`field`, a function that tells the planner what it does")
+        elif not self.predicted:
+            found.append("a text that says what `field` is: its docstring")
+        elif (self.kind == "after") != isinstance(self.field, AfterExposure):
+            found.append(
+                "a `field` that goes with its `kind`: AfterExposure(..) for after, else not"
+            )
+        if not isinstance(self.sums, tuple | CannotHave):
+            found.append("`sums`, its parts in sums over slots, or CannotHave(reason)")
+        elif not isinstance(self.sums, CannotHave):
+            strange = [each for each in self.sums if not isinstance(each, Part)]
+            found += [f"`sums` of known parts only, and {each!r:.60} is none" for each in strange]
+        if not isinstance(self.fused, ByParts | CannotHave):
+            found.append("`fused`, ByParts() or CannotHave(reason)")
+        elif isinstance(self.fused, ByParts) and not all(part.fused for part in self.parts(Part)):
+            found.append("`fused` that is CannotHave: that loop does not know all of its parts")
+        elif isinstance(self.fused, ByParts) and isinstance(self.sums, CannotHave):
+            found.append("`fused` that is CannotHave, as `sums` is")
+        if not isinstance(self.words, InLoop | CannotHave):
+            found.append("`words`, InLoop(..) or CannotHave(reason)")
+        if not (isinstance(self.cost_ns, int | float) and 0 <= self.cost_ns < math.inf):
+            found.append("`cost_ns`, a number from 0 on")
+        return found

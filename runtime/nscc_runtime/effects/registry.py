@@ -1,80 +1,123 @@
-"""The list of effects, and the choice that `--effects` makes of it."""
+"""The registered effects: this package's, then those that other distributions add.
+
+What a declaration lacks is refused here, so that everybody else may take it as it is.
+"""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
 from typing import Any
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.rejection import rejected
+from nscc.plugins import added
+from nscc_runtime.effects.adc import ADC
+from nscc_runtime.effects.adc_noise import ADC_NOISE
+from nscc_runtime.effects.analog import ANALOG
 from nscc_runtime.effects.crosstalk import CROSSTALK
 from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.effect import Effect
-from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
-from nscc_runtime.effects.photons import PRNU, SHOT
-from nscc_runtime.effects.readout import ADC, ADC_NOISE
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
-from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
-from nscc_runtime.sensor.parameters import SCHEMA
-from nscc_runtime.sensor.sensor import Sensor
+from nscc_runtime.effects.dead_time import DEAD_TIME
+from nscc_runtime.effects.decay import DECAY
+from nscc_runtime.effects.effect import Effect, InLoop
+from nscc_runtime.effects.full_well import FULL_WELL
+from nscc_runtime.effects.lag import LAG
+from nscc_runtime.effects.leakage import LEAKAGE
+from nscc_runtime.effects.motion import MOTION
+from nscc_runtime.effects.parameters import Parameter
+from nscc_runtime.effects.parts import Errors, Part
+from nscc_runtime.effects.prnu import PRNU
+from nscc_runtime.effects.read import READ
+from nscc_runtime.effects.register import REGISTER
+from nscc_runtime.effects.reset import RESET
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.shot import SHOT
 
-EFFECTS: tuple[Effect, ...] = (
+_OURS = (
     SHOT, PRNU, DARK, LAG, MOTION, CROSSTALK, FULL_WELL, RESET, READ, DEAD_TIME, ANALOG, REGISTER,
     LEAKAGE, DECAY, ADC_NOISE, ADC,
 )  # fmt: skip
 """In the order in which charge meets them."""
 
-BY_NAME = {effect.name: effect for effect in EFFECTS}
-OPTIONAL = tuple(effect.name for effect in EFFECTS if not effect.always)
-_WORDS = ("auto", "all", "none")
+_registered: dict[str, Effect] = {}
+_complete = False
+"""Whether other distributions have been asked."""
 
 
-@dataclass(frozen=True)
-class Selection:
-    """The effects that are on, `always` ones included, and those that were named one by one.
-
-    With `auto` a planner decides on those that were not named; `on` has them all.
-    """
-
-    on: frozenset[str]
-    forced: frozenset[str]
-    auto: bool = False
-
-    @property
-    def noiseless(self) -> bool:
-        """Whether only what is always on is on: the exposure is the exact sum of light."""
-        return not self.on & set(OPTIONAL)
-
-    def __contains__(self, effect: object) -> bool:
-        return isinstance(effect, Effect) and effect.name in self.on
+def register(effect: Effect) -> None:
+    """Add an effect; Rejected (NS0905), which names it and all that it lacks, changes nothing."""
+    lacking = effect.lacks() if isinstance(effect, Effect) else ["a declaration: it is no Effect"]
+    lacking = lacking or _clashes(effect)
+    if lacking:
+        name = getattr(effect, "name", None)
+        shown = name if isinstance(name, str) and name else type(effect).__name__
+        raise rejected(
+            "NS0905",
+            f"the effect {shown[:60]!a} cannot be used: it lacks {lacking[0]}",
+            notes=tuple(f"it also lacks {each}" for each in lacking[1:]),
+            helps=("docs/emulator.md says what an effect declares",),
+        )
+    _registered[effect.name] = effect
 
 
-def selected(text: str) -> Selection:
-    """The effects of `auto`, `all`, `none` or `a,b`, each followed by changes `+a` and `-a`.
+def _clashes(effect: Effect) -> list[str]:
+    """What a declaration that is whole by itself lacks beside those that are registered."""
+    known = {row.name: row for other in _registered.values() for row in other.parameters}
+    found = [
+        f"a name of its own for its parameter `{row.name}`"
+        for row in effect.parameters
+        if known.get(row.name, row) is not row
+    ]
+    if effect not in _OURS and isinstance(effect.words, InLoop):
+        found.append("`words` that is CannotHave: that loop is compiled, for the effects it knows")
+    for other in _registered.values():
+        if other.name == effect.name:
+            found.append(f"a name of its own: there is an effect `{other.name}`")
+        if other.stream == effect.stream:
+            found.append(f"a stream of its own: {other.stream} is that of `{other.name}`")
+        if {"codes"} & effect.reference.keys() & other.reference.keys():
+            found.append(f"`reference` without `codes`: it is that of `{other.name}`")
+        for part in effect.parts(Part):
+            if other.parts(type(part)) and not isinstance(part, Errors):
+                kind = type(part).__name__
+                found.append(f"`sums` without {kind}: sums have one, that of `{other.name}`")
+    return found
 
-    Changes alone start from `none` where the first adds, from `all` where it takes away.
-    Raises Rejected (NS0756, status 2) for anything else.
-    """
-    parts = [part.strip() for part in text.split(",") if part.strip()]
-    if not parts:
-        raise _wrong("--effects names no effect", f"write one of {', '.join(_WORDS)}, or effects")
-    auto = parts[0] == "auto"
-    on = set(OPTIONAL) if parts[0] in ("auto", "all") or parts[0][0] == "-" else set()
-    forced: set[str] = set()
-    for index, part in enumerate(parts):
-        if part in _WORDS:
-            if index:
-                raise _wrong(f"--effects has `{part}` after its beginning", f"put `{part}` first")
-            continue
-        add, name = part[0] != "-", part.lstrip("+-") if part[0] in "+-" else part
-        effect = named(name)
-        if effect.always and not add:
-            raise _wrong(f"the effect `{name}` is always on", f"leave -{name} out")
-        if not effect.always:
-            (on.add if add else on.discard)(name)
-            forced.add(name)
-    always = {effect.name for effect in EFFECTS if effect.always}
-    return Selection(frozenset(on | always), frozenset(forced), auto)
+
+def registered() -> tuple[Effect, ...]:
+    """All effects; the first call asks other distributions for theirs."""
+    global _complete
+    if not _complete:
+        _complete = True
+        for effect in added("nscc.effects").values():
+            register(effect)
+    return tuple(_registered.values())
+
+
+def in_loop(switch: str) -> Callable[..., float]:
+    """The function that the loop over words calls for the effect that has a switch there."""
+    loops = (each.words for each in _OURS)
+    found = (e.function for e in loops if isinstance(e, InLoop) and e.switch == switch)
+    return next(function for function in found if function is not None)
+
+
+def by_name() -> dict[str, Effect]:
+    """All effects by their names."""
+    return {effect.name: effect for effect in registered()}
+
+
+def optional() -> tuple[str, ...]:
+    """The names of those that can be left out."""
+    return tuple(effect.name for effect in registered() if not effect.always)
+
+
+def always_on() -> frozenset[str]:
+    """The names of those that cannot."""
+    return frozenset(by_name()).difference(optional())
+
+
+def parameters() -> tuple[Parameter, ...]:
+    """What the effects depend on, each once, in the order of a sensor file."""
+    rows = {row.name: row for effect in registered() for row in effect.parameters}
+    return tuple(sorted(rows.values(), key=lambda row: row.place))
 
 
 def effects_json(sensor: Sensor) -> list[dict[str, Any]]:
@@ -85,7 +128,7 @@ def effects_json(sensor: Sensor) -> list[dict[str, Any]]:
             "title": effect.title,
             "kind": effect.kind,
             "model": effect.model,
-            "predicted": effect.contribution,
+            "predicted": effect.predicted,
             "cost": effect.cost,
             "applied": effect.applied,
             "always": effect.always,
@@ -99,36 +142,12 @@ def effects_json(sensor: Sensor) -> list[dict[str, Any]]:
                     "meaning": row.meaning,
                     "source": row.source,
                 }
-                for row in map(SCHEMA.by_path.__getitem__, effect.parameters)
+                for row in effect.parameters
             ],
         }
-        for effect in EFFECTS
+        for effect in registered()
     ]
 
 
-def named(name: str) -> Effect:
-    """The effect of that name; NS0756 (status 2) if there is none."""
-    found = BY_NAME.get(name)
-    if found is None:
-        near = closest(name, (*BY_NAME, *_WORDS))
-        raise _wrong(
-            f"there is no effect {name[:60]!a}",
-            f"did you mean `{near}`?" if near else "`nscc effects` lists them",
-        )
-    return found
-
-
-def _wrong(what: str, help_text: str) -> Rejected:
-    return Rejected(
-        Diagnostic(
-            "NS0756",
-            what,
-            notes=(
-                "--effects takes auto, all, none or names separated by commas; +NAME adds one, "
-                "-NAME leaves one out",
-                f"the effects are {', '.join(BY_NAME)}",
-            ),
-            helps=(help_text,),
-        ),
-        status=2,
-    )
+for _effect in _OURS:
+    register(_effect)

@@ -346,16 +346,14 @@ def expose_block(
     of them used here.
     """
     slots, pixels, first, length = block.slots, block.pixels, block.first, block.length
-    frame_count, code_count, bucket_count = block.frames, block.code_registers, block.buckets
     seed, flag_plane, pix_row = block.seed, block.flag_plane, block.pix_row
     words = (length + 63) // 64
-    row_length = 64 * words
-    pix = pix_row * row_length
+    row_length, pix = 64 * words, pix_row * 64 * words
     zero, exact = (pix_row + 3) * row_length, (pix_row + 4) * row_length
 
     for i in range(row_length):
         rows[exact + i] = 0.0
-    for k in range(frame_count):
+    for k in range(block.frames):
         part, frame = frame_weight[k], k * pixels + first
         if part != 0.0:
             for i in range(length):
@@ -363,7 +361,7 @@ def expose_block(
     _start(planes, rows, words, flag_plane, pix_row, exact, seed, first)
     for i in range(row_length):
         rows[zero + i] = 0.0
-    for c in range(code_count):
+    for c in range(block.code_registers):
         source = c * ((pixels + 63) // 64) + first // 64
         for g in range(words):
             planes[code_rows[c] * words + g] = code_planes[source + g]
@@ -393,7 +391,7 @@ def expose_block(
         for i in range(length):
             rows[pix + i] += charge[i]
 
-    for k in range(bucket_count):
+    for k in range(block.buckets):
         row, gain, out = readout_rows[k] * row_length, readout_gain[k], k * pixels + first
         for i in range(length):
             # -0 + 0 is +0.

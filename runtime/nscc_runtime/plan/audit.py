@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import Selection, selected
+from nscc_runtime.effects import Selection, everything
 from nscc_runtime.plan.capture import Planned
 from nscc_runtime.plan.program import Program
 from nscc_runtime.reference.capture import Reference, scene_of
@@ -67,7 +67,7 @@ def audit(
     pixels = len(rows) * light.shape[1]
     pooled = max(1, math.ceil(_POOLED / max(1, light.shape[0] * light.shape[1])))
     count = max(_FEWEST_FRAMES, min(frames, _MOST_FRAMES)) * min(pooled, 64)
-    reference = Reference.of(program.container, program.sensor, effects or selected("all"))
+    reference = Reference.of(program.container, program.sensor, effects or everything())
     scene = scene_of(program.container, light)
     weight = _weights(rows, light.shape[0])
     errors, plans, fulls = [], [], []

@@ -5,10 +5,9 @@ Part of the loop over single pixels (`nscc_runtime.plan.pixel_loop`).
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
+from nscc_runtime.effects.spread import log_normal_in_loop
 from nscc_runtime.loop import Bytes, Floats, Floats32, Ints, Ints32, Words, compiled
 from nscc_runtime.noise.counter import bits
 from nscc_runtime.noise.gaussian import normal
@@ -26,11 +25,6 @@ _LIGHT, _DARK = 0, 1
 def stream_key(base: np.uint64, frame: int, group: np.uint64) -> np.uint64:
     """`nscc_runtime.noise.key`, from the half of it that seed, effect and source decide."""
     return bits(base, frame, group)
-
-
-@compiled
-def log_normal(variance: float, z: float) -> float:
-    return math.exp(math.sqrt(variance) * z - variance / 2)
 
 
 @compiled
@@ -151,7 +145,7 @@ def _between(
 @compiled
 def kept_at(sizes: Sizes, place: int) -> int:
     """Where the charge of a site is kept: next to those of its neighbours, never in their place."""
-    if not sizes.crosstalk:
+    if not sizes.exchanges:
         return 0
     row, col = place // sizes.cols, place % sizes.cols
     found: int = (row % 3) * sizes.kept_cols + col % sizes.kept_cols
@@ -169,18 +163,18 @@ def charge(
         return 0.0
     slots, room = sizes.slots, 2 * sizes.whole * sizes.groups
     own, flow = 0.0, 0.0
-    for site in range(SITES if sizes.crosstalk else 1):
+    for site in range(SITES if sizes.exchanges else 1):
         place = places[site]
         if place < 0:
             continue
         kept = 2 * kept_at(sizes, place)
         total = _between(
-            sizes, keys, _LIGHT, sizes.shot == 1, place, place, begin, stop, rates, kept * slots,
-            groups, present, lanes[place], group_ids, heap, stamps, kept * room,
+            sizes, keys, _LIGHT, sizes.counts_light == 1, place, place, begin, stop, rates,
+            kept * slots, groups, present, lanes[place], group_ids, heap, stamps, kept * room,
         )  # fmt: skip
-        if sizes.dark:
+        if sizes.counts_dark:
             total += _between(
-                sizes, keys, _DARK, sizes.dark == 1, place, place, begin, stop, rates,
+                sizes, keys, _DARK, True, place, place, begin, stop, rates,
                 (kept + 1) * slots, groups, present, lanes[place], group_ids, heap, stamps,
                 (kept + 1) * room,
             )  # fmt: skip
@@ -188,7 +182,7 @@ def charge(
             own = total
         else:
             flow += total - own
-    return own + numbers.crosstalk * flow if sizes.crosstalk else own
+    return own + numbers.exchanged * flow if sizes.exchanges else own
 
 
 @compiled
@@ -202,8 +196,8 @@ def lit(
     slots, pixels = sizes.slots, sizes.rows * sizes.cols
     room = 2 * sizes.whole * sizes.groups
     response = 1.0
-    if sizes.prnu:
-        response += numbers.prnu * normal(uniform(keys.prnu, place))
+    if sizes.uneven:
+        response += numbers.uneven * normal(uniform(keys.uneven, place))
         response = response if response > 0.0 else 0.0
     kept = 2 * kept_at(sizes, place)
     at = kept * slots
@@ -212,22 +206,21 @@ def lit(
         for k in range(row_start[n], row_start[n + 1]):
             total += float(frames[frame_index[k] * pixels + place]) * weight[k]
         rate = float(np.float32(total))
-        rate = (rate + numbers.lag * rate) * response
+        rate = (rate + numbers.echo * rate) * response
         rate = rate if rate > 0.0 else 0.0
         rates[at + n] = rate if rate < numbers.rate_cap else numbers.rate_cap
-    if sizes.shot:
+    if sizes.counts_light:
         _prepared(
             sizes, numbers, keys, _LIGHT, place, place, rates, at, groups, present, lanes[place],
             group_ids, heap, stamps, kept * room,
         )  # fmt: skip
-    if sizes.dark:
+    if sizes.counts_dark:
         at += slots
         z = normal(uniform(keys.dark, place))
-        current = numbers.dark * log_normal(numbers.dark_variance, z)
+        current = numbers.dark * log_normal_in_loop(numbers.dark_variance, z)
         for n in range(slots):
             rates[at + n] = slot_s[n] * current
-        if sizes.dark == 1:
-            _prepared(
-                sizes, numbers, keys, _DARK, place, place, rates, at, groups, present, lanes[place],
-                group_ids, heap, stamps, (kept + 1) * room,
-            )  # fmt: skip
+        _prepared(
+            sizes, numbers, keys, _DARK, place, place, rates, at, groups, present, lanes[place],
+            group_ids, heap, stamps, (kept + 1) * room,
+        )  # fmt: skip

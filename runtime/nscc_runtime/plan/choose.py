@@ -10,18 +10,19 @@ from typing import Literal
 
 import numpy as np
 
-from nscc_runtime.effects import EFFECTS, Effect, Selection, selected
-from nscc_runtime.effects.crosstalk import CROSSTALK
-from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.effect import Statistics
-from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
-from nscc_runtime.effects.photons import PRNU, SHOT
-from nscc_runtime.effects.readout import ADC_NOISE
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
-from nscc_runtime.effects.timing import DEAD_TIME, DECAY, LAG, MOTION
+from nscc_runtime.effects import (
+    AfterExposure,
+    CannotHave,
+    Effect,
+    InLoop,
+    Selection,
+    registered,
+    selected,
+)
+from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.light import Light
-from nscc_runtime.plan.plan import Approximation, Choice, Decision, Plan
-from nscc_runtime.plan.predict import SATURATION, Forecast
+from nscc_runtime.plan.plan import Approximation, Choice, Decision, Loop, Plan
+from nscc_runtime.plan.predict import Forecast
 from nscc_runtime.plan.program import Program
 
 DEFAULT_TOLERANCE_E = 5.0
@@ -31,13 +32,9 @@ MARGIN = 0.9
 _SHORT_CUTS = 0.6
 """Short cuts may take this part of the tolerance; beyond it, all pixels run through their words."""
 
-_COST_NS = {
-    SHOT.name: 6.0, PRNU.name: 6.0, DARK.name: 14.0, LAG.name: 0.0, DECAY.name: 0.0,
-    RESET.name: 7.0, READ.name: 7.0, ANALOG.name: 14.0, LEAKAGE.name: 8.0, DEAD_TIME.name: 0.0,
-    CROSSTALK.name: 60.0, MOTION.name: 0.5,
-}  # fmt: skip
-"""Nanoseconds a pixel that leaving an effect out saves; measured, to a factor of about two."""
 _NOTHING = np.zeros(1)
+_REFERENCE = 2.0
+"""The reference, by the cost of the loop over words."""
 _WORD_NS, _SLOT_NS = 300.0, 60.0
 """Of one pixel through its words, neighbours' counts included: nanoseconds a word, and a slot."""
 
@@ -60,11 +57,8 @@ def plan_for(
 def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int = 0) -> Plan:
     """The same decisions for another scene: what they make wrong there."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
-    always = {effect.name for effect in EFFECTS if effect.always}
-    names = frozenset(effect.name for effect in EFFECTS) - always
-    chooser = Chooser(
-        program, light, plan.tolerance_e, Selection(frozenset(on) | always, names), device_seed
-    )
+    chosen = Selection(always_on() | on, frozenset(optional()))
+    chooser = Chooser(program, light, plan.tolerance_e, chosen, device_seed)
     made = chooser.plan("taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
@@ -90,109 +84,149 @@ class Chooser:
     def plan(self, forced_reason: str = "named in --effects") -> Plan:
         """The plan."""
         dropped = frozenset(self._forced_off())
-        everywhere = self._everywhere(dropped)
         limit = (MARGIN * self.tolerance_e) ** 2
-        forced = self.forecast.square(dropped, everywhere)
+        forced = self._square(dropped)
         if forced > limit:
             # What the user forced off has broken the promise: the rest keeps to it by itself.
             limit += forced
         while True:
-            now = self.forecast.square(dropped, everywhere)
+            now = self._square(dropped)
             fits = []
             for names in self._moves(dropped):
-                then = self.forecast.square(dropped | names, everywhere)
+                then = self._square(dropped | names)
                 if then <= max(limit, now):
-                    saved = self._saved_ns(names, dropped, everywhere)
+                    saved = self._saved_ns(names, dropped)
                     if saved > 0:
                         fits.append((saved / max(then - now, 1e-12), sorted(names)))
             if not fits:
-                return self._made(dropped, everywhere, forced_reason)
+                return self._made(dropped, forced_reason)
             dropped |= set(max(fits)[1])
 
     def _moves(self, dropped: frozenset[str]) -> Iterable[frozenset[str]]:
-        """What may be left out next: an effect, or saturation as a whole."""
+        """What may be left out next: an effect, saturation, or all that only the reference has."""
         free = {
             effect.name for effect in self.forecast.present
             if effect.name not in dropped and not self._forced(effect)
         }  # fmt: skip
         yield from (frozenset({name}) for name in sorted(free))
-        if free >= SATURATION:
-            yield SATURATION
+        if free >= self.forecast.saturation:
+            yield self.forecast.saturation
+        slow = frozenset(free & self.forecast.slow)
+        if len(slow) > 1:
+            yield slow
 
-    def _everywhere(self, dropped: frozenset[str]) -> bool:
+    def _square(self, dropped: frozenset[str]) -> float:
+        """The predicted mean square error of the worst bucket, in square electrons."""
+        return self.forecast.square(dropped, self._path(dropped) != "sums")
+
+    def _path(self, dropped: frozenset[str]) -> Literal["sums", "words", "reference"]:
+        """What has all effects that are left: sums over slots, the loop over the words of single
+        pixels for all of them, or the reference alone.
+        """
+        left = [effect for effect in self.forecast.present if effect.name not in dropped]
+        summed = not (self._everywhere or any(isinstance(e.sums, CannotHave) for e in left))
+        if summed and self.forecast.state(dropped) != "words":
+            return "sums"
+        if any(effect.name in self.forecast.slow for effect in left):
+            return "reference"
+        return "sums" if summed else "words"
+
+    @cached_property
+    def _everywhere(self) -> bool:
         """Whether short cuts would cost too much, so that all pixels run through their words."""
-        total = sum((square for _, square in self.forecast.short_cuts(dropped)), _NOTHING)
+        cuts = self.forecast.short_cuts(frozenset(self._forced_off()))
+        total = sum((square for _, square in cuts), _NOTHING)
         return math.sqrt(float(np.max(total))) > _SHORT_CUTS * self.tolerance_e
 
     def _forced(self, effect: Effect) -> bool:
         return not self.effects.auto or effect.name in self.effects.forced
 
     def _forced_off(self) -> Iterable[str]:
-        for effect in EFFECTS:
+        for effect in registered():
             if effect.kind != "after" and self._forced(effect) and effect not in self.effects:
                 yield effect.name
 
-    def _loop_cost(self, dropped: frozenset[str]) -> float:
-        """Nanoseconds that pixels running through their words cost, shared over all pixels."""
-        if self.forecast.state(dropped) != "words":
-            return 0.0
+    def _words_ns(self, pixels: int) -> float:
+        """Nanoseconds that so many pixels running through their words cost, shared over all."""
         program = self.program
         words = len(program.pixels.entries) / len(program.container.encoding)
         each = _WORD_NS * words + _SLOT_NS * program.container.slots
-        return each * len(self.forecast.near) / len(program.lanes)
+        return each * pixels / len(program.lanes)
 
-    def _saved_ns(self, names: frozenset[str], dropped: frozenset[str], everywhere: bool) -> float:
+    def _path_ns(self, dropped: frozenset[str]) -> float:
+        """Nanoseconds a pixel that the way of simulating what is left costs."""
+        path = self._path(dropped)
+        if path == "sums":
+            near = self.forecast.near if self.forecast.state(dropped) == "words" else ()
+            return self._words_ns(len(near))
+        return self._words_ns(len(self.program.lanes)) * (_REFERENCE if path == "reference" else 1)
+
+    def _saved_ns(self, names: frozenset[str], dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that leaving effects out saves, beside those in `dropped`."""
-        if everywhere:
-            # The words are run in any case; neighbours multiply what has to be counted.
-            return _COST_NS[CROSSTALK.name] if CROSSTALK.name in names else 0.0
-        saved = self._loop_cost(dropped - names) - self._loop_cost(dropped | names)
-        return saved + sum(_COST_NS.get(name, 0.0) for name in names)
+        path = self._path(dropped)
+        saved = self._path_ns(dropped - names) - self._path_ns(dropped | names)
+        effects = [effect for effect in self.forecast.present if effect.name in names]
+        if path == "sums":
+            return saved + sum(effect.cost_ns for effect in effects)
+        # The words are run in any case.
+        loops = (effect.words for effect in effects if path == "words")
+        return saved + sum(each.cost_ns for each in loops if isinstance(each, InLoop))
 
-    def _made(self, dropped: frozenset[str], everywhere: bool, forced_reason: str) -> Plan:
+    def _made(self, dropped: frozenset[str], forced_reason: str) -> Plan:
         """The plan of these decisions."""
-        fields = self.forecast.fields
-        square, most = self.forecast.squares(dropped, everywhere)
+        path = self._path(dropped)
+        square, most = self.forecast.squares(dropped, path != "sums")
         cuts: list[Approximation] = []
-        if not everywhere:
+        if path == "sums":
             for name, part in self.forecast.short_cuts(dropped):
                 error = math.sqrt(float(np.max(part)))
                 if error > 0:
                     cuts.append(Approximation(name, error))
-        reasons = []
-        if everywhere:
-            reasons.append(
-                "counts would have to be spread over the slots of most pixels: the weights of a "
-                "code's slots differ too much for this tolerance"
-            )
-        if self.forecast.state(dropped) == "words":
-            reasons.append(f"{len(self.forecast.near)} pixels may saturate")
-        loop: Literal["none", "some", "all"] = "some" if reasons else "none"
+        reasons = [*self._reasons(dropped)]
+        loop: Loop = "some" if reasons else "none"
+        if path != "sums":
+            loop = "all" if path == "words" else "reference"
         return Plan(
             self.tolerance_e,
             math.sqrt(float(np.max(square))),
             math.sqrt(float(np.max(most))),
-            "all" if everywhere else loop,
+            loop,
             tuple(reasons),
-            len(fields.sample.places) / len(self.program.lanes),
+            len(self.forecast.fields.sample.places) / len(self.program.lanes),
             tuple(cuts),
-            tuple(self._decision(each, dropped, everywhere, forced_reason) for each in EFFECTS),
+            tuple(self._decision(each, dropped, forced_reason) for each in registered()),
             self.forecast.leak_nodes,
             self.forecast.closed,
         )
 
-    def _decision(
-        self, effect: Effect, dropped: frozenset[str], everywhere: bool, forced_reason: str
-    ) -> Decision:
+    def _reasons(self, dropped: frozenset[str]) -> Iterable[str]:
+        """Why pixels run through their words one by one."""
+        path = self._path(dropped)
+        for effect in self.forecast.present:
+            if effect.name in dropped:
+                continue
+            if path == "reference" and isinstance(effect.words, CannotHave):
+                yield f"{effect.name}: only the reference has it ({effect.words.reason})"
+            elif path == "words" and isinstance(effect.sums, CannotHave):
+                yield f"{effect.name}: sums over the slots cannot have it ({effect.sums.reason})"
+        if self._everywhere:
+            yield (
+                "counts would have to be spread over the slots of most pixels: the weights of a "
+                "code's slots differ too much for this tolerance"
+            )
+        if self.forecast.state(dropped) == "words":
+            yield f"{len(self.forecast.near)} pixels may saturate"
+
+    def _decision(self, effect: Effect, dropped: frozenset[str], forced_reason: str) -> Decision:
         forced = self._forced(effect)
         if effect.kind == "after":
             return self._after(effect, forced_reason)
         rms, bias = self.forecast.contribution(effect)
-        then = math.sqrt(self.forecast.square(dropped | {effect.name}, everywhere))
-        cost = self._saved_ns(frozenset({effect.name}), dropped, everywhere)
+        then = math.sqrt(self._square(dropped | {effect.name}))
+        cost = self._saved_ns(frozenset({effect.name}), dropped)
         choice: Choice = "kept"
         if effect not in self.forecast.present:
-            choice, reason, cost = "absent", self._why_absent(effect), 0.0
+            choice, reason, cost = "absent", effect.absent, 0.0
         elif effect.name in dropped:
             choice, reason = "dropped", f"{rms:.3g} e fits into the tolerance"
         elif then > MARGIN * self.tolerance_e:
@@ -208,24 +242,11 @@ class Chooser:
 
     def _after(self, effect: Effect, forced_reason: str) -> Decision:
         """The readout's: no part of the promise, on unless the user wants it off."""
-        contribution = effect.predict(Statistics(), self.program.sensor)
-        on = effect.always or self.effects.auto or effect in self.effects
-        if effect is ADC_NOISE and self.effects.auto and effect.name in self.effects.forced:
-            on = effect in self.effects
-        named = effect is ADC_NOISE and self._forced(effect)
-        reason = forced_reason if named else "always applied, after the exposure"
+        assert isinstance(effect.field, AfterExposure)
+        forced = self._forced(effect) and not effect.always
+        on = effect in self.effects or (self.effects.auto and not forced)
+        reason = forced_reason if forced else "always applied, after the exposure"
         return Decision(
-            effect.name, effect.kind, "kept" if on else "dropped", named, reason,
-            contribution.rms_e, contribution.bias_e, None, 0.0,
+            effect.name, effect.kind, "kept" if on else "dropped", forced, reason,
+            effect.field.rms_e(self.program.sensor), 0.0, None, 0.0,
         )  # fmt: skip
-
-    def _why_absent(self, effect: Effect) -> str:
-        if effect is MOTION:
-            return "the scene's frames are the slots' integrals"
-        if effect is DECAY:
-            return "every register is written again in time"
-        if effect in (FULL_WELL, REGISTER):
-            return "no pixel comes near it"
-        if effect in (LEAKAGE, DEAD_TIME, SHOT, LAG, PRNU, CROSSTALK):
-            return "exactly nothing with this sensor, scene and program"
-        return "this sensor has none"

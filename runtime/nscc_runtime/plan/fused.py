@@ -1,25 +1,20 @@
 """Plans so simple that everything is done in one go over the pixels.
 
-They weigh the slots of a pixel 1 or 0: no effect on weights is kept, no crosstalk, no dark charge,
+They weigh the slots of a pixel 1 or 0: all effects that are kept declare that this loop has them,
 and no pixel needs a slot loop. Each open slot lies in one bucket.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.crosstalk import CROSSTALK
-from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.photodiode import FULL_WELL
-from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT
-from nscc_runtime.effects.photons import count_key as key_of_counts
-from nscc_runtime.effects.readout import ADC_NOISE
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
-from nscc_runtime.effects.timing import DEAD_TIME, DECAY
+from nscc_runtime.effects import CannotHave
+from nscc_runtime.effects.counts import LIGHT, count_key
+from nscc_runtime.effects.parts import Codes, Converter, CountedLight, Soft, Well
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
@@ -27,14 +22,11 @@ from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.plan.fused_loop import BLOCK, Simple, fused
 from nscc_runtime.plan.masks import Masks
 from nscc_runtime.plan.pool import in_parts
+from nscc_runtime.plan.prepared import Prepared
+from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.sums import on_frames
 from nscc_runtime.reference.noise import SUM
 
-if TYPE_CHECKING:
-    from nscc_runtime.plan.capture import Planned
-    from nscc_runtime.plan.program import Program
-
-_COMPLEX = frozenset(effect.name for effect in (CROSSTALK, DARK, ANALOG, LEAKAGE, DEAD_TIME, DECAY))
 _NO_TABLE, _NO_MASKS = np.zeros((1, 1), np.float32), np.zeros(1, np.uint8)
 _MUCH = 1 << 21
 """Pixels x frames from which on a second thread is worth waking."""
@@ -44,21 +36,26 @@ _DRAWN_FRAMES = 32
 
 @dataclass(frozen=True, eq=False)
 class Fused:
-    """A scene under a simple plan, laid out for the loop; everything but the keys of a frame."""
+    """A scene under a simple plan, laid out for the loop; everything but the keys of a frame.
 
-    scene: Planned
-    frames: NDArray[np.float32]
-    numbers: dict[str, float]
+    `counter` and `converter` are the streams of what counts light and of the converter's noise, 0
+    where there is none; `sources` those of what is added as noise, with their draws.
+    """
+
+    scene: Prepared
+    given: dict[str, float]
     buckets: tuple[Bound, ...]
+    counter: int
+    converter: int
     sources: tuple[tuple[int, int], ...]
 
     @classmethod
-    def of(cls, scene: Planned) -> Fused | None:
+    def of(cls, scene: Prepared) -> Fused | None:
         """None where the plan is not simple."""
-        program, kept = scene.program, scene.plan.kept
+        program, kept = scene.program, scene.kept
         if (
-            scene.plan.slot_loop == "all"
-            or kept.on & _COMPLEX
+            scene.plan.slot_loop in ("all", "reference")
+            or any(isinstance(effect.fused, CannotHave) for effect in kept.effects)
             or program.tables.decays
             or program.overlapping
             or len(scene.saturating)
@@ -68,38 +65,49 @@ class Fused:
         frames = np.require(source.frames, np.float32, ["C", "A"]).reshape(len(source.frames), -1)
         sensor, target = program.sensor, program.container.target
         sigmas, sources = [], []
-        for effect, sigma in program.noises:
-            if effect in kept:
-                factor = sigma * program.tables.noise(effect.name, scene.wanted)[0]
-                for draw in range(factor.shape[2]):
-                    if factor[:, :, draw].any():
-                        sigmas.append(factor[:, :, draw])
-                        sources.append((effect.stream, draw))
+        for effect, part in kept.errors():
+            factor = part.sigma_e(sensor) * program.tables.noise(part.at, scene.wanted)[0]
+            for draw in range(factor.shape[2]):
+                if factor[:, :, draw].any():
+                    sigmas.append(factor[:, :, draw])
+                    sources.append((effect.stream, draw))
         shape = len(sigmas), len(program.container.encoding), len(program.container.buckets)
         sigma_e = np.array(sigmas).reshape(shape)
-        single = program.tables.single(program.model(kept))
-        limit_e = np.where(np.isnan(single), np.inf, single * sensor.full_well_e)
-        response = scene.response if PRNU in kept else np.ones(1)
-        numbers = {
+        limit_e = np.full(shape[1:], np.inf)
+        clipped = kept.part(Well) is not None and kept.part(Soft) is None
+        if clipped:
+            single = program.tables.single(program.model(kept))
+            limit_e = np.where(np.isnan(single), np.inf, single * scene.full_e)
+        counters, converters = kept.having(CountedLight), kept.having(Converter)
+        codes = kept.part(Codes)
+        given = {
             "factor": scene.factor,
             "rate_cap": RATE_CAP,
-            "electrons_per_code": sensor.electrons_per_lsb,
-            "offset": sensor.adc_offset_lsb,
+            "electrons_per_code": codes.electrons(sensor) if codes else 1.0,
+            "offset": codes.offset(sensor) if codes else 0.0,
             "top": 2.0**target.adc_bits - 1,
-            "readout_noise": sensor.adc_noise_lsb,
+            "readout_noise": sum(part.sigma_lsb(sensor) for _, part in converters),
+            "count": len(frames),
+            "lane_count": shape[1],
+            "sources": len(sources),
+            "uneven": scene.response is not None,
+            "counted": len(counters),
+            "clipped": clipped,
+            "readout_noisy": len(converters),
         }
         buckets = tuple(
             fused.bound(
                 frames=frames,
                 lanes=program.lanes,
-                response=response,
+                response=np.ones(1) if scene.response is None else scene.response,
                 limit=np.ascontiguousarray(limit_e[:, bucket]),
                 sigma=np.ascontiguousarray(sigma_e[:, :, bucket]),
                 **_layout(program, source, 1 << bucket),
             )
             for bucket in range(shape[2])
         )
-        return cls(scene, frames, numbers, buckets, tuple(sources))
+        counter, converter = (each[0][0].stream if each else 0 for each in (counters, converters))
+        return cls(scene, given, buckets, counter, converter, tuple(sources))
 
     def expose(self, seed: int, frame: int, *, read_out: bool) -> Frame:
         """Frame number `frame`; without `read_out` its codes are left 0."""
@@ -122,27 +130,20 @@ class Fused:
         out: tuple[NDArray[np.float64], NDArray[np.uint8], NDArray[np.bool_]],
     ) -> None:
         """Expose one bucket into `out`: exposures, codes, and whether they are numbers."""
-        scene, kept, loop = self.scene, self.scene.plan.kept, self.buckets[bucket]
+        loop = self.buckets[bucket]
         noise_keys = [key(seed, stream, SUM, frame, draw) for stream, draw in self.sources]
-        count_key = readout_key = np.uint64(0)
-        if SHOT in kept:
-            count_key = key_of_counts(seed, SHOT, LIGHT, frame, 1 << bucket)
-        if ADC_NOISE in kept:
-            readout_key = key(seed, ADC_NOISE.stream, frame=frame, group=bucket)
+        counted = readout = np.uint64(0)
+        if self.counter:
+            counted = count_key(seed, self.counter, LIGHT, frame, 1 << bucket)
+        if self.converter:
+            readout = key(seed, self.converter, frame=frame, group=bucket)
         pixels = out[0].size
         given: dict[str, Any] = {
-            **self.numbers,
+            **self.given,
             "pixels": pixels,
-            "count": len(self.frames),
-            "lane_count": len(scene.program.container.encoding),
-            "sources": len(noise_keys),
-            "uneven": PRNU in kept,
-            "counted": SHOT in kept,
-            "clipped": FULL_WELL in kept and REGISTER not in kept,
-            "readout_noisy": ADC_NOISE in kept,
             "read_out": read_out,
-            "count_key": count_key,
-            "readout_key": readout_key,
+            "count_key": counted,
+            "readout_key": readout,
         }
         exposure, codes, valid = out
         filled = {
@@ -155,9 +156,9 @@ class Fused:
         def run(begin: int, end: int) -> None:
             loop(plan=Simple(**given, begin=begin, end=end), **_scratch(), **filled)
 
-        drawn = bool(noise_keys) or SHOT in kept or ADC_NOISE in kept
-        work = pixels * (len(self.frames) + _DRAWN_FRAMES * drawn)
-        in_parts(run, pixels, scene.threads if work >= _MUCH else 1, BLOCK)
+        drawn = bool(noise_keys or self.counter or self.converter)
+        work = pixels * (self.given["count"] + _DRAWN_FRAMES * drawn)
+        in_parts(run, pixels, self.scene.threads if work >= _MUCH else 1, BLOCK)
 
 
 def _scratch() -> dict[str, NDArray[Any]]:

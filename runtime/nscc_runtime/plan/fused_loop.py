@@ -248,6 +248,71 @@ class Simple:
     readout_key: np.uint64
 
 
+@inlined
+def _lit(
+    plan: Simple, frames: Floats32, kinds: Ints, frame_weight: Floats32, mask_row: Ints,
+    masks: Bytes, table: Floats32, lanes: Ints32, first: int, stop: int, part: Floats32,
+    values: Floats, valid: Bytes,
+) -> None:  # fmt: skip
+    """values[i] := the light of pixel first + i, `valid` 0 where that is no number."""
+    pixels, count, lane_count = plan.pixels, plan.count, plan.lane_count
+    for i in range(stop - first):
+        values[i] = 0.0
+        part[i] = np.float32(0.0)
+    added, k = 0, 0
+    while k < count:
+        if kinds[k] == SKIPPED:
+            k += 1
+            continue
+        if _alike(kinds, frame_weight, k, count):
+            _added_four(
+                frames, pixels, k, kinds[k], frame_weight, mask_row, masks, first, stop, part
+            )
+            added += 4
+            k += 4
+        else:
+            _added(
+                frames, pixels, k, kinds[k], frame_weight, mask_row, masks, table, lane_count,
+                lanes, first, stop, part,
+            )  # fmt: skip
+            added += 1
+            k += 1
+        if added >= _EXACT_SLOTS:
+            for i in range(stop - first):
+                values[i] += float(part[i])
+                part[i] = np.float32(0.0)
+            added = 0
+    large = 0
+    for i in range(stop - first):
+        values[i] += float(part[i])
+        large += not values[i] < _LARGE
+    if large:
+        for i in range(stop - first):
+            if not values[i] < _LARGE:
+                valid[first + i] = values[i] == values[i]
+                values[i] = _summed(
+                    frames, pixels, count, kinds, frame_weight, mask_row, masks, table,
+                    lane_count, lanes, first + i,
+                )  # fmt: skip
+
+
+@inlined
+def _read_out(
+    plan: Simple, first: int, stop: int, values: Floats, scratch: Floats, frame: Bytes
+) -> None:
+    """frame[first + i] := the code of values[i]."""
+    if plan.readout_noisy:
+        for i in range(stop - first):
+            z = float(normal_fast(unit(bits(plan.readout_key, first + i, _FIRST_LANE))))
+            scratch[i] = plan.readout_noise * z
+    else:
+        for i in range(stop - first):
+            scratch[i] = 0.0
+    for i in range(stop - first):
+        code = _code(values[i], scratch[i], plan.electrons_per_code, plan.offset, plan.top)
+        frame[first + i] = np.uint8(np.int32(code))
+
+
 @loop
 def fused(
     plan: Simple,
@@ -278,47 +343,13 @@ def fused(
     pixels; `scratch` for four times as many. `valid` comes filled with 1, and is 0 where light is
     no number.
     """
-    pixels, end, count, lane_count = plan.pixels, plan.end, plan.count, plan.lane_count
-    for first in range(plan.begin, end, BLOCK):
-        stop = min(first + BLOCK, end)
-        for i in range(stop - first):
-            values[i] = 0.0
-            part[i] = np.float32(0.0)
-        added, k = 0, 0
-        while k < count:
-            if kinds[k] == SKIPPED:
-                k += 1
-                continue
-            if _alike(kinds, frame_weight, k, count):
-                _added_four(
-                    frames, pixels, k, kinds[k], frame_weight, mask_row, masks, first, stop, part
-                )
-                added += 4
-                k += 4
-            else:
-                _added(
-                    frames, pixels, k, kinds[k], frame_weight, mask_row, masks, table, lane_count,
-                    lanes, first, stop, part,
-                )  # fmt: skip
-                added += 1
-                k += 1
-            if added >= _EXACT_SLOTS:
-                for i in range(stop - first):
-                    values[i] += float(part[i])
-                    part[i] = np.float32(0.0)
-                added = 0
-        large = 0
-        for i in range(stop - first):
-            values[i] += float(part[i])
-            large += not values[i] < _LARGE
-        if large:
-            for i in range(stop - first):
-                if not values[i] < _LARGE:
-                    valid[first + i] = values[i] == values[i]
-                    values[i] = _summed(
-                        frames, pixels, count, kinds, frame_weight, mask_row, masks, table,
-                        lane_count, lanes, first + i,
-                    )  # fmt: skip
+    lane_count = plan.lane_count
+    for first in range(plan.begin, plan.end, BLOCK):
+        stop = min(first + BLOCK, plan.end)
+        _lit(
+            plan, frames, kinds, frame_weight, mask_row, masks, table, lanes, first, stop, part,
+            values, valid,
+        )  # fmt: skip
         for i in range(stop - first):
             values[i] *= plan.factor
         if plan.uneven:
@@ -336,15 +367,5 @@ def fused(
             )
         for i in range(stop - first):
             exposure[first + i] = values[i] + 0.0
-        if not plan.read_out:
-            continue
-        if plan.readout_noisy:
-            for i in range(stop - first):
-                z = float(normal_fast(unit(bits(plan.readout_key, first + i, _FIRST_LANE))))
-                scratch[i] = plan.readout_noise * z
-        else:
-            for i in range(stop - first):
-                scratch[i] = 0.0
-        for i in range(stop - first):
-            code = _code(values[i], scratch[i], plan.electrons_per_code, plan.offset, plan.top)
-            frame[first + i] = np.uint8(np.int32(code))
+        if plan.read_out:
+            _read_out(plan, first, stop, values, scratch, frame)

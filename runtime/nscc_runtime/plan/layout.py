@@ -9,7 +9,9 @@ from nscc_runtime.loop import record
 
 @record
 class Sizes:
-    """How much there is of everything, and which effects there are: 0 is off."""
+    """How much there is of everything, and what effects do: 0 is off. Their declarations say which
+    switches, numbers and keys are theirs (`nscc_runtime.effects.effect.InLoop`).
+    """
 
     pixels: int
     slots: int
@@ -27,53 +29,57 @@ class Sizes:
     kept_cols: int
     """Columns of the three rows of sites whose charge is kept."""
     frame: int
-    shot: int
-    dark: int
-    """1: counted; 2: its mean."""
-    full_well: int
-    read: int
-    reset: int
-    dead_time: int
-    analog: int
-    """1: gain, pattern and noise; 2: gain and pattern."""
-    register: int
-    leakage: int
-    crosstalk: int
-    prnu: int
+    counts_light: int
+    """Charge of light, and that without, comes in whole electrons; and so on."""
+    counts_dark: int
+    exchanges: int
+    uneven: int
+    holds: int
+    reset_errors: int
+    read_errors: int
+    slow_words: int
+    word_errors: int
+    bends: int
+    leaks: int
 
 
 @record
 class Numbers:
-    """The sensor's numbers; a variance is that of the logarithm."""
+    """What effects depend on; a variance is that of the logarithm.
 
-    full_well: float
-    register_min: float
-    register_max: float
-    knee: float
-    crosstalk: float
-    lag: float
-    prnu: float
+    `pix_start` and `register_start`: twice the most that they hold when a frame begins.
+    """
+
+    pix_start: float
+    register_start: float
+    rate_cap: float
+    echo: float
+    uneven: float
     dark: float
     dark_variance: float
-    read: float
-    reset: float
+    exchanged: float
+    well: float
+    reset_error: float
+    read_error: float
     gain: float
-    analog_noise: float
+    word_error: float
     pattern: float
     bias: float
+    lowest: float
+    highest: float
+    knee: float
     leak: float
     leak_variance: float
-    rate_cap: float
 
 
 @record
 class Keys:
     """Keys of the device, then those that a frame's follow from: of counts, of how counts spread
-    over slots, of the sums of noise in the buckets, and of its parts in the words.
+    over slots, of the sums of small errors in the buckets, and of each of them in the words.
     """
 
     start: np.uint64
-    prnu: np.uint64
+    uneven: np.uint64
     dark: np.uint64
     pattern: np.uint64
     leak: np.uint64
@@ -81,12 +87,12 @@ class Keys:
     count_dark: np.uint64
     thin_light: np.uint64
     thin_dark: np.uint64
-    sum_read: np.uint64
-    sum_reset: np.uint64
-    sum_analog: np.uint64
-    part_read: np.uint64
-    part_reset: np.uint64
-    part_analog: np.uint64
+    sum_reads: np.uint64
+    sum_resets: np.uint64
+    sum_words: np.uint64
+    part_reads: np.uint64
+    part_resets: np.uint64
+    part_words: np.uint64
 
 
 @record

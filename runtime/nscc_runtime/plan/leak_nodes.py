@@ -11,21 +11,22 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.sensor.sensor import Sensor
+from nscc_runtime.effects.parts import Leak
+from nscc_runtime.effects.sensor import Sensor
 
 MOST = 8
 _SIGMAS = 4.0
 """Rates further out than so many standard deviations (of the logarithm) are extrapolated."""
 
 
-def rates(sensor: Sensor, count: int) -> NDArray[np.float64]:
+def rates(leak: Leak, sensor: Sensor, count: int) -> NDArray[np.float64]:
     """`count` rates in 1/s: Chebyshev's nodes over the range of the pixels'; the mean alone where
     all pixels have the same.
     """
-    mean = 1.0 / sensor.leakage_tau_s
-    if count == 1 or sensor.leakage_spread_fraction == 0.0:
+    mean = 1.0 / leak.tau_s(sensor)
+    if count == 1 or leak.spread(sensor) == 0.0:
         return np.array([mean])
-    low, high = _range(sensor)
+    low, high = _range(leak.spread(sensor))
     angle = (2 * np.arange(count) + 1) * math.pi / (2 * count)
     return mean * ((low + high) / 2 - (high - low) / 2 * np.cos(angle))
 
@@ -40,18 +41,18 @@ def between(nodes: NDArray[np.float64], leak: NDArray[np.float64]) -> NDArray[np
     return found
 
 
-def error(sensor: Sensor, count: int, age_s: float) -> float:
+def error(leak: Leak, sensor: Sensor, count: int, age_s: float) -> float:
     """The relative RMS error over the pixels of exp(-rate age) found so, by normal numbers."""
     z = np.linspace(-_SIGMAS, _SIGMAS, 161)
     density = np.exp(-z * z / 2)
-    variance = math.log1p(sensor.leakage_spread_fraction**2)
-    leak = np.exp(math.sqrt(variance) * z - variance / 2) / sensor.leakage_tau_s
-    nodes = rates(sensor, count)
-    near = between(nodes, leak).T @ np.exp(-nodes * age_s)
-    return float(np.sqrt(np.average((near - np.exp(-leak * age_s)) ** 2, weights=density)))
+    variance = math.log1p(leak.spread(sensor) ** 2)
+    per_s = np.exp(math.sqrt(variance) * z - variance / 2) / leak.tau_s(sensor)
+    nodes = rates(leak, sensor, count)
+    near = between(nodes, per_s).T @ np.exp(-nodes * age_s)
+    return float(np.sqrt(np.average((near - np.exp(-per_s * age_s)) ** 2, weights=density)))
 
 
-def _range(sensor: Sensor) -> tuple[float, float]:
+def _range(spread: float) -> tuple[float, float]:
     """The pixels' rates, relative to their mean."""
-    sigma = math.sqrt(math.log1p(sensor.leakage_spread_fraction**2))
+    sigma = math.sqrt(math.log1p(spread**2))
     return (math.exp(-_SIGMAS * sigma - sigma**2 / 2), math.exp(_SIGMAS * sigma - sigma**2 / 2))

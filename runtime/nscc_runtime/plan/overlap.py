@@ -6,16 +6,11 @@ slots that another pixel has open is taken as that part of the group's time.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-
-from nscc_runtime.plan.tables import Model
-
-if TYPE_CHECKING:
-    from nscc_runtime.plan.program import Program
 
 Values = NDArray[np.float64]
 Weights = NDArray[np.float32]
@@ -36,21 +31,28 @@ class Overlap:
     neighbours: dict[int, tuple[Weights, ...]]
 
     @classmethod
-    def of(cls, program: Program, model: Model) -> Overlap:
-        """For the weights of a model."""
-        shape = program.reference.groups.lane.shape
-        rows, cols = shape
-        weights = program.tables.weights(model).slots * program.slot_s[:, None, None]
-        lanes = program.lanes.reshape(shape)
-        means = program.mean_weights(model)
+    def of(
+        cls,
+        fraction: float,
+        lanes: NDArray[np.int32],
+        slot_s: Values,
+        weights: Values,
+        groups: Mapping[int, tuple[Values, Values]],
+    ) -> Overlap:
+        """For the weights (N, lanes, buckets) of slots that are `slot_s` (N,) long.
+
+        `lanes` (rows, cols); `groups`: where each group has slots (N, lanes), 1 or 0, and its mean
+        weight (lanes, buckets).
+        """
+        rows, cols = lanes.shape
+        seconds = weights * slot_s[:, None, None]
         own, neighbours = {}, {}
-        for group in program.group_ids.tolist():
-            members = program.members(group)
-            time = program.slot_s @ members
+        for group, (members, means) in groups.items():
+            time = slot_s @ members
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
-            own[group] = means[group].T[:, program.lanes].reshape(-1, *shape).astype(np.float32)
-            neighbours[group] = tuple(_pairs(weights, parts, lanes, shift) for shift in _DIRECTIONS)
-        return cls(program.sensor.crosstalk_fraction, (rows, cols), own, neighbours)
+            own[group] = means.T[:, lanes.reshape(-1)].reshape(-1, rows, cols).astype(np.float32)
+            neighbours[group] = tuple(_pairs(seconds, parts, lanes, step) for step in _DIRECTIONS)
+        return cls(fraction, (rows, cols), own, neighbours)
 
     def smeared(self, away: dict[int, Values]) -> Values:
         """What deviations (pixels,) of the groups' counts make of exposures (buckets, pixels)."""

@@ -15,6 +15,8 @@ from typing import Annotated, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.effects.registry import in_loop
+from nscc_runtime.effects.spread import log_normal_in_loop
 from nscc_runtime.loop import (
     Bytes,
     Floats,
@@ -28,40 +30,30 @@ from nscc_runtime.loop import (
 )
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import uniform
-from nscc_runtime.plan.charge_loop import SITES, charge, kept_at, lit, log_normal, stream_key
+from nscc_runtime.plan.charge_loop import SITES, charge, kept_at, lit, stream_key
 from nscc_runtime.plan.layout import Entry, Keys, Numbers, Sizes
 
-_READ, _RESET, _ANALOG = 0, 1, 2
+_READS, _RESETS, _WORDS = 0, 1, 2
+ERRORS = 3
+"""Kinds of small errors."""
+_bent = in_loop("bends")
+"""What a register holds of a value, by the effect that bends it."""
 
 Entries = Annotated[NDArray[Any], Entry]
 
 
 @compiled
-def soft(value: float, low: float, high: float, knee: float) -> float:
-    """What a register holds of a value: `nscc_runtime.effects.registers.soft`."""
-    limit = -low if value < 0.0 else high
-    size = abs(value)
-    if size <= knee * limit:
-        return value
-    if knee == 1.0:
-        return math.copysign(limit, value)
-    room = (1.0 - knee) * limit
-    bend = 1.0 - 2.0 / (math.exp(2.0 * (size - knee * limit) / room) + 1.0)
-    return math.copysign(knee * limit + room * bend, value)
-
-
-@compiled
 def _sum_key(keys: Keys, kind: int) -> np.uint64:
-    if kind == _READ:
-        return keys.sum_read
-    return keys.sum_reset if kind == _RESET else keys.sum_analog
+    if kind == _READS:
+        return keys.sum_reads
+    return keys.sum_resets if kind == _RESETS else keys.sum_words
 
 
 @compiled
 def _part_key(keys: Keys, kind: int) -> np.uint64:
-    if kind == _READ:
-        return keys.part_read
-    return keys.part_reset if kind == _RESET else keys.part_analog
+    if kind == _READS:
+        return keys.part_reads
+    return keys.part_resets if kind == _RESETS else keys.part_words
 
 
 @compiled
@@ -89,9 +81,9 @@ def _missing(
 @compiled
 def _draws(entry: Entry, kind: int, draw: int) -> bool:
     """Whether a word has this draw of this kind of noise."""
-    if kind == _RESET:
+    if kind == _RESETS:
         return draw == 0 and entry.resets == 1
-    if kind == _READ:
+    if kind == _READS:
         return draw == 0 and entry.reads_pix == 1
     return draw > 0 and draw <= entry.destinations
 
@@ -100,7 +92,7 @@ def _draws(entry: Entry, kind: int, draw: int) -> bool:
 def _drawn_number(sizes: Sizes, entry: Entry, kind: int, draw: int) -> np.uint64:
     """The number under which the reference draws it."""
     number = entry.number
-    return np.uint64(number * sizes.numbered + draw - 1 if kind == _ANALOG else number)
+    return np.uint64(number * sizes.numbered + draw - 1 if kind == _WORDS else number)
 
 
 @compiled
@@ -129,9 +121,9 @@ def _execute(
     entry, pix = entries[e], sizes.registers
     if entry.resets:
         registers[pix] = 0.0
-        if sizes.reset:
-            z = _error(sizes, keys, place, e, entries, weights, _RESET, 0, missing)
-            registers[pix + 1] = numbers.reset * z
+        if sizes.reset_errors:
+            z = _error(sizes, keys, place, e, entries, weights, _RESETS, 0, missing)
+            registers[pix + 1] = numbers.reset_error * z
         return
     total = 0.0
     for i in range(entry.sources):
@@ -139,22 +131,104 @@ def _execute(
         total += registers[source]
         if source == pix:
             total += registers[pix + 1]
-            if sizes.read:
-                z = _error(sizes, keys, place, e, entries, weights, _READ, 0, missing)
-                total += numbers.read * z
+            if sizes.read_errors:
+                z = _error(sizes, keys, place, e, entries, weights, _READS, 0, missing)
+                total += numbers.read_error * z
     result = total / -entry.divisor
     for i in range(entry.destinations):
         register = operands[entry.operands + entry.sources + i]
         value = result
-        if sizes.analog:
-            error = pattern
-            if sizes.analog == 1:
-                z = _error(sizes, keys, place, e, entries, weights, _ANALOG, i + 1, missing)
-                error += numbers.analog_noise * z
+        if sizes.word_errors:
+            z = _error(sizes, keys, place, e, entries, weights, _WORDS, i + 1, missing)
+            error = pattern + numbers.word_error * z
             value = numbers.gain * value + signs[register] * error
-        if sizes.register:
-            value = soft(value, numbers.register_min, numbers.register_max, numbers.knee)
+        if sizes.bends:
+            value = _bent(value, numbers.lowest, numbers.highest, numbers.knee)
         registers[register] = value
+
+
+@compiled
+def _surround(sizes: Sizes, place: int, places: Ints) -> None:
+    """places := the pixel and its neighbours up, down, left and right; -1 where there is none."""
+    rows, cols = sizes.rows, sizes.cols
+    row, col = place // cols, place % cols
+    places[0] = place
+    places[1] = place - cols if row > 0 else -1
+    places[2] = place + cols if row + 1 < rows else -1
+    places[3] = place - 1 if col > 0 else -1
+    places[4] = place + 1 if col + 1 < cols else -1
+
+
+@compiled
+def _begin(sizes: Sizes, numbers: Numbers, keys: Keys, place: int, registers: Floats) -> None:
+    """What registers hold when a frame begins."""
+    pix = sizes.registers
+    for register in range(pix + 1):
+        # PIX comes first in the stream of what registers hold at the start.
+        stream = np.uint64(0 if register == pix else register + 1)
+        held = uniform(stream_key(keys.start, 0, stream), place) / 2.0
+        most = numbers.pix_start if register == pix else numbers.register_start
+        registers[register] = held * most
+    registers[pix + 1] = 0.0
+    registers[pix + 2] = 0.0
+
+
+@compiled
+def _fall(sizes: Sizes, numbers: Numbers, charge_e: float, registers: Floats) -> None:
+    """Charge falls on PIX."""
+    pix = sizes.registers
+    registers[pix] += charge_e
+    if sizes.holds and registers[pix] > numbers.well:
+        registers[pix] = numbers.well
+
+
+@compiled
+def _run(
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, leak: float, first: int, stop: int,
+    start_s: Floats, groups: Ints32, present: Bytes, lanes: Ints32, group_ids: Words,
+    entries: Entries, operands: Ints, weights: Floats, signs: Floats, rates: Floats, heap: Floats,
+    stamps: Ints, missing: Floats, registers: Floats, places: Ints,
+) -> None:  # fmt: skip
+    """Run a pixel through its words, the charge of the slots falling meanwhile."""
+    slots, pattern = sizes.slots, 0.0
+    if sizes.word_errors:
+        z = normal(uniform(keys.pattern, place))
+        pattern = numbers.bias + numbers.pattern * z
+    at, fallen = 0, 0.0
+    for e in range(first, stop + 1):
+        boundary = slots if e == stop else entries[e].boundary
+        if e < stop and not entries[e].acts:
+            continue
+        if at < boundary:
+            fallen_e = charge(
+                sizes, numbers, keys, places, at + 1, boundary, rates, groups, present,
+                lanes, group_ids, heap, stamps,
+            )  # fmt: skip
+            fallen_e += (1.0 - fallen) * charge(
+                sizes, numbers, keys, places, at, at + 1, rates, groups, present,
+                lanes, group_ids, heap, stamps,
+            )  # fmt: skip
+            _fall(sizes, numbers, fallen_e, registers)
+            if sizes.leaks:
+                kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
+                for register in range(sizes.registers):
+                    registers[register] *= kept
+            at, fallen = boundary, 0.0
+        if e == stop:
+            break
+        if sizes.slow_words:
+            now = entries[e].end
+            slot = at if at < slots else slots - 1
+            fallen_e = (now - fallen) * charge(
+                sizes, numbers, keys, places, slot, slot + 1, rates, groups, present,
+                lanes, group_ids, heap, stamps,
+            )  # fmt: skip
+            _fall(sizes, numbers, fallen_e, registers)
+            fallen = now
+        _execute(
+            sizes, numbers, keys, place, e, entries, operands, weights, signs, missing, pattern,
+            registers,
+        )  # fmt: skip
 
 
 @loop
@@ -197,18 +271,11 @@ def run_pixels(
     `weights`: of their draws in the buckets. From `rates` to `places`: scratch, `stamps` and `tags`
     once filled with -1. Places in rising order find most of their neighbours' charge already there.
     """
-    slots, rows, cols = sizes.slots, sizes.rows, sizes.cols
-    buckets, pix = sizes.buckets, sizes.registers
-    well = numbers.full_well
+    buckets = sizes.buckets
     for i in range(sizes.pixels):
-        place = chosen[i]
-        row, col = place // cols, place % cols
-        places[0] = place
-        places[1] = place - cols if row > 0 else -1
-        places[2] = place + cols if row + 1 < rows else -1
-        places[3] = place - 1 if col > 0 else -1
-        places[4] = place + 1 if col + 1 < cols else -1
-        for site in range(SITES if sizes.crosstalk else 1):
+        place, lane = chosen[i], lanes[chosen[i]]
+        _surround(sizes, place, places)
+        for site in range(SITES if sizes.exchanges else 1):
             if places[site] < 0:
                 continue
             site_at = kept_at(sizes, places[site])
@@ -218,68 +285,25 @@ def run_pixels(
                     slot_s, groups, present, lanes, group_ids, rates, heap, stamps,
                 )  # fmt: skip
                 tags[site_at] = places[site]
-        lane = lanes[place]
         first, stop = entry_start[lane], entry_start[lane + 1]
-        if sizes.read:
-            _missing(sizes, keys, place, first, stop, entries, weights, _READ, missing)
-        if sizes.reset:
-            _missing(sizes, keys, place, first, stop, entries, weights, _RESET, missing)
-        pattern, leak = 0.0, 0.0
-        if sizes.analog == 1:
-            _missing(sizes, keys, place, first, stop, entries, weights, _ANALOG, missing)
-        if sizes.analog:
-            z = normal(uniform(keys.pattern, place))
-            pattern = numbers.bias + numbers.pattern * z
-        if sizes.leakage:
+        if sizes.read_errors:
+            _missing(sizes, keys, place, first, stop, entries, weights, _READS, missing)
+        if sizes.reset_errors:
+            _missing(sizes, keys, place, first, stop, entries, weights, _RESETS, missing)
+        leak = 0.0
+        if sizes.word_errors:
+            _missing(sizes, keys, place, first, stop, entries, weights, _WORDS, missing)
+        if sizes.leaks:
             z = normal(uniform(keys.leak, place))
-            leak = numbers.leak * log_normal(numbers.leak_variance, z)
-        for register in range(pix + 1):
-            # PIX comes first in the stream of what registers hold at the start.
-            stream = np.uint64(0 if register == pix else register + 1)
-            held = uniform(stream_key(keys.start, 0, stream), place) / 2.0
-            registers[register] = held * (well if register == pix else numbers.register_max)
-        registers[pix + 1] = 0.0
-        registers[pix + 2] = 0.0
-        at, fallen = 0, 0.0
-        for e in range(first, stop + 1):
-            boundary = slots if e == stop else entries[e].boundary
-            if e < stop and not entries[e].acts:
-                continue
-            if at < boundary:
-                fallen_e = charge(
-                    sizes, numbers, keys, places, at + 1, boundary, rates, groups, present,
-                    lanes, group_ids, heap, stamps,
-                )  # fmt: skip
-                fallen_e += (1.0 - fallen) * charge(
-                    sizes, numbers, keys, places, at, at + 1, rates, groups, present,
-                    lanes, group_ids, heap, stamps,
-                )  # fmt: skip
-                registers[pix] += fallen_e
-                if sizes.full_well and registers[pix] > well:
-                    registers[pix] = well
-                if sizes.leakage:
-                    kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
-                    for register in range(pix):
-                        registers[register] *= kept
-                at, fallen = boundary, 0.0
-            if e == stop:
-                break
-            if sizes.dead_time:
-                now = entries[e].end
-                slot = at if at < slots else slots - 1
-                registers[pix] += (now - fallen) * charge(
-                    sizes, numbers, keys, places, slot, slot + 1, rates, groups, present,
-                    lanes, group_ids, heap, stamps,
-                )  # fmt: skip
-                if sizes.full_well and registers[pix] > well:
-                    registers[pix] = well
-                fallen = now
-            _execute(
-                sizes, numbers, keys, place, e, entries, operands, weights, signs, missing, pattern,
-                registers,
-            )  # fmt: skip
+            leak = numbers.leak * log_normal_in_loop(numbers.leak_variance, z)
+        _begin(sizes, numbers, keys, place, registers)
+        _run(
+            sizes, numbers, keys, place, leak, first, stop, start_s, groups, present, lanes,
+            group_ids, entries, operands, weights, signs, rates, heap, stamps, missing, registers,
+            places,
+        )  # fmt: skip
         for bucket in range(buckets):
             value = registers[readout_register[bucket]] * readout_gain[bucket]
-            if sizes.leakage:
+            if sizes.leaks:
                 value *= math.exp(-leak * readout_wait_s[bucket])
             out[bucket * sizes.pixels + i] = value + 0.0

@@ -6,32 +6,27 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import Effect, Selection
-from nscc_runtime.effects.crosstalk import CROSSTALK
-from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
-from nscc_runtime.effects.photons import DARK as DARK_SOURCE
-from nscc_runtime.effects.photons import LIGHT, PRNU, SHOT, THINNED
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
-from nscc_runtime.effects.timing import DEAD_TIME, LAG, MOTION
+from nscc_runtime.effects import CannotHave, Effect, InLoop, Selection, registered
+from nscc_runtime.effects.counts import LIGHT, THINNED, WITHOUT_LIGHT
+from nscc_runtime.effects.parts import CountedDark, CountedLight, Errors, Moving
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.noise.keys import base
 from nscc_runtime.plan.charge_loop import SITES
 from nscc_runtime.plan.layout import Entry, Keys, Numbers, Sizes
-from nscc_runtime.plan.pixel_loop import run_pixels
+from nscc_runtime.plan.pixel_loop import ERRORS, run_pixels
 from nscc_runtime.plan.pool import in_parts
 from nscc_runtime.reference.capture import START, Reference, most_destinations
 from nscc_runtime.reference.noise import PART, SUM
-from nscc_runtime.sensor.sensor import Sensor
 
-_DRAWN = (READ, RESET, ANALOG)
 _ENTRY = np.dtype(Entry)
 _MOST_KEPT = 1 << 23
 """Bytes a thread may keep of neighbours' charge."""
@@ -60,12 +55,12 @@ class Pixels:
         numbered = most_destinations(container.target)
         most = max((len(word.op.destinations) for word in program.words), default=0)
         draws = np.zeros((len(program.words), 1 + most, lanes, buckets))
-        for name, shift in ((READ.name, None), (RESET.name, None), (ANALOG.name, 1)):
-            for number, weight in program.draws[name].items():
-                if shift is None:
-                    draws[number, 0] = weight
+        for at, drawn in program.draws.items():
+            for number, weight in drawn.items():
+                if at == "words":
+                    draws[number // numbered, 1 + number % numbered] = weight
                 else:
-                    draws[number // numbered, number % numbered + shift] = weight
+                    draws[number, 0] = weight
         needed = acts | draws.any(axis=(1, 3))
         lane, word = np.nonzero(needed.T)
         rows, operands = _entries(program)
@@ -92,16 +87,18 @@ class Pixels:
         seed: int = 0,
         device_seed: int = 0,
         frame: int = 0,
-        expected: bool = False,
         threads: int = 1,
     ) -> NDArray[np.float64]:
         """Electrons (buckets, pixels) at the places `chosen` = row * cols + col.
 
-        The frame before was the same scene. `expected` leaves everything random out: charge is not
-        counted, words and PIX have no noise. Threads and the order of places change no bit.
+        The frame before was the same scene. Threads and the order of places change no bit.
+        ValueError for effects that the loop cannot have.
         """
+        slow = [e.name for e in effects.effects if isinstance(e.words, CannotHave)]
+        if slow:
+            raise ValueError(f"the loop over words cannot have {', '.join(slow)}")
         program = self.program
-        source = light.motion if MOTION in effects and light.motion is not None else light
+        source = (effects.part(Moving) and light.motion) or light
         present = np.zeros((len(self.groups), len(self.group_ids)), np.uint8)
         np.put_along_axis(present, self.groups.astype(np.intp), 1, axis=1)
         container = program.container
@@ -137,7 +134,7 @@ class Pixels:
         )
 
         def run(part: NDArray[np.int64]) -> NDArray[np.float64]:
-            sizes = self._sizes(len(part), light, frame, effects, expected)
+            sizes = self._sizes(len(part), light, frame, effects)
             out = np.empty((len(container.buckets), len(part)))
             bound(sizes=sizes, chosen=part, out=out, **_scratch(sizes))
             return out
@@ -150,20 +147,15 @@ class Pixels:
         in_parts(fill, len(chosen), threads, _FEWEST)
         return out
 
-    def _sizes(
-        self, count: int, light: Light, frame: int, effects: Selection, expected: bool
-    ) -> Sizes:
+    def _sizes(self, count: int, light: Light, frame: int, effects: Selection) -> Sizes:
         container = self.program.container
         rows, cols = light.shape
         groups = len(self.group_ids)
         whole = 1 << (container.slots - 1).bit_length()
         # What the charge of one site takes: rates, counts and their stamps, of light and dark.
         each = 16 * (container.slots + 2 * 2 * whole * groups)
-        random = 0 if expected else 1
-
-        def on(effect: Effect) -> int:
-            return int(effect in effects)
-
+        loops = _in_loop(registered())
+        switches = {loop.switch: effect in effects for effect, loop in loops if loop.switch}
         return Sizes(
             pixels=count,
             slots=container.slots,
@@ -177,17 +169,7 @@ class Pixels:
             whole=whole,
             kept_cols=cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
             frame=frame,
-            shot=on(SHOT) * random,
-            dark=on(DARK) * (2 - random),
-            full_well=on(FULL_WELL),
-            read=on(READ) * random,
-            reset=on(RESET) * random,
-            dead_time=on(DEAD_TIME),
-            analog=on(ANALOG) * (2 - random),
-            register=on(REGISTER),
-            leakage=on(LEAKAGE),
-            crosstalk=on(CROSSTALK),
-            prnu=on(PRNU),
+            **switches,
         )
 
 
@@ -221,57 +203,54 @@ def _entries(program: Reference) -> tuple[NDArray[Any], NDArray[np.int64]]:
 
 
 def _numbers(sensor: Sensor, effects: Selection) -> Numbers:
+    """The figures of the effects; 0 of those that are off."""
+    figures = {
+        name: figure(sensor) if effect in effects else 0.0
+        for effect, loop in _in_loop(registered())
+        for name, figure in loop.numbers.items()
+    }
     return Numbers(
-        full_well=sensor.full_well_e,
-        register_min=sensor.register_min_e,
-        register_max=sensor.register_max_e,
-        knee=sensor.register_knee_fraction,
-        crosstalk=sensor.crosstalk_fraction,
-        lag=sensor.lag_fraction if LAG in effects else 0.0,
-        prnu=sensor.prnu_fraction,
-        dark=sensor.dark_current_e_per_s,
-        dark_variance=np.log1p(sensor.dark_spread_fraction**2),
-        read=sensor.read_noise_e,
-        reset=sensor.reset_noise_e,
-        gain=sensor.analog_gain,
-        analog_noise=sensor.analog_noise_e,
-        pattern=sensor.analog_pattern_e,
-        bias=sensor.analog_bias_e,
-        leak=1.0 / sensor.leakage_tau_s,
-        leak_variance=np.log1p(sensor.leakage_spread_fraction**2),
+        pix_start=sensor.full_well_e,
+        register_start=sensor.register_max_e,
         rate_cap=RATE_CAP,
+        **figures,
     )
 
 
 def _keys(seed: int, device_seed: int) -> Keys:
-    return Keys(
-        start=base(device_seed, START),
-        prnu=key(device_seed, PRNU.stream),
-        dark=key(device_seed, DARK.stream),
-        pattern=key(device_seed, ANALOG.stream),
-        leak=key(device_seed, LEAKAGE.stream),
-        count_light=base(seed, SHOT.stream, LIGHT),
-        count_dark=base(seed, DARK.stream, DARK_SOURCE),
-        thin_light=base(seed, SHOT.stream, THINNED + LIGHT),
-        thin_dark=base(seed, DARK.stream, THINNED + DARK_SOURCE),
-        sum_read=base(seed, READ.stream, SUM),
-        sum_reset=base(seed, RESET.stream, SUM),
-        sum_analog=base(seed, ANALOG.stream, SUM),
-        part_read=base(seed, READ.stream, PART),
-        part_reset=base(seed, RESET.stream, PART),
-        part_analog=base(seed, ANALOG.stream, PART),
-    )
+    """Keys of the device, and those that a frame's follow from, whether effects are on or not."""
+    found = {"start": base(device_seed, START)}
+    for effect, loop in _in_loop(registered()):
+        if loop.device_key is not None:
+            found[loop.device_key] = key(device_seed, effect.stream)
+        for kind, source, name in (
+            (CountedLight, LIGHT, "light"), (CountedDark, WITHOUT_LIGHT, "dark"),
+        ):  # fmt: skip
+            if effect.parts(kind):
+                found[f"count_{name}"] = base(seed, effect.stream, source)
+                found[f"thin_{name}"] = base(seed, effect.stream, THINNED + source)
+        for part in effect.parts(Errors):
+            found[f"sum_{part.at}"] = base(seed, effect.stream, SUM)
+            found[f"part_{part.at}"] = base(seed, effect.stream, PART)
+    return Keys(**found)
+
+
+def _in_loop(effects: Iterable[Effect]) -> Iterator[tuple[Effect, InLoop]]:
+    """Those that the loop has."""
+    for effect in effects:
+        if isinstance(effect.words, InLoop):
+            yield effect, effect.words
 
 
 def _scratch(sizes: Sizes) -> dict[str, NDArray[Any]]:
     slots, room = sizes.slots, 2 * sizes.whole * sizes.groups
-    sites = 3 * sizes.kept_cols if sizes.crosstalk else 1
+    sites = 3 * sizes.kept_cols if sizes.exchanges else 1
     return {
         "rates": np.empty(2 * sites * slots),
         "heap": np.empty(2 * sites * room),
         "stamps": np.full(2 * sites * room, -1, np.int64),
         "tags": np.full(sites, -1, np.int64),
-        "missing": np.empty(len(_DRAWN) * sizes.buckets),
+        "missing": np.empty(ERRORS * sizes.buckets),
         "registers": np.empty(sizes.registers + 3),
         "places": np.empty(SITES, np.int64),
     }

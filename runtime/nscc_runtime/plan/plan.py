@@ -5,14 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from functools import cached_property
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
-from nscc_runtime.effects import EFFECTS, Selection
-from nscc_runtime.effects.photodiode import FULL_WELL
-from nscc_runtime.effects.registers import REGISTER
+from nscc_runtime.effects import CannotHave, Selection, registered
+from nscc_runtime.effects.parts import Saturates
+from nscc_runtime.effects.registry import always_on
 from nscc_runtime.plan import leak_nodes
 
 Choice = Literal["kept", "dropped", "absent"]
+Loop = Literal["none", "some", "all", "reference"]
 
 
 @dataclass(frozen=True)
@@ -50,14 +51,15 @@ class Plan:
 
     Errors are root mean squares over pixels and buckets of the difference from the reference with
     every effect, in electrons before the ADC. `slot_loop`: "none", "some" pixels or "all" go
-    through all their words one by one. `leak_nodes`: at how many rates of leakage the sums over
-    slots are made. `closed`: whether the charge of closed slots is counted.
+    through all their words one by one; "reference": the reference does it all. `leak_nodes`: at how
+    many rates of leakage the sums over slots are made. `closed`: whether the charge of closed slots
+    is counted.
     """
 
     tolerance_e: float
     predicted_e: float
     bound_e: float
-    slot_loop: Literal["none", "some", "all"]
+    slot_loop: Loop
     slot_loop_reasons: tuple[str, ...]
     sampled_fraction: float
     approximations: tuple[Approximation, ...]
@@ -69,24 +71,26 @@ class Plan:
     def kept(self) -> Selection:
         """The effects that are simulated."""
         on = {each.name for each in self.decisions if each.decision == "kept"}
-        always = {effect.name for effect in EFFECTS if effect.always}
         forced = {each.name for each in self.decisions if each.forced}
-        return Selection(frozenset(on | always), frozenset(forced))
+        return Selection(always_on() | on, frozenset(forced))
 
     @cached_property
     def wanted(self) -> Selection:
         """All effects but those that the user forced off."""
         off = {each.name for each in self.decisions if each.forced and each.decision == "dropped"}
         kept = self.kept
-        return Selection(frozenset(e.name for e in EFFECTS) - off, kept.forced)
+        return Selection(frozenset(e.name for e in registered()) - off, kept.forced)
 
     @cached_property
     def kept_in_words(self) -> Selection:
         """The effects on pixels that run through all their words because they may saturate: there
-        the others no longer add up, so only saturation itself and what the user forced is left out.
+        the others no longer add up, so only saturation itself and what the user forced is left out,
+        and what the loop over words cannot have.
         """
-        kept, off = self.kept, {FULL_WELL.name, REGISTER.name} - self.kept.on
-        return Selection(self.wanted.on - off, kept.forced)
+        wanted, kept = self.wanted, self.kept
+        lost = {e.name for e in wanted.effects if e.parts(Saturates) and e not in kept}
+        lost |= {e.name for e in wanted.effects if isinstance(e.words, CannotHave)}
+        return wanted.without(*lost)
 
     def as_json(self) -> dict[str, Any]:
         """The plan as a frame file's `meta` has it."""
@@ -108,10 +112,12 @@ class Plan:
     def from_json(cls, values: Mapping[str, Any]) -> Plan:
         """The plan that `as_json` wrote; KeyError, TypeError or ValueError for anything else."""
         loop = values["slot_loop_pixels"]
-        if loop not in ("none", "some", "all"):
+        if loop not in get_args(Loop):
             raise ValueError(f"slot_loop_pixels is {loop!r:.40}")
         decisions = tuple(map(_decision, _list(values["effects"])))
-        if [(each.name, each.kind) for each in decisions] != [(e.name, e.kind) for e in EFFECTS]:
+        if [(each.name, each.kind) for each in decisions] != [
+            (e.name, e.kind) for e in registered()
+        ]:
             raise ValueError("its effects are not those of this version")
         tolerance, nodes = _number(values["tolerance_e"]), values["leak_nodes"]
         if not tolerance > 0:

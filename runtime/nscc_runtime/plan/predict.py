@@ -14,18 +14,22 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import EFFECTS, Effect
-from nscc_runtime.effects.crosstalk import CROSSTALK
-from nscc_runtime.effects.dark import DARK
-from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET
-from nscc_runtime.effects.photons import SHOT
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER
-from nscc_runtime.effects.timing import DEAD_TIME
+from nscc_runtime.effects import CannotHave, Effect, everything, registered
+from nscc_runtime.effects.parts import (
+    Counted,
+    CountedLight,
+    Errors,
+    Exchange,
+    Leak,
+    Part,
+    SlowWords,
+    Soft,
+)
 from nscc_runtime.light import Light
 from nscc_runtime.plan import leak_nodes
-from nscc_runtime.plan.capture import Planned
-from nscc_runtime.plan.effect_fields import BOTH, FORCED, Fields, fields_of
+from nscc_runtime.plan.effect_fields import BOTH, FORCED, Fields, fields_of, saturation
 from nscc_runtime.plan.plan import Decision, Plan
+from nscc_runtime.plan.prepared import Prepared
 from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.sample import sample_of
 
@@ -33,11 +37,6 @@ _CLIP = "clip"
 """Sums that are clipped know nothing of light that falls before the level of a reset is read; that
 is about as much as all of the gates' switching does.
 """
-_AFTER_THE_WELL = frozenset({READ.name, RESET.name, ANALOG.name})
-"""Noise that what passes the full well does not lack."""
-SATURATION = frozenset({FULL_WELL.name, REGISTER.name})
-"""Effects that need single pixels to run through their words."""
-
 _FORMULA_E = 0.015
 """RMS of counts by formula against exact ones: one electron in some five thousand pixels."""
 _LEAK_PART = 0.05
@@ -60,12 +59,35 @@ class Forecast:
     def fields(self) -> Fields:
         """What each effect does to a sample of the scene."""
         # A few pixels may have most of the dark charge, as lamps have most of the light.
-        dark_e = self._everything.device.current * self.program.slot_s.sum()
+        dark_e = self._everything.current * self.program.slot_s.sum()
         total_e = (self._everything.total + dark_e).reshape(self.light.shape)
         sample = sample_of(total_e, len(self.light.frames), self.near)
-        return fields_of(
-            self.program, self.light, sample, self.device_seed, self.forced_off - SATURATION
-        )
+        lost = self.forced_off - self.saturation - self.slow
+        return fields_of(self.program, self.light, sample, self.device_seed, lost)
+
+    @cached_property
+    def saturation(self) -> frozenset[str]:
+        """Effects that need single pixels to run through their words."""
+        return saturation()
+
+    @cached_property
+    def slow(self) -> frozenset[str]:
+        """Effects that the loop over words cannot have: only the reference has them."""
+        return frozenset(e.name for e in registered() if isinstance(e.words, CannotHave))
+
+    def _dropped(self, kind: type[Part], dropped: frozenset[str]) -> bool:
+        """Whether all effects that have a part of a kind are left out."""
+        if kind not in self._names:
+            self._names[kind] = frozenset(effect.name for effect, _ in everything().having(kind))
+        return self._names[kind] <= dropped
+
+    @cached_property
+    def _names(self) -> dict[type[Part], frozenset[str]]:
+        return {}
+
+    def _stays(self, kind: type[Part], dropped: frozenset[str]) -> bool:
+        """Whether an effect that has a part of a kind, and does something here, is not."""
+        return any(e.parts(kind) and e.name not in dropped for e in self.present)
 
     @cached_property
     def near(self) -> NDArray[np.int64]:
@@ -73,26 +95,26 @@ class Forecast:
         return self._everything.saturating
 
     @cached_property
-    def _everything(self) -> Planned:
+    def _everything(self) -> Prepared:
         """The scene with every effect kept."""
         decisions = tuple(
             Decision(effect.name, effect.kind, "kept", False, "", None, None, None, 0.0)
-            for effect in EFFECTS
+            for effect in registered()
         )
         plan = Plan(0.0, 0.0, 0.0, "some", (), 0.0, (), decisions)
-        return Planned(self.program, self.light, plan, self.device_seed, threads=1)
+        return Prepared(self.program, self.light, plan, self.device_seed, threads=1)
 
     @cached_property
     def present(self) -> list[Effect]:
         """The effects that change the exposures of this scene at all."""
         fields = self.fields
         return [
-            effect for effect in EFFECTS
+            effect for effect in registered()
             if (effect.kind != "after"
             and any(
                 np.any(found.get(effect.name, 0.0)) for found in (fields.fixed, fields.variance)
             ))
-            or (effect.name in SATURATION and len(self.near))
+            or (effect.name in self.saturation and len(self.near))
         ]  # fmt: skip
 
     def square(self, dropped: frozenset[str], everywhere: bool) -> float:
@@ -117,11 +139,12 @@ class Forecast:
         state = self.state(dropped)
         names, products = self._products(state)
         # Saturation is a field of its own: in `BOTH` where neither is simulated.
-        lost = SATURATION & dropped
-        inside = dropped - SATURATION | (lost if lost != SATURATION else {BOTH})
+        lost = self.saturation & dropped
+        inside = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
         at = [i for i, name in enumerate(names) if name in inside or name in (_CLIP, FORCED)]
         part = products[:, at][:, :, at]
-        random = sum((self._variances(state)[name] for name in self._random & dropped), _NOTHING)
+        variances = self._variances(state)
+        random = sum((variances[name] for name in variances if name in dropped), _NOTHING)
         random = random + self._rounding(dropped)
         if not everywhere:
             random = random + sum((square for _, square in self.short_cuts(dropped)), _NOTHING)
@@ -132,19 +155,19 @@ class Forecast:
         """What becomes of pixels that may saturate: they run through their words with all effects,
         are clipped at the full well, or are taken as any others.
         """
-        if not len(self.near) or dropped >= SATURATION:
+        if not len(self.near) or dropped >= self.saturation:
             return "sums"
-        return "clip" if REGISTER.name in dropped and self._all_single else "words"
+        return "clip" if self._dropped(Soft, dropped) and self._all_single else "words"
 
     @cached_property
     def _all_single(self) -> bool:
         tables = self.program.tables
         return not np.isnan(tables.single(self.program.full)).any()
 
-    def _where(self, state: str) -> NDArray[np.float64]:
+    def _where(self, state: str, name: str = "") -> NDArray[np.float64]:
         """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""
         fields = self.fields
-        if state == "sums":
+        if state == "sums" or name in self.slow:
             return np.ones(fields.expected.shape)
         if state == "clip":
             return np.where(fields.clipped, 0.0, 1.0)
@@ -165,31 +188,30 @@ class Forecast:
         """The field (buckets, pixels) of a fixed effect as far as a state does not simulate it."""
         fixed, clipped = self.fields.fixed, self.fields.clipped
         if name == _CLIP:
-            field = fixed[DEAD_TIME.name]
+            names = [effect.name for effect, _ in everything().having(SlowWords)]
+            field = sum((fixed[name] for name in names), np.zeros(clipped.shape))
             return np.where(clipped, field, 0.0) if state == "clip" else np.zeros_like(field)
         field = fixed[name]
-        if name in {*SATURATION, BOTH}:
+        if name in {*self.saturation, BOTH}:
             return field
         if state == "clip":
             return np.where(clipped, self.fields.after.get(name, 0.0), field)
         if name == FORCED:
             return field * (state == "words")
-        return field * self._where(state)
+        return field * self._where(state, name)
 
     def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
         found = self._kept_variances.get(state)
         if found is None:
             found = self._kept_variances[state] = {
                 name: self.fields.sample.mean(
-                    v if state == "clip" and name in _AFTER_THE_WELL else v * self._where(state)
+                    v
+                    if state == "clip" and name in self.fields.after
+                    else v * self._where(state, name)
                 )
                 for name, v in self.fields.variance.items()
             }
         return found
-
-    @cached_property
-    def _random(self) -> frozenset[str]:
-        return frozenset(self.fields.variance)
 
     @cached_property
     def _kept_products(self) -> dict[str, tuple[list[str], NDArray[np.float64]]]:
@@ -202,7 +224,7 @@ class Forecast:
     def _rounding(self, dropped: frozenset[str]) -> NDArray[np.float64]:
         """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""
         shifting = frozenset(dropped & set(self.fields.shifts))
-        if not shifting or SHOT.name in dropped:
+        if not shifting or self._dropped(CountedLight, dropped):
             return _NOTHING
         kept = self._rounded.get(shifting)
         if kept is None:
@@ -227,10 +249,10 @@ class Forecast:
     @cached_property
     def leak_nodes(self) -> int:
         """At how many rates of leakage sums are made."""
-        age_s = float(self.program.slot_s.sum())
+        age_s, leak = float(self.program.slot_s.sum()), everything().the(Leak)
         size = math.sqrt(float(np.max(self.fields.sample.mean(self.fields.expected**2))))
         for count in range(1, leak_nodes.MOST):
-            error = leak_nodes.error(self.program.sensor, count, age_s) * size
+            error = leak_nodes.error(leak, self.program.sensor, count, age_s) * size
             if error <= _LEAK_PART * self.tolerance_e:
                 return count
         return leak_nodes.MOST
@@ -238,19 +260,19 @@ class Forecast:
     def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
         """The short cuts of a plan by sums, with their mean squares (buckets,)."""
         means = self._means(self.state(dropped))
-        if not {SHOT.name, DARK.name} <= dropped:
+        if not self._dropped(Counted, dropped):
             yield "counts are not spread over the slots of a group", means["thinning"]
             yield "counts from a rate of 10 on by formula", np.full(1, _FORMULA_E**2)
-            if CROSSTALK.name not in dropped and CROSSTALK in self.present:
+            if self._stays(Exchange, dropped):
                 yield (
                     "neighbours' counts are taken as even over their slots",
                     means["neighbours"],
                 )
-        if not {READ.name, RESET.name, ANALOG.name} <= dropped:
+        if not self._dropped(Errors, dropped):
             yield "the noise of words as at the mean leakage", means["noise"]
-        if LEAKAGE.name not in dropped and LEAKAGE in self.present:
+        if self._stays(Leak, dropped):
             many = "s" * (self.leak_nodes > 1)
-            yield f"leakage from sums at {self.leak_nodes} rate{many}", means["leakage"]
+            yield f"leakage from sums at {self.leak_nodes} rate{many}", means["leak"]
 
     def _means(self, state: str) -> dict[str, NDArray[np.float64]]:
         """The mean squares of the short cuts."""
@@ -258,14 +280,15 @@ class Forecast:
         if found is not None:
             return found
         fields, mean, where = self.fields, self.fields.sample.mean, self._where(state)
-        age_s = float(self.program.slot_s.sum())
-        relative = leak_nodes.error(self.program.sensor, self.leak_nodes, age_s)
+        age_s, leak = float(self.program.slot_s.sum()), everything().the(Leak)
+        sensor = self.program.sensor
+        relative = leak_nodes.error(leak, sensor, self.leak_nodes, age_s)
         after = np.ones(1) if state == "clip" else where
         found = self._kept_means[state] = {
             "thinning": mean(fields.thinning[self.closed] * where),
             "neighbours": mean(fields.neighbours[self.closed] * where),
             "noise": mean(fields.noise_cut * after),
-            "leakage": relative**2 * mean(fields.expected**2 * after),
+            "leak": relative**2 * mean(fields.expected**2 * after),
         }
         return found
 
@@ -277,8 +300,8 @@ class Forecast:
         """RMS and mean of what an effect does, in the bucket where it does most."""
         mean = self.fields.sample.mean
         field, variance = self.fields.fixed.get(effect.name), self.fields.variance.get(effect.name)
-        where = self._where("words" if len(self.near) else "sums")
-        if effect.name in SATURATION:
+        where = self._where("words" if len(self.near) else "sums", effect.name)
+        if effect.name in self.saturation:
             where = np.ones_like(where)
         square = _NOTHING if field is None else mean(field**2 * where)
         square = np.atleast_1d(square + (0.0 if variance is None else mean(variance * where)))

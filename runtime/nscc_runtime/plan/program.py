@@ -9,12 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.effects import Effect, Selection, selected
-from nscc_runtime.effects.dark import current_e_per_s
-from nscc_runtime.effects.photodiode import READ, RESET
-from nscc_runtime.effects.photons import response
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, leak_per_s, pattern_e
-from nscc_runtime.effects.timing import DEAD_TIME, DECAY
+from nscc_runtime.effects import Selection, everything
+from nscc_runtime.effects.field import OnDevice
+from nscc_runtime.effects.parts import Exchange, Fading, Leak, SlowWords, WordGain
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.plan.masks import Masks
 from nscc_runtime.plan.overlap import Overlap
@@ -22,7 +20,6 @@ from nscc_runtime.plan.pixels import Pixels
 from nscc_runtime.plan.reach import Reach, reach_of
 from nscc_runtime.plan.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
-from nscc_runtime.sensor.sensor import Sensor
 
 Values = NDArray[np.float64]
 
@@ -35,25 +32,15 @@ class Device:
     seed: int
     places: NDArray[np.int64]
 
-    @cached_property
-    def response(self) -> Values:
-        """The response to light."""
-        return response(self.sensor, self.seed, self.places)
+    def fixed(self, make: OnDevice) -> Values:
+        """What an effect makes of the device; kept."""
+        if make not in self._made:
+            self._made[make] = make(self.sensor, self.seed, self.places)
+        return self._made[make]
 
     @cached_property
-    def current(self) -> Values:
-        """The dark current, electrons a second."""
-        return current_e_per_s(self.sensor, self.seed, self.places)
-
-    @cached_property
-    def pattern(self) -> Values:
-        """The fixed error of one analog word, electrons."""
-        return pattern_e(self.sensor, self.seed, self.places)
-
-    @cached_property
-    def leak(self) -> Values:
-        """The rate of leakage, 1/s."""
-        return leak_per_s(self.sensor, self.seed, self.places)
+    def _made(self) -> dict[OnDevice, Values]:
+        return {}
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,19 +57,24 @@ class Program:
     def of(cls, container: Container, sensor: Sensor) -> Program:
         """Raises Rejected where the words open no shutters (NS0442) or cannot run."""
         check_program(container)
-        reference = Reference.of(container, sensor, selected("all"))
+        reference = Reference.of(container, sensor, everything())
         slot_s = np.array(container.slot_us, np.float64) * 1e-6
         return cls(container, sensor, reference, Tables.of(reference), slot_s)
 
     @property
     def full(self) -> Model:
         """The weights with every effect on."""
-        return Model(True, 1.0 / self.sensor.leakage_tau_s, True, True)
+        return self.model(everything())
 
     def model(self, kept: Selection) -> Model:
         """The weights under the effects of a plan, at the mean leakage."""
-        leak = 1.0 / self.sensor.leakage_tau_s if LEAKAGE in kept else 0.0
-        return Model(ANALOG in kept, leak, DEAD_TIME in kept, DECAY in kept)
+        gain, leak = kept.part(WordGain), kept.part(Leak)
+        return Model(
+            gain.gain(self.sensor) if gain else 1.0,
+            1.0 / leak.tau_s(self.sensor) if leak else 0.0,
+            kept.part(SlowWords) is not None,
+            kept.part(Fading) is not None,
+        )
 
     @cached_property
     def pixels(self) -> Pixels:
@@ -96,27 +88,18 @@ class Program:
 
     def words(self, kept: Selection) -> Pixels:
         """The loop over the words of single pixels."""
-        return self.pixels if DECAY in kept or not self.tables.decays else self.fresh_pixels
+        faded = self.model(kept).decay or not self.tables.decays
+        return self.pixels if faded else self.fresh_pixels
 
     @cached_property
     def reach(self) -> Reach:
         """How far registers go with every effect on."""
-        return reach_of(self.tables, selected("all"))
+        return reach_of(self.tables, everything())
 
     @cached_property
     def lanes(self) -> NDArray[np.int32]:
         """The lane of every pixel, flat."""
         return self.reference.groups.lane.reshape(-1).astype(np.int32)
-
-    @property
-    def noises(self) -> tuple[tuple[Effect, float], ...]:
-        """The effects whose many small errors are one draw a bucket, with the size of an error."""
-        sensor = self.sensor
-        return (
-            (READ, sensor.read_noise_e),
-            (RESET, sensor.reset_noise_e),
-            (ANALOG, sensor.analog_noise_e),
-        )
 
     @cached_property
     def overlapping(self) -> bool:
@@ -140,11 +123,18 @@ class Program:
     def _devices(self) -> dict[int, Device]:
         return {}
 
-    def overlap(self, model: Model) -> Overlap:
+    def overlap(self, model: Model, exchange: Exchange) -> Overlap:
         """How much of the neighbours' groups falls on a pixel's open slots; kept."""
         found = self._overlaps.get(model)
         if found is None:
-            found = self._overlaps[model] = Overlap.of(self, model)
+            means = self.mean_weights(model)
+            found = self._overlaps[model] = Overlap.of(
+                exchange.fraction(self.sensor),
+                self.lanes.reshape(self.reference.groups.lane.shape),
+                self.slot_s,
+                self.tables.weights(model).slots,
+                {group: (self.members(group), means[group]) for group in means},
+            )
         return found
 
     @cached_property

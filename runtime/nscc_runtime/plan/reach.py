@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection
-from nscc_runtime.effects.photodiode import READ, RESET
-from nscc_runtime.effects.registers import ANALOG
+from nscc_runtime.effects.parts import WordGain
 from nscc_runtime.plan.tables import Tables
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
@@ -68,9 +67,17 @@ def _peak(
     pix, level = np.zeros(shape), np.zeros(shape)
     slot = rng.integers(0, container.slots, shape)
     peak, sigma, at = np.zeros(len(some)), np.zeros(len(some)), 0
-    offset = sensor.analog_bias_e + _SIGMAS * sensor.analog_pattern_e * np.sign(
-        sensor.analog_bias_e or 1.0
-    )
+    gain, offset = kept.part(WordGain) if kept else None, 0.0
+    if gain is not None:
+        mean_e, spread_e = gain.mean_e(sensor), gain.spread_e(sensor)
+        offset = mean_e + _SIGMAS * spread_e * np.sign(mean_e or 1.0)
+    errors: dict[str, list[float]] = {"reads": [], "resets": [], "words": []}
+    for _, part in kept.errors() if kept else ():
+        errors[part.at].append(part.sigma_e(sensor))
+
+    def drawn(at: str) -> Values | float:
+        return sum(sigma * rng.standard_normal(shape) for sigma in errors[at])
+
     for word in tables.decayed:
         if kept is None:
             pix = pix + ((slot >= at) & (slot < word.boundary))
@@ -80,17 +87,15 @@ def _peak(
             continue
         if word.resets:
             pix = np.where(here, 0.0, pix)
-            if kept is not None and RESET in kept:
-                level = np.where(here, sensor.reset_noise_e * rng.standard_normal(shape), level)
+            if errors["resets"]:
+                level = np.where(here, drawn("resets"), level)
             continue
         total = _total(word, registers, pix + level)
-        if kept is not None and READ in kept and "PIX" in word.op.sources:
-            total = total + sensor.read_noise_e * rng.standard_normal(shape)
+        if "PIX" in word.op.sources:
+            total = total + drawn("reads")
         for name in word.op.destinations:
             value = total / -word.op.operation.divisor
-            if kept is not None and ANALOG in kept:
-                error = offset + sensor.analog_noise_e * rng.standard_normal(shape)
-                value = value + error_sign(name, container) * error
+            value = value + error_sign(name, container) * (offset + drawn("words"))
             registers[name] = np.where(here, value, registers[name])
             if kept is None:
                 peak = np.maximum(peak, np.abs(registers[name]).max(axis=1))

@@ -8,17 +8,17 @@ gain of the words, on leakage, dead time and decay.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.reference.capture import Reference, most_destinations
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.reference.capture import Reference, numbered_errors
 from nscc_runtime.reference.trace import AnalogWord, analog_words
 from nscc_runtime.reference.weights import Backward, backward
-from nscc_runtime.sensor.sensor import Sensor
 
 Weights = NDArray[np.float64]
 T = TypeVar("T")
@@ -26,9 +26,11 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Model:
-    """Which of the effects on weights are on: the gain of words, `leak_per_s`, dead time, decay."""
+    """What weights depend on: the gain of a word, the rate at which registers leak, whether light
+    falls while words run, and whether digital registers fade.
+    """
 
-    gain: bool = False
+    gain: float = 1.0
     leak_per_s: float = 0.0
     dead_time: bool = False
     decay: bool = False
@@ -68,14 +70,17 @@ class Tables:
         """Whether any word acts otherwise because a digital register has lost its value."""
         return self.decayed is not self.fresh
 
+    def same(self, model: Model) -> Model:
+        """The model that gives the same weights, one for all such."""
+        return model if self.decays else replace(model, decay=False)
+
     def weights(self, model: Model) -> Backward:
         """The weights under a model, kept."""
-        model = model if self.decays else Model(model.gain, model.leak_per_s, model.dead_time)
+        model = self.same(model)
         found = self._found.get(model)
         if found is None:
             words = self.decayed if model.decay else self.fresh
-            gain = self.sensor.analog_gain if model.gain else 1.0
-            found = backward(self.container, words, gain, model.leak_per_s, model.dead_time)
+            found = backward(self.container, words, model.gain, model.leak_per_s, model.dead_time)
             self._found[model] = found
         return found
 
@@ -86,21 +91,17 @@ class Tables:
         found: T = self._derived[name, model]
         return found
 
-    def noise(self, name: str, full: Model) -> tuple[Weights, Weights]:
-        """Coefficients L (lanes, buckets, draws) of the keyed draws of `read`, `reset` or `analog`,
-        and the variance (lanes, buckets) of what they leave out, for unit errors.
+    def noise(self, at: str, full: Model) -> tuple[Weights, Weights]:
+        """Coefficients L (lanes, buckets, draws) of the keyed draws of small errors at `reads`,
+        `resets` or `words`, and the variance (lanes, buckets) of what they leave out, for unit
+        errors.
         """
-        return self._kept(f"noise of {name}", full, lambda: self._noise(name, full))
+        return self._kept(f"noise at {at}", full, lambda: self._noise(at, full))
 
-    def _noise(self, name: str, full: Model) -> tuple[Weights, Weights]:
-        weights, most = self.weights(full), most_destinations(self.container.target)
+    def _noise(self, at: str, full: Model) -> tuple[Weights, Weights]:
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
-        found: dict[int, Weights] = {
-            "read": weights.reads,
-            "reset": weights.resets,
-            "analog": {n * most + i: e for (n, i), e in weights.errors.items()},
-        }[name]
-        drawn = self.program.draws[name]
+        found = numbered_errors(self.container.target, self.weights(full))[at]
+        drawn = self.program.draws[at]
         factor = np.zeros((lanes, buckets, buckets))
         square = np.zeros((lanes, buckets))
         for number, weight in found.items():

@@ -6,7 +6,7 @@ import math
 import re
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc_runtime.sensor.sensor import Sensor
+from nscc_runtime.effects.sensor import Sensor
 
 _TOLERANCE = re.compile(r"\s*([0-9.]+(?:[eE][+-]?[0-9]+)?)\s*(e|lsb)\s*")
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from nscc_runtime.effects.views import Scene
 from nscc_runtime.reference.capture import Reference, expose
-from nscc_runtime.reference.charge import Scene
 from nscc_runtime.reference.frames import frames
 
 __all__ = ["Reference", "Scene", "expose", "frames"]

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,19 +18,18 @@ from numpy.typing import NDArray
 from nscc.operations import OPERATIONS, Effect
 from nscc.target.target import Target
 from nscc.words.container import Container
-from nscc_runtime.effects import Selection
-from nscc_runtime.effects.photodiode import FULL_WELL, READ, RESET, held
-from nscc_runtime.effects.registers import ANALOG, LEAKAGE, REGISTER, leak_per_s, pattern_e, soft
-from nscc_runtime.effects.timing import DEAD_TIME, DECAY
+from nscc_runtime.effects import Selection, everything
+from nscc_runtime.effects.parts import Errors, Leak, WordGain
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Scene, Where, Word
 from nscc_runtime.emulator.capture import check
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, uniforms
-from nscc_runtime.reference.charge import Groups, Scene, charge_of_rows
+from nscc_runtime.reference.charge import Groups, charge_of_rows
 from nscc_runtime.reference.noise import SpreadNoise
 from nscc_runtime.reference.trace import AnalogWord, analog_words
-from nscc_runtime.reference.weights import Weights, backward, error_sign, orthonormal
-from nscc_runtime.sensor.sensor import Sensor
+from nscc_runtime.reference.weights import Backward, Weights, backward, error_sign, orthonormal
 
 Values = NDArray[np.float64]
 
@@ -52,7 +52,9 @@ def most_destinations(target: Target) -> int:
 
 @dataclass(frozen=True, eq=False)
 class Reference:
-    """A program made ready: its words, its groups of slots, how noise reaches its exposures."""
+    """A program made ready: its words, its groups of slots, and `draws`, how small errors (by
+    where they are made, as `nscc_runtime.effects.parts.Errors` has it) reach its exposures.
+    """
 
     container: Container
     sensor: Sensor
@@ -70,21 +72,21 @@ class Reference:
         opened = backward(container, fresh).open()
         bits = np.int64(1) << np.arange(len(container.buckets), dtype=np.int64)
         # After decay other lanes may act; the draws stay those of the words as they were meant.
-        words = fresh
-        if DECAY in effects:
-            words = analog_words(container, sensor.digital_retention_us)
+        retentions = [retention(sensor) for retention in effects.at("digital")]
+        words = analog_words(container, min(retentions)) if retentions else fresh
         # The sensor's gain and leakage, on or off: no effect changes the draws of another.
-        weights = backward(container, fresh, sensor.analog_gain, 1.0 / sensor.leakage_tau_s)
-        most = most_destinations(container.target)
-        errors = {number * most + i: e for (number, i), e in weights.errors.items()}
-        draws = {
-            READ.name: orthonormal(weights.reads),
-            RESET.name: orthonormal(weights.resets),
-            ANALOG.name: orthonormal(errors),
-        }
+        gain, leak = everything().the(WordGain), everything().the(Leak)
+        weights = backward(container, fresh, gain.gain(sensor), 1.0 / leak.tau_s(sensor))
+        errors = numbered_errors(container.target, weights)
+        draws = {at: orthonormal(found) for at, found in errors.items()}
         lane = container.table.shutter_of_code[container.pixel_codes].astype(np.intp)
         groups = Groups(np.ascontiguousarray((opened @ bits).T), lane)
         return cls(container, sensor, effects, words, groups, draws)
+
+    @cached_property
+    def errors_at(self) -> dict[str, str]:
+        """Where the effects that have small errors make them."""
+        return {effect.name: part.at for effect, part in self.effects.having(Errors)}
 
     def expose(self, scene: Scene, seed: int = 0, device_seed: int = 0, frame: int = 0) -> Exposure:
         """Frame number `frame` of a scene."""
@@ -106,7 +108,10 @@ class Reference:
             )
             chunk = slice(part.start - rows.start, part.stop - rows.start)
             places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
-            pixels = _Pixels(self, places, seed, device_seed, frame)
+            pixels = _Pixels(
+                sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
+                program=self,
+            )  # fmt: skip
             found = pixels.run(charge.reshape(container.slots, -1))
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
             valid[chunk] = good
@@ -143,37 +148,42 @@ def scene_of(container: Container, light: Light, previous: Light | None = None) 
     return Scene(light, light if previous is None else previous, slot_s)
 
 
-class _Pixels:
-    """Some pixels while the words of one frame run. All arrays are (pixels,)."""
+def numbered_errors(target: Target, weights: Backward) -> dict[str, dict[int, Weights]]:
+    """The weights of small errors, by where they are made and under the numbers of their draws."""
+    most = most_destinations(target)
+    words = {number * most + i: each for (number, i), each in weights.errors.items()}
+    return {"reads": weights.reads, "resets": weights.resets, "words": words}
 
-    def __init__(
-        self, program: Reference, places: NDArray[np.int64], seed: int, device_seed: int, frame: int
-    ) -> None:
-        self.program = program
-        self.sensor, self.effects = program.sensor, program.effects
-        self.container = program.container
+
+@dataclass(eq=False, kw_only=True)
+class _Pixels(Where):
+    """Some pixels while the words of one frame run, as `nscc_runtime.effects.views.Pixels`. All
+    arrays are (pixels,).
+    """
+
+    program: Reference
+
+    def __post_init__(self) -> None:
+        self.at = self.program.effects.at
+        self.container = self.program.container
         self.most = most_destinations(self.container.target)
-        self.lanes = program.groups.lane.reshape(-1)[places]
+        self.lanes = self.program.groups.lane.reshape(-1)[self.places]
         names = ("PIX", *self.container.target.analog_registers)
         start = {
-            name: uniforms(key(device_seed, START, group=i), places) for i, name in enumerate(names)
+            name: uniforms(key(self.device_seed, START, group=i), self.places)
+            for i, name in enumerate(names)
         }
         # Well inside the range, so that a program that reads what it has not written is far off.
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
-        self.reset_e = np.zeros(len(places))
+        self.reset_e = np.zeros(len(self.places))
         self.noise = {
             effect.name: SpreadNoise(
-                seed, effect.stream, frame, program.draws[effect.name],
-                len(self.container.buckets), self.lanes, places,
+                self.seed, effect.stream, self.frame, self.program.draws[part.at],
+                len(self.container.buckets), self.lanes, self.places,
             )
-            for effect in (READ, RESET, ANALOG)
-            if effect in self.effects
+            for effect, part in self.program.effects.having(Errors)
         }  # fmt: skip
-        if ANALOG in self.effects:
-            self.pattern = pattern_e(self.sensor, device_seed, places)
-        if LEAKAGE in self.effects:
-            self.leak = leak_per_s(self.sensor, device_seed, places)
 
     def run(self, charge: Values) -> Values:
         """The exposures (buckets, pixels) of a frame of `charge` (N, pixels)."""
@@ -184,8 +194,8 @@ class _Pixels:
             slot = min(n, slots - 1)
             fallen = 0.0
             while word is not None and word.boundary == n:
-                if DEAD_TIME in self.effects:
-                    now = word.after_us / self.container.slot_us[slot]
+                for ends_us in self.at("time"):
+                    now = ends_us(word) / self.container.slot_us[slot]
                     now = now if n == slots else min(now, 1.0)
                     self._fall(charge[slot] * (now - fallen))
                     fallen = now
@@ -193,16 +203,22 @@ class _Pixels:
                 word = next(words, None)
             if n < slots:
                 self._fall(charge[n] * (1.0 - fallen) if fallen else charge[n])
-                if LEAKAGE in self.effects:
-                    kept = np.exp(-self.leak * (self.container.slot_us[n] * 1e-6))
+                for held in self.at("hold"):
+                    kept = held(self, self.container.slot_us[n] * 1e-6)
                     for name in self.register:
                         self.register[name] = self.register[name] * kept
         return self._read_out()
 
+    def error(self, name: str, word: Word, destination: int = 0) -> Values:
+        number = word.number
+        if self.program.errors_at[name] == "words":
+            number = number * self.most + destination
+        return self.noise[name].draw(number)
+
     def _fall(self, charge: Values) -> None:
         self.charge = self.charge + charge
-        if FULL_WELL in self.effects:
-            self.charge = held(self.charge, self.sensor.full_well_e)
+        for held in self.at("well"):
+            self.charge = held(self, self.charge)
 
     def _run(self, word: AnalogWord) -> None:
         here = word.lanes[self.lanes]
@@ -210,9 +226,10 @@ class _Pixels:
             return
         if word.resets:
             self.charge = np.where(here, 0.0, self.charge)
-            if RESET in self.effects:
-                level = self.sensor.reset_noise_e * self.noise[RESET.name].draw(word.number)
-                self.reset_e = np.where(here, level, self.reset_e)
+            level = np.zeros(len(self.lanes))
+            for left in self.at("resets"):
+                level = left(self, level, word)
+            self.reset_e = np.where(here, level, self.reset_e)
             return
         total = np.zeros(len(self.lanes))
         for name in word.op.sources:
@@ -220,12 +237,10 @@ class _Pixels:
         result = total / -word.op.operation.divisor
         for index, name in enumerate(word.op.destinations):
             value = result
-            if ANALOG in self.effects:
-                random = self.noise[ANALOG.name].draw(word.number * self.most + index)
-                error = self.pattern + self.sensor.analog_noise_e * random
-                value = self.sensor.analog_gain * value + error_sign(name, self.container) * error
-            if REGISTER in self.effects:
-                value = soft(value, self.sensor)
+            for written in self.at("word"):
+                value = written(self, value, word, index, error_sign(name, self.container))
+            for held in self.at("registers"):
+                value = held(self, value)
             self.register[name] = np.where(here, value, self.register[name])
 
     def _source(self, name: str, word: AnalogWord) -> Values:
@@ -234,17 +249,19 @@ class _Pixels:
         if name != "PIX":
             return self.register[name]
         level = self.charge + self.reset_e
-        if READ in self.effects:
-            level = level + self.sensor.read_noise_e * self.noise[READ.name].draw(word.number)
+        for found in self.at("reads"):
+            level = found(self, level, word)
         return level
 
     def _read_out(self) -> Values:
         exposures = np.empty((len(self.container.buckets), len(self.lanes)))
         for order, readout in enumerate(self.container.readouts):
             value = self.register[readout.register] * readout.gain
-            if LEAKAGE in self.effects:
-                waited_s = order * self.container.target.readout_us * 1e-6
-                value = value * np.exp(-self.leak * waited_s)
+            for held in self.at("hold"):
+                value = value * held(self, order * self.container.target.readout_us * 1e-6)
+            bucket = self.container.buckets.index(readout.bucket)
+            for leaves in self.at("readout"):
+                value = leaves(self, value, bucket)
             # -0 + 0 is +0.
-            exposures[self.container.buckets.index(readout.bucket)] = value + 0.0
+            exposures[bucket] = value + 0.0
         return exposures

@@ -2,26 +2,30 @@
 
 from __future__ import annotations
 
+from nscc_runtime.effects.parameters import Parameter, parameter
+from nscc_runtime.effects.registry import parameters
+from nscc_runtime.effects.sensor import Sensor, sensor_sha256
 from nscc_runtime.sensor.file import (
     completed,
     default_sensor,
     load_sensor,
     parse_sensor,
     read_sensor,
+    schema,
     sensor_toml,
 )
-from nscc_runtime.sensor.parameters import PARAMETERS, SCHEMA
-from nscc_runtime.sensor.sensor import Sensor, sensor_sha256
 
 __all__ = [
-    "PARAMETERS",
-    "SCHEMA",
+    "Parameter",
     "Sensor",
     "completed",
     "default_sensor",
     "load_sensor",
+    "parameter",
+    "parameters",
     "parse_sensor",
     "read_sensor",
+    "schema",
     "sensor_sha256",
     "sensor_toml",
 ]

@@ -7,13 +7,35 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping, Sequence
+from functools import cache
 from pathlib import Path
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.target import Target
 from nscc.toml.files import WIDTH, file_bytes, file_text, file_values
-from nscc_runtime.sensor.parameters import SCHEMA, Parameter
-from nscc_runtime.sensor.sensor import Sensor
+from nscc.toml.schema import Codes, Schema
+from nscc_runtime.effects.parameters import HEADINGS, Parameter
+from nscc_runtime.effects.registry import parameters
+from nscc_runtime.effects.sensor import Sensor
+
+
+def schema() -> Schema[Parameter]:
+    """The sensor file: the parameters of all effects."""
+    return _schema_of(parameters())
+
+
+@cache
+def _schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
+    return Schema(
+        "sensor",
+        rows,
+        HEADINGS,
+        Codes("NS0751", "NS0752", unknown="NS0753", wrong="NS0754", change="NS0755"),
+        "`nscc effects --toml > sensor.toml` writes a complete file to start from",
+        noun="parameter",
+        option="--sensor-set",
+        example="read_noise_e=5",
+    )
 
 
 def load_sensor(target: Target, path: Path | None = None, changes: Sequence[str] = ()) -> Sensor:
@@ -29,13 +51,13 @@ def load_sensor(target: Target, path: Path | None = None, changes: Sequence[str]
 
 def read_sensor(path: Path) -> bytes:
     """What a sensor's file holds, for `parse_sensor`; Rejected (NS0751) if it cannot be read."""
-    return file_bytes(SCHEMA, path)
+    return file_bytes(schema(), path)
 
 
 def parse_sensor(target: Target, data: bytes, name: str, changes: Sequence[str] = ()) -> Sensor:
     """The sensor of a file's bytes; `name` is the file's for messages. Raises as `load_sensor`."""
-    given, wrong, _ = file_values(SCHEMA, data, name)
-    changed, wrong_too = SCHEMA.changed(changes)
+    given, wrong, _ = file_values(schema(), data, name)
+    changed, wrong_too = schema().changed(changes)
     if wrong or wrong_too:
         raise Rejected([*wrong, *wrong_too], status=2)
     return completed({**given, **changed}, target)
@@ -52,7 +74,7 @@ def completed(given: Mapping[str, float], target: Target) -> Sensor:
     Without `electrons_per_lsb` the full well is the top code, whoever gave the full well.
     """
     values: dict[str, float] = {}
-    for row in SCHEMA.keys:
+    for row in schema().keys:
         known = row.name in given
         values[row.name] = given[row.name] if known else row.default_for(target, values)
     return Sensor(values)
@@ -72,7 +94,7 @@ def sensor_toml(
         return f"{row.meaning} [{row.kind.unit}, {row.kind.range}] ({source})"
 
     return file_text(
-        SCHEMA,
+        schema(),
         sensor.values,
         remark,
         (

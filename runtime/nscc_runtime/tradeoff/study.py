@@ -12,7 +12,8 @@ import numpy as np
 
 from nscc.tradeoff.points import Point
 from nscc_runtime.capture import planned_frames
-from nscc_runtime.effects import selected
+from nscc_runtime.effects import everything, selected
+from nscc_runtime.effects.parts import CountedLight
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.plan.choose import plan_for
@@ -144,6 +145,8 @@ class _Bench:
 
     def __post_init__(self) -> None:
         self.naive = Naive(self.program, self.scene.light)
+        ((counting, _),) = everything().having(CountedLight)
+        self.counted = counting.name
         rows, cols = self.scene.light.shape
         pooled = math.ceil(_POOLED / max(1, rows * cols))
         self.frames = max(self.settings.frames, min(pooled, _MOST_POOLED))
@@ -173,7 +176,7 @@ class _Bench:
         self._error(SUMMED, "none", [self.naive.summed()] * count)
         try:
             drawn = [self.naive.drawn(settings.seed + i) for i in range(count)]
-            self._error(DRAWN, "shot", drawn)
+            self._error(DRAWN, self.counted, drawn)
         except ValueError as wrong:
             self.missing.append((DRAWN, f"numpy cannot draw this light: {wrong}"))
         for tolerance_e in settings.tolerances_e:
@@ -186,8 +189,8 @@ class _Bench:
     def time(self) -> None:
         """One frame of every method but the reference."""
         self._timed(SUMMED, "none", self.naive.summed)
-        if (DRAWN, "shot") in self.errors:
-            self._timed(DRAWN, "shot", partial(self.naive.drawn, self.settings.seed))
+        if (DRAWN, self.counted) in self.errors:
+            self._timed(DRAWN, self.counted, partial(self.naive.drawn, self.settings.seed))
         for setting, plan in self.plans.items():
             begin = perf_counter()
             self._plan(plan.tolerance_e)

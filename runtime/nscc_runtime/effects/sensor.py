@@ -34,21 +34,6 @@ class Sensor:
             raise TypeError(f"a sensor has no parameter {unknown[0]!a}")
         return Sensor({**self.values, **values})
 
-    @property
-    def analog_noise_e(self) -> float:
-        """Random error of one analog word."""
-        return self.analog_noise_lsb * self.electrons_per_lsb
-
-    @property
-    def analog_pattern_e(self) -> float:
-        """Standard deviation over the pixels of a word's fixed error."""
-        return self.analog_pattern_lsb * self.electrons_per_lsb
-
-    @property
-    def analog_bias_e(self) -> float:
-        """Mean error of one analog word."""
-        return self.analog_bias_lsb * self.electrons_per_lsb
-
 
 def sensor_sha256(sensor: Sensor) -> str:
     """Hexadecimal digest of all values: the same sensor wherever its numbers came from."""

@@ -1,0 +1,58 @@
+"""Quantisation and clipping of the ADC."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from nscc.target.target import Target
+from nscc_runtime.effects.effect import AfterExposure, ByParts, Effect, InLoop
+from nscc_runtime.effects.field import Values
+from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
+from nscc_runtime.effects.parts import Codes
+from nscc_runtime.effects.sensor import Sensor
+
+
+def _top_code_is_full_well(target: Target, values: Mapping[str, float]) -> float:
+    return values["full_well_e"] / ((1 << target.adc_bits) - 1)
+
+
+ELECTRONS_PER_LSB = parameter(
+    "electrons_per_lsb", "readout", _top_code_is_full_well, "e/lsb", 0, MOST_E,
+    "electrons a code of the ADC", "full_well_e over the top code", low_excluded=True,
+)  # fmt: skip
+OFFSET = parameter(
+    "adc_offset_lsb", "readout", None, "lsb", -65536, 65536,
+    "code of a register that holds nothing", TARGET,
+)  # fmt: skip
+
+
+def _codes(sensor: Sensor, exposure: Values, noise: Values | float, top: int) -> Values:
+    scaled = exposure / ELECTRONS_PER_LSB(sensor)
+    codes = np.clip(np.rint(scaled + noise) + OFFSET(sensor), 0, top)
+    return np.asarray(np.rint(codes))
+
+
+ADC = Effect(
+    name="adc",
+    stream=16,
+    kind="after",
+    title="quantisation and clipping of the ADC",
+    model="code = clip(round half to even(exposure / electrons_per_lsb) + offset, 0, top code); "
+    "what is no number reads 0 and is not valid.",
+    cost="one rounding a pixel and bucket",
+    applied="to `frame`, always",
+    absent="it is always there",
+    parameters=(ELECTRONS_PER_LSB, OFFSET),
+    reference={"codes": _codes},
+    field=AfterExposure(
+        "rms = electrons_per_lsb / sqrt(12) where the noise before it is 0.5 codes or more; in "
+        "`frame` only",
+        lambda sensor: ELECTRONS_PER_LSB(sensor) / 12**0.5,
+    ),
+    sums=(Codes(ELECTRONS_PER_LSB, OFFSET),),
+    fused=ByParts(),
+    words=InLoop(),
+    always=True,
+)

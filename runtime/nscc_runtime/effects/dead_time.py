@@ -1,0 +1,37 @@
+"""Gates that switch while light falls."""
+
+from __future__ import annotations
+
+from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
+from nscc_runtime.effects.field import Field, Sampled
+from nscc_runtime.effects.parts import SlowWords
+from nscc_runtime.effects.views import Word
+
+
+def _ends(word: Word) -> float:
+    return word.after_us
+
+
+def _field(sample: Sampled) -> Field:
+    """rms and mean of the light that moves: read and reset every slot: lost fraction x rms L;
+    edges: each moves by its words' time"""
+    return Field(sample.base - sample.without("dead_time") * sample.echo)
+
+
+DEAD_TIME = Effect(
+    name="dead_time",
+    stream=11,
+    kind="fixed",
+    title="gates that switch while light falls",
+    model="Words take their time (launch and clock of the target) at the start of the slot, and "
+    "the slot's charge goes on falling at an even rate: a read finds it up to the word's end, a "
+    "reset loses it. After the last slot the light goes on as in that slot.",
+    cost="a factor for each code; a slot loop in the reference",
+    applied="between the words of a boundary",
+    absent="exactly nothing with this sensor, scene and program",
+    reference={"time": _ends},
+    field=_field,
+    sums=(SlowWords(),),
+    fused=CannotHave("it takes slots wholly or not at all"),
+    words=InLoop("slow_words"),
+)

@@ -1,0 +1,37 @@
+"""Decay of digital registers."""
+
+from __future__ import annotations
+
+from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
+from nscc_runtime.effects.field import Field, Sampled
+from nscc_runtime.effects.parameters import TARGET, parameter
+from nscc_runtime.effects.parts import Fading
+
+RETENTION = parameter(
+    "digital_retention_us", "memory", None, "us", 0, 1e15,
+    "a digital register reads 0 when it was not written for longer", TARGET, low_excluded=True,
+)  # fmt: skip
+
+
+def _field(sample: Sampled) -> Field:
+    """rms and mean of the difference that wrong bits make; from the schedule"""
+    return Field(sample.base - sample.without("decay") * sample.echo)
+
+
+DECAY = Effect(
+    name="decay",
+    stream=13,
+    kind="fixed",
+    title="decay of digital registers",
+    model="A digital register that no word has written for longer than its retention time reads "
+    "0. Code registers are loaded just before the frame.",
+    cost="none; a property of the schedule",
+    applied="when the digital words are replayed",
+    absent="every register is written again in time",
+    parameters=(RETENTION,),
+    reference={"digital": RETENTION},
+    field=_field,
+    sums=(Fading(),),
+    fused=CannotHave("it takes shutters as they were meant"),
+    words=InLoop(),
+)

@@ -1,0 +1,40 @@
+"""Saturation of PIX."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nscc_runtime.effects.effect import ByParts, ByWords, Effect, InLoop
+from nscc_runtime.effects.field import Values
+from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
+from nscc_runtime.effects.parts import Well
+from nscc_runtime.effects.views import Pixels
+
+FULL = parameter(
+    "full_well_e", "range", None, "e", 0, MOST_E, "charge that PIX holds above its reset level",
+    TARGET, low_excluded=True,
+)  # fmt: skip
+
+
+def _held(pixels: Pixels, charge: Values) -> Values:
+    # NaN stays NaN.
+    return np.asarray(np.minimum(charge, FULL(pixels.sensor)))
+
+
+FULL_WELL = Effect(
+    name="full_well",
+    stream=6,
+    kind="fixed",
+    title="saturation of PIX",
+    model="PIX holds min(charge since the last reset, full well), whether the shutter is open or "
+    "not, dark charge included.",
+    cost="none where the whole frame's charge stays below the well; else a slot loop",
+    applied="to PIX whenever charge falls on it",
+    absent="no pixel comes near it",
+    parameters=(FULL,),
+    reference={"well": _held},
+    field=ByWords("rms and mean of the charge that is lost, of pixels that come near the well"),
+    sums=(Well(FULL),),
+    fused=ByParts(),
+    words=InLoop("holds", {"well": FULL}),
+)

@@ -1,0 +1,43 @@
+"""Lag of the previous frame."""
+
+from __future__ import annotations
+
+from nscc_runtime.effects.effect import ByParts, Effect, InLoop
+from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.parts import Echo
+from nscc_runtime.effects.views import Slots
+
+FRACTION = parameter(
+    "lag_fraction", "light", 0.002, "1", 0, 1,
+    "part of the previous frame's light that comes again in the same slot", place=1,
+)  # fmt: skip
+
+
+def _again(slots: Slots, light: Values) -> Values:
+    return light + FRACTION(slots.sensor) * slots.electrons(slots.scene.previous)
+
+
+def _field(sample: Sampled) -> Field:
+    """rms and mean of l times the light of the frame before, the same scene"""
+    part = FRACTION(sample.sensor)
+    return Field(sample.light * part, shift=sample.alone * (part / sample.echo))
+
+
+LAG = Effect(
+    name="lag",
+    stream=12,
+    kind="fixed",
+    title="lag of the previous frame",
+    model="A part l of the light of each slot of the previous frame comes again in the same slot. "
+    "The previous frame is the same scene unless another is given.",
+    cost="none for the same scene; else one more sum over the slots",
+    applied="to the light of every slot",
+    absent="exactly nothing with this sensor, scene and program",
+    parameters=(FRACTION,),
+    reference={"light": _again},
+    field=_field,
+    sums=(Echo(FRACTION),),
+    fused=ByParts(),
+    words=InLoop(numbers={"echo": FRACTION}),
+)

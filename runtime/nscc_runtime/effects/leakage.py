@@ -1,0 +1,68 @@
+"""Leakage of analog registers."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
+from nscc_runtime.effects.field import Field, Places, Sampled, Values
+from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.parts import Leak
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.spread import log_normal, log_variance
+from nscc_runtime.effects.views import Pixels
+from nscc_runtime.noise import key, normals
+
+TAU = parameter(
+    "leakage_tau_s", "memory", 10.0, "s", 0, 1e9,
+    "time constant with which an analog register loses its value", low_excluded=True,
+)  # fmt: skip
+SPREAD = parameter(
+    "leakage_spread_fraction", "memory", 0.1, "1", 0, 10,
+    "standard deviation over the pixels of 1/tau, relative to the mean",
+)  # fmt: skip
+
+
+def leak_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
+    """1 / tau of each pixel."""
+    z = normals(key(device_seed, LEAKAGE.stream), pixels)
+    return np.asarray(log_normal(SPREAD(sensor), z) / TAU(sensor))
+
+
+def _kept(pixels: Pixels, seconds: float) -> Values:
+    return np.asarray(np.exp(-pixels.fixed(leak_per_s) * seconds))
+
+
+def _field(sample: Sampled) -> Field:
+    """rms and mean of sum S E (1 - exp(-age / tau)), tau of each pixel"""
+    leaked = sample.base - (sample.without("leakage") - sample.by_rate()) * sample.echo
+    # A plan that leaves leakage out still takes errors as at its mean.
+    return Field(leaked + sample.by_rate(pattern=True), behind_well=0.0)
+
+
+LEAKAGE = Effect(
+    name="leakage",
+    stream=9,
+    kind="fixed",
+    title="leakage of analog registers",
+    model="A register loses its value as exp(-age / tau) towards 0; 1 / tau has a lognormal "
+    "spread over the device. Age runs from the write to the readout: bucket k is read k "
+    "readouts after the frame.",
+    cost="weights of age for each code; none a slot",
+    applied="to every analog register at the end of each slot and before its readout",
+    absent="exactly nothing with this sensor, scene and program",
+    parameters=(TAU, SPREAD),
+    reference={"hold": _kept},
+    field=_field,
+    sums=(Leak(leak_per_s, TAU, SPREAD),),
+    fused=CannotHave("it weighs slots 1 or 0"),
+    words=InLoop(
+        "leaks",
+        {
+            "leak": lambda sensor: 1.0 / TAU(sensor),
+            "leak_variance": lambda sensor: log_variance(SPREAD(sensor)),
+        },
+        "leak",
+    ),
+    cost_ns=8.0,
+)

@@ -1,0 +1,43 @@
+"""Motion inside a slot."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from nscc_runtime.effects.effect import ByParts, Effect, InLoop
+from nscc_runtime.effects.field import Field, Sampled
+from nscc_runtime.effects.parts import Moving
+from nscc_runtime.effects.views import Scene
+
+
+def _moving(scene: Scene) -> Scene:
+    light, previous = (each.motion or each for each in (scene.light, scene.previous))
+    return replace(scene, light=light, previous=previous)
+
+
+def _field(sample: Sampled) -> Field:
+    """rms and mean of sum S (integral - sample), about 1/2 rms of sum S dE"""
+    if sample.still is None:
+        return Field()
+    moved = sample.base - sample.still
+    return Field(moved, shift=moved)
+
+
+MOTION = Effect(
+    name="motion",
+    stream=10,
+    kind="fixed",
+    title="motion inside a slot",
+    model="Between the samples of a scene its light changes linearly; a slot collects the "
+    "integral. Without the effect a sample stands for its whole time. Scenes whose frames are "
+    "integrals have none.",
+    cost="one more sum over the slots",
+    applied="to the light of every slot",
+    absent="the scene's frames are the slots' integrals",
+    reference={"scene": _moving},
+    field=_field,
+    sums=(Moving(),),
+    fused=ByParts(),
+    words=InLoop(),
+    cost_ns=0.5,
+)

@@ -1,0 +1,54 @@
+"""The pixels' unequal response to light."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nscc_runtime.effects.effect import ByParts, Effect, InLoop
+from nscc_runtime.effects.field import Field, Places, Sampled, Values
+from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.parts import Response
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Slots
+from nscc_runtime.noise import key, normals
+
+SPREAD = parameter(
+    "prnu_fraction", "light", 0.01, "1", 0, 0.2,
+    "standard deviation of the pixels' response to light",
+)  # fmt: skip
+
+
+def response(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
+    """The factor of each pixel."""
+    z = normals(key(device_seed, PRNU.stream), pixels)
+    return np.asarray(np.maximum(1.0 + SPREAD(sensor) * z, 0.0))
+
+
+def _uneven(slots: Slots, light: Values) -> Values:
+    return light * slots.fixed(response)
+
+
+def _field(sample: Sampled) -> Field:
+    """rms and mean of the light that the pixels' own factors add or take, about p rms(L)"""
+    factor = np.maximum(sample.on_device(response), 1e-3)
+    return Field(sample.base - sample.alike, shift=sample.alone * (1.0 - 1.0 / factor))
+
+
+PRNU = Effect(
+    name="prnu",
+    stream=2,
+    kind="fixed",
+    title="photo-response non-uniformity",
+    model="Each pixel turns light into electrons with a factor of its own: max(0, 1 + p z), z a "
+    "standard normal number of the device.",
+    cost="one product a pixel",
+    applied="to the light of every slot, before it is counted",
+    absent="exactly nothing with this sensor, scene and program",
+    parameters=(SPREAD,),
+    reference={"response": _uneven},
+    field=_field,
+    sums=(Response(response),),
+    fused=ByParts(),
+    words=InLoop("uneven", {"uneven": SPREAD}, "uneven"),
+    cost_ns=6.0,
+)

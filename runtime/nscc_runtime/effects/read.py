@@ -1,0 +1,41 @@
+"""Read noise of PIX."""
+
+from __future__ import annotations
+
+from nscc_runtime.effects.effect import ByParts, Effect, InLoop
+from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.parameters import MOST_E, parameter
+from nscc_runtime.effects.parts import Errors
+from nscc_runtime.effects.views import Pixels, Word
+
+SIGMA = parameter("read_noise_e", "noise", 10.0, "e", 0, MOST_E, "of one read of PIX")
+
+
+def _found(pixels: Pixels, level: Values, word: Word) -> Values:
+    return level + SIGMA(pixels.sensor) * pixels.error("read", word)
+
+
+def _field(sample: Sampled) -> Field:
+    """rms = sigma sqrt(reads), reads weighted with their squared coefficients: a reset level that
+    is subtracted k times counts k^2"""
+    return Field(variance=sample.errors("reads", SIGMA(sample.sensor)), behind_well=0.0)
+
+
+READ = Effect(
+    name="read",
+    stream=4,
+    kind="random",
+    title="read noise of PIX",
+    model="Every word that reads PIX finds it off by sigma z. The reads of a frame are normal "
+    "numbers whose weighted sum in each bucket is one keyed draw (see the package's notes).",
+    cost="one normal number a pixel and bucket; the reference adds one a read",
+    applied="to PIX as a source of an analog word",
+    absent="this sensor has none",
+    parameters=(SIGMA,),
+    reference={"reads": _found},
+    field=_field,
+    sums=(Errors("reads", SIGMA),),
+    fused=ByParts(),
+    words=InLoop("read_errors", {"read_error": SIGMA}),
+    cost_ns=7.0,
+)

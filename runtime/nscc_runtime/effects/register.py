@@ -1,0 +1,99 @@
+"""Soft saturation of analog registers."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from nscc_runtime.effects.effect import ByParts, ByWords, Effect, InLoop
+from nscc_runtime.effects.field import Values
+from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
+from nscc_runtime.effects.parts import Soft
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Pixels
+from nscc_runtime.loop import compiled
+
+LOWEST = parameter(
+    "register_min_e", "range", None, "e", -MOST_E, 0, "least value of an analog register", TARGET,
+    high_excluded=True,
+)  # fmt: skip
+HIGHEST = parameter(
+    "register_max_e", "range", None, "e", 0, MOST_E, "largest value of an analog register", TARGET,
+    low_excluded=True,
+)  # fmt: skip
+KNEE = parameter(
+    "register_knee_fraction", "range", 0.9, "1", 0, 1,
+    "a register is linear up to this part of its range and soft beyond; 1: clips hard",
+)  # fmt: skip
+
+
+def soft(value: Values, sensor: Sensor) -> Values:
+    """What a register holds when `value` is written to it; exactly `value` up to the knee."""
+    knee = KNEE(sensor)
+    limit = np.where(value < 0, -LOWEST(sensor), HIGHEST(sensor))
+    size = np.abs(value)
+    if knee == 1.0:
+        return np.asarray(np.where(size > limit, np.copysign(limit, value), value))
+    room = (1.0 - knee) * limit
+    bent = knee * limit + room * np.tanh(np.maximum(size - knee * limit, 0.0) / room)
+    return np.asarray(np.where(size > knee * limit, np.copysign(bent, value), value))
+
+
+@compiled
+def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
+    """The same for the loop over words."""
+    limit = -low if value < 0.0 else high
+    size = abs(value)
+    if size <= knee * limit:
+        return value
+    if knee == 1.0:
+        return math.copysign(limit, value)
+    room = (1.0 - knee) * limit
+    bend = 1.0 - 2.0 / (math.exp(2.0 * (size - knee * limit) / room) + 1.0)
+    return math.copysign(knee * limit + room * bend, value)
+
+
+def _high(sensor: Sensor) -> float:
+    """The lesser of the two ends."""
+    return min(abs(LOWEST(sensor)), HIGHEST(sensor))
+
+
+def _linear(sensor: Sensor) -> float:
+    return KNEE(sensor) * _high(sensor)
+
+
+def _lost(sensor: Sensor, size: Values) -> Values:
+    over = np.maximum(size - _linear(sensor), 0.0)
+    room = max(_high(sensor) - _linear(sensor), 1e-9)
+    return np.asarray(over - room * np.tanh(over / room))
+
+
+def _held(pixels: Pixels, value: Values) -> Values:
+    return soft(value, pixels.sensor)
+
+
+REGISTER = Effect(
+    name="register",
+    stream=8,
+    kind="fixed",
+    title="soft saturation of analog registers",
+    model="A register is linear up to k M and holds M (k + (1 - k) tanh((v / M - k) / (1 - k))) "
+    "beyond, M its largest value; the same below 0.",
+    cost="none where no partial sum passes the knee; else a slot loop",
+    applied="to every result of a bus word",
+    absent="no pixel comes near it",
+    parameters=(LOWEST, HIGHEST, KNEE),
+    reference={"registers": _held},
+    field=ByWords(
+        "rms and mean of what is lost by the largest partial sums, of pixels that come near the "
+        "knee; of those that noise alone takes there, what a frame loses to it"
+    ),
+    sums=(Soft(_linear, _lost),),
+    fused=ByParts(),
+    words=InLoop(
+        "bends",
+        {"lowest": LOWEST, "highest": HIGHEST, "knee": KNEE},
+        function=soft_in_loop,
+    ),
+)

@@ -1,0 +1,43 @@
+"""Reset (kTC) noise of PIX."""
+
+from __future__ import annotations
+
+from nscc_runtime.effects.effect import ByParts, Effect, InLoop
+from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.parameters import MOST_E, parameter
+from nscc_runtime.effects.parts import Errors
+from nscc_runtime.effects.views import Pixels, Word
+
+SIGMA = parameter(
+    "reset_noise_e", "noise", 40.0, "e", 0, MOST_E,
+    "of one reset of PIX; sqrt(kTC) of 10 fF at 300 K", place=1,
+)  # fmt: skip
+
+
+def _left(pixels: Pixels, level: Values, word: Word) -> Values:
+    return level + SIGMA(pixels.sensor) * pixels.error("reset", word)
+
+
+def _field(sample: Sampled) -> Field:
+    """rms = sigma sqrt(resets), resets weighted with their squared coefficients"""
+    return Field(variance=sample.errors("resets", SIGMA(sample.sensor)), behind_well=0.0)
+
+
+RESET = Effect(
+    name="reset",
+    stream=5,
+    kind="random",
+    title="reset (kTC) noise of PIX",
+    model="Every reset leaves PIX off by sigma z until the next one. What is read twice without "
+    "a reset in between and subtracted is free of it.",
+    cost="one normal number a pixel and bucket; the reference adds one a reset",
+    applied="to PIX by every rpix",
+    absent="this sensor has none",
+    parameters=(SIGMA,),
+    reference={"resets": _left},
+    field=_field,
+    sums=(Errors("resets", SIGMA),),
+    fused=ByParts(),
+    words=InLoop("reset_errors", {"reset_error": SIGMA}),
+    cost_ns=7.0,
+)

@@ -1,0 +1,134 @@
+"""The choice that `--effects` makes of the registered effects."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import Any, TypeVar
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.suggest import closest
+from nscc_runtime.effects.effect import Effect
+from nscc_runtime.effects.parts import Errors, Part
+from nscc_runtime.effects.registry import always_on, by_name, optional, registered
+
+_WORDS = ("auto", "all", "none")
+P = TypeVar("P", bound=Part)
+
+
+@dataclass(frozen=True)
+class Selection:
+    """The effects that are on, `always` ones included, and those that were named one by one.
+
+    With `auto` a planner decides on those that were not named; `on` has them all.
+    """
+
+    on: frozenset[str]
+    forced: frozenset[str]
+    auto: bool = False
+
+    @property
+    def noiseless(self) -> bool:
+        """Whether only what is always on is on: the exposure is the exact sum of light."""
+        return not self.on & set(optional())
+
+    def __contains__(self, effect: object) -> bool:
+        return isinstance(effect, Effect) and effect.name in self.on
+
+    @cached_property
+    def effects(self) -> tuple[Effect, ...]:
+        """The effects that are on, in the order in which they are registered."""
+        return tuple(effect for effect in registered() if effect in self)
+
+    def at(self, stage: str) -> list[Callable[..., Any]]:
+        """What they do in the reference at a stage."""
+        return [each.reference[stage] for each in self.effects if stage in each.reference]
+
+    def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
+        """Those that have a part of that kind in sums over slots, with the part."""
+        return [(effect, part) for effect in self.effects for part in effect.parts(kind)]
+
+    def part(self, kind: type[P]) -> P | None:
+        """The part of that kind; None where nothing that is on has one."""
+        return next((part for _, part in self.having(kind)), None)
+
+    def the(self, kind: type[P]) -> P:
+        """The part of that kind; ValueError where nothing that is on has one."""
+        found = self.part(kind)
+        if found is None:
+            raise ValueError(f"no effect has a part {kind.__name__}")
+        return found
+
+    def errors(self) -> list[tuple[Effect, Errors]]:
+        """Those that have small errors: of reads, then of resets, then of words."""
+        return sorted(self.having(Errors), key=lambda each: each[1].at)
+
+    def without(self, *names: str) -> Selection:
+        """The same without some effects."""
+        return Selection(self.on.difference(names), self.forced, self.auto)
+
+
+def everything() -> Selection:
+    """All effects."""
+    return _all_of(registered())
+
+
+@cache
+def _all_of(effects: tuple[Effect, ...]) -> Selection:
+    return Selection(frozenset(effect.name for effect in effects), frozenset())
+
+
+def selected(text: str) -> Selection:
+    """The effects of `auto`, `all`, `none` or `a,b`, each followed by changes `+a` and `-a`.
+
+    Changes alone start from `none` where the first adds, from `all` where it takes away.
+    Raises Rejected (NS0756, status 2) for anything else.
+    """
+    parts = [part.strip() for part in text.split(",") if part.strip()]
+    if not parts:
+        raise _wrong("--effects names no effect", f"write one of {', '.join(_WORDS)}, or effects")
+    auto = parts[0] == "auto"
+    on = set(optional()) if parts[0] in ("auto", "all") or parts[0][0] == "-" else set()
+    forced: set[str] = set()
+    for index, part in enumerate(parts):
+        if part in _WORDS:
+            if index:
+                raise _wrong(f"--effects has `{part}` after its beginning", f"put `{part}` first")
+            continue
+        add, name = part[0] != "-", part.lstrip("+-") if part[0] in "+-" else part
+        effect = named(name)
+        if effect.always and not add:
+            raise _wrong(f"the effect `{name}` is always on", f"leave -{name} out")
+        if not effect.always:
+            (on.add if add else on.discard)(name)
+            forced.add(name)
+    return Selection(frozenset(on | always_on()), frozenset(forced), auto)
+
+
+def named(name: str) -> Effect:
+    """The effect of that name; NS0756 (status 2) if there is none."""
+    found = by_name().get(name)
+    if found is None:
+        near = closest(name, (*by_name(), *_WORDS))
+        raise _wrong(
+            f"there is no effect {name[:60]!a}",
+            f"did you mean `{near}`?" if near else "`nscc effects` lists them",
+        )
+    return found
+
+
+def _wrong(what: str, help_text: str) -> Rejected:
+    return Rejected(
+        Diagnostic(
+            "NS0756",
+            what,
+            notes=(
+                "--effects takes auto, all, none or names separated by commas; +NAME adds one, "
+                "-NAME leaves one out",
+                f"the effects are {', '.join(by_name())}",
+            ),
+            helps=(help_text,),
+        ),
+        status=2,
+    )

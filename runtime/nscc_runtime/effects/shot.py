@@ -1,0 +1,38 @@
+"""Photon shot noise."""
+
+from __future__ import annotations
+
+from nscc_runtime.effects.counts import LIGHT
+from nscc_runtime.effects.effect import ByParts, Effect, InLoop
+from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.parts import CountedLight
+from nscc_runtime.effects.views import Slots
+
+
+def _count(slots: Slots, light: Values) -> Values:
+    return slots.counted(SHOT.stream, LIGHT, light)
+
+
+def _field(sample: Sampled) -> Field:
+    """rms = sqrt(mean sum of w^2 E), w the weights of the slots' light E, neighbours' included"""
+    return Field(variance=sample.counted())
+
+
+SHOT = Effect(
+    name="shot",
+    stream=1,
+    kind="random",
+    title="photon shot noise",
+    model="The light of a slot is counted in whole electrons: count ~ Poisson(rate), rate the "
+    "slot's electrons. One count a pixel, source and group of slots (those open in the same "
+    "buckets), Poisson(sum of rates), is spread over the group's slots by binomial thinning.",
+    cost="one Poisson number a pixel and group of slots; the reference adds one binomial a slot",
+    applied="when the charge of the slots is drawn, before it falls on PIX",
+    absent="exactly nothing with this sensor, scene and program",
+    reference={"count": _count},
+    field=_field,
+    sums=(CountedLight(),),
+    fused=ByParts(),
+    words=InLoop(switch="counts_light"),
+    cost_ns=6.0,
+)

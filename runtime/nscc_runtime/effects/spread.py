@@ -1,0 +1,27 @@
+"""Factors that differ from pixel to pixel."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from nscc_runtime.effects.field import Values
+from nscc_runtime.loop import compiled
+
+
+def log_variance(fraction: float) -> float:
+    """The variance of the logarithm of lognormal numbers with this relative deviation."""
+    return float(np.log1p(fraction * fraction))
+
+
+def log_normal(fraction: float, z: Values) -> Values:
+    """Positive factors with mean 1 and standard deviation `fraction` from normal numbers."""
+    variance = log_variance(fraction)
+    return np.asarray(np.exp(np.sqrt(variance) * z - variance / 2))
+
+
+@compiled
+def log_normal_in_loop(variance: float, z: float) -> float:
+    """The same for the loops, of the logarithm's variance."""
+    return math.exp(math.sqrt(variance) * z - variance / 2)

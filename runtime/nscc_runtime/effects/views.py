@@ -1,0 +1,82 @@
+"""What the reference shows to an effect's functions: one of some pixels, as charge falls on them in
+slots, and as words run over them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects.field import OnDevice, Places, Values
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.light import Light
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """The light of a frame and of the one before it, and how long the slots are."""
+
+    light: Light
+    previous: Light
+    slot_s: NDArray[np.float64]
+
+
+@dataclass(eq=False, kw_only=True)
+class Where:
+    """Some pixels of a frame: `places` int64 (pixels,) are row * cols + col."""
+
+    sensor: Sensor
+    seed: int
+    device_seed: int
+    frame: int
+    places: Places
+    _made: dict[OnDevice, Values] = field(default_factory=dict)
+
+    def fixed(self, make: OnDevice) -> Values:
+        """What is fixed on the chip (pixels,), made once."""
+        if make not in self._made:
+            self._made[make] = make(self.sensor, self.device_seed, self.places)
+        return self._made[make]
+
+
+class Word(Protocol):
+    """A word as it runs: the analog words of a frame are numbered."""
+
+    @property
+    def number(self) -> int: ...
+    @property
+    def after_us(self) -> float: ...
+
+
+class Slots(Protocol):
+    """Whole rows of pixels; arrays are (N, rows, cols)."""
+
+    sensor: Sensor
+    scene: Scene
+
+    def fixed(self, make: OnDevice) -> Values:
+        """As `Where.fixed`, of (rows, cols)."""
+
+    def electrons(self, light: Light) -> Values:
+        """The light of every slot."""
+
+    def counted(self, stream: int, source: int, rates: Values) -> Values:
+        """Counts of Poisson processes of these rates; `nscc_runtime.effects.counts` has sources."""
+
+
+class Pixels(Protocol):
+    """Pixels under their words, as `Where`; arrays are (pixels,)."""
+
+    sensor: Sensor
+    seed: int
+    device_seed: int
+    frame: int
+    places: Places
+
+    def fixed(self, make: OnDevice) -> Values:
+        """As `Where.fixed`."""
+
+    def error(self, name: str, word: Word, destination: int = 0) -> Values:
+        """The unit normal error that an effect's `Errors` have at a word."""

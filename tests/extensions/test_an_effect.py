@@ -1,0 +1,60 @@
+"""Recipe: an effect of another distribution's, from its sensor file to the audit of its plans."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from added_package import add_package, nscc_with
+
+SOURCE = '''
+from nscc_runtime.effects import CannotHave, Effect, Field, parameter
+from nscc_runtime.noise import key, normals
+def offsets_e(sensor, device_seed, places):  # row * 256 + col
+    return sensor.columns_e * normals(key(device_seed, COLUMNS.stream), places % 256)
+def field(sample):
+    """rms of the columns' offsets"""
+    offsets = sample.on_device(offsets_e)
+    return Field(fixed=offsets, behind_well=offsets)
+SLOW = CannotHave("nobody has written it")
+COLUMNS = Effect(
+    name="columns", stream=1000, kind="fixed", title="offsets of the columns' amplifiers",
+    model="exposure + sigma z, z a standard normal number of the device and the column",
+    cost="one sum a pixel", applied="to exposures as they leave the pixels",
+    absent="this sensor has none",
+    parameters=(parameter("columns_e", "readout", 0.0, "e", 0, 1e6, "sigma of a column", "ours"),),
+    reference={"readout": lambda pixels, value, bucket: value + pixels.fixed(offsets_e)},
+    field=field, sums=SLOW, fused=SLOW, words=SLOW, cost_ns=1.0,
+)
+'''
+RUN = ("run", "a.nsl", "--scene", "builtin:motion", "--exposure", "20000", "-o", "f.npz")
+
+
+def test_an_effect_from_outside_in_everything_there_is(tmp_path: Path) -> None:
+    add_package(tmp_path, SOURCE, "nscc.effects", "columns", "COLUMNS")
+    (tmp_path / "a.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when true\n")
+    assert "the columns' offsets" in nscc_with(tmp_path, "effects", "columns").stdout
+    toml = nscc_with(tmp_path, "effects", "--toml", "--sensor-set", "columns_e=40").stdout
+    (tmp_path / "s.toml").write_text(toml)
+    for words in (("none",), ("+columns", "--fidelity", "reference")):
+        assert nscc_with(tmp_path, *RUN, "--effects", *words).returncode == 0
+    for tolerance, effects, choice in (
+        ("5e", "auto", "kept"), ("5e", "all", "kept"), ("99e", "auto", "dropped"),
+        ("60e", "-columns", "dropped"),
+    ):  # fmt: skip
+        words = ("--sensor", "s.toml", "--tolerance", tolerance, "--effects", effects, "--audit")
+        done = nscc_with(tmp_path, *RUN, *words)
+        assert done.returncode == 0, done.stderr
+        meta = json.loads(str(np.load(tmp_path / "f.npz")["meta"]))
+        plan, audit = meta["plan"], meta["audit"]
+        assert plan["effects"][-1]["decision"] == choice
+        assert (plan["slot_loop_pixels"] == "reference") == (choice == "kept")
+        assert ("columns: only the reference has it" in done.stderr) == (choice == "kept")
+        assert audit["measured_rms_e"] == pytest.approx(plan["predicted_e"], rel=0.15, abs=1e-6)
+
+
+def test_what_it_lacks_is_said_by_its_name(tmp_path: Path) -> None:
+    lacking = SOURCE.replace("field=field", "field=None")
+    add_package(tmp_path, lacking, "nscc.effects", "columns", "COLUMNS")
+    refused = nscc_with(tmp_path, "effects").stderr
+    assert "[NS0905]: the effect 'columns' cannot be used: it lacks `field`" in refused
