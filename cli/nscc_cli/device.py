@@ -29,7 +29,6 @@ from nscc_cli.support import (
     progress,
     say,
     say_compiling,
-    session,
     show,
 )
 
@@ -79,8 +78,9 @@ def serve(**options: Any) -> None:
     sensor = sensor_of(target, options)
     scene = scene_of(options, "nothing for the stand-in to see: --scene is missing")
     chip = stand_in.emulated_chip(
-        scene, target, sensor, options["device_seed"], warn=_warn, failed=_report
-    )
+        scene, target, sensor, options["device_seed"],
+        warn=lambda diagnostic: show([diagnostic]), failed=_report,
+    )  # fmt: skip
     say_compiling(expose_block, "the emulator's loops")
     expose_block.load()
     with stand_in.loaded(options["loader"], target, chip, done) as loader:
@@ -90,16 +90,12 @@ def serve(**options: Any) -> None:
         )  # fmt: skip
 
 
-def _warn(diagnostic: Diagnostic) -> None:
-    show([diagnostic], session().message_format)
-
-
 def _report(error: Exception) -> None:
     """Say here why there is no frame: the host only learns that there is none."""
     if isinstance(error, Rejected):
-        show(error.diagnostics, session().message_format)
+        show(error.diagnostics)
     else:
-        _warn(Diagnostic("NS0768", f"the stand-in could not expose a frame: {error}"[:500]))
+        show([Diagnostic("NS0768", f"the stand-in could not expose a frame: {error}"[:500])])
 
 
 def _moved(port: str) -> None:

@@ -9,7 +9,7 @@ import click
 from nscc import __version__
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.plugins import added, unusable
-from nscc_cli.support import session, show
+from nscc_cli.support import show
 from nscc_cli.table import COMMANDS
 
 _OWN = [entry.name for entry in COMMANDS]
@@ -59,7 +59,7 @@ class LazyGroup(click.Group):
         try:
             return others()
         except Rejected as rejected:
-            show(rejected.diagnostics, session().message_format)
+            show(rejected.diagnostics)
             return {}
 
 

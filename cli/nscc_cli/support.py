@@ -60,13 +60,13 @@ def use_color() -> bool:
     )
 
 
-def show(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> None:
-    """Render diagnostics to standard error."""
+def show(diagnostics: Sequence[Diagnostic], message_format: MessageFormat | None = None) -> None:
+    """Render diagnostics to standard error, in the session's format if no other is given."""
     if not diagnostics:
         return
     from nscc.diagnostics.render import render
 
-    text = render(diagnostics, message_format, use_color())
+    text = render(diagnostics, message_format or session().message_format, use_color())
     sys.stderr.write(text if text.endswith("\n") else text + "\n")
     sys.stderr.flush()
 
@@ -80,7 +80,7 @@ def say(diagnostics: Sequence[Diagnostic]) -> None:
     now = session()
     if now.deny_warnings and any(d.severity is Severity.WARNING for d in diagnostics):
         raise Rejected(tuple(_denied(d) for d in diagnostics))
-    show(diagnostics, now.message_format)
+    show(diagnostics)
 
 
 def done(text: str) -> None:

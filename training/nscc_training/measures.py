@@ -98,6 +98,11 @@ def measures(
     return found
 
 
+def stamp(path: Path) -> dict[str, str]:
+    """What results say of a file: its name and digest."""
+    return {"file": path.name, "sha256": sha256(path.read_bytes()).hexdigest()}
+
+
 def decibels(value: float) -> float | str:
     """A number of dB as JSON can hold it."""
     return "inf" if math.isinf(value) else value
@@ -128,8 +133,8 @@ def measure_files(
     ]
     check_pair(arrays[0], arrays[1])
     return {
-        "truth": {"file": truth.name, "sha256": sha256(truth.read_bytes()).hexdigest()},
-        "result": {"file": result.name, "sha256": sha256(result.read_bytes()).hexdigest()},
+        "truth": stamp(truth),
+        "result": stamp(result),
         "shape": list(arrays[0].shape),
         "data_range": data_range,
         "nits": nits,

@@ -7,7 +7,6 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -15,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training.measures import number
+from nscc_training.measures import number, stamp
 from nscc_training.protocols import Protocol
 from nscc_training.scene_files import labels
 from nscc_training.statistics import paired, summary
@@ -143,9 +142,7 @@ def result(
         "settings": subject.settings,
         "sees": subject.sees,
         "stage": subject.stage,
-        "data": [
-            {"file": path.name, "sha256": sha256(path.read_bytes()).hexdigest()} for path in files
-        ],
+        "data": [stamp(path) for path in files],
         "data_range": protocol["data_range"],
         "domain": protocol["domain"],
         "items": [item.as_json() for item in items],
@@ -274,7 +271,4 @@ def _check_metric(items: Sequence[dict[str, dict[str, Any]]], metric: str) -> No
 
 
 def _by_key(found: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    items = {}
-    for item in found["items"]:
-        items[f"{item['file']} {item['crop']} {item['frame']}"] = item
-    return items
+    return {f"{each['file']} {each['crop']} {each['frame']}": each for each in found["items"]}

@@ -104,12 +104,8 @@ def tables(
     has `psnr_db` None and says why, such as a run whose weights were not kept. Rejected (NS0811,
     NS0818, NS0807) for folders that there are not.
     """
-    if not data.is_dir():
-        raise rejected(
-            "NS0811",
-            f"'{data}' is no folder of data",
-            helps=("name a folder of panoramas and clips, or with folders hdr and video of them",),
-        )
+    hint = "name a folder of panoramas and clips, or with folders hdr and video of them"
+    _check_folder(data, "NS0811", "data", hint)
     places = {
         protocol: _Place.of(data, protocol) for protocol in dict.fromkeys(r.protocol for r in ROWS)
     }
@@ -139,12 +135,8 @@ def _held(folder: Path | None, places: Mapping[str, _Place]) -> list[dict[str, A
     """The results in a folder that are of the same protocols and files."""
     if folder is None:
         return []
-    if not folder.is_dir():
-        raise rejected(
-            "NS0807",
-            f"'{folder}' is no folder of results",
-            helps=("`nscc evaluate ... -o DIR/NAME.json` writes them",),
-        )
+    hint = "`nscc evaluate ... -o DIR/NAME.json` writes them"
+    _check_folder(folder, "NS0807", "results", hint)
     found = []
     for path in sorted(folder.glob("*.json")):
         result = read_result(path)
@@ -155,6 +147,11 @@ def _held(folder: Path | None, places: Mapping[str, _Place]) -> list[dict[str, A
         if load_protocol(str(result["protocol"])).sha256 == result.get("protocol_sha256"):
             found.append(result)
     return found
+
+
+def _check_folder(folder: Path, code: str, what: str, hint: str) -> None:
+    if not folder.is_dir():
+        raise rejected(code, f"'{folder}' is no folder of {what}", helps=(hint,))
 
 
 def _config(found: dict[str, Any]) -> object:
@@ -172,12 +169,8 @@ class _Run(NamedTuple):
 def _runs(folder: Path | None) -> list[_Run]:
     if folder is None:
         return []
-    if not folder.is_dir():
-        raise rejected(
-            "NS0818",
-            f"'{folder}' is no folder of runs",
-            helps=("name the folder in which the run folders of nscc train are",),
-        )
+    hint = "name the folder in which the run folders of nscc train are"
+    _check_folder(folder, "NS0818", "runs", hint)
     found = []
     for place in sorted(p for p in folder.iterdir() if (p / "result.json").is_file()):
         file = place / "config.resolved.toml"

@@ -203,18 +203,17 @@ def _from_exposure(parts: Parts, exposure: Tensor, tile: Tensor) -> Tensor:
 def _robustness(parts: Parts, batches: Batches) -> list[dict[str, Any]]:
     """PSNR under a sensor and an exposure that are not those of training."""
     val, hard, seed = batches.val(), parts.encoder.hard(), parts.settings.train.seed
-    rows: list[dict[str, Any]] = []
-
-    def add(name: str, scores: Scores) -> None:
-        rows.append({"change": name, "psnr_db": decibels(scores.psnr_db), "ssim": scores.ssim})
-
+    found: dict[str, Scores] = {}
     for name, factors in _CHANGES:
         values = {key: getattr(parts.model, key) * factor for key, factor in factors.items()}
-        add(name, scored(parts, val, hard, replace(parts.model, **values), seed))
+        found[name] = scored(parts, val, hard, replace(parts.model, **values), seed)
     for exposure in (0.5, 2.0):
-        scores = scored(parts, val, hard, parts.model, seed, exposure)
-        add(f"exposure x {exposure:g}", scores)
-    return rows
+        name = f"exposure x {exposure:g}"
+        found[name] = scored(parts, val, hard, parts.model, seed, exposure)
+    return [
+        {"change": name, "psnr_db": decibels(scores.psnr_db), "ssim": scores.ssim}
+        for name, scores in found.items()
+    ]
 
 
 def _codes_report(parts: Parts) -> dict[str, Any]:

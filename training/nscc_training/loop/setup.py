@@ -164,23 +164,15 @@ def _model(
     return replace(model if chosen.noise else model.noiseless(), slope=chosen.slope)
 
 
-def _loss(name: str) -> Loss:
-    parts = [_one_loss(part.strip()) for part in name.split("+")]
+def _loss(names: str) -> Loss:
+    parts: list[Loss] = []
+    for name in map(str.strip, names.split("+")):
+        if not is_import_path(name) and name not in LOSSES:
+            raise _wrong("loss.name", f"'{name[:60]}' is none of {', '.join(LOSSES)}")
+        parts.append(_own_loss(name) if is_import_path(name) else LOSSES[name])
     if len(parts) == 1:
         return parts[0]
-
-    def total(prediction: Tensor, truth: Tensor) -> Tensor:
-        return torch.stack([part(prediction, truth) for part in parts]).sum()
-
-    return total
-
-
-def _one_loss(name: str) -> Loss:
-    if is_import_path(name):
-        return _own_loss(name)
-    if name not in LOSSES:
-        raise _wrong("loss.name", f"'{name[:60]}' is none of {', '.join(LOSSES)}")
-    return LOSSES[name]
+    return lambda prediction, truth: torch.stack([part(prediction, truth) for part in parts]).sum()
 
 
 def _own_loss(name: str) -> Loss:

@@ -187,32 +187,21 @@ class _Bench:
 
     def psnr_db(self, container: Container, encoder: Encoder, settings: Settings) -> float:
         """The mean over the scenes, by a decoder that needs no training."""
-        return float(
-            np.mean(
-                [
-                    self._scored(self._taken(scene, container, encoder, settings, index))
-                    for index, scene in enumerate(self.shown)
-                ]
-            )
-        )
-
-    def _taken(
-        self, scene: Scene, container: Container, encoder: Encoder, settings: Settings, index: int
-    ) -> Taken:
-        shot = capture(
-            _light(scene, encoder.spec.slots), container, self.sensor, effects=settings.effects,
-            seed=1000 * settings.seed + index, device_seed=settings.seed,
-        )  # fmt: skip
-        frame = (shot.frame[0] - self.model.adc_offset_lsb).astype(np.float32)
-        mask = laid(encoder.hard(), *frame.shape).numpy().astype(np.float32)
-        return Taken(scene, frame, mask, self.model)
-
-    def _scored(self, taken: Taken) -> float:
-        # The words of open and of fixed codes often give the same frame.
-        digest = sha256(taken.frame.tobytes() + taken.mask.tobytes()).digest()
-        if digest not in self.known:
-            self.known[digest] = self._decoded(taken)
-        return self.known[digest]
+        scores = []
+        for index, scene in enumerate(self.shown):
+            shot = capture(
+                _light(scene, encoder.spec.slots), container, self.sensor,
+                effects=settings.effects, seed=1000 * settings.seed + index,
+                device_seed=settings.seed,
+            )  # fmt: skip
+            frame = (shot.frame[0] - self.model.adc_offset_lsb).astype(np.float32)
+            mask = laid(encoder.hard(), *frame.shape).numpy().astype(np.float32)
+            # The words of open and of fixed codes often give the same frame.
+            digest = sha256(frame.tobytes() + mask.tobytes()).digest()
+            if digest not in self.known:
+                self.known[digest] = self._decoded(Taken(scene, frame, mask, self.model))
+            scores.append(self.known[digest])
+        return float(np.mean(scores))
 
     def _decoded(self, taken: Taken) -> float:
         scene = taken.scene
