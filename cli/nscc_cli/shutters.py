@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 import click
 
@@ -30,9 +30,6 @@ def command(file: Path, out: Path, **options: Any) -> None:
     container, messages = load_program(file, options)
     say(messages)
     arrays = shutters_of_pixels(container, f"'{file.as_posix()}'")
-
-    def save(stream: BinaryIO) -> None:
-        np.savez(stream, **arrays)  # type: ignore[arg-type]  # numpy types keywords as one kind
-
-    write_whole(out, save)
+    # numpy types keywords as one kind
+    write_whole(out, lambda stream: np.savez(stream, **arrays))  # type: ignore[arg-type]
     click.echo(f"wrote {out.as_posix()}", err=True)

@@ -34,11 +34,6 @@ class Item:
     frame: int | None
     metrics: dict[str, Any]
 
-    @property
-    def key(self) -> str:
-        """The same item in another result: file, corner of the crop, first frame."""
-        return f"{self.file} {self.crop} {self.frame}"
-
     def as_json(self) -> dict[str, Any]:
         """The item as one flat object."""
         return {"file": self.file, "crop": self.crop, "frame": self.frame, **self.metrics}
@@ -271,4 +266,5 @@ def _check_metric(items: Sequence[dict[str, dict[str, Any]]], metric: str) -> No
 
 
 def _by_key(found: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    """Items by what they are in other results too: file, corner of the crop, first frame."""
     return {f"{each['file']} {each['crop']} {each['frame']}": each for each in found["items"]}
