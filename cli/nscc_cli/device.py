@@ -85,8 +85,9 @@ def serve(**options: Any) -> None:
     expose_block.load()
     with stand_in.loaded(options["loader"], target, chip, done) as loader:
         stand_in.serve(
-            loader, faults, opened=click.echo, moved=_moved, once=options["once"],
-            seconds=options["seconds"],
+            loader, faults, opened=click.echo,
+            moved=lambda port: done(f"the port is {port} now: its old name was taken"),
+            once=options["once"], seconds=options["seconds"],
         )  # fmt: skip
 
 
@@ -96,10 +97,6 @@ def _report(error: Exception) -> None:
         show(error.diagnostics)
     else:
         show([Diagnostic("NS0768", f"the stand-in could not expose a frame: {error}"[:500])])
-
-
-def _moved(port: str) -> None:
-    done(f"the port is {port} now: its old name was taken")
 
 
 @command.command("info", cls=CommonCommand)
