@@ -165,8 +165,8 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
 
 
 def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
-    from nscc_runtime.device.frames import capture_to, numbered_paths, target_of
     from nscc_runtime.device.chip import Chip
+    from nscc_runtime.device.frames import capture_to, numbered_paths, target_of
     from nscc_runtime.device.link import Link
     from nscc_runtime.frame_file import check_adc
 
