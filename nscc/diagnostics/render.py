@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 from typing import Literal
 
-from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
+from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Severity
 from nscc.source import Source
 
 Format = Literal["human", "short", "json"]
@@ -59,29 +59,16 @@ def _json(diagnostic: Diagnostic) -> str:
     import json
 
     source, label = diagnostic.source, diagnostic.label
-    location = end_location = None
-    if source is not None and label is not None:
-        location = _row_column(source, label.span.start)
-        end_location = _row_column(source, label.span.end)
     value = {
         "code": diagnostic.code,
         "name": names().get(diagnostic.code, ""),
         "severity": str(diagnostic.severity),
         "message": diagnostic.message,
         "filename": None if source is None else source.name,
-        "location": location,
-        "end_location": end_location,
+        **{"location": None, "end_location": None, **_places(source, label)},
         "data": dict(diagnostic.data),
         "fixes": [
-            {"title": fix.title, "replacement": fix.replacement}
-            | (
-                {}
-                if source is None
-                else {
-                    "location": _row_column(source, fix.span.start),
-                    "end_location": _row_column(source, fix.span.end),
-                }
-            )
+            {"title": fix.title, "replacement": fix.replacement, **_places(source, fix)}
             for fix in diagnostic.fixes
         ],
         "rendered": _human(diagnostic, False),
@@ -89,9 +76,13 @@ def _json(diagnostic: Diagnostic) -> str:
     return json.dumps(value) + "\n"
 
 
-def _row_column(source: Source, offset: int) -> dict[str, int]:
-    row, column = source.row_column(offset)
-    return {"row": row, "column": column}
+def _places(source: Source | None, at: Label | Fix | None) -> dict[str, dict[str, int]]:
+    """Where a place begins and ends, if there is one and a text that it is in."""
+    if source is None or at is None:
+        return {}
+    rows_columns = (source.row_column(offset) for offset in (at.span.start, at.span.end))
+    places = ({"row": row, "column": column} for row, column in rows_columns)
+    return dict(zip(("location", "end_location"), places, strict=True))
 
 
 def _human(diagnostic: Diagnostic, color: bool) -> str:

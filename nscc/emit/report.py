@@ -129,14 +129,7 @@ def _logic(lowered: Lowered) -> dict[str, Any]:
 
 def _digital(kernel: tuple[Op, ...]) -> tuple[int, int]:
     """Digital words of a kernel that decode, and how many in-place pairs are among them."""
-    words = pairs = 0
-    for word in kernel:
-        row = word.operation
-        if row.effect not in (Effect.DIGITAL, Effect.FLAG_DIGITAL):
-            continue
-        if row.name.startswith("REFRESH"):
-            continue
-        words += 1
-        pairs += row.phase is Phase.READ
-    refresh = sum(word.operation.name.startswith("REFRESH") for word in kernel)
-    return words - (refresh_count(kernel) - refresh), pairs
+    rows = [word.operation for word in kernel]
+    digital = [row for row in rows if row.effect in (Effect.DIGITAL, Effect.FLAG_DIGITAL)]
+    pairs = sum(row.phase is Phase.READ and not row.name.startswith("REFRESH") for row in digital)
+    return len(digital) - refresh_count(kernel), pairs

@@ -138,14 +138,11 @@ def _chain(node: tree.Compare, given: list[Value]) -> Value:
 
 
 def _extreme(name: str, given: list[Value]) -> Value:
-    least = name == "min"
+    pick, of_arrays = (min, np.minimum) if name == "min" else (max, np.maximum)
     result = given[0]
     for b in given[1:]:
-        if isinstance(result.data, int) and isinstance(b.data, int):
-            data = min(result.data, b.data) if least else max(result.data, b.data)
-        else:
-            data = (np.minimum if least else np.maximum)(result.data, b.data)
-        pick = min if least else max
+        plain = isinstance(result.data, int) and isinstance(b.data, int)
+        data = (pick if plain else of_arrays)(result.data, b.data)
         result = Value(
             data,
             pick(result.low, b.low),

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import cache, lru_cache
+from struct import Struct
 from typing import NamedTuple
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
@@ -43,6 +44,7 @@ from nscc.operations import (
 from nscc.words.container import Word
 
 _INTEGER = 0xFFFF_FFFF
+_FIVE = Struct("<5I")
 _CLOCK_SHIFT = 19
 _EXTRAS_A_WORD = 13
 
@@ -99,13 +101,7 @@ _DIGITAL_WRITES = tuple((name, _WRITE[name]) for name in DIGITAL_WRITE)
 
 
 def _split(word: int) -> Word:
-    return (
-        word & _INTEGER,
-        word >> 32 & _INTEGER,
-        word >> 64 & _INTEGER,
-        word >> 96 & _INTEGER,
-        word >> 128,
-    )
+    return _FIVE.unpack(word.to_bytes(_FIVE.size, "little"))
 
 
 def _joined(word: Word) -> int:

@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import json
 from hashlib import sha256
+from math import prod
 from pathlib import Path
 from struct import Struct
 from typing import Any, NamedTuple
@@ -50,10 +51,7 @@ class _Array(NamedTuple):
 
     @property
     def items(self) -> int:
-        count = 1
-        for size in self.shape:
-            count *= size
-        return count
+        return prod(self.shape)
 
     @property
     def nbytes(self) -> int:

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
-from itertools import accumulate
+from itertools import accumulate, groupby
 from math import ceil
 
 from nscc.emit.cpp.text import part, remarked
@@ -122,18 +122,10 @@ def _waits(wait_us: int, kernel: int | None, instant: int) -> Iterator[Row]:
 
 def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
     """Equal rows in a row as one."""
-    at = 0
-    while at < len(rows):
-        end = at
-        while (
-            end < len(rows)
-            and end - at < MOST_TIMES
-            and (rows[end].wait_us, rows[end].kernel) == (rows[at].wait_us, rows[at].kernel)
-        ):
-            end += 1
-        instants = tuple(row.instants[0] for row in rows[at:end])
-        yield Row(rows[at].wait_us, rows[at].kernel, instants)
-        at = end
+    for (wait_us, kernel), alike in groupby(rows, lambda row: (row.wait_us, row.kernel)):
+        instants = tuple(row.instants[0] for row in alike)
+        for start in range(0, len(instants), MOST_TIMES):
+            yield Row(wait_us, kernel, instants[start : start + MOST_TIMES])
 
 
 def kernel_name(number: int) -> str:
