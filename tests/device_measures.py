@@ -14,7 +14,16 @@ from collections import Counter
 from pathlib import Path
 from time import perf_counter
 
-from device_sessions import TARGET, Example, chip_of, examples, new_host, python_loader, session
+from device_lockstep import SANITIZERS, Lockstep
+from device_sessions import (
+    TARGET,
+    Example,
+    chip_of,
+    examples,
+    new_host,
+    python_loader,
+    session,
+)
 from device_simulation import Hung, Simulation
 from emulator_programs import container_of, target_of
 
@@ -37,7 +46,7 @@ def open_files() -> int:
     return len(os.listdir("/dev/fd"))
 
 
-def outcome(seed: int, core: firmware.Lockstep | None) -> str:
+def outcome(seed: int, core: Lockstep | None) -> str:
     """How one session ended."""
 
     def started(example: Example) -> Loaded:
@@ -61,8 +70,8 @@ def sessions(count: int) -> bool:
     core = None
     with tempfile.TemporaryDirectory() as folder:
         if firmware.compiler() is not None:
-            built = firmware.built(TARGET, ("-O1", *firmware.SANITIZERS), Path(folder))
-            core = firmware.Lockstep(built, chip_of(examples()[0]))
+            built = firmware.built(TARGET, ("-O1", *SANITIZERS), Path(folder))
+            core = Lockstep(built, chip_of(examples()[0]))
         found: Counter[str] = Counter()
         begin = perf_counter()
         files = objects = 0

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
 import pytest
+from device_lockstep import SANITIZERS
 from device_simulation import Simulation
 from emulator_programs import bumps, target_of
 
@@ -21,6 +23,7 @@ from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.objects import Upload, upload_of
+from nscc_runtime.device.parsing import Held
 from nscc_runtime.device.serving import Loaded
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
@@ -72,9 +75,27 @@ def emulated(container: Container, light: Light) -> bytes:
     return codes.tobytes() + exposure.astype("<f8").tobytes()
 
 
-def chip_of(example: Example, target: Target = TARGET) -> EmulatedChip:
+class ChipAtOnce(EmulatedChip):
+    """A loader's board whose frame is there as soon as it is asked for."""
+
+    frame: bytes | None = None
+
+    def expose(self, held: Held, channels: int) -> None:
+        """Expose a program that a loader has checked."""
+        self.frame = None
+        with suppress(Exception):
+            self.frame = self.exposure(held.container(self.target), channels)
+
+    def exposed(self) -> bytes:
+        """The frame; RuntimeError where there is none."""
+        if self.frame is None:
+            raise RuntimeError("no frame")
+        return self.frame
+
+
+def chip_of(example: Example, target: Target = TARGET) -> ChipAtOnce:
     """A chip that sees the example's light, whatever the slots."""
-    return EmulatedChip(lambda _: example.light, target)
+    return ChipAtOnce(lambda _: example.light, target)
 
 
 def python_loader(example: Example) -> Loader:
@@ -86,7 +107,7 @@ def sanitized(folder: Path | None = None) -> firmware.Built:
     """The firmware's core for the small target, with sanitizers; skips where it cannot be built."""
     if firmware.compiler() is None:
         pytest.skip("no C++ compiler: the firmware's core cannot be run")
-    return firmware.built(TARGET, ("-O1", "-Werror", *firmware.SANITIZERS), folder)
+    return firmware.built(TARGET, ("-O1", "-Werror", *SANITIZERS), folder)
 
 
 def new_host(seed: int, **more: float) -> Host:

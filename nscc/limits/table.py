@@ -5,6 +5,7 @@ from __future__ import annotations
 from itertools import groupby
 from typing import Any
 
+from nscc.columns import columns
 from nscc.limits.search import Trial
 from nscc.limits.survey import Limit
 from nscc.lower.resources import time_text
@@ -29,7 +30,7 @@ def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
     ]
     for slot, group in groupby(limits, key=lambda limit: limit.slot):
         rows = list(group)
-        blocks.append(f"slots of {slot}\n" + _columns([_HEAD, *map(_row, rows)]))
+        blocks.append(f"slots of {slot}\n" + columns([_HEAD, *map(_row, rows)]))
         blocks.append("\n".join(line for limit in rows for line in _reasons(limit)))
     return "\n\n".join(blocks)
 
@@ -49,15 +50,6 @@ def _row(limit: Limit) -> tuple[str, ...]:
         f"{figures['words_stored']} words",
         time_text(figures["shortest_slot_us"]) if figures["shortest_slot_us"] else "any",
     )
-
-
-def _columns(rows: list[tuple[str, ...]]) -> str:
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    lines = (
-        "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True))
-        for row in rows
-    )
-    return "\n".join("  " + line.rstrip() for line in lines)
 
 
 def _reasons(limit: Limit) -> list[str]:

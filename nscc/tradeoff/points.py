@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from statistics import median
 
+from nscc.columns import columns
+
 COLUMNS = (
     "method", "setting", "error", "error_unit", "time_ms", "spread_ms", "device", "dominated",
 )  # fmt: skip
@@ -127,17 +129,7 @@ def table_text(
         before = here
     if not any(row[4] for row in rows[1:]):
         rows = [(*row[:4], *row[5:]) for row in rows]
-    head = rows[0]
-    widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
-    left = (0, 1, 2, len(head) - 1)
-    lines = []
-    for row in rows:
-        cells = (
-            f"{cell:<{width}}" if i in left else f"{cell:>{width}}"
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-        )
-        lines.append("  ".join(cells).rstrip())
-    return "\n".join(lines)
+    return columns(rows, left=(0, 1, 2, len(rows[0]) - 1))
 
 
 def _three_digits(time: float) -> str:

@@ -24,7 +24,7 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.target.target import Target
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc_runtime.effects import Effect, Selection, everything, registered
@@ -98,15 +98,12 @@ def converted(
 def check_adc(target: Target) -> None:
     """Refuse an ADC of more bits than a frame file holds (NS0742)."""
     if target.adc_bits > _MOST_BITS:
-        raise Rejected(
-            Diagnostic(
-                "NS0742",
-                f"the ADC of target '{target.name}' has {target.adc_bits} bits, a frame file "
-                f"holds {_MOST_BITS}",
-                helps=(f"set adc_bits to at most {_MOST_BITS} in the target's [range]",),
-                data={"required": target.adc_bits, "available": _MOST_BITS},
-            ),
-            status=2,
+        raise rejected(
+            "NS0742",
+            f"the ADC of target '{target.name}' has {target.adc_bits} bits, a frame file "
+            f"holds {_MOST_BITS}",
+            helps=(f"set adc_bits to at most {_MOST_BITS} in the target's [range]",),
+            data={"required": target.adc_bits, "available": _MOST_BITS},
         )
 
 
@@ -122,10 +119,8 @@ def stacked(frames: Sequence[Frame]) -> Frame:
 def repeated(frame: Frame, count: int) -> Frame:
     """The same frame K times, as an axis in front: with all effects off frames do not differ."""
 
-    def stack(values: NDArray[Any]) -> NDArray[Any]:
-        return np.broadcast_to(values, (count, *values.shape))
-
-    return Frame(stack(frame.frame), stack(frame.exposure_e), stack(frame.valid))
+    arrays = (frame.frame, frame.exposure_e, frame.valid)
+    return Frame(*(np.broadcast_to(values, (count, *values.shape)) for values in arrays))
 
 
 def frame_lines(container: Container, frame: Frame) -> list[str]:
@@ -141,9 +136,8 @@ def frame_lines(container: Container, frame: Frame) -> list[str]:
         full = int((codes == top).sum())
         text = f"{name:<{width}}  {full} of {codes.size} pixels saturated"
         if values.size:
-            text += (
-                f", electrons {values.min():.6g} to {values.max():.6g}, mean {values.mean():.6g}"
-            )
+            text += f", electrons {values.min():.6g} to {values.max():.6g}"
+            text += f", mean {values.mean():.6g}"
         lines.append(text + (f", {invalid} invalid" if invalid else ""))
     return lines
 
@@ -152,39 +146,42 @@ def frame_lines(container: Container, frame: Frame) -> list[str]:
 class Provenance:
     """Where a frame came from, as far as arrays do not tell.
 
-    `sensor` None is the target's own; `effects` as in `decisions`; `plan` and `audit` as JSON
-    values where there was a planner.
+    `program_sha256` is that of the container; seeds are None where nothing was simulated; `plan`
+    and `audit` are JSON values.
     """
 
-    program: bytes
-    seed: int = 0
-    device_seed: int = 0
+    program_sha256: str
+    sensor: Sensor
+    seed: int | None = 0
+    device_seed: int | None = 0
     fidelity: str = "planned"
-    sensor: Sensor | None = None
-    effects: Sequence[Mapping[str, Any]] = ()
     plan: Mapping[str, Any] | None = None
     audit: Mapping[str, Any] | None = None
 
 
-def decisions(chosen: Selection, moving: bool) -> list[dict[str, Any]]:
-    """What became of every effect, as JSON values, for a run that keeps what it was told to.
-
-    `moving` says whether the scene is sampled. Nothing is predicted: nothing was decided by it.
+def unplanned(chosen: Selection, moving: bool) -> dict[str, Any]:
+    """The `plan` of a run without one, which keeps the effects that it was told to: words were
+    executed slot by slot, and nothing was predicted. `moving`: whether the scene is sampled.
     """
-    return [
-        {
-            "name": effect.name,
-            "kind": effect.kind,
-            "decision": _decision(effect, chosen, moving),
-            "forced": effect.name in chosen.forced,
-            "reason": _reason(effect, chosen, moving),
-            "predicted_rms_e": None,
-            "predicted_bias_e": None,
-            "predicted_if_dropped_e": None,
-            "cost_ms_model": None,
-        }
-        for effect in registered()
-    ]
+    nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
+    return {
+        **dict.fromkeys(("tolerance_e", "predicted_e", "bound_e")),
+        "slot_loop": True,
+        "slot_loop_reasons": ["words are executed slot by slot"],
+        "sampled_fraction": 0.0,
+        "approximations": [],
+        "effects": [
+            {
+                "name": effect.name,
+                "kind": effect.kind,
+                "decision": _decision(effect, chosen, moving),
+                "forced": effect.name in chosen.forced,
+                "reason": _reason(effect, chosen, moving),
+                **dict.fromkeys(nothing),
+            }
+            for effect in registered()
+        ],
+    }
 
 
 def _decision(effect: Effect, chosen: Selection, moving: bool) -> str:
@@ -203,41 +200,33 @@ def _reason(effect: Effect, chosen: Selection, moving: bool) -> str:
     return "part of --effects all" if effect in chosen else "not in --effects"
 
 
-def meta(container: Container, light: Light, frame: Frame, origin: Provenance) -> dict[str, Any]:
-    """The `meta` of a frame file. Without a planner words were executed slot by slot, and nothing
-    was predicted.
-    """
-    import hashlib
+def meta(
+    container: Container | None, light: Light | None, frame: Frame, origin: Provenance
+) -> dict[str, Any]:
+    """The `meta` of a frame file.
 
-    sensor = origin.sensor or default_sensor(container.target)
+    `container` None: a program that a device held, whose buckets have numbers; `light` None: the
+    scene is not known.
+    """
+    sensor = origin.sensor
+    numbered = [f"bucket{number}" for number in range(frame.frame.shape[-3])]
     return {
         "schema": SCHEMA,
-        "program_sha256": hashlib.sha256(origin.program).hexdigest(),
-        "scene_sha256": light.sha256(),
+        "program_sha256": origin.program_sha256,
+        "scene_sha256": light.sha256() if light else None,
         "sensor_sha256": sensor_sha256(sensor),
         "seed": origin.seed,
         "device_seed": origin.device_seed,
         "fidelity": origin.fidelity,
-        "lowering": container.notes.get("lowering"),
-        "buckets": list(container.buckets),
+        "lowering": container.notes.get("lowering") if container else None,
+        "buckets": list(container.buckets) if container else numbered,
         "electrons_per_lsb": sensor.electrons_per_lsb,
         "adc_offset": sensor.adc_offset_lsb,
-        "exposure_scale_e": light.exposure_scale_e,
-        "open_us": open_us(container),
+        "exposure_scale_e": light.exposure_scale_e if light else None,
+        "open_us": open_us(container) if container else None,
         "invalid_pixels": int(np.count_nonzero(~frame.valid)),
-        "plan": dict(origin.plan)
-        if origin.plan is not None
-        else {
-            "tolerance_e": None,
-            "predicted_e": None,
-            "bound_e": None,
-            "slot_loop": True,
-            "slot_loop_reasons": ["words are executed slot by slot"],
-            "sampled_fraction": 0.0,
-            "approximations": [],
-            "effects": list(origin.effects),
-        },
-        "audit": None if origin.audit is None else dict(origin.audit),
+        "plan": origin.plan,
+        "audit": origin.audit,
     }
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, Literal
@@ -48,28 +47,16 @@ class Light:
         cls, frame: NDArray[np.float32], weight: NDArray[np.float64], exposure_scale_e: float = 1.0
     ) -> Light:
         """One picture (rows, cols); slot n is weight[n] times the picture."""
-        slots = len(weight)
-        return cls(
-            frames=frame[None],
-            row_start=np.arange(slots + 1, dtype=np.int64),
-            frame_index=np.zeros(slots, np.int32),
-            weight=np.asarray(weight, np.float64),
-            kind="still",
-            exposure_scale_e=exposure_scale_e,
-        )
+        starts, index = np.arange(len(weight) + 1, dtype=np.int64), np.zeros(len(weight), np.int32)
+        weight = np.asarray(weight, np.float64)
+        return cls(frame[None], starts, index, weight, "still", exposure_scale_e)
 
     @classmethod
     def of_clip(cls, frames: NDArray[np.float32], exposure_scale_e: float = 1.0) -> Light:
         """A clip (N, rows, cols); slot n is `exposure_scale_e` times frame n."""
-        slots = len(frames)
-        return cls(
-            frames=frames,
-            row_start=np.arange(slots + 1, dtype=np.int64),
-            frame_index=np.arange(slots, dtype=np.int32),
-            weight=np.full(slots, exposure_scale_e, np.float64),
-            kind="clip",
-            exposure_scale_e=exposure_scale_e,
-        )
+        starts = np.arange(len(frames) + 1, dtype=np.int64)
+        weight = np.full(len(frames), exposure_scale_e, np.float64)
+        return cls(frames, starts, starts[:-1].astype(np.int32), weight, "clip", exposure_scale_e)
 
     @property
     def slots(self) -> int:
@@ -117,23 +104,17 @@ class Light:
 
     @cached_property
     def _total_e(self) -> NDArray[np.float64]:
-        total = np.zeros(self.shape, np.float64)
-        for n, count in self._distinct_slots():
-            if count == 1:
-                total += self.slot(n)
-            else:
-                total += self.slot(n).astype(np.float64) * count
-        total.flags.writeable = False
-        return total
-
-    def _distinct_slots(self) -> Iterator[tuple[int, int]]:
-        """The first slot of each distinct row of the matrix, and how many slots have that row."""
-        counts: dict[tuple[bytes, bytes], list[int]] = {}
+        slots: dict[tuple[bytes, bytes], list[int]] = {}
         for n in range(self.slots):
             part = slice(int(self.row_start[n]), int(self.row_start[n + 1]))
             key = (self.frame_index[part].tobytes(), self.weight[part].tobytes())
-            counts.setdefault(key, [n, 0])[1] += 1
-        yield from ((n, count) for n, count in counts.values())
+            slots.setdefault(key, []).append(n)
+        total = np.zeros(self.shape, np.float64)
+        for alike in slots.values():
+            slot = self.slot(alike[0])
+            total += slot if len(alike) == 1 else slot.astype(np.float64) * len(alike)
+        total.flags.writeable = False
+        return total
 
     def on_frames(self, slots: NDArray[np.float64]) -> NDArray[np.float64]:
         """Weights (N, J) of the slots as weights (T, J) of the frames."""

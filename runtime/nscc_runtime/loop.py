@@ -79,17 +79,15 @@ def record(cls: type[_T]) -> type[_T]:
     records has the dtype np.dtype(cls): `Annotated[NDArray[Any], cls]` in a loop's signature.
     """
     fields = {name: _FIELDS[kind] for name, kind in get_type_hints(cls).items()}
-    places = [(name, field[0]) for name, field in fields.items()]
-    exact = {name: field[1] for name, field in fields.items()}
 
     def init(self: Any, **values: Any) -> None:
-        if values.keys() != exact.keys():
-            raise TypeError(f"{cls.__name__}: {_unlike(exact, values)}")
-        given = {name: exact[name](value) for name, value in values.items()}
+        if values.keys() != fields.keys():
+            raise TypeError(f"{cls.__name__}: {_unlike(fields, values)}")
+        given = {name: exact(values[name]) for name, (_, exact) in fields.items()}
         ctypes.Structure.__init__(self, **given)
 
     body = {
-        "_fields_": places,
+        "_fields_": [(name, kind) for name, (kind, _) in fields.items()],
         "__init__": init,
         "__doc__": cls.__doc__,
         "__module__": cls.__module__,
@@ -141,7 +139,8 @@ class Loop(Generic[_P]):
 
     def is_compiled(self) -> bool:
         """Whether the machine code is there: if not, its first use takes some seconds."""
-        return object_file(self.module).is_compiled()
+        file = object_file(self.module)
+        return machine_code.kept(file.name, file.folders) is not None
 
     def load(self) -> None:
         """Have the machine code ready, compiled if need be."""
@@ -283,10 +282,6 @@ class ObjectFile:
     module: str
     loops: list[Loop[Any]] = field(default_factory=list)
 
-    def is_compiled(self) -> bool:
-        """Whether the machine code is there: if not, its first use takes some seconds."""
-        return machine_code.kept(self.name, self.folders) is not None
-
     def code(self) -> bytes:
         """The object code, read or compiled."""
 
@@ -403,9 +398,5 @@ def _kind(value: Any) -> str:
 
 def _unlike(wanted: Iterable[str], given: Iterable[str]) -> str:
     """Which names are missing, and which are not known."""
-    missing, unknown = sorted({*wanted} - {*given}), sorted({*given} - {*wanted})
-    return "; ".join(
-        f"{word} {', '.join(names)}"
-        for word, names in (("lacks", missing), ("does not take", unknown))
-        if names
-    )
+    parts = {"lacks": {*wanted} - {*given}, "does not take": {*given} - {*wanted}}
+    return "; ".join(f"{word} {', '.join(sorted(names))}" for word, names in parts.items() if names)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
+from nscc.columns import columns
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.plan.audit import Audit
 from nscc_runtime.plan.plan import Plan
@@ -42,9 +43,8 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
             notes=(f"{type(error).__name__}: {words}",),
             helps=("give --plan a name that does not exist: the plan made is written there",),
         ) from error
-    for found, here, what in zip(
-        made_for, (program_sha256, sensor_sha256(sensor)), ("program", "sensor"), strict=True
-    ):
+    is_for = program_sha256, sensor_sha256(sensor)
+    for found, here, what in zip(made_for, is_for, ("program", "sensor"), strict=True):
         if found != here:
             raise rejected(
                 "NS0748",
@@ -57,27 +57,18 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
 
 def plan_table(plan: Plan, report: Audit | None = None) -> str:
     """The plan as a person reads it, and what an audit measured."""
-    head = ("effect", "rms e", "bias e", "choice", "why", "saves ms")
-    rows = [head]
+    rows: list[tuple[str, ...]] = [("effect", "rms e", "bias e", "choice", "why", "saves ms")]
     for each in plan.decisions:
         rms = "" if each.predicted_rms_e is None else f"{each.predicted_rms_e:.3g}"
         bias = "" if not each.predicted_bias_e else f"{each.predicted_bias_e:+.3g}"
         choice = each.decision + (", forced" if each.forced else "")
         cost = "" if each.cost_ms_model <= 0 else f"{each.cost_ms_model:.2f}"
         rows.append((each.name, rms, bias, choice, each.reason, cost))
-    widths = [max(len(row[i]) for row in rows) for i in range(len(head))]
-    right = (False, True, True, False, False, True)
     lines = [
-        "  ".join(
-            text.rjust(width) if end else text.ljust(width)
-            for text, width, end in zip(row, widths, right, strict=True)
-        ).rstrip()
-        for row in rows
-    ]
-    lines.append(
+        columns(rows, left=(0, 3, 4)),
         f"predicted error {plan.predicted_e:.3g} e (at most {plan.bound_e:.3g}), "
-        f"tolerance {plan.tolerance_e:.4g} e, from {plan.sampled_fraction:.1%} of the pixels"
-    )
+        f"tolerance {plan.tolerance_e:.4g} e, from {plan.sampled_fraction:.1%} of the pixels",
+    ]
     lines += [f"short cut: {each.name}, {each.error_e:.2g} e" for each in plan.approximations]
     loop = {
         "none": "no pixel runs through the words one by one",

@@ -20,7 +20,6 @@ from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
 from nscc_runtime.plan.audit import Audit
 from nscc_runtime.plan.plan import Plan
-from nscc_runtime.plan.program import Program
 from nscc_runtime.plan_file import plan_text, read_plan
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor
@@ -90,11 +89,10 @@ def simulate(
     with listener.timings.part("expose_s"):
         frame = _exact(container, light, sensor, request, listener)
     fidelity = "planned" if request.effects.noiseless else "reference"
-    origin = Provenance(
-        to_bytes(container), request.seed, request.device_seed, fidelity, sensor,
-        frame_file.decisions(request.effects, light.motion is not None),
-    )  # fmt: skip
-    return Simulated(frame, origin)
+    digest = sha256(to_bytes(container)).hexdigest()
+    plan = frame_file.unplanned(request.effects, light.motion is not None)
+    seeds = request.seed, request.device_seed
+    return Simulated(frame, Provenance(digest, sensor, *seeds, fidelity, plan))
 
 
 def _exact(
@@ -136,8 +134,7 @@ def _planned(
     tolerance = tolerance_e(request.tolerance, sensor)
     _say_compiling(listener, fused.is_compiled() and run_pixels.is_compiled(), "planner")
     check(container, light)
-    program_bytes = to_bytes(container)
-    digest = sha256(program_bytes).hexdigest()
+    digest = sha256(to_bytes(container)).hexdigest()
     with timings.part("analyse_s"):
         program = made_ready(container, sensor)
     given = request.plan is not None and request.plan.exists()
@@ -154,11 +151,15 @@ def _planned(
         frame = _gathered(made, request.repeat, listener)
     report, broken = None, None
     if request.audit:
+        from nscc_runtime.plan.audit import audit
+        from nscc_runtime.plan.capture import prepared
+
         with timings.part("audit_s"):
-            report = _audited(program, light, plan, request)
+            exposed = prepared(program, light, plan, device_seed=device_seed)
+            report = audit(exposed, request.seed, request.repeat or 1)
         broken = None if report.holds else _broken(plan, report)
     origin = Provenance(
-        program_bytes, request.seed, device_seed, "planned", sensor, (), plan.as_json(),
+        digest, sensor, request.seed, device_seed, "planned", plan.as_json(),
         None if report is None else asdict(report),
     )  # fmt: skip
     text = plan_text(plan, digest, sensor) if request.plan is not None and not given else None
@@ -169,14 +170,6 @@ def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> 
     """The frame, or all of `repeat` with an axis in front."""
     found = list(listener.progress(made, "exposing", repeat or 1))
     return frame_file.stacked(found) if repeat else found[0]
-
-
-def _audited(program: Program, light: Light, plan: Plan, request: Request) -> Audit:
-    from nscc_runtime.plan.audit import audit
-    from nscc_runtime.plan.capture import prepared
-
-    planned = prepared(program, light, plan, device_seed=request.device_seed)
-    return audit(planned, request.seed, request.repeat or 1)
 
 
 def _over(plan: Plan, given: bool) -> Diagnostic:

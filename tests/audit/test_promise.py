@@ -16,7 +16,7 @@ from promise import SCENES, TOLERANCES, Outcome, full_frames, outcome, pool, sce
 from reference_programs import sensor_of
 
 from nscc_runtime.light import Light
-from nscc_runtime.scenes.motion import with_motion
+from nscc_runtime.scenes.timing import with_motion
 
 ROWS = COLS = 64
 

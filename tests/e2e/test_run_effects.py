@@ -126,9 +126,7 @@ def test_samples_move_within_slots_and_integrals_do_not(folder: Path) -> None:
 
 
 def test_samples_with_a_frame_rate_move_across_slots(folder: Path) -> None:
-    from nscc_runtime.scenes.motion import with_motion
-    from nscc_runtime.scenes.spread import spread
-    from nscc_runtime.scenes.timing import check_fps, overlaps
+    from nscc_runtime.scenes.timing import check_fps, overlaps, spread, with_motion
 
     fps, slot_us = check_fps(400.0), (1000.0, 1500.0, 700.0, 2800.0)
     frames = np.array([10.0, 50.0, 20.0], np.float32)[:, None, None]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
+from device_lockstep import Lockstep
 from device_sessions import (
     BOTH,
     TARGET,
@@ -20,7 +21,6 @@ from hypothesis import strategies as st
 from nscc.operations import OPERATIONS
 from nscc.words.encoding import encode, matching
 from nscc.words.legality import target_fault
-from nscc_runtime.device.firmware import Lockstep
 from nscc_runtime.device.host import Host, Refused, SessionLost, Silent, Stalled
 from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.messages import (

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import pytest
+from device_lockstep import Lockstep
 from device_sessions import Example, chip_of, examples, python_loader, sanitized, session
 
-from nscc_runtime.device.firmware import Lockstep
 from nscc_runtime.device.serving import Loaded
 
 pytestmark = pytest.mark.xdist_group("firmware")

@@ -14,6 +14,7 @@ from nscc_runtime.frame_file import Provenance, meta, read_out
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose
 from nscc_runtime.scenes.timing import check_fps, overlaps, slot_edges_us
+from nscc_runtime.sensor import default_sensor
 
 SLOTS = 4096
 
@@ -63,5 +64,6 @@ def test_case_07_how_long_pixels_were_open() -> None:
     container = program(text, "accumulate", 1, 2)
     light = Light.of_clip(np.ones((SLOTS, 1, 2), np.float32))
     frame = read_out(exactly(container, light), container.target)
-    (open_us,) = meta(container, light, frame, Provenance(b""))["open_us"]
+    origin = Provenance("", default_sensor(container.target))
+    (open_us,) = meta(container, light, frame, origin)["open_us"]
     assert open_us == pytest.approx(float(4095 * Fraction("33.3")), rel=1e-12)

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from device_lockstep import SANITIZERS, Lockstep
 from device_sessions import new_host, uploaded_and_captured
 from device_simulation import Simulation
 from emulator_programs import bumps, target_of
@@ -119,7 +120,7 @@ def test_every_chip_runs_a_program(tmp_path: Path) -> None:
     container = bumps(target, None, stop, 6, "latch")
     light = Light.of_clip(np.random.default_rng(4).random((6, 5, 7), np.float32) * 900)
     chip = EmulatedChip(lambda _: light, target)
-    with firmware.Lockstep(firmware.built(target, ("-O1",), tmp_path), chip) as loader:
+    with Lockstep(firmware.built(target, ("-O1",), tmp_path), chip) as loader:
         host = new_host(1)
         upload = upload_of(container, bytes(32))
         taken = Simulation(host, loader).run(host.lasting(uploaded_and_captured(host, upload, 1)))
@@ -147,7 +148,7 @@ def test_the_scamp5d_layer_does_what_it_is_told(
         "-O1",
         *firmware.WARNINGS,
         "-Werror",
-        *firmware.SANITIZERS,
+        *SANITIZERS,
     ]
     command += [*includes, "-isystem", str(root / "tests/devkit_stub"), *map(str, sources)]
     subprocess.run([*command, "-o", str(program)], check=True)

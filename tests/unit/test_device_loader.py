@@ -9,11 +9,11 @@ from itertools import count, pairwise
 from struct import pack
 
 import pytest
+from device_lockstep import Lockstep
 from device_sessions import BOTH, TARGET, chip_of, examples, python_loader, sanitized
 
 from nscc.operations import Op, op, pair
 from nscc.words.encoding import encode
-from nscc_runtime.device.firmware import Lockstep
 from nscc_runtime.device.messages import (
     DATA,
     Begin,

@@ -98,7 +98,7 @@ def test_the_noise_of_words_is_one_draw_a_bucket(name: str, effects: str) -> Non
 
 
 def test_motion_is_the_moving_light() -> None:
-    from nscc_runtime.scenes.motion import with_motion
+    from nscc_runtime.scenes.timing import with_motion
 
     light = with_motion(moving_light((8, ROWS, COLS), 300.0))
     for effects in ("motion", "none", "motion,prnu"):

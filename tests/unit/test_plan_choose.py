@@ -184,7 +184,7 @@ def test_a_plan_for_another_scene_says_what_it_is_worth_there() -> None:
 
 
 def test_frames_that_are_samples_have_motion() -> None:
-    from nscc_runtime.scenes.motion import with_motion
+    from nscc_runtime.scenes.timing import with_motion
 
     container = case("c edges", 8, rows=ROWS, cols=COLS)
     light = with_motion(moving_light((8, ROWS, COLS), 400.0))

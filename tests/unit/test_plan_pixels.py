@@ -94,9 +94,7 @@ def test_registers_that_lose_their_codes(name: str, retention_us: float) -> None
 def test_light_that_is_sampled_or_spread(frames_s: float | None) -> None:
     """Light whose slots are sums of several frames, with and without motion inside them."""
     from nscc_runtime.scenes import Exposure
-    from nscc_runtime.scenes.motion import with_motion
-    from nscc_runtime.scenes.spread import spread
-    from nscc_runtime.scenes.timing import check_fps, overlaps
+    from nscc_runtime.scenes.timing import check_fps, overlaps, spread, with_motion
 
     container = case("d edges", rows=6, cols=9)
     if frames_s is None:

@@ -266,7 +266,7 @@ def test_crosstalk_smears_light_and_noise(lowering: str) -> None:
 
 def test_motion_is_the_integral_between_samples() -> None:
     from nscc_runtime.light import Light
-    from nscc_runtime.scenes.motion import with_motion
+    from nscc_runtime.scenes.timing import with_motion
 
     container = program(lowering="accumulate")
     samples = np.array([100.0, 300.0, 200.0, 600.0], np.float32)

@@ -25,6 +25,7 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.pictures.frames import light_estimate, readouts, tile_of
 from nscc_runtime.pictures.shutters import shutters_of
+from nscc_runtime.sensor import default_sensor
 
 ROWS, COLS, SLOTS = 6, 8, 11
 TARGET = replace(builtin_target("scamp5"), rows=ROWS, cols=COLS)
@@ -71,7 +72,9 @@ def written(keep: tuple[str, ...] = (), repeat: int = 0, kind: str = "clip") -> 
     frame = read_out(exposure(values), program.target)
     frame = repeated(frame, repeat) if repeat else frame
     file = io.BytesIO()
-    information = meta(program, scene, frame, Provenance(b"program", 3, 4))
+    digest = hashlib.sha256(b"program").hexdigest()
+    origin = Provenance(digest, default_sensor(program.target), 3, 4, plan={"effects": []})
+    information = meta(program, scene, frame, origin)
     shutters = program.table.shutters
     FrameFile.of(program, scene, frame, information, keep, shutters).write(file)
     return file.getvalue()

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from nscc_runtime.calibrate.chain import Chain
-from nscc_runtime.calibrate.estimate import Calibration, calibrated
-from nscc_runtime.calibrate.files import calibrate_files
+from nscc_runtime.calibrate.estimate import Calibration, calibrate_files, calibrated
 from nscc_runtime.calibrate.frames import Stack, grouped, load_stack
 from nscc_runtime.calibrate.report import as_json, as_table, as_toml, messages
 from nscc_runtime.calibrate.sensor import Choice, parameters

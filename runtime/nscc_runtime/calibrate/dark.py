@@ -55,27 +55,22 @@ def dark_of(levels: Sequence[Level], seen: Sequence[Moments], good: Mask) -> Dar
     ]
     if not usable:
         return None
-    given = [level.exposure_s for level, _ in usable]
-    known = [time for time in given if time is not None]
+    every = [level for level, _ in usable]
+    known = [level.exposure_s for level in every if level.exposure_s is not None]
     pixels = int(np.count_nonzero(good))
-    if len(known) < len(given) or len(set(known)) < 2:
+    if len(known) < len(every) or len(set(known)) < 2:
         # Without times the darkest frames are the nearest to no charge.
         level, moments = min(usable, key=lambda pair: pair[1].mean)
-        same = [pair for pair in usable if pair[0].exposure_s == level.exposure_s]
-        if level.exposure_s is None:
-            same = [(level, moments)]
-        weight = np.array([pair[0].frames for pair in same], np.float64)
-        halves = _combined([pair[0] for pair in same], weight / weight.sum())
-        mean, spread = _mean(halves, good)
-        error = moments.mean_se
         times = () if level.exposure_s is None else (level.exposure_s,)
+        same = [each for each in every if each.exposure_s in times] or [level]
+        weight = _frames(same)
+        halves = _combined(same, weight / weight.sum())
+        mean, spread = _mean(halves, good)
         both = hypot(spread / sqrt(pixels), moments.mean_rounding)
-        return Dark(mean, error, both, halves, None, None, None, times)
-    time = np.array(known)
-    weight = np.array([level.frames for level, _ in usable], np.float64)
+        return Dark(mean, moments.mean_se, both, halves, None, None, None, times)
+    time, weight = np.array(known), _frames(every)
     centre = float((weight * time).sum() / weight.sum())
     moment = float((weight * (time - centre) ** 2).sum())
-    every = [level for level, _ in usable]
     slopes = weight * (time - centre) / moment
     starts = weight / weight.sum() - centre * slopes
     currents, offsets = _combined(every, slopes), _combined(every, starts)
@@ -89,6 +84,10 @@ def dark_of(levels: Sequence[Level], seen: Sequence[Moments], good: Mask) -> Dar
         offset, _size(starts * errors), offset_se, offsets, current, current_se, currents,
         tuple(sorted(set(known))),
     )  # fmt: skip
+
+
+def _frames(levels: Sequence[Level]) -> np.ndarray:
+    return np.array([level.frames for level in levels], np.float64)
 
 
 def _size(parts: np.ndarray) -> float:

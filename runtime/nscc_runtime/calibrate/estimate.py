@@ -10,14 +10,15 @@ from typing import Literal
 import numpy as np
 
 from nscc.diagnostics.rejection import rejected
+from nscc.target.target import Target
 from nscc_runtime.calibrate.dark import Dark, dark_of
-from nscc_runtime.calibrate.errors import NOT_TRANSFER
 from nscc_runtime.calibrate.fit import propagated, root, shared_variance
-from nscc_runtime.calibrate.frames import Stack
+from nscc_runtime.calibrate.frames import Stack, grouped, load_stack
 from nscc_runtime.calibrate.levels import QUIET, Mask, Moments, level_of, moments
 from nscc_runtime.calibrate.pixels import good_pixels, refuse_uneven, valid_pixels
 from nscc_runtime.calibrate.response import linearity, response_variance
 from nscc_runtime.calibrate.transfer import Transfer, kept_variance, transfer
+from nscc_runtime.progress import Progress, unseen
 
 ROUNDING = 1 / 12
 """The variance that an ADC adds by rounding, in squared codes."""
@@ -45,6 +46,34 @@ class Quantity:
     remark: str = ""
 
 
+_FIGURES = {
+    "system_gain": ("system gain K", "DN/e"),
+    "conversion_gain": ("conversion gain 1/K", "e/DN"),
+    "crosstalk": ("crosstalk to each neighbour", "1"),
+    "dark_noise_lsb": ("temporal dark noise", "DN"),
+    "dark_noise_e": ("temporal dark noise", "e"),
+    "offset": ("code without charge", "DN"),
+    "dsnu_lsb": ("DSNU, pattern of the code without charge", "DN"),
+    "dsnu_e": ("DSNU, pattern of the code without charge", "e"),
+    "dark_current": ("dark current", "e/s"),
+    "dark_spread": ("its standard deviation over the pixels", "1"),
+    "prnu": ("PRNU", "1"),
+    "saturation_lsb": ("saturation", "DN"),
+    "full_well": ("full well", "e"),
+    "linearity_error": ("linearity error", "%"),
+}
+
+
+def _quantity(
+    name: str, value: tuple[float, float | None], remark: str, known: Known = "measured"
+) -> Quantity:
+    return Quantity(*_FIGURES[name], *value, known, remark)
+
+
+def _unknown(why: str, *names: str) -> dict[str, Quantity]:
+    return {name: Quantity(*_FIGURES[name], None, None, "unknown", why) for name in names}
+
+
 @dataclass(frozen=True, eq=False)
 class Calibration:
     """Everything found. `levels` are flats, then darks; `pixels` counts those that were used."""
@@ -61,6 +90,24 @@ class Calibration:
     def frames(self) -> int:
         """How many frames it was made from."""
         return sum(level.frames for level in (*self.flats, *self.darks))
+
+
+def calibrate_files(
+    flats: Sequence[str],
+    darks: Sequence[str],
+    target: Target,
+    crosstalk: float | None = None,
+    progress: Progress = unseen,
+) -> Calibration:
+    """The photon transfer fit of frames in files, folders or PATH@TIME, one level each.
+
+    `crosstalk` None: it is measured. Raises Rejected for frames that cannot be read or do not do.
+    """
+    top = (1 << target.adc_bits) - 1
+    named = [*flats, *darks]
+    stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]
+    split = len(flats)
+    return calibrated(grouped(stacks[:split]), grouped(stacks[split:]), top, crosstalk)
 
 
 def calibrated(
@@ -88,22 +135,15 @@ def calibrated(
     refuse_uneven(chosen, good, 0.0 if dark is None else dark.offset)
 
     spread = response_variance(chosen, [flat_moments[i] for i in used], dark, good)
+    full = curve.saturation.mean if curve.saturation else float(top_code)
     found = {
         **_gain(curve, crosstalk),
         **_noise(curve, dark_moments, dark),
         **_dark(curve, dark, good),
+        "prnu": _prnu(spread, curve, _fits(dark, flat_moments)),
+        **_range(curve, flat_moments, top_code),
+        **_linear(flat_moments, dark, full),
     }
-    found["prnu"] = _prnu(spread, curve, _fits(dark, flat_moments))
-    found |= _range(curve, flat_moments, top_code)
-    full = curve.saturation.mean if curve.saturation else float(top_code)
-    line = linearity(flat_moments, dark, full)
-    if isinstance(line, str):
-        found["linearity_error"] = Quantity("linearity error", "%", None, None, "unknown", line)
-    else:
-        remark = f"mean absolute deviation of {line.levels} levels from the line over time"
-        found["linearity_error"] = Quantity(
-            "linearity error", "%", line.error_percent, line.error_se, "measured", remark
-        )
     count = int(np.count_nonzero(good))
     return Calibration(
         found, curve, tuple(flat_moments), tuple(dark_moments), count,
@@ -115,7 +155,7 @@ def _refuse_exchanged(flats: Sequence[Moments], darks: Sequence[Moments]) -> Non
     if max(level.mean for level in flats) > min(level.mean for level in darks):
         return
     raise rejected(
-        NOT_TRANSFER,
+        "NS0759",
         f"the darks (mean {min(level.mean for level in darks):.4g}) are no darker than the flats "
         f"(mean {max(level.mean for level in flats):.4g})",
         helps=("flats come first, darks after --dark",),
@@ -129,110 +169,79 @@ def _gain(curve: Transfer, given: float | None) -> dict[str, Quantity]:
         else f"crosstalk {given:g} taken as known"
     )
     inverse = propagated(lambda v: 1 / v[0], [curve.gain], curve.covariance[:1, :1])
-    crosstalk_se = sqrt(float(curve.covariance[2, 2]))
+    crosstalk, crosstalk_se = max(curve.crosstalk, 0.0), sqrt(float(curve.covariance[2, 2]))
     return {
-        "system_gain": Quantity(
-            "system gain K", "DN/e", curve.gain, curve.gain_se, "measured", remark
-        ),
-        "conversion_gain": Quantity("conversion gain 1/K", "e/DN", *inverse, "measured", remark),
-        "crosstalk": Quantity(
-            "crosstalk to each neighbour", "1", max(curve.crosstalk, 0.0),
-            None if given is not None else crosstalk_se, "measured" if given is None else "given",
-            "covariance of the shot noise of neighbours" if given is None else "--crosstalk",
-        ),
-    }  # fmt: skip
+        "system_gain": _quantity("system_gain", (curve.gain, curve.gain_se), remark),
+        "conversion_gain": _quantity("conversion_gain", inverse, remark),
+        "crosstalk": _quantity(
+            "crosstalk", (crosstalk, crosstalk_se), "covariance of the shot noise of neighbours"
+        )
+        if given is None
+        else _quantity("crosstalk", (crosstalk, None), "--crosstalk", "given"),
+    }
 
 
 def _noise(curve: Transfer, darks: Sequence[Moments], dark: Dark | None) -> dict[str, Quantity]:
-    codes, electrons = "temporal dark noise", "temporal dark noise"
+    def at_most(most: float, why: str) -> dict[str, Quantity]:
+        return {
+            "dark_noise_lsb": _quantity("dark_noise_lsb", (most, None), why, "at most"),
+            "dark_noise_e": _quantity("dark_noise_e", (most / curve.gain, None), why, "at most"),
+        }
+
     if dark is None:
-        why = _CUT_OFF
-        return {
-            "dark_noise_lsb": Quantity(codes, "DN", None, None, "unknown", why),
-            "dark_noise_e": Quantity(electrons, "e", None, None, "unknown", why),
-        }
+        return _unknown(_CUT_OFF, "dark_noise_lsb", "dark_noise_e")
     if not any(level in curve.used for level in darks):
-        why = f"the darks' noise is below {sqrt(QUIET):.2f} codes: rounding hides it"
         most = sqrt(QUIET)
-        return {
-            "dark_noise_lsb": Quantity(codes, "DN", most, None, "at most", why),
-            "dark_noise_e": Quantity(electrons, "e", most / curve.gain, None, "at most", why),
-        }
+        return at_most(most, f"the darks' noise is below {most:.2f} codes: rounding hides it")
+    if curve.noise <= ROUNDING:
+        error = sqrt(float(curve.covariance[1, 1]))
+        most = sqrt(max(curve.noise - ROUNDING, 0.0) + 2 * error)
+        return at_most(most, "the line of variance over mean leaves no noise without charge")
     remark = "of a frame without charge, rounding taken away"
     if dark.current is None:
         remark = "of the darks, shot noise of their dark charge included; rounding taken away"
-    if curve.noise <= ROUNDING:
-        why = "the line of variance over mean leaves no noise without charge"
-        error = sqrt(float(curve.covariance[1, 1]))
-        most = sqrt(max(curve.noise - ROUNDING, 0.0) + 2 * error)
-        return {
-            "dark_noise_lsb": Quantity(codes, "DN", most, None, "at most", why),
-            "dark_noise_e": Quantity(electrons, "e", most / curve.gain, None, "at most", why),
-        }
     errors, values = curve.covariance[:2, :2], [curve.gain, curve.noise]
     in_codes = propagated(lambda v: sqrt(max(v[1] - ROUNDING, 0.0)), values, errors)
     in_electrons = propagated(lambda v: sqrt(max(v[1] - ROUNDING, 0.0)) / v[0], values, errors)
     return {
-        "dark_noise_lsb": Quantity(codes, "DN", *in_codes, "measured", remark),
-        "dark_noise_e": Quantity(electrons, "e", *in_electrons, "measured", remark),
+        "dark_noise_lsb": _quantity("dark_noise_lsb", in_codes, remark),
+        "dark_noise_e": _quantity("dark_noise_e", in_electrons, remark),
     }
 
 
 def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]:
     """Offset, its pattern (DSNU), dark current and its spread over the pixels."""
-    titles = {
-        "offset": ("code without charge", "DN"),
-        "dsnu_lsb": ("DSNU, pattern of the code without charge", "DN"),
-        "dsnu_e": ("DSNU, pattern of the code without charge", "e"),
-        "dark_current": ("dark current", "e/s"),
-        "dark_spread": ("its standard deviation over the pixels", "1"),
-    }
-
-    def unknown(why: str, *names: str) -> dict[str, Quantity]:
-        return {n: Quantity(*titles[n], None, None, "unknown", why) for n in names}
-
     if dark is None:
-        return unknown(_CUT_OFF, *titles)
+        return _unknown(_CUT_OFF, "offset", "dsnu_lsb", "dsnu_e", "dark_current", "dark_spread")
     if dark.currents is None:
         times = ", ".join(f"{1e3 * t:.6g} ms" for t in dark.times_s) or "an unknown time"
         remark = f"of darks of {times}"
     else:
         remark = f"darks of {len(dark.times_s)} times, extrapolated to no time"
-    variance = shared_variance(*dark.offsets, good)
-    pattern, pattern_se = root(*variance)
+    pattern, pattern_se = root(*shared_variance(*dark.offsets, good))
     gain_share = curve.gain_se / curve.gain
     in_electrons = pattern / curve.gain
+    electrons_se = sqrt((pattern_se / curve.gain) ** 2 + (in_electrons * gain_share) ** 2)
     found = {
-        "offset": Quantity(
-            *titles["offset"], dark.offset, dark.offset_spread_se, "measured", remark
-        ),
-        "dsnu_lsb": Quantity(*titles["dsnu_lsb"], pattern, pattern_se, "measured", remark),
-        "dsnu_e": Quantity(
-            *titles["dsnu_e"], in_electrons,
-            sqrt((pattern_se / curve.gain) ** 2 + (in_electrons * gain_share) ** 2),
-            "measured", remark,
-        ),
-    }  # fmt: skip
+        "offset": _quantity("offset", (dark.offset, dark.offset_spread_se), remark),
+        "dsnu_lsb": _quantity("dsnu_lsb", (pattern, pattern_se), remark),
+        "dsnu_e": _quantity("dsnu_e", (in_electrons, electrons_se), remark),
+    }
     if dark.currents is None or dark.current is None or dark.current_se is None:
         why = "it takes darks of two exposure times or more, times given"
-        return found | unknown(why, "dark_current", "dark_spread")
+        return found | _unknown(why, "dark_current", "dark_spread")
     current = max(dark.current, 0.0) / curve.gain
     current_se = sqrt((dark.current_se / curve.gain) ** 2 + (current * gain_share) ** 2)
-    found["dark_current"] = Quantity(
-        *titles["dark_current"], current, current_se, "measured",
-        f"slope of the darks of {len(dark.times_s)} times",
-    )  # fmt: skip
+    slope = f"slope of the darks of {len(dark.times_s)} times"
+    found["dark_current"] = _quantity("dark_current", (current, current_se), slope)
     if dark.current < _SURE * dark.current_se:
-        return found | unknown("the dark current is too small to see its spread", "dark_spread")
-    wide, wide_se = shared_variance(*dark.currents, good)
-    sigma, sigma_se = root(*_unsmeared((wide, wide_se), curve))
+        return found | _unknown("the dark current is too small to see its spread", "dark_spread")
+    sigma, sigma_se = root(*_unsmeared(shared_variance(*dark.currents, good), curve))
     spread = sigma / dark.current
     spread_se = sqrt(
         (sigma_se / dark.current) ** 2 + (spread * dark.current_se / dark.current) ** 2
     )
-    found["dark_spread"] = Quantity(
-        *titles["dark_spread"], spread, spread_se, "measured", "relative to the mean"
-    )
+    found["dark_spread"] = _quantity("dark_spread", (spread, spread_se), "relative to the mean")
     return found
 
 
@@ -256,37 +265,31 @@ def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> Quantity
     value, error = root(*_unsmeared(spread, curve))
     if value > _MOST_PRNU:
         raise rejected(
-            NOT_TRANSFER,
+            "NS0759",
             f"the pixels' response differs by {value:.0%}: the frames are not flat",
             notes=("photon transfer takes flats: an evenly lit surface, no picture",),
             helps=("take flats of an evenly lit white surface, out of focus",),
         )
     if not freed:
         why = "no darks of the flats' times: the spread of their dark charge counts in it"
-        return Quantity("PRNU", "1", value, None, "at most", why)
-    return Quantity("PRNU", "1", value, error, "measured", "about a smooth surface")
+        return _quantity("prnu", (value, None), why, "at most")
+    return _quantity("prnu", (value, error), "about a smooth surface")
 
 
 def _range(curve: Transfer, flats: Sequence[Moments], top_code: int) -> dict[str, Quantity]:
     """Where the chip saturates, in codes and electrons."""
-    titles = (("saturation", "DN"), ("full well", "e"))
     if curve.offset is None:
-        why = "no dark tells the code without charge"
-        values = [Quantity(*title, None, None, "unknown", why) for title in titles]
-        return dict(zip(("saturation_lsb", "full_well"), values, strict=True))
+        return _unknown("no dark tells the code without charge", "saturation_lsb", "full_well")
     zero = curve.offset
     limit = curve.saturation
     if limit is not None and limit.of_pixel:
         remark = "mean code of flats that rise no more, less the code without charge"
         height, height_se = limit.mean - zero, sqrt(limit.mean_se**2 + curve.offset_se**2)
-        electrons = propagated(
-            lambda v: v[1] / v[0],
-            [curve.gain, height],
-            np.diag([curve.gain_se**2, height_se**2]),
-        )
+        errors = np.diag([curve.gain_se**2, height_se**2])
+        electrons = propagated(lambda v: v[1] / v[0], [curve.gain, height], errors)
         return {
-            "saturation_lsb": Quantity(*titles[0], height, height_se, "measured", remark),
-            "full_well": Quantity(*titles[1], *electrons, "measured", remark),
+            "saturation_lsb": _quantity("saturation_lsb", (height, height_se), remark),
+            "full_well": _quantity("full_well", electrons, remark),
         }
     highest = max(level.mean for level in flats) - zero
     if limit is None:
@@ -296,6 +299,15 @@ def _range(curve: Transfer, flats: Sequence[Moments], top_code: int) -> dict[str
     else:
         remark = "the brightest flat saturates in part"
     return {
-        "saturation_lsb": Quantity(*titles[0], highest, None, "at least", remark),
-        "full_well": Quantity(*titles[1], highest / curve.gain, None, "at least", remark),
+        "saturation_lsb": _quantity("saturation_lsb", (highest, None), remark, "at least"),
+        "full_well": _quantity("full_well", (highest / curve.gain, None), remark, "at least"),
     }
+
+
+def _linear(flats: Sequence[Moments], dark: Dark | None, full: float) -> dict[str, Quantity]:
+    line = linearity(flats, dark, full)
+    if isinstance(line, str):
+        return _unknown(line, "linearity_error")
+    remark = f"mean absolute deviation of {line.levels} levels from the line over time"
+    error = line.error_percent, line.error_se
+    return {"linearity_error": _quantity("linearity_error", error, remark)}

@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.calibrate.errors import UNUSABLE
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.scenes.errors import size
 
@@ -59,39 +58,28 @@ def load_stack(given: str, top_code: int) -> Stack:
     name = str(path)
     if not path.exists():
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"the frames '{name[:200]}' cannot be read: there is no such file",
             helps=(
                 "name a frame file, an array (.npz, .npy, .mat), a picture or a folder of them",
             ),
         )
-    suffix = path.suffix.lower()
-    origin = None
-    if suffix in (".npz", ".npy", ".mat") and path.is_file():
-        try:
-            found = _arrays(path)
-        except Rejected:
-            raise
-        except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
-            reason = " ".join(str(error).split())[:200]
-            raise rejected(
-                UNUSABLE,
-                f"the frames '{name}' cannot be read: {reason}",
-                helps=("check that the file is whole and that its ending says what it is",),
-            ) from error
+    origin, valid = None, None
+    if path.suffix.lower() in (".npz", ".npy", ".mat") and path.is_file():
+        found = _arrays(path)
         key, values = _chosen(name, found)
         meta = _meta(found)
         if meta is not None:
             values, from_meta = _ours(name, values, meta)
             origin = json.dumps([meta.get(key) for key in _SAME_PROGRAM])
             time_s = from_meta if time_s is None else time_s
-        elif suffix == ".mat" and values.ndim == 3:
+            valid = _valid(found, values.shape)
+        elif path.suffix.lower() == ".mat" and values.ndim == 3:
             values = np.moveaxis(values, 2, 0)
         if time_s is None and TIME_KEY in found:
             time_s = _time_of_key(name, found[TIME_KEY])
-        valid = _valid(found, values.shape) if meta is not None else None
     else:
-        key, values, valid = "the picture", _pictures(path), None
+        key, values = "the picture", _pictures(path)
     codes = _codes(name, key, values, top_code)
     if valid is None:
         valid = np.ones(codes.shape[1:], np.bool_)
@@ -102,24 +90,16 @@ def load_stack(given: str, top_code: int) -> Stack:
 
 def grouped(stacks: Iterable[Stack]) -> list[Stack]:
     """The same with frame files of one run (other seeds, same light) made one stack."""
-    found: list[Stack] = []
+    found: dict[object, Stack] = {}
     for stack in stacks:
-        for index, other in enumerate(found):
-            if _alike(stack, other):
-                codes = np.concatenate([other.codes, stack.codes])
-                valid = other.valid & stack.valid
-                found[index] = Stack(other.name, codes, valid, stack.exposure_s, stack.origin)
-                break
-        else:
-            found.append(stack)
-    return found
-
-
-def _alike(one: Stack, other: Stack) -> bool:
-    same = one.origin is not None and one.origin == other.origin
-    return (
-        same and one.exposure_s == other.exposure_s and one.codes.shape[1:] == other.codes.shape[1:]
-    )
+        run = (stack.origin, stack.exposure_s, stack.codes.shape[1:])
+        key = len(found) if stack.origin is None else run
+        if key in found:
+            other = found[key]
+            codes = np.concatenate([other.codes, stack.codes])
+            stack = replace(other, codes=codes, valid=other.valid & stack.valid)
+        found[key] = stack
+    return [*found.values()]
 
 
 def _timed(given: str) -> tuple[Path, float | None]:
@@ -148,7 +128,7 @@ def _time_of_key(name: str, value: NDArray[Any]) -> float:
 
 def _wrong_time(name: str, what: str) -> Rejected:
     return rejected(
-        UNUSABLE,
+        "NS0757",
         f"the exposure time of '{name[:200]}' is no time: {what}",
         helps=("write PATH@TIME with TIME such as 2ms, 500us or 0.1s",),
     )
@@ -156,19 +136,25 @@ def _wrong_time(name: str, what: str) -> Rejected:
 
 def _arrays(path: Path) -> dict[str, NDArray[Any]]:
     """Everything in the file that is needed, by key; an .npy file's array is `frame`."""
-    suffix = path.suffix.lower()
-    if suffix == ".npy":
-        return {KEYS[0]: np.load(path, allow_pickle=False)}
-    if suffix == ".mat":
-        from scipy.io import loadmat
+    try:
+        if path.suffix.lower() == ".mat":
+            from scipy.io import loadmat
 
-        found = loadmat(path)
-        return {key: value for key, value in found.items() if isinstance(value, np.ndarray)}
-    with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
-        names = set(archive.files)
-        if "meta" in names:  # the exposures in electrons are what a chip does not give
-            names &= {KEYS[0], "valid", "meta", TIME_KEY}
-        return {key: archive[key] for key in sorted(names)}
+            found = loadmat(path)
+            return {key: value for key, value in found.items() if isinstance(value, np.ndarray)}
+        if path.suffix.lower() == ".npy":
+            return {KEYS[0]: np.load(path, allow_pickle=False)}
+        with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
+            names = set(archive.files)
+            if "meta" in names:  # the exposures in electrons are what a chip does not give
+                names &= {KEYS[0], "valid", "meta", TIME_KEY}
+            return {key: archive[key] for key in sorted(names)}
+    except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
+        raise rejected(
+            "NS0757",
+            f"the frames '{path}' cannot be read: {' '.join(str(error).split())[:200]}",
+            helps=("check that the file is whole and that its ending says what it is",),
+        ) from error
 
 
 def _chosen(name: str, found: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[Any]]:
@@ -180,7 +166,7 @@ def _chosen(name: str, found: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[
         return others[0], found[others[0]]
     shown = ", ".join(repr(key[:40]) for key in others[:12]) or "nothing"
     raise rejected(
-        UNUSABLE,
+        "NS0757",
         f"'{name}' has no array 'frame'",
         notes=(f"it holds {shown}",),
         helps=("save the codes under that name: np.savez(file, frame=a), (K, rows, cols)",),
@@ -205,7 +191,7 @@ def _ours(
     shaped = values[None] if values.ndim == 3 else values
     if shaped.ndim != 4 or shaped.shape[1] != 1:
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"the frame file '{name}' has {size(values.shape)} codes: more than one bucket",
             helps=("expose flats and darks with a program of one bucket: `open when n < N`",),
         )
@@ -214,7 +200,7 @@ def _ours(
     times = meta["open_us"]
     if not isinstance(times, list) or len(times) != 1 or not isinstance(times[0], int | float):
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"the pixels of '{name}' were not open for the same time",
             notes=("photon transfer compares pixels of one light and one exposure time",),
             helps=("expose flats and darks with a program without codes: `open when n < N`",),
@@ -242,7 +228,7 @@ def _pictures(path: Path) -> NDArray[Any]:
         found = [picture_files.read_picture(path)]
     else:
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"'{path}' does not end like frames",
             notes=(f"frames end in .npz, .npy, .mat, {', '.join(picture_files.PICTURES)}",),
             helps=("give the file the ending of its format",),
@@ -250,7 +236,7 @@ def _pictures(path: Path) -> NDArray[Any]:
     for picture in found:
         if picture.ndim == 3 and np.any(picture != picture[..., :1]):
             raise rejected(
-                UNUSABLE,
+                "NS0757",
                 f"'{path}' is in colour",
                 notes=("photon transfer takes the codes of the ADC, one a pixel",),
                 helps=("save the frames as grey pictures or arrays",),
@@ -264,14 +250,14 @@ def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
         values = values[None]
     if values.ndim != 3 or 0 in values.shape or min(values.shape[1:]) < 2:
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"'{key}' in '{name}' is {size(values.shape)}, not frames",
             notes=("a frame is (rows, cols), frames of one level (K, rows, cols)",),
             helps=("in a .mat file frames are (rows, cols, K)",),
         )
     if values.dtype.kind not in "uif":
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"'{key}' in '{name}' is of type {values.dtype}, not codes of the ADC",
             helps=("save the codes as integers: a.astype(np.uint8)",),
         )
@@ -280,7 +266,7 @@ def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
     if not (whole and low >= 0 and high <= top_code):
         what = f"values from {low:g} to {high:g}" if whole else "values that are not whole"
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"'{key}' in '{name}' has {what}: no codes of an ADC that ends at {top_code}",
             notes=("averages and electrons have lost what photon transfer measures: the noise",),
             helps=(

@@ -14,7 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.calibrate.errors import TOO_FEW, UNUSABLE
 from nscc_runtime.calibrate.frames import Codes, Stack
 
 Map = NDArray[np.float64]
@@ -90,7 +89,7 @@ def level_of(stack: Stack, top_code: int) -> Level:
     count = len(stack.codes)
     if count < 2:
         raise rejected(
-            TOO_FEW,
+            "NS0758",
             f"'{stack.name}' is one frame: noise takes two of the same light or more",
             helps=("expose with --repeat K, or give a folder or an array (K, rows, cols) a level",),
             data={"required": 2, "available": count},
@@ -165,7 +164,7 @@ def _refuse_twice(codes: Codes, level: Level) -> None:
         return  # chance may make quiet frames equal
     if len({frame.tobytes() for frame in codes}) < len(codes):
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"'{level.name}' has the same frame more than once",
             notes=("noise is what differs between frames: a copy makes it look smaller",),
             helps=("give each frame once; frames of an emulator take different seeds",),

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.calibrate.errors import NOT_TRANSFER, UNUSABLE
 from nscc_runtime.calibrate.fit import robust_scale, surface
 from nscc_runtime.calibrate.levels import Level, Mask, moments
 from nscc_runtime.scenes.errors import size
@@ -34,7 +33,7 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
     for level in (*flats, *darks):
         if level.variance.shape != first.variance.shape:
             raise rejected(
-                UNUSABLE,
+                "NS0757",
                 f"'{level.name}' is {size(level.variance.shape)}, '{first.name}' is "
                 f"{size(first.variance.shape)}",
                 notes=("sizes are rows x columns",),
@@ -43,7 +42,7 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
     good = valid_pixels((*flats, *darks))
     if np.count_nonzero(good) < LEAST_PIXELS:
         raise rejected(
-            UNUSABLE,
+            "NS0757",
             f"{np.count_nonzero(good)} pixels are valid in all frames, photon transfer needs "
             f"{LEAST_PIXELS} or more",
             notes=(f"the frames are {size(first.variance.shape)}",),
@@ -59,7 +58,7 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
     lost = start - int(np.count_nonzero(good))
     if lost > max(MOST_DEFECTS * start, 2):
         raise rejected(
-            NOT_TRANSFER,
+            "NS0759",
             f"{lost} of {start} pixels are far off the others: the frames are not flat",
             notes=(f"a pixel counts as far off beyond {OUTLIER:g} standard deviations",),
             helps=(
@@ -82,7 +81,7 @@ def refuse_uneven(flats: Sequence[Level], good: Mask, zero: float) -> None:
         fall = float(np.ptp(smooth[good]))
         if light > 0 and fall > MOST_UNEVEN * light:
             raise rejected(
-                NOT_TRANSFER,
+                "NS0759",
                 f"'{level.name}' is not flat: its light falls from code {smooth[good].max():.4g} "
                 f"to {smooth[good].min():.4g} over the array",
                 notes=(

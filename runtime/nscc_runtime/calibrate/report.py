@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import asdict
 from typing import Any
 
+from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
-from nscc_runtime.calibrate.errors import NOT_A_LINE, UNDETERMINED
-from nscc_runtime.calibrate.estimate import Calibration
+from nscc_runtime.calibrate.estimate import Calibration, Quantity
 from nscc_runtime.calibrate.levels import Moments
 from nscc_runtime.calibrate.sensor import Choice, sensor_of
 from nscc_runtime.sensor import sensor_toml
@@ -26,12 +27,9 @@ def as_toml(found: Calibration, chosen: Mapping[str, Choice]) -> str:
         f"Calibrated by photon transfer (EMVA 1288) from {sum(m.frames for m in flats)} flats of "
         f"{len(flats)} levels and {sum(m.frames for m in darks)} darks of {len(darks)}, "
         f"{found.shape[0]} x {found.shape[1]} pixels, {found.defects} of them left out as defects.",
-        "linearity error: "
-        + (
-            f"{linear.value:.3g} +- {linear.se:.2g} %"
-            if linear.value is not None and linear.se is not None
-            else f"not measured: {linear.remark}"
-        ),
+        f"linearity error: not measured: {linear.remark}"
+        if linear.value is None
+        else f"linearity error: {linear.value:.3g} +- {linear.se:.2g} %",
     ]
     sources = {name: _source(choice) for name, choice in chosen.items()}
     return sensor_toml(sensor_of(chosen), sources, heading)
@@ -64,37 +62,28 @@ def as_json(found: Calibration, chosen: Mapping[str, Choice]) -> str:
             for level in levels
         ]
 
+    def plain(value: Quantity | Choice) -> dict[str, Any]:
+        return {"standard_error" if k == "se" else k: each for k, each in asdict(value).items()}
+
     return json.dumps(
         {
             "schema": SCHEMA,
             "frames": found.frames,
             "pixels": found.pixels,
             "defects": found.defects,
-            "quantities": {
-                name: {
-                    "title": q.title, "unit": q.unit, "value": q.value, "standard_error": q.se,
-                    "known": q.known, "remark": q.remark,
-                }
-                for name, q in found.quantities.items()
-            },
+            "quantities": {name: plain(each) for name, each in found.quantities.items()},
             "fit": {
                 "chi2": curve.fit.misfit,
                 "degrees_of_freedom": curve.fit.freedom,
                 "probability": curve.fit.chance,
             },
-            "parameters": {
-                name: {
-                    "value": c.value, "standard_error": c.se, "status": c.status,
-                    "remark": c.remark,
-                }
-                for name, c in chosen.items()
-            },
+            "parameters": {name: plain(each) for name, each in chosen.items()},
             "flats": points(found.flats),
             "darks": points(found.darks),
         },
         indent=2,
         allow_nan=False,
-    )  # fmt: skip
+    )
 
 
 def as_table(found: Calibration) -> str:
@@ -107,8 +96,7 @@ def as_table(found: Calibration) -> str:
         if q.value is not None:
             value = f"{bound}{q.value:.6g}{error} {q.unit if q.unit != '1' else ''}".rstrip()
         rows.append((q.title, value, q.remark))
-    widths = [max(len(row[i]) for row in rows) for i in (0, 1)]
-    return "\n".join(f"{a:<{widths[0]}}  {b:<{widths[1]}}  {c}".rstrip() for a, b, c in rows)
+    return columns(rows)
 
 
 def messages(found: Calibration) -> list[Diagnostic]:
@@ -122,7 +110,7 @@ def messages(found: Calibration) -> list[Diagnostic]:
         count = sum(len(titles) for titles in unknown.values())
         said.append(
             Diagnostic(
-                UNDETERMINED,
+                "NS0791",
                 f"these frames leave {count} of {len(found.quantities)} figures open",
                 severity=Severity.NOTE,
                 notes=tuple(
@@ -137,7 +125,7 @@ def messages(found: Calibration) -> list[Diagnostic]:
         bent = fit.apart > _BENT
         said.append(
             Diagnostic(
-                NOT_A_LINE,
+                "NS0792",
                 f"the noise does not rise with the mean along a line: levels are {fit.apart:.2%} "
                 f"off, {fit.excess**0.5:.2g} times as much as their errors",
                 severity=Severity.WARNING if bent else Severity.NOTE,

@@ -20,6 +20,20 @@ from nscc_runtime.sensor import Sensor, completed, schema
 Status = Literal["measured", "bound", "given", "contained", "default"]
 _NO_PART = 1e-9
 
+_TAKEN = (
+    "electrons_per_lsb", "crosstalk_fraction", "prnu_fraction", "dark_current_e_per_s",
+    "dark_spread_fraction",
+)  # fmt: skip
+"""Parameters that are a figure as it was found."""
+_SOURCES = {
+    "electrons_per_lsb": "conversion_gain", "crosstalk_fraction": "crosstalk",
+    "prnu_fraction": "prnu", "dark_current_e_per_s": "dark_current",
+    "dark_spread_fraction": "dark_spread", "read_noise_e": "dark_noise_e",
+    "analog_pattern_lsb": "dsnu_lsb", "analog_bias_lsb": "offset", "adc_offset_lsb": "offset",
+    "analog_noise_lsb": "dark_noise_e", "adc_noise_lsb": "dark_noise_e", "full_well_e": "full_well",
+}  # fmt: skip
+"""The figure that tells of a parameter."""
+
 
 @dataclass(frozen=True)
 class Choice:
@@ -36,13 +50,9 @@ def parameters(found: Calibration, target: Target, chain: Chain) -> dict[str, Ch
     """A value for every parameter of the sensor file, in the schema's order."""
     quantity = found.quantities
     chosen: dict[str, Choice] = {}
-    gain = quantity["conversion_gain"]
-    _take(chosen, "electrons_per_lsb", gain)
     _contain(chosen, "analog_gain", 1.0, "electrons_per_lsb")
-    _take(chosen, "crosstalk_fraction", quantity["crosstalk"])
-    _take(chosen, "prnu_fraction", quantity["prnu"])
-    _take(chosen, "dark_current_e_per_s", quantity["dark_current"])
-    _take(chosen, "dark_spread_fraction", quantity["dark_spread"])
+    for name in _TAKEN:
+        _take(chosen, name, quantity[_SOURCES[name]])
     _noise(chosen, quantity["dark_noise_e"], chain)
     _pattern(chosen, quantity, chain)
     _range(chosen, quantity["full_well"], target)
@@ -62,12 +72,11 @@ def sensor_of(chosen: Mapping[str, Choice]) -> Sensor:
 
 
 def _take(chosen: dict[str, Choice], name: str, quantity: Quantity) -> None:
-    if quantity.known == "measured" and quantity.value is not None:
-        chosen[name] = Choice(quantity.value, quantity.se, "measured", quantity.remark)
-    elif quantity.known == "at most" and quantity.value is not None:
-        chosen[name] = Choice(quantity.value, None, "bound", f"at most: {quantity.remark}")
-    elif quantity.known == "given" and quantity.value is not None:
-        chosen[name] = Choice(quantity.value, None, "given", f"given: {quantity.remark}")
+    kinds: dict[str, Status] = {"measured": "measured", "at most": "bound", "given": "given"}
+    if quantity.value is not None and quantity.known in kinds:
+        said = "" if quantity.known == "measured" else f"{quantity.known}: "
+        status = kinds[quantity.known]
+        chosen[name] = Choice(quantity.value, quantity.se, status, said + quantity.remark)
 
 
 def _contain(chosen: dict[str, Choice], name: str, value: float, where: str) -> None:
@@ -138,18 +147,7 @@ def _range(chosen: dict[str, Choice], full: Quantity, target: Target) -> None:
 
 def _unknown(name: str, found: Mapping[str, Quantity]) -> str:
     """Why a parameter keeps its default."""
-    source = {
-        "dark_current_e_per_s": "dark_current",
-        "dark_spread_fraction": "dark_spread",
-        "read_noise_e": "dark_noise_e",
-        "analog_pattern_lsb": "dsnu_lsb",
-        "analog_bias_lsb": "offset",
-        "adc_offset_lsb": "offset",
-        "analog_noise_lsb": "dark_noise_e",
-        "adc_noise_lsb": "dark_noise_e",
-        "full_well_e": "full_well",
-    }.get(name)
-    quantity = found.get(source or "")
+    quantity = found.get(_SOURCES.get(name, ""))
     if quantity is None:
         return "photon transfer does not tell"
     if quantity.known in ("at least", "at most") and quantity.value is not None:

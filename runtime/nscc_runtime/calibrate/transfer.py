@@ -16,7 +16,6 @@ import numpy as np
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.calibrate.errors import NOT_TRANSFER, TOO_FEW
 from nscc_runtime.calibrate.fit import Line, Vector, line
 from nscc_runtime.calibrate.levels import QUIET, Moments
 
@@ -196,7 +195,7 @@ def _too_few(
     if len(used) > count:
         notes.append(f"{len(used)} flats have the same mean, {used[0].mean:.4g}: that is one level")
     return rejected(
-        TOO_FEW,
+        "NS0758",
         f"{count} level{'' if count == 1 else 's'} of light can be used, photon transfer needs 2 "
         "or more",
         notes=notes[-10:],
@@ -210,7 +209,7 @@ def _too_few(
 
 def _no_transfer(why: str) -> Rejected:
     return rejected(
-        NOT_TRANSFER,
+        "NS0759",
         f"the noise of the flats does not rise with their mean: {why}",
         notes=("photon transfer takes frames with photon shot noise, of several levels of light",),
         helps=("check that flats and darks are not exchanged, and that frames are not averaged",),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from hashlib import sha256
 from random import SystemRandom
@@ -15,7 +14,14 @@ from nscc.words.file import to_bytes
 from nscc_runtime.device import tasks
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.link import Link
-from nscc_runtime.device.messages import Capability, Captured, Channel, Info, State
+from nscc_runtime.device.messages import (
+    Capability,
+    Captured,
+    Channel,
+    Info,
+    State,
+    bytes_a_pixel,
+)
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.trouble import check_fits, no_program, rejected
 from nscc_runtime.frame_file import Frame
@@ -52,13 +58,9 @@ class Chip:
     ) -> None:
         self.link, self.sensor, self.progress = link, sensor, progress
         self._number = SystemRandom().randrange(1 << 63)
-        self._label = bytes(32)
         self._made: tuple[Container, Upload] | None = None
-
-    @property
-    def label(self) -> bytes:
+        self.label = bytes(32)
         """SHA-256 of the container whose frames the device exposes."""
-        return self._label
 
     def expose(self, container: Container, light: Light | None = None) -> Exposure:
         """One frame of `container`; the device sees what is before it, so `light` is not used."""
@@ -90,13 +92,13 @@ class Chip:
         if self._made is None or self._made[0] is not container:
             label = sha256(to_bytes(container)).digest()
             self._made = container, upload_of(container, label)
-            self._label = label
+            self.label = label
         return self._made[1]
 
     def _upload(self, program: Upload) -> None:
         sent = 0
 
-        def watch(done: int, _total: int) -> None:
+        def watch(done: int) -> None:
             nonlocal sent
             sent = max(sent, done // _STEP)
 
@@ -112,7 +114,7 @@ class Chip:
     def capture_held(self, target: Target) -> Shot:
         """One frame of whatever program the device holds; NS0771 if it holds none."""
         info = self.info()
-        self._label = info.label
+        self.label = info.label
         if info.state not in (State.READY, State.EXPOSING):
             raise no_program(self.link.path)
         return self._shot(target, None, None)
@@ -145,21 +147,11 @@ class Chip:
         frame = frame_of(taken.data, channels, shape, self.sensor or default_sensor(target))
         return Shot(frame, captured)
 
-    def frames(self, container: Container, count: int) -> Iterator[Shot]:
-        """`count` frames, one after the other."""
-        for _ in range(count):
-            yield self.capture(container)
-
 
 def channels_of(info: Info) -> int:
     """The channels to ask a loader for: all that it has."""
     exact = info.capabilities & Capability.EXACT
     return Channel.CODES | Channel.EXPOSURE if exact else Channel.CODES
-
-
-def bytes_a_pixel(channels: int) -> int:
-    """Bytes of one pixel of one bucket in these channels."""
-    return (1 if channels & Channel.CODES else 0) + (8 if channels & Channel.EXPOSURE else 0)
 
 
 def frame_of(data: bytes, channels: int, shape: tuple[int, ...], sensor: Sensor) -> Frame:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
+from contextlib import suppress
 from dataclasses import dataclass
 from math import log
 from random import Random
 from typing import Any
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
 
 _TIME = re.compile(r"(\d+(?:\.\d+)?)(us|ms|s)")
@@ -64,13 +66,10 @@ def parse_faults(text: str) -> Faults:
 def _value(name: str, text: str) -> float | int:
     shown = f"{name}={text[:40]}"
     if name in ("corrupt", "drop"):
-        try:
-            rate = float(text)
-        except ValueError:
-            rate = -1.0
-        if not 0 <= rate <= 1:
-            raise _wrong(f"'{shown}' is not a rate from 0 to 1 a byte")
-        return rate
+        with suppress(ValueError):
+            if 0 <= float(text) <= 1:
+                return float(text)
+        raise _wrong(f"'{shown}' is not a rate from 0 to 1 a byte")
     if name in ("delay", "outage"):
         found = _TIME.fullmatch(text)
         seconds = float(found[1]) * _UNITS[found[2]] if found else _LONGEST_S + 1
@@ -85,14 +84,11 @@ def _value(name: str, text: str) -> float | int:
 
 
 def _wrong(what: str, *helps: str) -> Rejected:
-    return Rejected(
-        Diagnostic(
-            "NS0769",
-            f"--fault: {what}",
-            notes=(f"it takes, comma separated: {', '.join(NAMES)}",),
-            helps=helps or (f"for instance --fault {EXAMPLE}",),
-        ),
-        status=2,
+    return rejected(
+        "NS0769",
+        f"--fault: {what}",
+        notes=(f"it takes, comma separated: {', '.join(NAMES)}",),
+        helps=helps or (f"for instance --fault {EXAMPLE}",),
     )
 
 
@@ -139,20 +135,14 @@ class Accidents:
     reboots."""
 
     def __init__(self, faults: Faults) -> None:
-        self._faults = faults
+        after = {"disconnect": faults.disconnect_after, "reboot": faults.reboot_after}
+        self._to_come = {name: count for name, count in after.items() if count is not None}
         self._passed = 0
-        self._disconnected = self._rebooted = False
 
     def passed(self, count: int) -> list[str]:
         """ "disconnect" and "reboot" where these bytes bring them about."""
         self._passed += count
-        found = []
-        after = self._faults.disconnect_after
-        if after is not None and not self._disconnected and self._passed >= after:
-            self._disconnected = True
-            found.append("disconnect")
-        after = self._faults.reboot_after
-        if after is not None and not self._rebooted and self._passed >= after:
-            self._rebooted = True
-            found.append("reboot")
+        found = [name for name, after in self._to_come.items() if self._passed >= after]
+        for name in found:
+            del self._to_come[name]
         return found

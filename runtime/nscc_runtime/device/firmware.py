@@ -12,18 +12,20 @@ import subprocess
 import tempfile
 from atexit import register
 from collections.abc import Callable, Sequence
+from concurrent.futures import Future
 from contextlib import suppress
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from select import select
 from struct import Struct
-from typing import TYPE_CHECKING, NamedTuple, Self
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from nscc.cache.store import cache_folder
-from nscc_runtime.device.board import Background
+from nscc_runtime.device.board import in_background
+from nscc_runtime.device.messages import Fault
 from nscc_runtime.device.objects import RUN, WORD
-from nscc_runtime.device.parsing import container_of
+from nscc_runtime.device.parsing import Reader, container_of
 from nscc_runtime.device.target_header import target_header
 
 if TYPE_CHECKING:
@@ -35,13 +37,10 @@ PYTHON_NAME = "nscc-loader 1 (Python)"
 SOURCES = Path(__file__).resolve().parents[2] / "firmware"
 WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic")
 CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
-SANITIZERS = ("-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-g")
 
 _RECORD = Struct("<BI")
-_STEP = Struct("<QI")
 _READOUT = Struct("<Id")
 _EVENT = Struct("<II")
-_COUNT = Struct("<I")
 _LIGHT_FALLS = 0xFFFF_FFFF
 _MOST_READ = 1 << 16
 _START_S = 10.0
@@ -121,34 +120,44 @@ def _compile(command: list[str], sources: list[Path], header: str, place: Path) 
             raise NotBuilt(f"cannot write '{place}': {error.strerror}") from None
 
 
-class _Channel:
-    """Records to and from the loader's process."""
+class Firmware:
+    """The loader's process; its jobs, which come as records like all else, run on `chip`."""
 
-    def __init__(self, loader: Built, mode: str) -> None:
+    def __init__(self, loader: Built, chip: EmulatedChip, mode: str) -> None:
+        self.chip, self.target = chip, loader.target
         self._process = subprocess.Popen(
             [str(loader.path), mode], stdin=subprocess.PIPE, stdout=subprocess.PIPE
         )
         assert self._process.stdin is not None
         assert self._process.stdout is not None
-        self._in, self._out = self._process.stdin.fileno(), self._process.stdout.fileno()
+        self._in, self._out = self._process.stdin, self._process.stdout
         self._held = bytearray()
 
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
     def fileno(self) -> int:
-        return self._out
+        """Readable where there are records."""
+        return self._out.fileno()
 
     def put(self, kind: bytes, data: bytes = b"") -> None:
+        """Hand the process a record."""
         view = memoryview(_RECORD.pack(kind[0], len(data)) + data)
         while view:
-            view = view[os.write(self._in, view) :]
+            view = view[os.write(self._in.fileno(), view) :]
 
     def fill(self) -> None:
         """Wait for bytes; raises RuntimeError where the process has ended."""
-        data = os.read(self._out, _MOST_READ)
+        data = os.read(self.fileno(), _MOST_READ)
         if not data:
             raise RuntimeError(f"the loader's process ended: status {self._process.wait()}")
         self._held += data
 
     def next(self) -> tuple[bytes, bytes] | None:
+        """Kind and data of the next record that is here whole."""
         if len(self._held) < _RECORD.size:
             return None
         kind, size = _RECORD.unpack_from(self._held)
@@ -159,72 +168,48 @@ class _Channel:
         del self._held[:end]
         return bytes([kind]), data
 
-    def close(self) -> int:
-        """End the process; its exit status."""
-        process = self._process
-        assert process.stdin is not None
-        assert process.stdout is not None
-        with suppress(OSError):
-            process.stdin.close()
-        try:
-            process.wait(_START_S)
-        except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait()
-        process.stdout.close()
-        return process.returncode
-
-
-class _Firmware:
-    """What both ways of running the loader share: its jobs run on an emulated chip."""
-
-    def __init__(self, loader: Built, chip: EmulatedChip, mode: str) -> None:
-        self.chip, self.target = chip, loader.target
-        self.channel = _Channel(loader, mode)
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    def close(self) -> int:
-        """End the process; its exit status, which a sanitizer makes other than 0."""
-        return self.channel.close()
-
     def announce(self) -> None:
         """Start the loader anew."""
-        self.channel.put(b"B")
+        self.put(b"B")
 
     def exposure(self, job: bytes) -> bytes:
         """The frame of what the loader's board was told to do."""
         return self.chip.exposure(*container_of_job(job, self.target))
 
-    def answer(self, exposed: Callable[[], bytes | None]) -> bool:
-        """Tell the loader of its frame, if it is there; whether there was anything to tell."""
+    def answer(self, exposed: Callable[[], bytes]) -> None:
+        """Tell the loader of its frame, or that there is none, whatever the reason."""
         try:
             frame = exposed()
         except Exception as error:
-            # The loader has to learn that there is no frame, whatever the reason.
             self.chip.report(error)
-            self.channel.put(b"R", b"\0")
-            return True
-        if frame is not None:
-            self.channel.put(b"R", b"\1" + frame)
-        return frame is not None
+            self.put(b"R", b"\0")
+        else:
+            self.put(b"R", b"\1" + frame)
+
+    def close(self) -> int:
+        """End the process; its exit status, which a sanitizer makes other than 0."""
+        with suppress(OSError):
+            self._in.close()
+        try:
+            self._process.wait(_START_S)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+        self._out.close()
+        return self._process.returncode
 
 
-class Process(_Firmware):
+class Process(Firmware):
     """The loader behind its own pseudo-terminal, in real time."""
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
         super().__init__(loader, chip, "--pty")
-        while (found := self.channel.next()) is None:
-            self.channel.fill()
+        while (found := self.next()) is None:
+            self.fill()
         self.port = found[1].decode()
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         self._unsent = b""
-        self._exposing: Background | None = None
+        self._exposing: Future[bytes] | None = None
 
     @property
     def busy(self) -> bool:
@@ -232,8 +217,8 @@ class Process(_Firmware):
         return bool(self._unsent) or self._exposing is not None
 
     def watched(self) -> list[int]:
-        """The line, and the channel on which jobs come."""
-        return [self._line, self.channel.fileno()]
+        """The line, and the pipe on which jobs come."""
+        return [self._line, self.fileno()]
 
     def receive(self, data: bytes, now_us: int) -> None:
         """Hand bytes to the loader; it has a clock of its own."""
@@ -244,12 +229,13 @@ class Process(_Firmware):
     def poll(self, now_us: int, room: int) -> bytes:
         """What the loader has sent."""
         self.receive(b"", now_us)
-        while select([self.channel.fileno()], [], [], 0)[0]:
-            self.channel.fill()
-        while (found := self.channel.next()) is not None:
+        while select([self.fileno()], [], [], 0)[0]:
+            self.fill()
+        while (found := self.next()) is not None:
             if found[0] == b"J":
-                self._exposing = Background(partial(self.exposure, found[1]))
-        if self._exposing is not None and self.answer(self._exposing.result):
+                self._exposing = in_background(partial(self.exposure, found[1]))
+        if self._exposing is not None and self._exposing.done():
+            self.answer(self._exposing.result)
             self._exposing = None
         try:
             return os.read(self._line, room)
@@ -262,80 +248,28 @@ class Process(_Firmware):
         return super().close()
 
 
-class Lockstep(_Firmware):
-    """The loader a step at a time, on the clock of whoever drives it."""
-
-    def __init__(self, loader: Built, chip: EmulatedChip) -> None:
-        super().__init__(loader, chip, "--lockstep")
-        self.busy = True
-        self._arrived = b""
-
-    def watched(self) -> list[int]:
-        """Nothing: it answers when it is asked."""
-        return []
-
-    def announce(self) -> None:
-        """Start the loader anew."""
-        super().announce()
-        self._arrived = b""
-        self.busy = True
-
-    def receive(self, data: bytes, now_us: int) -> None:
-        """Keep bytes for the next step."""
-        self._arrived += data
-        self.busy = True
-
-    def poll(self, now_us: int, room: int) -> bytes:
-        """One step of the loader."""
-        self.channel.put(b"I", _STEP.pack(now_us, room) + self._arrived)
-        self._arrived = b""
-        exposing = False
-        while True:
-            while (found := self.channel.next()) is None:
-                self.channel.fill()
-            if found[0] == b"J":
-                exposing = self.answer(partial(self.exposure, found[1]))
-            else:
-                self.busy = exposing or bool(found[1][0])
-                return found[1][1:]
-
-
 def container_of_job(job: bytes, target: Target) -> tuple[Container, int]:
     """What a loader's board was told to do, as a program for the emulator; and the channels."""
-    at = 0
+    reader = Reader(job, Fault.MALFORMED)
+    channels = reader.count()
 
-    def taken(layout: Struct, count: int = 1) -> list[tuple[float, ...]]:
-        nonlocal at
-        found = [layout.unpack_from(job, at + i * layout.size) for i in range(count)]
-        at += count * layout.size
-        return found
+    def rows(layout: Struct) -> list[Any]:
+        return list(reader.rows(layout, reader.count()))
 
-    def number() -> int:
-        return int(taken(_COUNT)[0][0])
-
-    channels = number()
-    readouts = [(int(reg), gain) for reg, gain in taken(_READOUT, number())]
-    runs = taken(RUN, number())
-    kernels = []
-    for _ in range(number()):
-        words = taken(WORD, number())
-        kernels.append(tuple((int(a), int(b), int(c), int(d), int(e)) for a, b, c, d, e in words))
+    readouts, runs = rows(_READOUT), rows(RUN)
+    kernels = [tuple(rows(WORD)) for _ in range(reader.count())]
     launches, boundary = [], 0
-    for what, slots in taken(_EVENT, number()):
+    for what, slots in rows(_EVENT):
         if what == _LIGHT_FALLS:
-            boundary += int(slots)
+            boundary += slots
         else:
-            launches.append((boundary, int(what)))
-    planes, size = {}, (target.rows * target.cols + 7) // 8
-    for _ in range(number()):
-        register = number()
-        planes[register] = job[at : at + size]
-        at += size
+            launches.append((boundary, what))
+    plane_bytes = (target.rows * target.cols + 7) // 8
     return container_of(
         target,
         readouts=readouts,
         kernels=kernels,
         launches=launches,
-        slot_us=[float(us) for count, us in runs for _ in range(int(count))],
-        planes=planes,
+        slot_us=[us for count, us in runs for _ in range(count)],
+        planes={reader.count(): reader.take(plane_bytes) for _ in range(reader.count())},
     ), channels

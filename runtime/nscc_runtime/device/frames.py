@@ -1,17 +1,26 @@
-"""Frames that a device exposed: `meta` has the keys of the emulator's, without its physics."""
+"""Frames that a device exposed: their meta has the keys of the emulator's, without its physics."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from itertools import count
+from pathlib import Path
+from time import monotonic, sleep
 from typing import Any
 
-import numpy as np
-
+from nscc.diagnostics.rejection import rejected
+from nscc.files import write_whole
+from nscc.target.load import load_target, target_names
+from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc_runtime.device.chip import Chip
-from nscc_runtime.frame_file import SCHEMA, Frame, open_us, stacked
+from nscc_runtime.device.objects import target_digest
+from nscc_runtime.device.trouble import wrong_target
+from nscc_runtime.frame_file import Frame, FrameFile, Provenance, meta, stacked
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
-from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256
+from nscc_runtime.sensor import Sensor, default_sensor
 
 
 def exposed(
@@ -26,8 +35,9 @@ def exposed(
     `light`: the scene before it, where that is known. Raises Rejected (status 3) where it fails.
     """
     chip.upload(container)
-    count = repeat or 1
-    frames = [shot.frame for shot in progress(chip.frames(container, count), "exposing", count)]
+    most = repeat or 1
+    shots = (chip.capture(container) for _ in range(most))
+    frames = [shot.frame for shot in progress(shots, "exposing", most)]
     frame = stacked(frames) if repeat else frames[0]
     sensor = chip.sensor or default_sensor(container.target)
     return frame, device_meta(chip, frame, sensor, container, light)
@@ -40,33 +50,66 @@ def device_meta(
     container: Container | None,
     light: Light | None = None,
 ) -> dict[str, Any]:
-    """What a frame file says of a frame that `chip` exposed just now.
+    """What a frame file says of a frame that `chip` exposed just now; the rest as `meta`.
 
-    `container` None: a program that the device held, whose buckets have numbers. `light`: the
-    scene, where the user named it. Seeds, plan and audit are None: nothing was simulated here.
+    Seeds, plan and audit are None: nothing was simulated here.
     """
     info = chip.link.host.info
     assert info is not None  # a frame came
-    return {
-        "schema": SCHEMA,
-        "program_sha256": chip.label.hex(),
-        "scene_sha256": light.sha256() if light else None,
-        "sensor_sha256": sensor_sha256(sensor),
-        "seed": None,
-        "device_seed": None,
-        "fidelity": "device",
-        "lowering": container.notes.get("lowering") if container else None,
-        "buckets": list(container.buckets) if container else _numbered(frame),
-        "electrons_per_lsb": sensor.electrons_per_lsb,
-        "adc_offset": sensor.adc_offset_lsb,
-        "exposure_scale_e": light.exposure_scale_e if light else None,
-        "open_us": open_us(container) if container else None,
-        "invalid_pixels": int(np.count_nonzero(~frame.valid)),
-        "plan": None,
-        "audit": None,
-        "device": {"target": info.target_name, "loader": info.firmware},
-    }
+    origin = Provenance(chip.label.hex(), sensor, None, None, "device")
+    device = {"target": info.target_name, "loader": info.firmware}
+    return {**meta(container, light, frame, origin), "device": device}
 
 
-def _numbered(frame: Frame) -> list[str]:
-    return [f"bucket{number}" for number in range(frame.frame.shape[-3])]
+def target_of(chip: Chip, named: str | None = None) -> Target:
+    """The chip behind the port: the table of its own name, or the one that the user names.
+
+    Raises Rejected where the device was made for another table.
+    """
+    info = chip.info()
+    name = named or (info.target_name if info.target_name in target_names() else "scamp5")
+    target = load_target(name, Path())
+    if target_digest(target) != info.target:
+        raise wrong_target(chip.link.path, target, info)
+    return target
+
+
+def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) -> Iterator[Path]:
+    """frame-000001.npz and so on in `folder`, each when its time has come; files there are kept.
+
+    At most `most` of them, `every_s` seconds apart. NS0784 where the folder cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise rejected(
+            "NS0784",
+            f"cannot write into '{folder}': {error.strerror}",
+            helps=("name a folder that you may write",),
+        ) from None
+    taken = {path.name for path in folder.glob("frame-*.npz")}
+    begin = monotonic()
+    written = 0
+    for number in count(1):
+        if written == most:
+            return
+        name = f"frame-{number:06d}.npz"
+        if name in taken:
+            continue
+        sleep(max(0.0, begin + written * every_s - monotonic()))
+        yield folder / name
+        written += 1
+
+
+def capture_to(
+    path: Path, chip: Chip, target: Target, sensor: Sensor, container: Container | None
+) -> None:
+    """Expose a frame of `container`, or of what the device holds, and write its file.
+
+    `meta` gets `time_utc` and `device_time_us`.
+    """
+    stamp = datetime.now(UTC).isoformat(timespec="microseconds")
+    shot = chip.capture(container) if container else chip.capture_held(target)
+    said = device_meta(chip, shot.frame, sensor, container)
+    said |= {"time_utc": stamp, "device_time_us": shot.captured.started_us}
+    write_whole(path, FrameFile(shot.frame, said, {}, {}).write)

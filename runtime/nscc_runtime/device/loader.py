@@ -29,6 +29,7 @@ from nscc_runtime.device.messages import (
     Read,
     State,
     Status,
+    bytes_a_pixel,
 )
 from nscc_runtime.device.packets import (
     LONGEST_WIRE,
@@ -138,14 +139,13 @@ class Loader:
             Kind.READ: self._read,
             Kind.CANCEL: self._cancel,
         }
-        handler = handlers.get(packet.kind)
         try:
             if packet.kind != Kind.HELLO and packet.session != (self.session or None):
                 raise Refusal(Fault.NO_SESSION)
-            if handler is None:
+            if packet.kind not in handlers:
                 raise Refusal(Fault.UNKNOWN)
             try:
-                reply = handler(packet)
+                reply = handlers[packet.kind](packet)
             except ValueError:
                 raise Refusal(Fault.MALFORMED) from None
         except Refusal as refusal:
@@ -248,8 +248,9 @@ class Loader:
             channels = capture.channels
             if not 0 < channels <= Channel.CODES | Channel.EXPOSURE:
                 raise Refusal(Fault.MALFORMED, channels)
-            if self._frame_bytes(program.held, channels) > self.limits.frame_bytes:
-                raise Refusal(Fault.TOO_LARGE, self._frame_bytes(program.held, channels))
+            length = self._frame_bytes(program.held, channels)
+            if length > self.limits.frame_bytes:
+                raise Refusal(Fault.TOO_LARGE, length)
             self._reads.clear()
             frame = self.frame = Frame(capture.number, channels, self._now_us)
             self.exposing = True
@@ -259,42 +260,36 @@ class Loader:
         return self._captured(frame, program.held)
 
     def _frame_bytes(self, held: Held, channels: int) -> int:
-        each = (1 if channels & Channel.CODES else 0) + (8 if channels & Channel.EXPOSURE else 0)
-        return len(held.readouts or ()) * each * self.target.rows * self.target.cols
+        pixels = len(held.readouts or ()) * self.target.rows * self.target.cols
+        return pixels * bytes_a_pixel(channels)
 
     def _captured(self, frame: Frame, held: Held) -> bytes:
+        us = sum(count * us for count, us in held.runs or ())
+        us += len(held.readouts or ()) * self.target.readout_us
         return Captured(
             number=frame.number,
             ready=frame.data is not None,
             channels=frame.channels,
             readouts=len(held.readouts or ()),
-            estimate_ms=self._estimate_ms(held),
+            estimate_ms=min(int(us / 1000) + 1, 0xFFFFFFFF),
             length=self._frame_bytes(held, frame.channels),
             started_us=frame.started_us,
             sha256=frame.digest,
         ).pack()
 
-    def _estimate_ms(self, held: Held) -> int:
-        slots_us = sum(count * us for count, us in held.runs or ())
-        us = slots_us + len(held.readouts or ()) * self.target.readout_us
-        return min(int(us / 1000) + 1, 0xFFFFFFFF)
-
     def _watch_exposure(self) -> None:
         if not self.exposing:
             return
-        frame = self.frame
+        failed, data = False, None
         try:
             data = self.board.exposed()
         except RuntimeError:
-            self.exposing = False
-            if frame is not None:
-                frame.failed = True
-            return
-        if data is None:
-            return
-        self.exposing = False
-        if frame is not None:
-            frame.data, frame.digest = data, sha256(data).digest()
+            failed = True
+        self.exposing = data is None and not failed
+        if self.frame is not None:
+            self.frame.failed = failed
+            if data is not None:
+                self.frame.data, self.frame.digest = data, sha256(data).digest()
 
     def _read(self, packet: Packet) -> None:
         read = Read.unpack(packet.body)

@@ -60,6 +60,11 @@ class Channel(IntFlag):
     EXPOSURE = 2
 
 
+def bytes_a_pixel(channels: int) -> int:
+    """Bytes of one pixel of one bucket in these channels."""
+    return (1 if channels & Channel.CODES else 0) + (8 if channels & Channel.EXPOSURE else 0)
+
+
 class _Body:
     """A body of fixed layout, whose fields are the dataclass's in their order."""
 
@@ -92,7 +97,7 @@ class Hello(_Body):
 
 
 @dataclass(frozen=True)
-class Info:
+class Info(_Body):
     """What a loader is, what it holds and how much it takes.
 
     `boot` names the life of the loader since it started: another number means that everything
@@ -119,15 +124,13 @@ class Info:
     label: bytes
     target_name: str
     firmware: str
-    layout: ClassVar[Struct] = Struct("<BBHIIIIIIIIHH32s32s32s")
+    layout = Struct("<BBHIIIIIIIIHH32s32s32s")
 
     def pack(self) -> bytes:
-        """The body's bytes."""
+        """The body's bytes; its texts follow, each behind its length."""
         *fixed, name, firmware = astuple(self)
-        texts = b"".join(
-            bytes([len(text)]) + text for text in (name.encode()[:60], firmware.encode()[:60])
-        )
-        return self.layout.pack(*fixed) + texts
+        texts = (name.encode()[:60], firmware.encode()[:60])
+        return self.layout.pack(*fixed) + b"".join(bytes([len(each)]) + each for each in texts)
 
     @classmethod
     def unpack(cls, body: bytes) -> Self:
@@ -167,12 +170,12 @@ class Entry(_Body):
 
 
 @dataclass(frozen=True)
-class Declare:
+class Declare(_Body):
     """Some of a program's entries, from number `first` on."""
 
     first: int
     entries: tuple[Entry, ...]
-    layout: ClassVar[Struct] = Struct("<HH")
+    layout = Struct("<HH")
 
     def pack(self) -> bytes:
         """The body's bytes."""
@@ -183,11 +186,10 @@ class Declare:
     def unpack(cls, body: bytes) -> Self:
         """The value of a body; ValueError where it is none."""
         first, count = _fields(cls.layout, body[: cls.layout.size])
-        size = Entry.layout.size
-        if len(body) != cls.layout.size + count * size:
+        packed = body[cls.layout.size :]
+        if len(packed) != count * Entry.layout.size:
             raise ValueError(f"{count} entries in {len(body)} bytes")
-        at = range(cls.layout.size, len(body), size)
-        return cls(first, tuple(Entry.unpack(body[i : i + size]) for i in at))
+        return cls(first, tuple(Entry(*each) for each in Entry.layout.iter_unpack(packed)))
 
 
 MOST_ENTRIES = 26

@@ -23,7 +23,7 @@ from struct import Struct
 
 import numpy as np
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.target.load import target_dict
 from nscc.target.target import Target
 from nscc.words.container import Container
@@ -110,12 +110,11 @@ def target_digest(target: Target) -> bytes:
 def upload_of(container: Container, label: bytes) -> Upload:
     """The objects of a container with pixels (NS0741 without); `label` is 32 bytes."""
     if container.pixel_codes is None:
-        raise Rejected(
-            Diagnostic(
-                "NS0741",
-                "the program does not say which code each pixel has",
-                helps=("give it a `pixels` statement, or codes in a file: --pixels CODES.npz",),
-            )
+        raise rejected(
+            "NS0741",
+            "the program does not say which code each pixel has",
+            helps=("give it a `pixels` statement, or codes in a file: --pixels CODES.npz",),
+            status=1,
         )
     target = container.target
     rows = list(_rows(container))

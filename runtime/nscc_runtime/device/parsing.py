@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from math import isfinite
+from struct import Struct
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -94,22 +96,16 @@ class Held:
     def _schedule(self, data: bytes, most: Limits) -> None:
         if self.kernels is None:
             raise Refusal(Fault.SCHEDULE, 0)
-        reader = _Reader(data, Fault.SCHEDULE)
+        reader = Reader(data, Fault.SCHEDULE)
         slots = reader.count()
         if not 1 <= slots <= MOST_SLOTS:
             raise Refusal(Fault.SCHEDULE, 1)
-        runs = reader.count()
-        if runs > most.runs:
-            raise Refusal(Fault.TOO_LARGE, runs)
-        lengths = tuple(RUN.unpack(reader.take(RUN.size)) for _ in range(runs))
+        lengths = tuple(reader.rows(RUN, reader.count(most.runs)))
         if sum(count for count, _ in lengths) != slots or any(not n for n, _ in lengths):
             raise Refusal(Fault.SCHEDULE, 2)
         if not all(isfinite(us) and 0 < us <= _LONGEST_SLOT_US for _, us in lengths):
             raise Refusal(Fault.SCHEDULE, 3)
-        count = reader.count()
-        if count > most.rows:
-            raise Refusal(Fault.TOO_LARGE, count)
-        rows = tuple(ROW.iter_unpack(reader.take(count * ROW.size)))
+        rows = tuple(ROW.iter_unpack(reader.take(reader.count(most.rows) * ROW.size)))
         reader.end()
         at = launches = 0
         for advance, kernel, times in rows:
@@ -201,32 +197,43 @@ def container_of(
     )
 
 
-class _Reader:
+class Reader:
     """Takes an object apart; `fault` for one that is too short or too long."""
 
     def __init__(self, data: bytes, fault: Fault) -> None:
         self.data, self.fault, self.at = data, fault, 0
 
     def take(self, count: int) -> bytes:
+        """So many bytes."""
         if len(self.data) - self.at < count:
             raise Refusal(self.fault, self.at)
         self.at += count
         return self.data[self.at - count : self.at]
 
-    def count(self) -> int:
-        return int(COUNT.unpack(self.take(COUNT.size))[0])
+    def count(self, most: int | None = None) -> int:
+        """How many of something follow; TOO_LARGE where they are more than `most`."""
+        count = int(COUNT.unpack(self.take(COUNT.size))[0])
+        if most is not None and count > most:
+            raise Refusal(Fault.TOO_LARGE, count)
+        return count
+
+    def rows(self, layout: Struct, count: int) -> Iterator[Any]:
+        """So many rows, one after the other."""
+        for _ in range(count):
+            yield layout.unpack(self.take(layout.size))
 
     def end(self) -> None:
+        """Refuse what is left over."""
         if self.at != len(self.data):
             raise Refusal(self.fault, self.at)
 
 
 def _readouts(data: bytes, target: Target) -> tuple[tuple[int, float], ...]:
-    reader = _Reader(data, Fault.READOUT)
+    reader = Reader(data, Fault.READOUT)
     count = reader.count()
     if not 1 <= count <= len(target.analog_registers):
         raise Refusal(Fault.READOUT, count)
-    found = tuple(READOUT.unpack(reader.take(READOUT.size)) for _ in range(count))
+    found = tuple(reader.rows(READOUT, count))
     reader.end()
     for register, gain in found:
         if register >= len(target.analog_registers) or not isfinite(gain):
@@ -235,19 +242,15 @@ def _readouts(data: bytes, target: Target) -> tuple[tuple[int, float], ...]:
 
 
 def _kernels(data: bytes, target: Target, most: Limits) -> tuple[tuple[Word, ...], ...]:
-    reader = _Reader(data, Fault.MALFORMED)
-    count = reader.count()
-    if count > most.kernels:
-        raise Refusal(Fault.TOO_LARGE, count)
-    lengths = [reader.count() for _ in range(count)]
+    reader = Reader(data, Fault.MALFORMED)
+    lengths = [reader.count() for _ in range(reader.count(most.kernels))]
     if sum(lengths) > most.words:
         raise Refusal(Fault.TOO_LARGE, sum(lengths))
     kernels, number = [], 0
     for length in lengths:
         ops = []
-        words: list[Word] = []
-        for _ in range(length):
-            word = WORD.unpack(reader.take(WORD.size))
+        words = []
+        for word in reader.rows(WORD, length):
             operation = matching(word, target.words)
             if operation is None or target_fault(operation, target) is not None:
                 raise Refusal(Fault.WORD, number)

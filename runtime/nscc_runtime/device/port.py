@@ -75,11 +75,9 @@ def open_port(path: str, baud: int = DEFAULT_BAUD) -> Port:
             path, baudrate=baud, timeout=0, write_timeout=0, exclusive=True, rtscts=False
         )
         os.set_blocking(opened.fileno(), False)
-    except serial.SerialException as error:
-        raise _trouble(error) from None
     except ValueError as error:
         raise PortTrouble("baud", str(error)) from None
-    except OSError as error:
+    except OSError as error:  # pyserial's own is one
         raise _trouble(error) from None
     return Port(opened)
 

@@ -130,14 +130,9 @@ class Server:
         self._connected = False
         self._until: float | None = None
 
-    @property
-    def port(self) -> str:
-        """The port to open."""
-        return self.terminal.name
-
-    def serve(self, *, once: bool = False, until: float | None = None) -> None:
-        """Serve until `until` (of `monotonic`), or with `once` until the first host has left."""
-        self._until = until
+    def serve(self, *, once: bool = False, seconds: float | None = None) -> None:
+        """Serve for `seconds`, with `once` until the first host has left, or for ever."""
+        self._until = None if seconds is None else monotonic() + seconds
         while not self._over():
             if self.terminal.hung_up():
                 # What is said while nobody listens is lost, as on any line.
@@ -221,10 +216,5 @@ class Server:
             waits.append(_PAUSE_S)
         blocked = bool(self._leaving and self._leaving[0][0] <= now)
         writers = [self.terminal.fd] if blocked else []
-        readers = [self.terminal.fd]
-        readers += self.loader.watched()
+        readers = [self.terminal.fd, *self.loader.watched()]
         select.select(readers, writers, [], _IDLE_S if blocked else min(waits))
-
-    def close(self) -> None:
-        """Close the port."""
-        self.terminal.close()

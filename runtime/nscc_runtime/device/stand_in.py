@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from time import monotonic
 from typing import Literal
 
 from nscc.diagnostics.diagnostic import Diagnostic
@@ -62,11 +61,10 @@ def serve(
     """
     server = Server(loader, faults, moved)
     try:
-        opened(server.port)
-        until = None if seconds is None else monotonic() + seconds
-        server.serve(once=once, until=until)
+        opened(server.terminal.name)
+        server.serve(once=once, seconds=seconds)
     finally:
-        server.close()
+        server.terminal.close()
 
 
 @contextmanager

@@ -26,11 +26,6 @@ from nscc.words.container import Word
 from nscc.words.encoding import encode, masks
 from nscc_runtime.device.objects import target_digest
 
-_EFFECTS = {
-    Effect.NONE: "NOTHING", Effect.RESET_PIX: "RESET_PIX", Effect.BUS: "BUS",
-    Effect.FLAG_ALL: "FLAG_ALL", Effect.FLAG_ANALOG: "FLAG_ANALOG",
-    Effect.FLAG_DIGITAL: "FLAG_DIGITAL", Effect.DIGITAL: "DIGITAL",
-}  # fmt: skip
 _PHASES = {Phase.WHOLE: "WHOLE", Phase.READ: "FIRST_HALF", Phase.WRITE: "SECOND_HALF"}
 _PAIRS = ("OR", "NOR", "REFRESH")
 _NO_LIMIT = 255
@@ -52,39 +47,40 @@ def target_header(target: Target) -> str:
 
 
 def _numbers(target: Target) -> Iterator[str]:
-    digest = target_digest(target)
     names = target.digital_registers
-    place = {
-        "masked_register": target.masked_register,
-        "mask_register": target.mask_register,
-    }
-    yield "// Written by nscc_runtime.device.target_header from nscc's target table."
-    yield "#ifndef NSCC_TARGET_HPP"
-    yield "#define NSCC_TARGET_HPP"
-    yield ""
-    yield '#include "words.hpp"'
-    yield ""
-    yield "namespace nscc::target {"
-    yield ""
-    yield f"constexpr char name[] = {json.dumps(target.name)};"
-    yield "constexpr uint8_t digest[32] = {"
-    for start in range(0, 32, 16):
-        yield f"    {', '.join(f'0x{byte:02x}' for byte in digest[start : start + 16])},"
-    yield "};"
-    yield f"constexpr uint16_t rows = {target.rows}, cols = {target.cols};"
-    yield f"constexpr uint32_t store_words = {target.store_words};"
-    yield f"constexpr uint32_t analog_count = {len(target.analog_registers)};"
-    yield f"constexpr uint32_t digital_count = {len(names)};"
-    for name, register in place.items():
-        yield f"constexpr int {name} = {-1 if register is None else names.index(register)};"
-    yield f"constexpr double analog_word_us = {target.analog_word_us!r};"
-    yield f"constexpr double digital_word_us = {target.digital_word_us!r};"
-    yield f"constexpr double launch_us = {target.launch_us!r};"
-    yield f"constexpr double readout_us = {target.readout_us!r};"
-    yield f"constexpr double retention_us = {target.digital_retention_us!r};"
-    yield f"constexpr bool where_reads_flag = {str(target.where_reads_flag).lower()};"
-    yield f"constexpr unsigned or_sources = {_limit(target.or_sources)};"
-    yield f"constexpr unsigned where_sources = {_limit(target.where_sources)};"
+
+    def number(register: str | None) -> int:
+        return -1 if register is None else names.index(register)
+
+    digest = [f"0x{byte:02x}" for byte in target_digest(target)]
+    yield f"""\
+// Written by nscc_runtime.device.target_header from nscc's target table.
+#ifndef NSCC_TARGET_HPP
+#define NSCC_TARGET_HPP
+
+#include "words.hpp"
+
+namespace nscc::target {{
+
+constexpr char name[] = {json.dumps(target.name)};
+constexpr uint8_t digest[32] = {{
+    {", ".join(digest[:16])},
+    {", ".join(digest[16:])},
+}};
+constexpr uint16_t rows = {target.rows}, cols = {target.cols};
+constexpr uint32_t store_words = {target.store_words};
+constexpr uint32_t analog_count = {len(target.analog_registers)};
+constexpr uint32_t digital_count = {len(names)};
+constexpr int masked_register = {number(target.masked_register)};
+constexpr int mask_register = {number(target.mask_register)};
+constexpr double analog_word_us = {target.analog_word_us!r};
+constexpr double digital_word_us = {target.digital_word_us!r};
+constexpr double launch_us = {target.launch_us!r};
+constexpr double readout_us = {target.readout_us!r};
+constexpr double retention_us = {target.digital_retention_us!r};
+constexpr bool where_reads_flag = {str(target.where_reads_flag).lower()};
+constexpr unsigned or_sources = {_limit(target.or_sources)};
+constexpr unsigned where_sources = {_limit(target.where_sources)};"""
 
 
 def _limit(count: int | None) -> int:
@@ -107,7 +103,7 @@ def _operations() -> Iterator[str]:
         counts = [*row.destinations, *row.sources]
         numbers = [
             str(row.clock),
-            _EFFECTS[row.effect],
+            "NOTHING" if row.effect is Effect.NONE else row.effect.name,
             _PHASES[row.phase],
             str(1 + _PAIRS.index(kind) if half else 0),
             *(str(_limit(count)) for count in counts),
@@ -123,18 +119,13 @@ def _registers(target: Target) -> Iterator[str]:
     yield "constexpr Register registers[] = {"
     for analog, names in ((True, ANALOG_SOURCES), (False, DIGITAL_SOURCES)):
         for name in names:
-            words = [
-                found.read[name],
-                found.write.get(name, _NOTHING),
-                found.written.get(name, _NOTHING),
-            ]
-            flags = [analog, name in known, name == "FLAG"]
-            yield f"    // {name}"
-            yield (
-                "    {"
-                + ",\n     ".join(_word(word) for word in words)
-                + f",\n     {', '.join(str(flag).lower() for flag in flags)}}},"
+            written = (of.get(name, _NOTHING) for of in (found.write, found.written))
+            flags = ", ".join(
+                str(is_so).lower() for is_so in (analog, name in known, name == "FLAG")
             )
+            words = map(_word, (found.read[name], *written))
+            yield f"    // {name}"
+            yield "    {" + ",\n     ".join([*words, flags]) + "},"
     yield "};"
 
 

@@ -35,12 +35,8 @@ _POLL_S = 0.02
 _LONGEST_POLL_S = 0.25
 _BUSY_WAIT_S = 0.1
 
-Watch = Callable[[int, int], None]
-"""Told how many bytes of how many are there."""
-
-
-def _unwatched(_done: int, _total: int) -> None:
-    pass
+Watch = Callable[[int], None]
+"""Told how many bytes are there."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +47,7 @@ class Taken:
     data: bytes
 
 
-def upload(host: Host, program: Upload, watch: Watch = _unwatched) -> Task[None]:
+def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[None]:
     """Bring a program to the loader, from where it was when the link was lost; then it is ready."""
     progress = yield from _begun(host, program)
     while progress.declared < len(program.objects) and progress.state == State.RECEIVING:
@@ -198,10 +194,10 @@ class _Sender:
         behind = self.next < self.acknowledged or not self.sent
         self.next = self.acknowledged if behind else self.next
         self.host.moved()
-        self.watch(self.acknowledged, len(self.stream))
+        self.watch(self.acknowledged)
 
 
-def capture(host: Host, number: int, channels: int, watch: Watch = _unwatched) -> Task[Taken]:
+def capture(host: Host, number: int, channels: int) -> Task[Taken]:
     """Expose a frame and fetch it. The same `number` never exposes twice."""
     body = Capture(number, channels).pack()
     poll, extra = _POLL_S, 0.0
@@ -219,16 +215,16 @@ def capture(host: Host, number: int, channels: int, watch: Watch = _unwatched) -
             raise Refused(Failure(Kind.CAPTURE, Fault.MALFORMED, 0))
         if captured.ready:
             host.moved()
-            return Taken(captured, (yield from _fetched(host, captured, watch)))
+            return Taken(captured, (yield from _fetched(host, captured)))
         extra = 2 * captured.estimate_ms / 1000
         host.check_patience(extra)
         yield from pause(host, poll)
         poll = min(2 * poll, _LONGEST_POLL_S)
 
 
-def _fetched(host: Host, captured: Captured, watch: Watch) -> Task[bytes]:
+def _fetched(host: Host, captured: Captured) -> Task[bytes]:
     for _ in range(_MOST_DIGEST_FAILURES):
-        data = yield from _Fetcher(host, captured, watch).run()
+        data = yield from _Fetcher(host, captured).run()
         if sha256(data).digest() == captured.sha256:
             return data
     raise Refused(Failure(Kind.READ, Fault.DIGEST, 0))
@@ -249,9 +245,9 @@ class _Fetcher:
     """Asks for ranges of a frame, some ahead, and again for what did not come. A loader serves
     them in order: a packet of one says that nothing more comes of those before it."""
 
-    def __init__(self, host: Host, captured: Captured, watch: Watch) -> None:
+    def __init__(self, host: Host, captured: Captured) -> None:
         assert host.info is not None
-        self.host, self.number, self.watch = host, captured.number, watch
+        self.host, self.number = host, captured.number
         self.data = bytearray(captured.length)
         units = -(-captured.length // _SMALLEST_CHUNK)
         self.missing = bytearray(b"\1" * units)
@@ -326,7 +322,6 @@ class _Fetcher:
             self.left -= fresh
             self.chunk.arrived()
             self.host.moved()
-            self.watch(len(self.data) - self.left * _SMALLEST_CHUNK, len(self.data))
         request = self.asked.get(sequence) or self.given_up.get(sequence)
         if request is None:
             return

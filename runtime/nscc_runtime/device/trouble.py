@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics import rejection
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.target import Target
 from nscc_runtime.device.host import Refused, Silent, Stalled
-from nscc_runtime.device.messages import Capability, Fault, Info
+from nscc_runtime.device.messages import Capability, Fault, Info, bytes_a_pixel
 from nscc_runtime.device.objects import Upload, target_digest
 from nscc_runtime.device.packets import VERSION, Kind
 from nscc_runtime.device.port import PortTrouble
@@ -18,9 +20,9 @@ _LIST = "`nscc doctor` lists the serial ports of this machine"
 _STAND_IN = "`nscc device serve --scene SCENE` gives a stand-in and prints its port"
 
 
-def rejected(code: str, message: str, *helps: str, notes: tuple[str, ...] = ()) -> Rejected:
-    """A failure of the device, exit status 3."""
-    return Rejected(Diagnostic(code, message, notes=notes, helps=helps), status=FAILED)
+def rejected(code: str, message: str, *helps: str, **more: Any) -> Rejected:
+    """A failure of the device, exit status 3; `more` as `nscc.diagnostics.rejection` takes it."""
+    return rejection.rejected(code, message, helps=helps, status=FAILED, **more)
 
 
 def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
@@ -157,37 +159,26 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
     """Refuse what the loader would refuse, before anything is sent: NS0764, NS0765, NS0767."""
     if target_digest(target) != info.target:
         raise wrong_target(port, target, info)
-    each = sum(size for bit, size in ((1, 1), (2, 8)) if channels & bit)
+    frame_bytes = upload.readouts * bytes_a_pixel(channels) * info.rows * info.cols
     for what, required, available in (
         ("words", upload.words, info.most_words),
         ("kernels", upload.kernels, info.most_kernels),
         ("rows of its schedule", upload.rows, info.most_rows),
         ("runs of equal slots", upload.runs, info.most_runs),
-        (
-            "bytes of a frame",
-            upload.readouts * each * info.rows * info.cols,
-            info.most_frame,
-        ),
+        ("bytes of a frame", frame_bytes, info.most_frame),
     ):
         if required > available:
-            raise Rejected(
-                Diagnostic(
-                    "NS0765",
-                    f"the program does not fit the loader at '{port[:200]}': it needs {required} "
-                    f"{what}, and the loader has room for {available}",
-                    helps=(
-                        "use fewer slots, or fewer buckets; the loader's room is set where it is "
-                        "built (runtime/firmware)",
-                    ),
-                    data={
-                        "resource": what,
-                        "required": required,
-                        "available": available,
-                        "proved": True,
-                    },
-                ),
-                status=FAILED,
-            )
+            raise rejected(
+                "NS0765",
+                f"the program does not fit the loader at '{port[:200]}': it needs {required} "
+                f"{what}, and the loader has room for {available}",
+                "use fewer slots, or fewer buckets; the loader's room is set where it is built "
+                "(runtime/firmware)",
+                data={
+                    "resource": what, "required": required, "available": available,
+                    "proved": True,
+                },
+            )  # fmt: skip
     if upload.gains and not info.capabilities & Capability.GAIN:
         raise rejected(
             "NS0765",

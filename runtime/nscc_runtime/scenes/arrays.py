@@ -22,6 +22,10 @@ from nscc_runtime.scenes.errors import Census, damaged, size
 KEY = "light"
 MAT_CLIP_KEY = "orig"
 _BLOCK_BYTES = 1 << 24
+_HEADERS = {
+    (1, 0): np.lib.format.read_array_header_1_0,
+    (2, 0): np.lib.format.read_array_header_2_0,
+}
 
 Check = Callable[[tuple[int, ...]], None]
 """Raises Rejected where a light array of that shape does not fit the program and the array."""
@@ -83,12 +87,9 @@ def missing_key(path: Path, have: list[str], wanted: tuple[str, ...]) -> Rejecte
 
 def _read_npy(file: IO[bytes], path: Path, check: Check, progress: Progress) -> NDArray[np.float32]:
     version = np.lib.format.read_magic(file)
-    if version == (1, 0):
-        shape, fortran, dtype = np.lib.format.read_array_header_1_0(file)
-    elif version == (2, 0):
-        shape, fortran, dtype = np.lib.format.read_array_header_2_0(file)
-    else:
+    if version not in _HEADERS:
         raise ValueError(f"npy format version {version}")
+    shape, fortran, dtype = _HEADERS[version](file)
     check_type(path, KEY, dtype)
     check(shape)
     if fortran and len(shape) > 1:

@@ -13,7 +13,6 @@ from nscc_runtime.light import Light
 from nscc_runtime.scenes import timing
 from nscc_runtime.scenes.exposure import Exposure
 from nscc_runtime.scenes.shapes import Field, fractal, hashed, turn
-from nscc_runtime.scenes.spread import spread
 
 _FEWEST, _MOST = 64, 256
 """Pictures of the clip: fewer would jump, more would cost a gigabyte for thousands of slots."""
@@ -28,8 +27,8 @@ def motion(slot_us: Sequence[float], rows: int, cols: int, exposure: Exposure, n
     slots = len(slot_us)
     count = slots * ceil(_FEWEST / slots) if slots <= _MOST else _MOST
     length_us = timing.slot_edges_us(slot_us)[-1]
-    seconds = timing.overlaps(slot_us, Fraction(count * 1_000_000) / length_us)
-    return spread(frames(count, rows, cols), seconds, exposure, name)
+    parts = timing.overlaps(slot_us, Fraction(count * 1_000_000) / length_us)
+    return timing.spread(frames(count, rows, cols), parts, exposure, name)
 
 
 def frames(count: int, rows: int, cols: int) -> NDArray[np.float32]:

@@ -8,7 +8,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.scenes.errors import Path_or_name, misfit, size
+from nscc_runtime.scenes.errors import Path_or_name, size
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,15 @@ class Window:
         have = (int(picture.shape[0]), int(picture.shape[1]))
         need = (self.rows, self.cols)
         if have[0] < need[0] or have[1] < need[1]:
-            raise misfit(name, have, need)
+            raise rejected(
+                "NS0734",
+                f"the scene '{name}' is {size(have)}, smaller than the array of {size(need)}",
+                notes=(
+                    "sizes are rows x columns; pictures are cropped to the array, never scaled",
+                ),
+                helps=("use a larger picture, or a target with a smaller array",),
+                data={"scene": list(have), "array": list(need)},
+            )
         if self.corner is None:
             top, left = (have[0] - need[0]) // 2, (have[1] - need[1]) // 2
         else:

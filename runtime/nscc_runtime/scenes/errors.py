@@ -18,28 +18,13 @@ Path_or_name = Path | str
 def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) -> Rejected:
     """The file of that name cannot be decoded (NS0732); `reason` is the reader's own word."""
     words = " ".join(str(reason).split())[:200]
+    ending = Path(str(name)).suffix.lower()
     notes = (f"the reader says: {words}",) if words else ()
     return rejected(
         "NS0732",
-        f"cannot read '{name}' as {_kind(name)}",
+        f"cannot read '{name}' as {f'a {ending} file' if ending else 'a scene'}",
         notes=notes,
         helps=helps or ("check that the file is whole and that its ending says what it is",),
-    )
-
-
-def _kind(name: Path_or_name) -> str:
-    ending = Path(str(name)).suffix.lower()
-    return f"a {ending} file" if ending else "a scene"
-
-
-def misfit(name: Path_or_name, have: tuple[int, int], need: tuple[int, int]) -> Rejected:
-    """The picture is smaller than the array (NS0734)."""
-    return rejected(
-        "NS0734",
-        f"the scene '{name}' is {size(have)}, smaller than the array of {size(need)}",
-        notes=("sizes are rows x columns; pictures are cropped to the array, never scaled",),
-        helps=("use a larger picture, or a target with a smaller array",),
-        data={"scene": list(have), "array": list(need)},
     )
 
 
@@ -48,11 +33,14 @@ def size(shape: Sequence[int]) -> str:
     return " x ".join(str(n) for n in shape) if len(shape) else "a single number"
 
 
+_NOT_LIGHT = {"NaN": "not a number (NaN)", "infinite": "too large", "negative": "negative"}
+
+
 class Census:
     """Counts what is wrong with light values, block by block, and remembers the first place."""
 
     def __init__(self) -> None:
-        self.counts = {"NaN": 0, "infinite": 0, "negative": 0}
+        self.counts = dict.fromkeys(_NOT_LIGHT, 0)
         self.first: dict[str, tuple[tuple[int, ...], float]] = {}
 
     def look(self, block: NDArray[Any], start: int = 0) -> None:
@@ -74,31 +62,25 @@ class Census:
             ("infinite", np.abs(block) > top),
             ("negative", (block < 0) & (block >= -top)),
         ):
-            count = int(np.count_nonzero(bad))
-            if not count:
-                continue
-            if kind not in self.first:
-                place = tuple(int(i) for i in np.argwhere(bad)[0])
-                value = float(block[place])
-                self.first[kind] = ((place[0] + start, *place[1:]), value)
-            self.counts[kind] += count
+            self.counts[kind] += int(np.count_nonzero(bad))
+            if self.counts[kind] and kind not in self.first:
+                row, *place = (int(i) for i in np.argwhere(bad)[0])
+                self.first[kind] = (row + start, *place), float(block[(row, *place)])
 
     def reject(self, name: Path_or_name) -> None:
         """Raise NS0736 if any value was bad."""
-        found = [kind for kind in self.counts if self.counts[kind]]
+        found = [kind for kind, count in self.counts.items() if count]
         if not found:
             return
-        worst = found[0]
-        place, value = self.first[worst]
-        words = {"NaN": "not a number (NaN)", "infinite": "too large", "negative": "negative"}
-        counted = ", ".join(f"{self.counts[k]} {words[k]}" for k in found)
+        place, value = self.first[found[0]]
+        counted = ", ".join(f"{self.counts[kind]} {_NOT_LIGHT[kind]}" for kind in found)
         total = sum(self.counts.values())
+        axes = "[slot, row, column]" if len(place) == 3 else "[row, column]"
         raise rejected(
             "NS0736",
             f"{total} light value{'s' if total > 1 else ''} in '{name}' cannot be light: {counted}",
             notes=(
-                f"the first of them is {value:g}, at {axes(len(place))} = "
-                f"[{', '.join(map(str, place))}]",
+                f"the first of them is {value:g}, at {axes} = [{', '.join(map(str, place))}]",
                 "light is a count of electrons: finite (below 3.4e38) and not negative",
             ),
             helps=("repair the array, for instance with np.nan_to_num and np.clip(a, 0, None)",),
@@ -106,6 +88,8 @@ class Census:
         )
 
 
-def axes(dimensions: int) -> str:
-    """How messages call the indices of a still or a clip."""
-    return "[slot, row, column]" if dimensions == 3 else "[row, column]"
+def refuse_no_light(values: NDArray[Any], name: Path_or_name) -> None:
+    """NS0736 where any of the values cannot be light."""
+    census = Census()
+    census.look(values)
+    census.reject(name)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any, Literal
 
@@ -17,10 +18,8 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import arrays, exposure, timing
 from nscc_runtime.scenes.colour import Transfer, linear, luminance
 from nscc_runtime.scenes.crop import Window
-from nscc_runtime.scenes.errors import Census, size
+from nscc_runtime.scenes.errors import refuse_no_light, size
 from nscc_runtime.scenes.exposure import Exposure
-from nscc_runtime.scenes.motion import with_motion
-from nscc_runtime.scenes.spread import spread
 
 FramesAre = Literal["integrals", "samples"]
 
@@ -30,31 +29,20 @@ _TINY_NEGATIVE = 1e-3
 
 
 @dataclass(frozen=True)
-class Options:
-    """What the command line says about a scene besides its name; None: not given.
+class _Request:
+    """A scene to load: its name, the program's slots, the array, what was said of the scene (None:
+    nothing), and where notes go."""
 
-    `frames_are` "samples" declares that the scene moves within a frame. That motion is an effect
-    of the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as
-    an integral does.
-    """
-
+    name: str
+    slot_us: tuple[float, ...]
+    window: Window
     exposure: Exposure | None = None
     transfer: Transfer | None = None
     fps: float | None = None
     crop: tuple[int, int] | None = None
     frames_are: FramesAre = "integrals"
-
-
-@dataclass(frozen=True)
-class _Request:
-    """A scene to load: its name, the program's slots and array, the options, where notes go."""
-
-    name: str
-    slot_us: tuple[float, ...]
-    window: Window
-    options: Options
-    warn: Callable[[Diagnostic], None]
-    progress: Progress
+    warn: Callable[[Diagnostic], None] = lambda _: None
+    progress: Progress = unseen
 
     @property
     def slots(self) -> int:
@@ -84,9 +72,15 @@ def load_scene(
     `spec` is a file, a folder of pictures or `builtin:NAME`. Raises Rejected with status 2
     (NS0730..NS0739); `warn` is handed what was changed in the scene (NS0740), `progress` the
     frames as they are read.
+
+    `frames_are` "samples" declares that the scene moves within a frame. That motion is an effect of
+    the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as an
+    integral does.
     """
-    options = Options(exposure, transfer, fps, crop, frames_are)
-    request = _Request(spec, tuple(slot_us), Window(rows, cols, crop), options, warn, progress)
+    request = _Request(
+        spec, tuple(slot_us), Window(rows, cols, crop), exposure, transfer, fps, crop, frames_are,
+        warn, progress,
+    )  # fmt: skip
     if spec.startswith("builtin:"):
         from nscc_runtime.scenes.builtin import load_builtin
 
@@ -103,14 +97,11 @@ def light_of_array(
     float32 arrays are not copied, and must not be written to while the light is in use. Raises
     Rejected with status 2 (NS0733 .. NS0736) for arrays that do not fit or hold what is no light.
     """
-    window = Window(rows, cols, None)
-    request = _Request(name, tuple(slot_us), window, Options(), lambda _: None, unseen)
+    request = _Request(name, tuple(slot_us), Window(rows, cols))
     values = np.asarray(values)
     arrays.check_type(Path(name), "light", values.dtype)
     _check_light(request, values.shape)
-    census = Census()
-    census.look(values)
-    census.reject(name)
+    refuse_no_light(values, name)
     return _electrons(request, np.ascontiguousarray(values, np.float32))
 
 
@@ -138,14 +129,14 @@ def _load_path(request: _Request, path: Path) -> Light:
     suffix = path.suffix.lower()
     if path.is_dir():
         files = picture_files.files_of(path)
-        transfer = request.options.transfer or picture_files.default_transfer(files[0])
+        transfer = request.transfer or picture_files.default_transfer(files[0])
         return _clip(request, picture_files.read_folder(files), transfer)
     if suffix in ARRAYS:
         return _array(request, path)
     if suffix in picture_files.PICTURES:
         return _still(request, path)
     if suffix in clips.CLIPS:
-        return _clip(request, clips.read_clip(path), request.options.transfer or "srgb")
+        return _clip(request, clips.read_clip(path), request.transfer or "srgb")
     known = ", ".join(sorted(ARRAYS + picture_files.PICTURES + clips.CLIPS))
     raise rejected(
         "NS0731",
@@ -158,7 +149,7 @@ def _load_path(request: _Request, path: Path) -> Light:
 def _refuse(request: _Request, why: str, *names: str) -> None:
     """Raise NS0739 if one of these options is given."""
     for name in names:
-        if getattr(request.options, name) is not None:
+        if getattr(request, name) is not None:
             raise rejected(
                 "NS0739",
                 f"--{name} means nothing for the scene '{request.name}'",
@@ -169,30 +160,28 @@ def _refuse(request: _Request, why: str, *names: str) -> None:
 
 def _array(request: _Request, path: Path) -> Light:
     """Light in electrons, or a .mat clip."""
-
-    def check(shape: tuple[int, ...]) -> None:
-        _check_light(request, shape)
-
+    check = partial(_check_light, request)
     if path.suffix.lower() == ".mat":
         key, found = arrays.read_mat(path, check)
         if key == arrays.MAT_CLIP_KEY:
             frames = (found[:, :, k] for k in range(found.shape[2]))
-            return _clip(request, frames, request.options.transfer or "linear")
+            return _clip(request, frames, request.transfer or "linear")
     else:
         found = arrays.read_light(path, check, request.progress)
     _refuse(request, "`light` arrays hold electrons, slot by slot, for every pixel", "fps", "crop")
-    if request.options.transfer == "srgb":
+    if request.transfer == "srgb":
         _refuse(request, "`light` arrays hold electrons, which are linear", "transfer")
     return _electrons(request, found)
 
 
 def _electrons(request: _Request, found: NDArray[np.float32]) -> Light:
-    wanted = request.options.exposure
+    wanted = request.exposure
     if found.ndim == 3:
-        light = Light.of_clip(found)
-        factor = 1.0 if wanted is None else exposure.scale(light.total_e(), wanted, request.name)
-        clip = light if wanted is None else Light.of_clip(found, factor)
-        return with_motion(clip) if request.options.frames_are == "samples" else clip
+        clip = Light.of_clip(found)
+        if wanted is not None:
+            factor = exposure.scale(clip.total_e(), wanted, request.name)
+            clip = Light.of_clip(found, factor)
+        return timing.with_motion(clip) if request.frames_are == "samples" else clip
     seconds = request.slot_s
     if wanted is not None:
         factor = _still_scale(request, found, wanted)
@@ -241,8 +230,8 @@ def _still(request: _Request, path: Path) -> Light:
     from nscc_runtime.scenes import picture_files
 
     _refuse(request, "a still has no frame rate", "fps")
-    wanted = request.options.exposure or exposure.needed(request.name)
-    transfer = request.options.transfer or picture_files.default_transfer(path)
+    wanted = request.exposure or exposure.needed(request.name)
+    transfer = request.transfer or picture_files.default_transfer(path)
     frame = _luminance(request, picture_files.read_picture(path), transfer, str(path))
     factor = _still_scale(request, frame, wanted)
     return Light.of_still(frame, request.slot_s * factor, factor)
@@ -257,8 +246,8 @@ def _still_scale(request: _Request, frame: NDArray[np.float32], wanted: Exposure
 
 def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> Light:
     """The first frames of a clip: one a slot, or as `--fps` lays them under the slots."""
-    wanted = request.options.exposure or exposure.needed(request.name)
-    fps = None if request.options.fps is None else timing.check_fps(request.options.fps)
+    wanted = request.exposure or exposure.needed(request.name)
+    fps = None if request.fps is None else timing.check_fps(request.fps)
     need = request.slots if fps is None else timing.frames_needed(request.slot_us, fps)
     frames = np.empty((0, request.window.rows, request.window.cols), np.float32)
     have = 0
@@ -272,16 +261,15 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
         if have == need:
             break
     if have < need:
-        raise timing.too_short(request.name, have, need, request.slots, request.options.fps)
+        raise timing.too_short(request.name, have, need, request.slots, request.fps)
     if fps is None:
         factor = exposure.scale(frames.sum(axis=0, dtype=np.float64), wanted, request.name)
-        clip = Light.of_clip(frames, factor)
-        return with_motion(clip) if request.options.frames_are == "samples" else clip
-    parts = timing.overlaps(request.slot_us, fps)
-    clip = spread(frames, parts, wanted, request.name)
-    if request.options.frames_are == "samples":
-        return with_motion(clip, parts.seconds, float(fps))
-    return clip
+        clip, seconds, rate = Light.of_clip(frames, factor), None, 1.0
+    else:
+        parts = timing.overlaps(request.slot_us, fps)
+        clip = timing.spread(frames, parts, wanted, request.name)
+        seconds, rate = parts.seconds, float(fps)
+    return timing.with_motion(clip, seconds, rate) if request.frames_are == "samples" else clip
 
 
 def _luminance(
@@ -297,9 +285,7 @@ def _luminance(
         count = int(np.count_nonzero(values < 0))
         values = np.maximum(values, 0.0)
         request.warn(_clamped(name, count, values.size, low))
-    census = Census()
-    census.look(values)
-    census.reject(name)
+    refuse_no_light(values, name)
     return values.astype(np.float32)
 
 

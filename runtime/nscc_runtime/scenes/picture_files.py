@@ -23,7 +23,6 @@ from nscc_runtime.scenes.errors import damaged
 LINEAR = (".exr", ".hdr", ".pfm")
 DISPLAY = (".bmp", ".jpeg", ".jpg", ".png", ".tif", ".tiff", ".webp")
 PICTURES = LINEAR + DISPLAY
-_PILLOW = (".bmp", ".jpeg", ".jpg", ".webp")
 
 
 def default_transfer(path: Path) -> Transfer:
@@ -38,13 +37,7 @@ def read_picture(path: Path) -> NDArray[Any]:
     """
     try:
         with quiet():
-            suffix = path.suffix.lower()
-            if suffix == ".exr":
-                picture = _read_exr(path)
-            elif suffix in _PILLOW:
-                picture = _read_pillow(path)
-            else:
-                picture = _read_opencv(path)
+            picture = _READERS.get(path.suffix.lower(), _read_opencv)(path)
     except Rejected:
         raise
     except Exception as error:  # each reader has its own exceptions
@@ -91,6 +84,9 @@ def _read_exr(path: Path) -> NDArray[Any]:
     raise ValueError(f"no channels R, G, B or Y, but {', '.join(names)[:100]}")
 
 
+_READERS = {".exr": _read_exr, **dict.fromkeys((".bmp", ".jpeg", ".jpg", ".webp"), _read_pillow)}
+
+
 def files_of(folder: Path) -> list[Path]:
     """The pictures of a folder in natural order (2 before 10); NS0735 if there are none.
 
@@ -112,13 +108,13 @@ def files_of(folder: Path) -> list[Path]:
             notes=(f"{len(names)} other files; pictures end in {', '.join(PICTURES)}",),
             helps=("name the folder that holds the clip's frames",),
         )
-    transfers = {default_transfer(path) for path in pictures}
-    if len(transfers) > 1:
-        linear = next(p.name for p in pictures if default_transfer(p) == "linear")
-        display = next(p.name for p in pictures if default_transfer(p) == "srgb")
+    linear = [path.name for path in pictures if default_transfer(path) == "linear"]
+    display = [path.name for path in pictures if default_transfer(path) == "srgb"]
+    if linear and display:
         raise rejected(
             "NS0739",
-            f"the folder '{folder}' mixes linear pictures ({linear}) and display ones ({display})",
+            f"the folder '{folder}' mixes linear pictures ({linear[0]}) and display ones "
+            f"({display[0]})",
             helps=("a clip is one kind: put the others into a folder of their own",),
         )
     return pictures

@@ -1,9 +1,9 @@
-"""Which parts of which frames of a clip fall into which slot."""
+"""Clips in time: which parts of which frames fall into which slot, and what moves inside one."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import ceil
 
@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc_runtime.light import Light
 from nscc_runtime.scenes.errors import Path_or_name
+from nscc_runtime.scenes.exposure import Exposure, scale
 
 _SLACK_FRAMES = Fraction(1, 1000)
 """So much of a frame may the last slot reach beyond the clip: slots of 16.667 ms at 60 frames/s."""
@@ -72,6 +74,50 @@ def overlaps(slot_us: Sequence[float], fps: Fraction) -> Overlaps:
         np.array(frame_index, np.int32),
         np.array(seconds, np.float64),
     )
+
+
+def spread(frames: NDArray[np.float32], parts: Overlaps, wanted: Exposure, name: str) -> Light:
+    """A clip of electrons a second, up to a factor, that slots integrate piecewise constant."""
+    share = np.bincount(parts.frame_index, parts.seconds, len(frames))
+    open_sum = np.zeros(frames.shape[1:], np.float64)
+    for frame, time_s in zip(frames, share, strict=True):
+        open_sum += frame * time_s
+    factor = scale(open_sum, wanted, name)
+    return Light(
+        frames=frames,
+        row_start=parts.row_start,
+        frame_index=parts.frame_index,
+        weight=parts.seconds * factor,
+        kind="clip",
+        exposure_scale_e=factor,
+    )
+
+
+def with_motion(
+    light: Light, seconds: NDArray[np.float64] | None = None, fps: float = 1.0
+) -> Light:
+    """`light`, a clip of samples, with its `motion`: frame k is the light at the start of its time,
+    and changes linearly to the next.
+
+    Each entry of the matrix spends `seconds` in its frame, of 1 / `fps`, and the entries follow
+    each other without a gap; without `seconds` each is the whole of its frame. The light stands
+    still in the last frame, which no sample follows.
+    """
+    entries = len(light.frame_index)
+    begin, end = np.zeros(entries), np.ones(entries)
+    if seconds is not None:
+        stop = np.cumsum(seconds) * fps - light.frame_index
+        begin, end = np.clip(stop - seconds * fps, 0.0, 1.0), np.clip(stop, 0.0, 1.0)
+    after = np.minimum(light.frame_index + 1, len(light.frames) - 1).astype(np.int32)
+    later = light.weight * (begin + end) / 2
+    moving = replace(
+        light,
+        row_start=2 * light.row_start,
+        frame_index=np.stack([light.frame_index, after], axis=1).reshape(-1),
+        weight=np.stack([light.weight - later, later], axis=1).reshape(-1),
+        motion=None,
+    )
+    return replace(light, motion=moving)
 
 
 def check_fps(fps: float) -> Fraction:

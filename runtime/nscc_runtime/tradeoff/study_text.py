@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nscc.columns import columns
 from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.plan.plan import Decision, Plan
 from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, REFERENCE, WITH_PLANNING, Asked, Study
@@ -56,7 +57,7 @@ def _methods_text(study: Study) -> str:
         f"{_ms(study.floor_ms)} ms"
     )
     missing = [f"no {method}: {why}" for method, why in study.missing]
-    return "\n".join([head, _columns(rows, left=(0, 1, 7)), *missing])
+    return "\n".join([head, columns(rows, (0, 1, 7), "  "), *missing])
 
 
 def _remark(point: Point, asked: Asked | None, beaten: bool) -> str:
@@ -71,7 +72,7 @@ def _budget_text(plan: Plan) -> str:
     head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
     cuts = [f"short cut: {each.name}, {each.error_e:.2g} e" for each in plan.approximations]
     words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
-    return "\n".join([head, _columns(rows, left=(0, 1, 6)), *cuts, *words])
+    return "\n".join([head, columns(rows, (0, 1, 6), "  "), *cuts, *words])
 
 
 def _decision(each: Decision) -> tuple[str, ...]:
@@ -88,18 +89,6 @@ def _decision(each: Decision) -> tuple[str, ...]:
         saves,
         each.reason,
     )
-
-
-def _columns(rows: Sequence[Sequence[str]], left: Sequence[int]) -> str:
-    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    lines = (
-        "  ".join(
-            f"{cell:<{width}}" if i in left else f"{cell:>{width}}"
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ).rstrip()
-        for row in rows
-    )
-    return "\n".join("  " + line for line in lines)
 
 
 def _ms(time_ms: float) -> str:
