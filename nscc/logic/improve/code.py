@@ -152,12 +152,8 @@ class Frame:
         if isinstance(item, Check):
             for register in set_bits(item.forgets):
                 state[register] = None
-        else:
-            self.store(item, self.value(item, state), state)
-
-    def store(self, item: Op, value: Content, state: list[Content]) -> None:
-        """Writes what an operation has computed."""
-        state[item.destination] = value
+            return
+        state[item.destination] = self.value(item, state)
         if item.destination == self.masked and self.mask is not None:
             state[self.mask] = None
 

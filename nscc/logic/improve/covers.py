@@ -114,8 +114,9 @@ def inner(
     ways = []
     for invert in inverted:
         avoid, wanted = (one, zero) if invert else (zero, one)
-        rest = wanted & ~union(content for _, content in _avoiding(avoid, state, readable))
-        ways.append((invert, rest, avoid))
+        for _, content in _avoiding(avoid, state, readable):
+            wanted &= ~content
+        ways.append((invert, wanted, avoid))
     return ways
 
 

@@ -119,7 +119,9 @@ class _Walk:
 
     def _store(self, item: Op, value: Content) -> None:
         self.out.append(item)
-        self.frame.store(item, value, self.state)
+        self.state[item.destination] = value
+        if item.destination == self.frame.masked and self.frame.mask is not None:
+            self.state[self.frame.mask] = None
 
     def _follow(self, k: int, item: Op) -> bool:
         """Operation k in the present state: as it is, dropped or repaired."""
