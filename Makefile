@@ -1,5 +1,6 @@
 # make demo       set up, compile every example, expose a still and a clip, say where the pictures are
 # make test       set up the test environment (torch included); lint, types and tests
+# make quick      lint and the tests of the compiler's front and of the house: within a minute
 # make test-slow  the tests that take minutes
 # make bench      measure: speed beside numpy, words of logic beside the best known; minutes
 # make lint       ruff; make types: mypy; make format: put right what ruff can
@@ -22,7 +23,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test test-slow bench lint format types clean
+.PHONY: help demo test quick test-slow bench lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -86,6 +87,13 @@ format: $(VENV)/.test-installed
 
 test: lint types $(VENV)/.compiled
 	$(BIN)/pytest --numprocesses auto --dist loadgroup
+
+# What breaks most often and is told soonest: language, messages, words, layout of the packages.
+QUICK := tests/e2e/test_cases.py tests/e2e/test_imports.py \
+  $(foreach part,cli_front cli_support diagnostics files program syntax targets toml words,$(wildcard tests/unit/test_$(part)*.py))
+
+quick: lint
+	$(BIN)/pytest --quiet --numprocesses auto --dist loadgroup $(QUICK)
 
 test-slow: $(VENV)/.test-installed $(VENV)/.compiled
 	$(BIN)/pytest --numprocesses auto --dist loadgroup -m slow

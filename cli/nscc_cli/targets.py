@@ -126,6 +126,8 @@ def details(target: Target) -> str:
             lines += ["", section]
         mark = f" ({key.source})" if key.source else ""
         lines.append(f"  {key.name:<22} {value:<{width}}  {key.meaning}{mark}")
+    if target.words:
+        lines += ["", "words of its own", *(f"  {word.name}" for word in target.words)]
     lines += [
         "",
         f"electrons a code of the readout: {target.electrons_per_lsb:.6g}",

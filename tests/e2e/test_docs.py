@@ -14,10 +14,14 @@ from nscc_command import invoke
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = (
     "README.md",
+    "ARCHITECTURE.md",
+    "CONTRIBUTING.md",
+    "CHANGELOG.md",
     "docs/language.md",
     "docs/levels.md",
     "docs/encodings.md",
     "docs/cpp.md",
+    "docs/targets.md",
     "docs/calibrate.md",
     "docs/emulator.md",
     "docs/tradeoff.md",
@@ -120,6 +124,14 @@ def test_the_table_of_a_plan_is_that_of_its_command(tmp_path: Path) -> None:
 def test_links_lead_somewhere(page: str) -> None:
     for link in re.findall(r"\]\(([^)#]+)\)", (ROOT / page).read_text()):
         assert "://" in link or ((ROOT / page).parent / link).exists(), link
+
+
+@pytest.mark.parametrize("page", ["ARCHITECTURE.md", "CONTRIBUTING.md", "docs/encodings.md"])
+def test_files_that_a_page_names_are_there(page: str) -> None:
+    named = re.findall(r"`([\w.*-]+/[\w./*-]*)`", (ROOT / page).read_text())
+    folders = (ROOT, ROOT / "runtime", ROOT / "training/nscc_training")
+    assert named
+    assert not [n for n in named if not any([*folder.glob(n.rstrip("/"))] for folder in folders)]
 
 
 def test_every_command_is_in_the_readme() -> None:

@@ -9,7 +9,7 @@ import pytest
 from reference_programs import program, sensor_of
 
 from nscc_runtime.effects import selected
-from nscc_runtime.effects.dark import spread
+from nscc_runtime.effects.spread import log_normal
 from nscc_runtime.light import Light
 from nscc_runtime.noise.poisson_law import poisson_exact, poisson_fast
 from nscc_runtime.reference import expose
@@ -60,5 +60,5 @@ def test_case_06_narrow_spreads(fraction: float) -> None:
     """The lognormal spread of dark currents takes log1p of a square that 1 + would lose."""
     z = np.array([-2.0, -1.0, 1.0, 2.0])
     np.testing.assert_allclose(
-        spread(fraction, z) - 1, fraction * z, rtol=2 * fraction + 1e-15 / fraction
+        log_normal(fraction, z) - 1, fraction * z, rtol=2 * fraction + 1e-15 / fraction
     )

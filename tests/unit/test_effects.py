@@ -27,6 +27,7 @@ from nscc_runtime.effects import (
 )
 from nscc_runtime.effects.crosstalk import smeared
 from nscc_runtime.effects.dark import current_e_per_s
+from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.prnu import response
 from nscc_runtime.effects.register import soft
 from nscc_runtime.sensor import default_sensor, parameter, parameters
@@ -108,6 +109,11 @@ INCOMPLETE = [
     ({"words": InLoop()}, "`words` that is CannotHave"),
     ({"parameters": (1,)}, "`parameters`, each a parameter"),
     ({"parameters": (parameter("lag_fraction", "light", 0, "1", 0, 1, "?"),)}, "`lag_fraction`"),
+    ({"name": "all"}, "a `name` of small letters"),
+    ({"name": "a,b"}, "a `name` of small letters"),
+    ({"always": True}, "`always` that is False"),
+    ({"sums": ()}, "`sums` that go with `reference`"),
+    ({"sums": (Errors("reads", abs),)}, "`sums` that go with `reference`"),
     ({"cost_ns": -1}, "`cost_ns`, a number"),
 ]
 

@@ -8,7 +8,6 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from nscc_runtime.sensor.parameters import parameter, schema_of
 
 from nscc.source import Source
 from nscc.target.load import builtin_target
@@ -16,7 +15,8 @@ from nscc.toml.files import file_text
 from nscc.toml.kinds import Flag, Integer, Number, Several, Text
 from nscc.toml.schema import Codes, Key, Schema
 from nscc.toml.text import parsed
-from nscc_runtime.sensor import PARAMETERS, default_sensor
+from nscc_runtime.sensor import default_sensor, parameter, parameters
+from nscc_runtime.sensor.file import schema_of
 
 ROWS = (
     Key("", "title", Text(), "what it is called", default=""),
@@ -83,9 +83,9 @@ def test_what_is_written_is_read_back(title: str) -> None:
 
 def test_rows_come_from_anywhere_but_never_twice() -> None:
     glow = parameter("glow_e", "light", 0.0, "e", 0, 10, "of the chip itself")
-    assert "glow_e" in schema_of((*PARAMETERS, glow)).by_path
+    assert "glow_e" in schema_of((*parameters(), glow)).by_path
     with pytest.raises(ValueError, match="glow_e"):
-        schema_of((glow, *PARAMETERS, glow))
+        schema_of((glow, *parameters(), glow))
     with pytest.raises(ValueError, match="no such"):
         replace(CAMERA, keys=(replace(ROWS[0], heading="no such"),))
 

@@ -10,6 +10,7 @@ end the reference.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, TypeVar, get_args
@@ -21,6 +22,9 @@ from nscc_runtime.effects.sensor import Sensor
 
 Kind = Literal["fixed", "random", "both", "after"]
 P = TypeVar("P", bound=Part)
+
+RESERVED = ("auto", "all", "none")
+"""What `--effects` calls choices."""
 
 STAGES = {
     "scene": "(scene) -> scene: which light falls on the array",
@@ -34,7 +38,7 @@ STAGES = {
     "well": "(pixels, charge) -> charge that PIX holds",
     "resets": "(pixels, level, word) -> level that a reset leaves on PIX",
     "reads": "(pixels, level, word) -> level of PIX as a word reads it",
-    "word": "(pixels, value, word, destination, sign) -> what a word writes, of its exact result; "
+    "words": "(pixels, value, word, destination, sign) -> what a word writes, of its exact result; "
     "-1 is the sign of a register that holds inverted values",
     "registers": "(pixels, value) -> what a register holds of what is written to it",
     "hold": "(pixels, seconds) -> the part of its value that a register keeps so long",
@@ -140,6 +144,8 @@ class Effect:
             for name in ("name", "title", "model", "cost", "applied", "absent")
             if not (isinstance(getattr(self, name), str) and getattr(self, name).strip())
         ]
+        if not re.fullmatch(r"[a-z][a-z0-9_]*", str(self.name)) or self.name in RESERVED:
+            found.append("a `name` of small letters, digits, `_`; auto, all and none are choices")
         if not (isinstance(self.stream, int) and 0 < self.stream < 1 << 32):
             found.append("`stream`, a number from 1 to 2**32 - 1")
         if self.kind not in get_args(Kind):
@@ -166,6 +172,11 @@ class Effect:
         elif not isinstance(self.sums, CannotHave):
             strange = [each for each in self.sums if not isinstance(each, Part)]
             found += [f"`sums` of known parts only, and {each!r:.60} is none" for each in strange]
+            made = {getattr(part, "at", part.stage) for part in self.parts(Part)}
+            bare = {*self.reference} ^ made
+            if not strange and bare:
+                text = "`sums` that go with `reference`: one of them has no "
+                found.append(text + ", ".join(sorted(bare)))
         if not isinstance(self.fused, ByParts | CannotHave):
             found.append("`fused`, ByParts() or CannotHave(reason)")
         elif isinstance(self.fused, ByParts) and not all(part.fused for part in self.parts(Part)):

@@ -22,55 +22,54 @@ Values = NDArray[np.float64]
 
 
 class Part:
-    """A part of an effect. `fused`: the loop that does a simple plan in one go has it too."""
+    """A part of an effect, for what it does at a `stage` of the reference. `fused`: the loop that
+    does a simple plan in one go has it too.
+    """
 
+    stage: ClassVar[str] = ""
     fused: ClassVar[bool] = False
 
+    def __init_subclass__(cls, stage: str = "", fused: bool = False) -> None:
+        cls.stage, cls.fused = stage, fused
+
 
 @dataclass(frozen=True)
-class Moving(Part):
+class Moving(Part, stage="scene", fused=True):
     """Light is that with motion inside slots, where a scene has any."""
 
-    fused: ClassVar[bool] = True
-
 
 @dataclass(frozen=True)
-class Echo(Part):
+class Echo(Part, stage="light", fused=True):
     """A part of the light of the frame before, the same scene, comes again."""
 
     fraction: OfSensor
-    fused: ClassVar[bool] = True
 
 
 @dataclass(frozen=True)
-class Response(Part):
+class Response(Part, stage="response", fused=True):
     """A factor of each pixel on its light."""
 
     factor: OnDevice
-    fused: ClassVar[bool] = True
 
 
-@dataclass(frozen=True)
 class Counted(Part):
     """Charge is counted in whole electrons."""
 
 
 @dataclass(frozen=True)
-class CountedLight(Counted):
+class CountedLight(Counted, stage="count", fused=True):
     """Of light."""
-
-    fused: ClassVar[bool] = True
 
 
 @dataclass(frozen=True)
-class CountedDark(Counted):
+class CountedDark(Counted, stage="charge"):
     """Of charge that falls without light, `per_s` electrons a second in the mean."""
 
     per_s: OnDevice
 
 
 @dataclass(frozen=True)
-class Exchange(Part):
+class Exchange(Part, stage="neighbours"):
     """A part of the charge of a pixel goes to each of its four neighbours: `smeared(charge (..,
     rows, cols), fraction)` is what there is afterwards."""
 
@@ -78,22 +77,19 @@ class Exchange(Part):
     smeared: Callable[[Values, float], Values]
 
 
-@dataclass(frozen=True)
 class Saturates(Part):
     """Something holds no more than so much; pixels that come near run through their words."""
 
-    fused: ClassVar[bool] = True
-
 
 @dataclass(frozen=True)
-class Well(Saturates):
+class Well(Saturates, stage="well", fused=True):
     """PIX holds `full_e`, exactly: sums of one read may be clipped."""
 
     full_e: OfSensor
 
 
 @dataclass(frozen=True)
-class Soft(Saturates):
+class Soft(Saturates, stage="registers", fused=True):
     """Registers are linear up to `linear_e`; of a value of this size they lose `lost_e`."""
 
     linear_e: OfSensor
@@ -101,17 +97,16 @@ class Soft(Saturates):
 
 
 @dataclass(frozen=True)
-class Errors(Part):
-    """Many small errors that are one draw a bucket: `sigma_e` at every read or reset of PIX, or
+class Errors(Part, fused=True):
+    """Many small errors that are one draw a bucket: `sigma_e` `at` every read or reset of PIX, or
     at every word."""
 
     at: Literal["reads", "resets", "words"]
     sigma_e: OfSensor
-    fused: ClassVar[bool] = True
 
 
 @dataclass(frozen=True)
-class WordGain(Part):
+class WordGain(Part, stage="words"):
     """A word multiplies with `gain` and adds a fixed error: of mean `mean_e` and standard deviation
     `spread_e` over the pixels."""
 
@@ -122,7 +117,7 @@ class WordGain(Part):
 
 
 @dataclass(frozen=True)
-class Leak(Part):
+class Leak(Part, stage="hold"):
     """Registers lose their values at a rate in 1/s of each pixel: 1 / `tau_s` in the mean,
     lognormal, `spread` its relative standard deviation."""
 
@@ -132,27 +127,25 @@ class Leak(Part):
 
 
 @dataclass(frozen=True)
-class SlowWords(Part):
+class SlowWords(Part, stage="time"):
     """Light falls while words run."""
 
 
 @dataclass(frozen=True)
-class Fading(Part):
+class Fading(Part, stage="digital"):
     """Digital registers lose their values after a while."""
 
 
 @dataclass(frozen=True)
-class Converter(Part):
+class Converter(Part, stage="converter", fused=True):
     """The converter is off by `sigma_lsb` codes, drawn for every pixel and bucket."""
 
     sigma_lsb: OfSensor
-    fused: ClassVar[bool] = True
 
 
 @dataclass(frozen=True)
-class Codes(Part):
+class Codes(Part, stage="codes", fused=True):
     """The converter's codes: electrons a code, and the code of no electrons."""
 
     electrons: OfSensor
     offset: OfSensor
-    fused: ClassVar[bool] = True

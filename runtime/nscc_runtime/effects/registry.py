@@ -68,6 +68,8 @@ def _clashes(effect: Effect) -> list[str]:
     ]
     if effect not in _OURS and isinstance(effect.words, InLoop):
         found.append("`words` that is CannotHave: that loop is compiled, for the effects it knows")
+    if effect not in _OURS and effect.always:
+        found.append("`always` that is False: without effects the words are executed exactly")
     for other in _registered.values():
         if other.name == effect.name:
             found.append(f"a name of its own: there is an effect `{other.name}`")
@@ -86,9 +88,10 @@ def registered() -> tuple[Effect, ...]:
     """All effects; the first call asks other distributions for theirs."""
     global _complete
     if not _complete:
-        _complete = True
         for effect in added("nscc.effects").values():
-            register(effect)
+            if effect not in _registered.values():
+                register(effect)
+        _complete = True
     return tuple(_registered.values())
 
 

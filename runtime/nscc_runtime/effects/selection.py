@@ -9,11 +9,10 @@ from typing import Any, TypeVar
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.suggest import closest
-from nscc_runtime.effects.effect import Effect
+from nscc_runtime.effects.effect import RESERVED, Effect
 from nscc_runtime.effects.parts import Errors, Part
 from nscc_runtime.effects.registry import always_on, by_name, optional, registered
 
-_WORDS = ("auto", "all", "none")
 P = TypeVar("P", bound=Part)
 
 
@@ -46,8 +45,14 @@ class Selection:
         return [each.reference[stage] for each in self.effects if stage in each.reference]
 
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
-        """Those that have a part of that kind in sums over slots, with the part."""
-        return [(effect, part) for effect in self.effects for part in effect.parts(kind)]
+        """Those that have a part of that kind in sums over slots, with the part; kept."""
+        if kind not in self._having:
+            self._having[kind] = [(e, part) for e in self.effects for part in e.parts(kind)]
+        return self._having[kind]
+
+    @cached_property
+    def _having(self) -> dict[type[Part], list[Any]]:
+        return {}
 
     def part(self, kind: type[P]) -> P | None:
         """The part of that kind; None where nothing that is on has one."""
@@ -87,12 +92,12 @@ def selected(text: str) -> Selection:
     """
     parts = [part.strip() for part in text.split(",") if part.strip()]
     if not parts:
-        raise _wrong("--effects names no effect", f"write one of {', '.join(_WORDS)}, or effects")
+        raise _wrong("--effects names no effect", f"write one of {', '.join(RESERVED)}, or effects")
     auto = parts[0] == "auto"
     on = set(optional()) if parts[0] in ("auto", "all") or parts[0][0] == "-" else set()
     forced: set[str] = set()
     for index, part in enumerate(parts):
-        if part in _WORDS:
+        if part in RESERVED:
             if index:
                 raise _wrong(f"--effects has `{part}` after its beginning", f"put `{part}` first")
             continue
@@ -110,7 +115,7 @@ def named(name: str) -> Effect:
     """The effect of that name; NS0756 (status 2) if there is none."""
     found = by_name().get(name)
     if found is None:
-        near = closest(name, (*by_name(), *_WORDS))
+        near = closest(name, (*by_name(), *RESERVED))
         raise _wrong(
             f"there is no effect {name[:60]!a}",
             f"did you mean `{near}`?" if near else "`nscc effects` lists them",

@@ -200,7 +200,7 @@ class Chooser:
         )
 
     def _reasons(self, dropped: frozenset[str]) -> Iterable[str]:
-        """Why pixels run through their words one by one."""
+        """Why pixels run through their words one by one, or why the reference runs."""
         path = self._path(dropped)
         for effect in self.forecast.present:
             if effect.name in dropped:
@@ -209,6 +209,8 @@ class Chooser:
                 yield f"{effect.name}: only the reference has it ({effect.words.reason})"
             elif path == "words" and isinstance(effect.sums, CannotHave):
                 yield f"{effect.name}: sums over the slots cannot have it ({effect.sums.reason})"
+        if path == "reference":
+            return
         if self._everywhere:
             yield (
                 "counts would have to be spread over the slots of most pixels: the weights of a "

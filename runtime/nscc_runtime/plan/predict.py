@@ -77,9 +77,13 @@ class Forecast:
 
     def _dropped(self, kind: type[Part], dropped: frozenset[str]) -> bool:
         """Whether all effects that have a part of a kind are left out."""
+        return self._having(kind) <= dropped
+
+    def _having(self, kind: type[Part]) -> frozenset[str]:
+        """The names of the effects that have a part of a kind; kept."""
         if kind not in self._names:
             self._names[kind] = frozenset(effect.name for effect, _ in everything().having(kind))
-        return self._names[kind] <= dropped
+        return self._names[kind]
 
     @cached_property
     def _names(self) -> dict[type[Part], frozenset[str]]:
@@ -87,7 +91,7 @@ class Forecast:
 
     def _stays(self, kind: type[Part], dropped: frozenset[str]) -> bool:
         """Whether an effect that has a part of a kind, and does something here, is not."""
-        return any(e.parts(kind) and e.name not in dropped for e in self.present)
+        return any(e.name in self._having(kind) and e.name not in dropped for e in self.present)
 
     @cached_property
     def near(self) -> NDArray[np.int64]:

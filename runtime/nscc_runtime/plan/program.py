@@ -77,6 +77,12 @@ class Program:
         )
 
     @cached_property
+    def less(self) -> dict[str, Model]:
+        """The weights with every effect on but one, by its name."""
+        names = (effect.name for effect in everything().effects)
+        return {name: self.model(everything().without(name)) for name in names}
+
+    @cached_property
     def pixels(self) -> Pixels:
         """The words as they are, decayed."""
         return Pixels.of(self.reference)

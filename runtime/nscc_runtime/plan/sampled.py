@@ -41,7 +41,7 @@ class Beside(NamedTuple):
 class SampledScene:
     """As `nscc_runtime.effects.field.Sampled` has it; arrays are (buckets, pixels of the sample).
 
-    `near` and `left_out` are for the planner's own account of its short cuts.
+    `errors_cut` and `left_out` are for the planner's own account of its short cuts.
     """
 
     def __init__(self, program: Program, light: Light, sample: Sample, device_seed: int) -> None:
@@ -60,7 +60,6 @@ class SampledScene:
         self.slots = program.tables.weights(program.full).slots
 
     def on_device(self, make: OnDevice) -> Values:
-        """What is fixed on the chip (pixels,)."""
         return self.device.fixed(make)[self.places]
 
     @cached_property
@@ -70,12 +69,10 @@ class SampledScene:
 
     @cached_property
     def dark(self) -> Values:
-        """The pixels' charge without light, electrons a second."""
         return self.on_device(self.all.the(CountedDark).per_s)
 
     @cached_property
     def spilt(self) -> Values:
-        """What neighbours add to it."""
         found, dark = np.zeros_like(self.dark), self.device.fixed(self.all.the(CountedDark).per_s)
         for beside in self.beside:
             found += beside.there * (dark[beside.place] - self.dark)
@@ -124,7 +121,7 @@ class SampledScene:
     def _light(self) -> dict[Model, Values]:
         """`light` by every model of the words that an effect may ask for, summed in one go."""
         models = {self.program.full, self._faster}
-        models |= {self.program.model(self.all.without(each.name)) for each in self.all.effects}
+        models |= {*self.program.less.values()}
         known = list({self.program.tables.same(model): None for model in models})
         weights = [
             each
@@ -145,38 +142,31 @@ class SampledScene:
 
     @property
     def light(self) -> Values:
-        """What of the light reaches the exposures."""
         return self.lit(self.program.full)
 
     def without(self, name: str) -> Values:
-        """`light` as the words would weigh it without an effect."""
-        return self.lit(self.program.model(self.all.without(name)))
+        return self.lit(self.program.less[name])
 
     @cached_property
     def base(self) -> Values:
-        """`light` with what comes again."""
         return self.light * self.echo
 
     @cached_property
     def alone(self) -> Values:
-        """`base` without neighbours' light."""
         return self.sum(self.moving, self.by_bucket(self.slots), self._own) * self.echo
 
     @cached_property
     def alike(self) -> Values:
-        """`base` with all pixels responding alike."""
         return self.sum(self.moving, self.by_bucket(self.slots), self._seen[1]) * self.echo
 
     @cached_property
     def still(self) -> Values | None:
-        """`base` without motion."""
         if self.scene.motion is None:
             return None
         return self.sum(self.scene, self.by_bucket(self.slots), self._seen[0]) * self.echo
 
     @cached_property
     def pattern(self) -> Values:
-        """The sum of the words' fixed errors."""
         return self._errors(self.program.full)
 
     def _errors(self, model: Model) -> Values:
@@ -184,7 +174,6 @@ class SampledScene:
         return self.program.tables.pattern(model).T[:, self.lanes] * error
 
     def by_rate(self, pattern: bool = False) -> Values:
-        """What the pixels' own rates of leakage add to `light`, or to `pattern`."""
         per_s = self.on_device(self.all.the(Leak).per_s)
         off = (per_s / self.program.full.leak_per_s - 1.0) / _LEAK_STEP
         if pattern:
@@ -193,19 +182,14 @@ class SampledScene:
 
     @cached_property
     def dark_s(self) -> Values:
-        """Seconds, by weight."""
         return np.asarray(np.einsum("n,nlb->bl", self.program.slot_s, self.slots)[:, self.lanes])
 
     @cached_property
     def dark_2_s(self) -> Values:
-        """Seconds, by squared weight."""
         squared = np.einsum("n,nlb->bl", self.program.slot_s, self.slots**2)
         return np.asarray(squared[:, self.lanes])
 
     def counted(self, moved: bool = False) -> Values:
-        """The variance of the counts of light, or of what neighbours exchange of them, that by the
-        square of the fraction.
-        """
         c = np.float32(self.exchanged)
         flow = np.zeros_like(self.frames)
         count = np.zeros(len(self.places), np.float32)
@@ -219,7 +203,6 @@ class SampledScene:
         return self.sum(self.moving, self.by_bucket(self.slots**2), counts) * self.echo
 
     def errors(self, at: str, sigma_e: float) -> Values:
-        """The variance of many small errors."""
         factor, rest = self.program.tables.noise(at, self.program.full)
         total = ((factor**2).sum(axis=2) + rest).T
         return np.asarray(sigma_e**2 * total[:, self.lanes])

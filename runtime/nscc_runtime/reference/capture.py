@@ -237,7 +237,7 @@ class _Pixels(Where):
         result = total / -word.op.operation.divisor
         for index, name in enumerate(word.op.destinations):
             value = result
-            for written in self.at("word"):
+            for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
             for held in self.at("registers"):
                 value = held(self, value)

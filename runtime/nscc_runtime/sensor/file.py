@@ -21,11 +21,12 @@ from nscc_runtime.effects.sensor import Sensor
 
 def schema() -> Schema[Parameter]:
     """The sensor file: the parameters of all effects."""
-    return _schema_of(parameters())
+    return schema_of(parameters())
 
 
 @cache
-def _schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
+def schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
+    """The sensor file of these parameters; ValueError if two have one name."""
     return Schema(
         "sensor",
         rows,
