@@ -23,11 +23,11 @@ class Inconsistent(Exception):
 
 def check_tree(source: Source, tree: File) -> None:
     """The statements lie in the text, one behind the other."""
-    ends = [0]
+    end = 0
     for statement in tree.statements:
-        _require(ends[-1] <= statement.span.start <= statement.span.end, "statements overlap")
-        ends.append(statement.span.end)
-    _require(ends[-1] <= len(source.text), "a statement beyond the text")
+        _require(end <= statement.span.start <= statement.span.end, "statements overlap")
+        end = statement.span.end
+    _require(end <= len(source.text), "a statement beyond the text")
 
 
 def check_program(program: Program) -> None:

@@ -10,9 +10,11 @@ Operands are register names, destinations first.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import re
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
+from itertools import groupby
 
 from nscc.operations import (
     ANALOG_SOURCES,
@@ -26,7 +28,6 @@ from nscc.operations import (
     Operation,
     Phase,
     made,
-    op,
     pair,
 )
 
@@ -156,156 +157,6 @@ def _native(row: Operation) -> Mnemonic:
     return Mnemonic(row.name, usage, write, low + first, most)
 
 
-def _part(name: str, destinations: Sequence[str], sources: Sequence[str]) -> Op:
-    """A word of a macro: what is wrong with it is said of the macro as a whole."""
-    try:
-        return _word(BY_NAME[name], destinations, sources)
-    except OperandError as error:
-        raise OperandError(f"one of the words that it stands for is wrong: {error}") from None
-
-
-def _bus(destination: str, *sources: str) -> Op:
-    return _part("bus", (destination,), sources)
-
-
-def _bus2(first: str, second: str, *sources: str) -> Op:
-    return _part("bus2", (first, second), sources)
-
-
-def _bit(name: str, destination: str, *sources: str) -> Op:
-    return _part(name, (destination,), sources)
-
-
-def _distinct(name: str, operands: Sequence[str], why: str) -> None:
-    for index, register in enumerate(operands):
-        if register in operands[:index]:
-            raise OperandError(f"{name} names {register} twice: {why}", index)
-
-
-# Analog macros. NEWS passes every value on; as each word inverts, two keep the sign.
-_RESET: Ops = (op("rpix"), op("rpix"), op("nop"))
-
-
-def _res(x: Sequence[str]) -> Ops:
-    return (_bus(SCRATCH), *(_bus(register, SCRATCH) for register in x))
-
-
-def _mov(x: Sequence[str]) -> Ops:
-    return (_bus(SCRATCH, x[1]), _bus(x[0], SCRATCH))
-
-
-def _add(x: Sequence[str]) -> Ops:
-    return (_bus(SCRATCH, *x[1:]), _bus(x[0], SCRATCH))
-
-
-def _sub(x: Sequence[str]) -> Ops:
-    return (_bus(SCRATCH, x[1]), _bus(x[0], SCRATCH, x[2]))
-
-
-def _neg(x: Sequence[str]) -> Ops:
-    return (_bus(SCRATCH), _bus(x[0], SCRATCH, x[1]))
-
-
-def _abs(x: Sequence[str]) -> Ops:
-    where = _part("where", (), (x[1],))
-    return (*_neg(x), _bus(SCRATCH, x[1]), where, _bus(x[0], SCRATCH), op("all"))
-
-
-def _div(x: Sequence[str]) -> Ops:
-    y0, y1, y2, source = x
-    _distinct("div", x, "its three registers and its source must be four")
-    return (
-        _bus2(y0, y1, source),
-        _bus(SCRATCH, source, y1),
-        _bus(y2, SCRATCH, y0),
-        _bus2(y0, y1, y2),
-        _bus(y0, y1),
-    )
-
-
-def _diva(x: Sequence[str]) -> Ops:
-    y0, y1, y2 = x
-    _distinct("diva", x, "its registers must be three")
-    return (
-        _bus2(y1, y2, y0),
-        _bus(SCRATCH, y1, y0),
-        _bus(y0, SCRATCH, y2),
-        _bus2(y1, y2, y0),
-        _bus(y0, y1),
-    )
-
-
-def _respix(x: Sequence[str]) -> Ops:
-    return _RESET if not x else (*_RESET, _bus(SCRATCH, "PIX"), _bus(x[0], SCRATCH))
-
-
-def _get_image(x: Sequence[str]) -> Ops:
-    if len(x) == 1:
-        return (_bus(SCRATCH, "PIX"), *_RESET, _bus(x[0], SCRATCH, "PIX"))
-    return (_bus(SCRATCH, "PIX"), _bus(x[1], "PIX"), *_RESET, _bus(x[0], x[1], SCRATCH, "PIX"))
-
-
-def _getpix(x: Sequence[str]) -> Ops:
-    if len(x) == 2:
-        return (_bus(SCRATCH, "PIX"), _bus(x[0], SCRATCH, x[1]))
-    _distinct("getpix", x, "y, h and r must be three registers")
-    return (_bus(x[1], "PIX"), _bus(SCRATCH, "PIX"), _bus(x[0], x[1], SCRATCH, x[2]))
-
-
-# Digital macros. Those that join two terms end in NOR or OR of what R0 and R12 (or b) then hold.
-def _both(last: str) -> Callable[[Sequence[str]], Ops]:
-    def write(x: Sequence[str]) -> Ops:
-        return (
-            _bit("SET", GUARD),
-            _bit("NOT", GUARDED, x[1]),
-            _bit("NOT", GUARD, x[2]),
-            _bit(last, x[0], GUARD, GUARDED),
-        )
-
-    return write
-
-
-def _both_in(last: str) -> Callable[[Sequence[str]], Ops]:
-    def write(x: Sequence[str]) -> Ops:
-        return (_bit("NOT", GUARD, x[1]), _bit("NOT", x[1], x[2]), _bit(last, x[0], GUARD, x[1]))
-
-    return write
-
-
-def _implies(last: str) -> Callable[[Sequence[str]], Ops]:
-    def write(x: Sequence[str]) -> Ops:
-        return (_bit("NOT", GUARD, x[2]), _bit(last, x[0], x[1], GUARD))
-
-    return write
-
-
-def _clear_if(x: Sequence[str]) -> Ops:
-    _distinct("CLR_IF", x, "the register and its condition must differ")
-    return (_bit("NOT", GUARD, x[0]), _bit("NOR", x[0], GUARD, x[1]))
-
-
-def _xor(x: Sequence[str]) -> Ops:
-    l, a, b = x  # noqa: E741
-    _distinct("XORX", x, "l, x and y must be three registers")
-    return (
-        _bit("NOT", GUARD, b),
-        _bit("NOR", l, a, GUARD),
-        _bit("NOT", GUARD, a),
-        _bit("NOR", a, b, GUARD),
-        *_in_place("OR", (l, a)),
-    )
-
-
-def _mux(x: Sequence[str]) -> Ops:
-    return (
-        _bit("SET", GUARD),
-        _bit("MOV", GUARDED, x[3]),
-        _bit("MOV", GUARD, x[1]),
-        _bit("MOV", GUARDED, x[2]),
-        _bit("MOV", x[0], GUARDED),
-    )
-
-
 # In-place forms and the mnemonics that share a name with them.
 def _in_place(kind: str, operands: Sequence[str]) -> Ops:
     """The pair that stores OR, NOR or REFRESH of all operands in the first one."""
@@ -318,10 +169,6 @@ def _in_place(kind: str, operands: Sequence[str]) -> Ops:
                 index,
             )
     return pair(kind, operands[0], operands)
-
-
-def _refresh(x: Sequence[str]) -> Ops:
-    return _in_place("REFRESH", x)
 
 
 def _not(x: Sequence[str]) -> Ops:
@@ -342,38 +189,99 @@ def _or_nor(kind: str) -> Callable[[Sequence[str]], Ops]:
     return write
 
 
-_N, _R, _RR = (SCRATCH,), (GUARD,), (GUARD, GUARDED)
+_WORDS = {row.name: _native(row) for row in OPERATIONS}
 
-_MACROS = (
-    Mnemonic("res", "res a` or `res a, b", _res, 1, 2, _N),
-    Mnemonic("mov", "mov y, x", _mov, 2, 2, _N),
-    Mnemonic("add", "add y, x0, x1[, x2]", _add, 3, 4, _N),
-    Mnemonic("sub", "sub y, x0, x1", _sub, 3, 3, _N),
-    Mnemonic("neg", "neg y, x", _neg, 2, 2, _N),
-    Mnemonic("abs", "abs y, x", _abs, 2, 2, _N),
-    Mnemonic("div", "div y0, y1, y2, x", _div, 4, 4, _N),
-    Mnemonic("diva", "diva y0, y1, y2", _diva, 3, 3, _N),
-    Mnemonic("respix", "respix` or `respix y", _respix, 0, 1, _N),
-    Mnemonic("get_image", "get_image y` or `get_image y, h", _get_image, 1, 2, _N),
-    Mnemonic("getpix", "getpix y, r` or `getpix y, h, r", _getpix, 2, 3, _N),
-    Mnemonic("AND", "AND a, x, y", _both("NOR"), 3, 3, _RR),
-    Mnemonic("NAND", "NAND a, x, y", _both("OR"), 3, 3, _RR),
-    Mnemonic("ANDX", "ANDX a, b, x", _both_in("NOR"), 3, 3, _R),
-    Mnemonic("NANDX", "NANDX a, b, x", _both_in("OR"), 3, 3, _R),
-    Mnemonic("IMP", "IMP l, x, y", _implies("OR"), 3, 3, _R),
-    Mnemonic("NIMP", "NIMP l, x, y", _implies("NOR"), 3, 3, _R),
-    Mnemonic("CLR_IF", "CLR_IF l, x", _clear_if, 2, 2, _R),
-    Mnemonic("XORX", "XORX l, x, y", _xor, 3, 3, _R),
-    Mnemonic("MUX", "MUX l, x, y, z", _mux, 4, 4, _RR),
-    Mnemonic("REFRESH", "REFRESH d", _refresh, 1, 1),
+
+# One form a line. NEWS passes every analog value on: as each word inverts, two keep the sign.
+# Digital macros that join two terms end in NOR or OR of what R0 and R12 (or b) then hold.
+_MACROS = """
+res a: bus NEWS; bus a, NEWS
+res a, b: bus NEWS; bus a, NEWS; bus b, NEWS
+mov y, x: bus NEWS, x; bus y, NEWS
+add y, x0, x1[, x2]: bus NEWS, x0, x1[, x2]; bus y, NEWS
+sub y, x0, x1: bus NEWS, x0; bus y, NEWS, x1
+neg y, x: bus NEWS; bus y, NEWS, x
+abs y, x: bus NEWS; bus y, NEWS, x; bus NEWS, x; where x; bus y, NEWS; all
+div y0, y1, y2, x: bus2 y0, y1, x; bus NEWS, x, y1; bus y2, NEWS, y0; bus2 y0, y1, y2; bus y0, y1
+diva y0, y1, y2: bus2 y1, y2, y0; bus NEWS, y1, y0; bus y0, NEWS, y2; bus2 y1, y2, y0; bus y0, y1
+respix: rpix; rpix; nop
+respix y: rpix; rpix; nop; bus NEWS, PIX; bus y, NEWS
+get_image y: bus NEWS, PIX; rpix; rpix; nop; bus y, NEWS, PIX
+get_image y, h: bus NEWS, PIX; bus h, PIX; rpix; rpix; nop; bus y, h, NEWS, PIX
+getpix y, r: bus NEWS, PIX; bus y, NEWS, r
+getpix y, h, r: bus h, PIX; bus NEWS, PIX; bus y, h, NEWS, r
+AND a, x, y: SET R0; NOT R12, x; NOT R0, y; NOR a, R0, R12
+NAND a, x, y: SET R0; NOT R12, x; NOT R0, y; OR a, R0, R12
+ANDX a, b, x: NOT R0, b; NOT b, x; NOR a, R0, b
+NANDX a, b, x: NOT R0, b; NOT b, x; OR a, R0, b
+IMP l, x, y: NOT R0, y; OR l, x, R0
+NIMP l, x, y: NOT R0, y; NOR l, x, R0
+CLR_IF l, x: NOT R0, l; NOR l, R0, x
+XORX l, x, y: NOT R0, y; NOR l, x, R0; NOT R0, x; NOR x, y, R0; OR.read l, x; OR.write l
+MUX l, x, y, z: SET R0; MOV R12, z; MOV R0, x; MOV R12, y; MOV l, R12
+"""
+
+_DISTINCT = {
+    "div y0, y1, y2, x": "its three registers and its source must be four",
+    "diva y0, y1, y2": "its registers must be three",
+    "getpix y, h, r": "y, h and r must be three registers",
+    "CLR_IF l, x": "the register and its condition must differ",
+    "XORX l, x, y": "l, x and y must be three registers",
+}
+"""Forms whose operands must all be different ones, and why."""
+
+
+class _Form:
+    """A form of a macro: its operands, and the words that it stands for, written with them."""
+
+    def __init__(self, line: str) -> None:
+        self.head, _, words = line.partition(": ")
+        self.name, *self.operands = self.head.replace(",", "").split()
+        split = [word.replace(",", "").split() for word in words.split("; ")]
+        self.words = [(_WORDS[name], operands) for name, *operands in split]
+
+    def write(self, given: Sequence[str]) -> Ops:
+        """The words for the operands `given`."""
+        for index, register in enumerate(given if self.head in _DISTINCT else ()):
+            if register in given[:index]:
+                why = _DISTINCT[self.head]
+                raise OperandError(f"{self.name} names {register} twice: {why}", index)
+        meant = dict(zip(self.operands, given, strict=True))
+        try:
+            written = [word.write([meant.get(n, n) for n in names]) for word, names in self.words]
+        except OperandError as error:  # said of the macro as a whole
+            raise OperandError(f"one of the words that it stands for is wrong: {error}") from None
+        return tuple(op for words in written for op in words)
+
+
+def _macros() -> Iterator[Mnemonic]:
+    """The macros of the text above; what their words name outright is what they overwrite."""
+    for name, lines in groupby(_MACROS.strip().split("\n"), lambda line: re.split("[ :]", line)[0]):
+        shown, forms = [], {}
+        for line in lines:
+            shown.append(line.partition(":")[0])
+            for text in (re.sub(r"\[.*?\]", "", line), re.sub(r"[\[\]]", "", line)):
+                forms[len(_Form(text).operands)] = _Form(text)
+        scratch = {r for form in forms.values() for _, operands in form.words for r in operands[:1]}
+        passed = tuple(r for r in (SCRATCH, GUARD, GUARDED) if r in scratch)
+        usage, write = "` or `".join(shown), partial(_written, forms)
+        yield Mnemonic(name, usage, write, min(forms), max(forms), passed)
+
+
+def _written(forms: Mapping[int, _Form], given: Sequence[str]) -> Ops:
+    return forms[len(given)].write(given)
+
+
+_IN_PLACE = (
+    Mnemonic("REFRESH", "REFRESH d", lambda x: _in_place("REFRESH", x), 1, 1),
     Mnemonic("NOT", "NOT d, x` or, in place, `NOT d", _not, 1, 2),
     Mnemonic("OR", "OR d, x0, x1, ..` or, in place, `OR d, x", _or_nor("OR"), 2, None),
     Mnemonic("NOR", "NOR d, x0, x1, ..` or, in place, `NOR d, x", _or_nor("NOR"), 2, None),
 )
 
 MNEMONICS: dict[str, Mnemonic] = {
-    **{row.name: _native(row) for row in OPERATIONS if row.phase is Phase.WHOLE},
-    **{macro.name: macro for macro in _MACROS},
+    **{row.name: _WORDS[row.name] for row in OPERATIONS if row.phase is Phase.WHOLE},
+    **{macro.name: macro for macro in (*_macros(), *_IN_PLACE)},
 }
 """Every mnemonic by name; names are case sensitive (`where` is analog, `WHERE` digital)."""
 

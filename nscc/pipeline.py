@@ -7,21 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from nscc import checks
 from nscc.cache.results import Results, results_of_user
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.lower import fit
 from nscc.lower.assemble import assemble
-from nscc.lower.fit import (
-    as_note,
-    capacity_fault,
-    faults,
-    gates_fault,
-    only_search_can_tell,
-    plan_fault,
-)
 from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
 from nscc.lower.plan import LoweringOption, Planned, frame_time, plan_exposures
@@ -111,11 +105,11 @@ def make_plans(program: Program, job: Job) -> tuple[Planned, Found]:
     Refuses shutters beyond the states of a pixel (NS0412), buckets beyond its analog registers
     (NS0413) and a lowering that cannot serve them (NS0414).
     """
-    fault = capacity_fault(program)
+    fault = fit.capacity_fault(program)
     if fault is not None:
         return Planned(program, frame_time(program), (), (), {}), [fault]
     planned = plan_exposures(program, job.options.lowering)
-    return planned, [] if planned.plans else [plan_fault(program, planned.misfits)]
+    return planned, [] if planned.plans else [fit.plan_fault(program, planned.misfits)]
 
 
 def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
@@ -126,16 +120,14 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
     generator from outside does not do as it says (NS0905).
     """
     options, results = job.options, job.results
-
-    def found() -> Gated:
-        return find_gates(
-            planned,
-            options.level,
-            price_all=options.price_all,
-            results=results,
-            most_words=options.max_words_per_slot,
-        )
-
+    found = partial(
+        find_gates,
+        planned,
+        options.level,
+        price_all=options.price_all,
+        results=results,
+        most_words=options.max_words_per_slot,
+    )
     gated = found()
     if results is not None and results.read and not gated.fits:
         # That nothing fits is never taken from the cache.
@@ -143,7 +135,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
         gated = found()
     if gated.tried:
         return gated, []
-    return gated, [gates_fault(gated.program, gated.misfits, level=options.level)]
+    return gated, [fit.gates_fault(gated.program, gated.misfits, level=options.level)]
 
 
 def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
@@ -155,7 +147,7 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
     most_words = job.options.max_words_per_slot
     tried = (lay_out(gated.program, each, gated.time, most_words) for each in gated.tried)
     choice = Choice(tuple(tried), gated.misfits)
-    return choice, faults(choice, level=job.options.level)
+    return choice, fit.faults(choice, level=job.options.level)
 
 
 def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
@@ -262,19 +254,15 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
         made[each.name] = value
         see(each.name, value)
         wrong = [d for d in found if d.severity is Severity.ERROR]
-        if wrong and not _may_pass(wrong, job.options):
+        unproved = all(map(fit.only_search_can_tell, wrong))
+        if wrong and (job.options.unproved_is_error or not unproved):
             said = [*messages, *found]
             raise Unfit(made["program"], said) if "program" in made else Rejected(said)
         if wrong:
-            return _compiled(made, [*messages, *map(as_note, wrong)], fits=False)
+            return _compiled(made, [*messages, *map(fit.as_note, wrong)], fits=False)
         messages += found
         each.verify(value)
     return _compiled(made, messages, fits=True)
-
-
-def _may_pass(wrong: Found, options: Options) -> bool:
-    """Whether errors become notes: they are all such that only a search can tell."""
-    return not options.unproved_is_error and all(only_search_can_tell(d) for d in wrong)
 
 
 def _compiled(made: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:

@@ -6,6 +6,10 @@ are combined in one machine operation a word, which makes exhaustive search and 
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+from functools import reduce
+from operator import or_
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -41,6 +45,21 @@ def vector(shutters: NDArray[np.intp]) -> int:
     bits = np.zeros(int(shutters.max()) + 1, dtype=np.uint8)
     bits[shutters] = 1
     return int.from_bytes(np.packbits(bits, bitorder="little").tobytes(), "little")
+
+
+def union(vectors: Iterable[int]) -> int:
+    """The shutters that are in any of `vectors`."""
+    return reduce(or_, vectors, 0)
+
+
+def set_bits(mask: int) -> tuple[int, ...]:
+    """The places of the 1s of a number, in rising order."""
+    found = []
+    while mask:
+        low = mask & -mask
+        found.append(low.bit_length() - 1)
+        mask ^= low
+    return tuple(found)
 
 
 def number_planes(numbers: NDArray[np.int64], width: int) -> list[int]:

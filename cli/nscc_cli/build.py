@@ -9,34 +9,30 @@ from typing import Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.emit.products import SUFFIXES, emitted
 from nscc.emit.summary import cost_text
 from nscc.files import write_together
-from nscc_cli.programs import BuildChoice, build_options, compile_program
+from nscc_cli.options import PATH, build_options
+from nscc_cli.programs import compile_program
 from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command("build", cls=CommonCommand)
-@click.argument("file", type=click.Path(path_type=Path))
-@click.option(
-    "-o", "out", type=click.Path(path_type=Path), metavar="OUT.icw",
-    help="The container to write (default: beside FILE).",
-)  # fmt: skip
-@click.option(
-    "--emit", "kinds", default="", metavar="KINDS",
-    help=f"Also write any of {', '.join(SUFFIXES)}, separated by commas; KIND=- prints it.",
-)  # fmt: skip
-@click.option(
-    "--print-after", "after", metavar="PASS", help="Show what a pass of the compiler made."
-)
+@click.argument("file", type=PATH)
+@click.option("-o", "out", type=PATH, metavar="OUT.icw",
+              help="The container to write (default: beside FILE).")  # fmt: skip
+@click.option("--emit", "kinds", default="", metavar="KINDS", help=f"Also write any of "
+              f"{', '.join(SUFFIXES)}, separated by commas; KIND=- prints it.")  # fmt: skip
+@click.option("--print-after", "after", metavar="PASS",
+              help="Show what a pass of the compiler made.")  # fmt: skip
 @build_options
 def command(file: Path, out: Path | None, kinds: str, after: str | None, **options: Any) -> None:
     """Compile FILE, prove the words, and write them."""
     wanted = _kinds(kinds)
     compiled = compile_program(
         file,
-        BuildChoice.of(options),
+        options,
         price_all="report" in wanted,  # only the report lists the other lowerings
         see=_printer(after),
     )
@@ -67,13 +63,10 @@ def _kinds(text: str) -> dict[str, bool]:
     for item in filter(None, (part.strip() for part in text.split(","))):
         kind, _, place = item.partition("=")
         if kind not in SUFFIXES or place not in ("", "-"):
-            raise Rejected(
-                Diagnostic(
-                    "NS0505",
-                    f"--emit cannot write '{item}'",
-                    notes=("kinds: " + ", ".join(SUFFIXES) + "; KIND=- prints to standard output",),
-                ),
-                status=2,
+            raise rejected(
+                "NS0505",
+                f"--emit cannot write '{item}'",
+                notes=("kinds: " + ", ".join(SUFFIXES) + "; KIND=- prints to standard output",),
             )
         wanted[kind] = place == "-"
     return wanted
@@ -87,13 +80,10 @@ def _printer(after: str | None) -> Callable[[str, Any], None] | None:
 
     names = [each.name for each in PASSES]
     if after not in names:
-        raise Rejected(
-            Diagnostic(
-                "NS0506",
-                f"the compiler has no pass '{after}'",
-                notes=("passes, in their order: " + ", ".join(names),),
-            ),
-            status=2,
+        raise rejected(
+            "NS0506",
+            f"the compiler has no pass '{after}'",
+            notes=("passes, in their order: " + ", ".join(names),),
         )
 
     def see(name: str, value: Any) -> None:

@@ -3,17 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import click
 
 from nscc.files import write_whole
 from nscc.target.load import DEFAULT_NAME, load_target
-from nscc_cli.programs import BuildChoice, load_program
+from nscc_cli.options import PATH
+from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, NumberRange, done, progress, say
-
-if TYPE_CHECKING:
-    from nscc_runtime.calibrate import Chain
 
 _DARK = "--dark"
 
@@ -46,48 +43,21 @@ def _spread(args: list[str]) -> list[str]:
 
 @click.command(name="calibrate", cls=_Calibrate)
 @click.argument("flats", nargs=-1, required=True, metavar="FLATS..")
-@click.option(
-    _DARK,
-    "darks",
-    multiple=True,
-    required=True,
-    metavar="DARKS..",
-    help="Frames without light: every file up to the next option.",
-)
-@click.option(
-    "-o",
-    "out",
-    type=click.Path(path_type=Path),
-    required=True,
-    metavar="sensor.toml",
-    help="The sensor file to write.",
-)
+@click.option(_DARK, "darks", multiple=True, required=True, metavar="DARKS..",
+              help="Frames without light: every file up to the next option.")  # fmt: skip
+@click.option("-o", "out", type=PATH, required=True, metavar="sensor.toml",
+              help="The sensor file to write.")  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="Print everything found for programs.")
-@click.option(
-    "--program",
-    type=click.Path(path_type=Path),
-    metavar="FILE.nsl|FILE.icw",
-    help="What the frames were taken with: its reads and words are counted.",
-)
-@click.option(
-    "--crosstalk",
-    type=NumberRange(0, 0.2),
-    metavar="C",
-    help="Take crosstalk as known (0: as EMVA 1288 does) instead of measuring it.",
-)
-@click.option(
-    "--target", metavar="NAME|FILE.toml", default=DEFAULT_NAME, show_default=True,
-    help="The chip: the bits of its ADC, and the defaults.",
-)  # fmt: skip
+@click.option("--program", type=PATH, metavar="FILE.nsl|FILE.icw",
+              help="What the frames were taken with: its reads and words are counted.")  # fmt: skip
+@click.option("--crosstalk", type=NumberRange(0, 0.2), metavar="C", help="Take crosstalk as known "
+              "(0: as EMVA 1288 does) instead of measuring it.")  # fmt: skip
+@click.option("--target", metavar="NAME|FILE.toml", default=DEFAULT_NAME, show_default=True,
+              help="The chip: the bits of its ADC, and the defaults.")  # fmt: skip
 def command(
-    flats: tuple[str, ...],
-    darks: tuple[str, ...],
-    out: Path,
-    as_json: bool,
-    program: Path | None,
-    crosstalk: float | None,
-    target: str,
-) -> None:
+    flats: tuple[str, ...], darks: tuple[str, ...], out: Path, as_json: bool, program: Path | None,
+    crosstalk: float | None, target: str,
+) -> None:  # fmt: skip
     """Measure a sensor by photon transfer, from flat and dark frames of several exposures.
 
     Each of FLATS and DARKS is one level: frames of the same light and exposure time, two or more.
@@ -98,20 +68,14 @@ def command(
     from nscc_runtime import calibrate
 
     chip = load_target(target, Path())
-    chain = _chain(program)
+    chain = calibrate.Chain()
+    if program is not None:
+        container, said = load_program(program, {})
+        say(said)
+        chain = calibrate.Chain.of(container)
     found = calibrate.calibrate_files(flats, darks, chip, crosstalk, progress)
     chosen = calibrate.parameters(found, chip, chain)
     say(calibrate.messages(found))
     write_whole(out, calibrate.as_toml(found, chosen).encode())
     click.echo(calibrate.as_json(found, chosen) if as_json else calibrate.as_table(found))
     done(f"wrote {out}")
-
-
-def _chain(program: Path | None) -> Chain:
-    from nscc_runtime.calibrate import Chain
-
-    if program is None:
-        return Chain()
-    container, said = load_program(program, BuildChoice())
-    say(said)
-    return Chain.of(container)

@@ -9,14 +9,13 @@ import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.summary import summary
-from nscc_cli.programs import BuildChoice, build_options, compile_program
+from nscc_cli.options import PATH, build_options
+from nscc_cli.programs import compile_program
 from nscc_cli.support import CommonCommand, say
 
 
 @click.command("check", cls=CommonCommand)
-@click.argument(
-    "files", nargs=-1, required=True, metavar="FILE...", type=click.Path(path_type=Path)
-)
+@click.argument("files", nargs=-1, required=True, metavar="FILE...", type=PATH)
 @build_options
 def command(files: tuple[Path, ...], **options: Any) -> None:
     """Check programs: what they are, whether they fit the chip, and that their words are right.
@@ -26,12 +25,11 @@ def command(files: tuple[Path, ...], **options: Any) -> None:
     """
     if options["level"] is None:
         options["level"] = 1
-    choice = BuildChoice.of(options)
     wrong: list[Diagnostic] = []
     status = 0
     for path in files:
         try:
-            compiled = compile_program(path, choice, unproved_is_error=False)
+            compiled = compile_program(path, options, unproved_is_error=False)
             say(compiled.diagnostics)
         except Rejected as rejected:
             wrong.extend(rejected.diagnostics)

@@ -8,38 +8,38 @@ from typing import Any
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.diagnostics.suggest import closest
-from nscc_cli.link_options import link_options
-from nscc_cli.programs import BuildChoice, build_options, load_program
-from nscc_cli.scene_options import scene_options, sensor_options
-from nscc_cli.support import CommonCommand, NumberRange, done, progress, say
+from nscc.diagnostics.rejection import rejected
+from nscc_cli.frames import scene_of, sensor_of
+from nscc_cli.options import (
+    PATH,
+    SEED,
+    build_options,
+    link_options,
+    pixels_option,
+    program_argument,
+    scene_options,
+    sensor_options,
+)
+from nscc_cli.programs import load_program
+from nscc_cli.support import (
+    CommonCommand,
+    NumberRange,
+    Subcommands,
+    done,
+    progress,
+    say,
+    say_compiling,
+    show,
+)
 
 _LONGEST_S = 1e6
 _MOST_FRAMES = 1_000_000
 
 
-class _Device(CommonCommand, click.Group):
-    """What one can do with a device; anything else is rejected by name (NS0781)."""
+class _Device(Subcommands):
+    """What one can do with a device."""
 
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
-    ) -> tuple[str | None, click.Command | None, list[str]]:
-        """The command named first in `args`, and what follows it."""
-        name = args[0]
-        if name in self.commands or name.startswith("-"):
-            return super().resolve_command(ctx, args)
-        near = closest(name, self.commands)
-        raise Rejected(
-            Diagnostic(
-                "NS0781",
-                f"nscc has no command 'device {name[:60]}'",
-                helps=(
-                    *((f"did you mean `nscc device {near}`?",) if near else ()),
-                    f"there is: {', '.join(self.commands)}",
-                ),
-            ),
-            status=2,
-        )
+    unknown = "command 'device {}'"
 
 
 @click.group("device", cls=_Device)
@@ -55,17 +55,12 @@ def command() -> None:
 @click.option("--target", default="scamp5", show_default=True, metavar="NAME|FILE.toml")
 @click.option("--fault", metavar="F=V,..", help="A bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
               "disconnect=after:20000,reboot=after:40000 (rates a byte).")  # fmt: skip
-@click.option(
-    "--loader",
-    type=click.Choice(["auto", "firmware", "python"]),
-    default="auto",
-    show_default=True,
-    help="The firmware, compiled for this machine, or its Python twin. auto: the firmware where "
-    "there is a C++ compiler.",
-)
+@click.option("--loader", type=click.Choice(["auto", "firmware", "python"]), default="auto",
+              show_default=True, help="The firmware, compiled for this machine, or its Python "
+              "twin. auto: the firmware where there is a C++ compiler.")  # fmt: skip
 @scene_options
 @sensor_options
-@click.option("--device-seed", type=click.IntRange(0, 2**63 - 1), default=0, help="Which chip.")
+@click.option("--device-seed", type=SEED, default=0, help="Which chip.")
 @click.option("--once", is_flag=True, help="End when the first host has closed the port.")
 @click.option("--for", "seconds", type=NumberRange(0, _LONGEST_S), help="End after S seconds.")
 def serve(**options: Any) -> None:
@@ -73,9 +68,35 @@ def serve(**options: Any) -> None:
 
     Uploaded words run on the emulator, over SCENE. Ends with Ctrl-C.
     """
-    from nscc_cli.serving import serve as begin
+    from nscc.target.load import load_target
+    from nscc_runtime.device import stand_in
+    from nscc_runtime.device.faults import Faults, parse_faults
+    from nscc_runtime.emulator.loops import expose_block
 
-    begin(options)
+    faults = parse_faults(options["fault"]) if options["fault"] else Faults()
+    target = load_target(options["target"], Path())
+    sensor = sensor_of(target, options)
+    scene = scene_of(options, "nothing for the stand-in to see: --scene is missing")
+    chip = stand_in.emulated_chip(
+        scene, target, sensor, options["device_seed"],
+        warn=lambda diagnostic: show([diagnostic]), failed=_report,
+    )  # fmt: skip
+    say_compiling(expose_block, "the emulator's loops")
+    expose_block.load()
+    with stand_in.loaded(options["loader"], target, chip, done) as loader:
+        stand_in.serve(
+            loader, faults, opened=click.echo,
+            moved=lambda port: done(f"the port is {port} now: its old name was taken"),
+            once=options["once"], seconds=options["seconds"],
+        )  # fmt: skip
+
+
+def _report(error: Exception) -> None:
+    """Say here why there is no frame: the host only learns that there is none."""
+    if isinstance(error, Rejected):
+        show(error.diagnostics)
+    else:
+        show([Diagnostic("NS0768", f"the stand-in could not expose a frame: {error}"[:500])])
 
 
 @command.command("info", cls=CommonCommand)
@@ -96,18 +117,16 @@ def info(port: str, as_json: bool, baud: int, patience: float) -> None:
 
 @command.command("upload", cls=CommonCommand)
 @click.argument("port")
-@click.argument("program", metavar="FILE.nsl|FILE.icw", type=click.Path(path_type=Path))
-@click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
+@program_argument
+@pixels_option
 @link_options
 @build_options
 def upload(port: str, program: Path, **options: Any) -> None:
     """Bring a program to the device at PORT; what it has of it already is not sent again."""
-    from nscc.containers import with_pixels
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.link import Link
 
-    container, messages = load_program(program, BuildChoice.of(options))
-    container = with_pixels(container, program, options["pixels"])
+    container, messages = load_program(program, options)
     say(list(messages))
     with Link(port, baud=options["baud"], patience_s=options["patience"]) as link:
         sent = Chip(link, progress=progress).upload(container)
@@ -116,20 +135,15 @@ def upload(port: str, program: Path, **options: Any) -> None:
 
 @command.command("capture", cls=CommonCommand)
 @click.argument("port")
-@click.argument(
-    "program",
-    metavar="[FILE.nsl|FILE.icw]",
-    required=False,
-    type=click.Path(path_type=Path),
-)
-@click.option("-o", "out", type=click.Path(path_type=Path), help="A frame file: one frame.")
-@click.option("--to", "folder", type=click.Path(path_type=Path), help="A folder: frame after "
+@click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
+@click.option("-o", "out", type=PATH, help="A frame file: one frame.")
+@click.option("--to", "folder", type=PATH, help="A folder: frame after "
               "frame, until Ctrl-C.")  # fmt: skip
 @click.option("--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: so many frames.")
 @click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,
               help="With --to: seconds from frame to frame (default: 0).")  # fmt: skip
 @click.option("--target", metavar="NAME|FILE.toml", help="The chip, of a program that is there.")
-@click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
+@pixels_option
 @sensor_options
 @link_options
 def capture(port: str, program: Path | None, **options: Any) -> None:
@@ -137,19 +151,45 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
 
     Each file holds in `meta` when the frame was exposed and the program's SHA-256.
     """
-    from nscc_cli.device_frames import capture_frames
-
     if (options["out"] is None) == (options["folder"] is None):
         raise click.UsageError("name either -o FILE (one frame) or --to FOLDER (many)")
     if options["out"] is not None and (options["count"] or options["every"]):
         raise click.UsageError("--count and --every go with --to FOLDER")
     if program is not None and options["target"] and program.suffix.lower() == ".icw":
-        raise Rejected(
-            Diagnostic(
-                "NS0743",
-                f"--target cannot change '{program}': it is compiled already",
-                helps=("give the .nsl file instead, or leave --target out",),
-            ),
-            status=2,
+        raise rejected(
+            "NS0743",
+            f"--target cannot change '{program}': it is compiled already",
+            helps=("give the .nsl file instead, or leave --target out",),
         )
-    capture_frames(port, program, options)
+    _capture(port, program, options)
+
+
+def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
+    from nscc_runtime.device.chip import Chip
+    from nscc_runtime.device.frames import capture_to, numbered_paths, target_of
+    from nscc_runtime.device.link import Link
+    from nscc_runtime.frame_file import check_adc
+
+    container = None
+    if program is not None:
+        container, messages = load_program(program, options)
+        say(messages)
+    elif options["pixels"]:
+        raise rejected(
+            "NS0770",
+            "--pixels belongs to a program, and none is named",
+            helps=("name the program: `nscc device capture PORT FILE --pixels CODES.npz`",),
+        )
+    with Link(port, baud=options["baud"], patience_s=options["patience"]) as link:
+        chip = Chip(link, progress=progress)
+        target = container.target if container else target_of(chip, options["target"])
+        sensor = sensor_of(target, options)
+        check_adc(target)
+        chip.sensor = sensor
+        if container is not None:
+            chip.upload(container)
+        out, folder = options["out"], options["folder"]
+        paths = [out] if out else numbered_paths(folder, options["count"], options["every"])
+        for path in paths:
+            capture_to(path, chip, target, sensor, container)
+            done(f"wrote {path}")

@@ -5,11 +5,13 @@ from __future__ import annotations
 import json
 import textwrap
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import click
 
 from nscc.target.load import DEFAULT_NAME, load_target
+from nscc_cli.frames import sensor_of
+from nscc_cli.options import PATH
 from nscc_cli.support import CommonCommand
 
 if TYPE_CHECKING:
@@ -22,29 +24,18 @@ _WIDTH = 98
 @click.argument("name", required=False, metavar="[EFFECT]")
 @click.option("--json", "as_json", is_flag=True, help="Print every effect for programs.")
 @click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")
-@click.option(
-    "--target", metavar="NAME|FILE.toml", default=DEFAULT_NAME, show_default=True,
-    help="The chip whose figures are the defaults.",
-)  # fmt: skip
-@click.option(
-    "--sensor", type=click.Path(path_type=Path), help="Show this file's values, not the defaults."
-)
-@click.option("--sensor-set", "changes", multiple=True, metavar="K=V", help="Change one value.")
-def command(
-    name: str | None,
-    as_json: bool,
-    toml: bool,
-    target: str,
-    sensor: Path | None,
-    changes: tuple[str, ...],
-) -> None:
+@click.option("--target", metavar="NAME|FILE.toml", default=DEFAULT_NAME, show_default=True,
+              help="The chip whose figures are the defaults.")  # fmt: skip
+@click.option("--sensor", type=PATH, help="Show this file's values, not the defaults.")
+@click.option("--sensor-set", multiple=True, metavar="K=V", help="Change one value.")
+def command(name: str | None, as_json: bool, toml: bool, target: str, **options: Any) -> None:
     """List the effects of the sensor, or show all about one (EFFECT)."""
     from nscc_runtime.effects import effects_json
-    from nscc_runtime.sensor import load_sensor, sensor_toml
+    from nscc_runtime.sensor import sensor_toml
 
     if as_json + toml + (name is not None) > 1:
         raise click.UsageError("EFFECT, --json and --toml print different things: give one of them")
-    found = load_sensor(load_target(target, Path()), sensor, changes)
+    found = sensor_of(load_target(target, Path()), options)
     if toml:
         click.echo(sensor_toml(found), nl=False)
     elif as_json:
@@ -59,14 +50,12 @@ def listing() -> str:
 
     width = max(len(effect.name) for effect in registered())
     lines = [f"{e.name:<{width}}  {e.kind:<6}  {e.title}" for e in registered()]
-    return "\n".join(
-        [
-            *lines,
-            "",
-            "fixed: the same in every frame; random: new in every frame; after: in the readout",
-            "`nscc effects NAME` shows one, --toml prints a sensor file",
-        ]
-    )
+    lines += [
+        "",
+        "fixed: the same in every frame; random: new in every frame; after: in the readout",
+        "`nscc effects NAME` shows one, --toml prints a sensor file",
+    ]
+    return "\n".join(lines)
 
 
 def details(name: str, sensor: Sensor) -> str:

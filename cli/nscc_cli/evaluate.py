@@ -2,29 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from nscc.files import Product, write_together
-from nscc_cli.support import CommonCommand, NumberRange, done, progress
+from nscc_cli.options import PATH, together
+from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say_compiling
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
-class _Evaluations(CommonCommand, click.Group):
+class _Evaluations(Subcommands):
     """What can be evaluated; any other name is a run folder or a baseline."""
 
-    def resolve_command(
-        self, ctx: click.Context, args: list[str]
+    def other(
+        self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
-        """The evaluation named first in `args`, and what follows it."""
-        name = args[0]
-        if name in self.commands or name.startswith("-"):
-            return super().resolve_command(ctx, args)
+        """`nscc evaluate of` such a name."""
         return "of", self.commands["of"], args
 
 
@@ -36,34 +34,27 @@ def command() -> None:
     """
 
 
-def _outputs(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Adds `--json` and `-o`."""
-    options = (
-        click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
-        click.option("-o", "out", type=click.Path(path_type=Path), help="Write it to a file."),
-    )
-    for option in reversed(options):
-        function = option(function)
-    return function
+_outputs = together(
+    click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
+    click.option("-o", "out", type=PATH, help="Write it to a file."),
+)
+_save_option = click.option("--save", type=PATH, metavar="DIR", help="Write reconstructions and "
+                            "truth into this folder.")  # fmt: skip
 
 
 @command.command("sci8", cls=CommonCommand)
-@click.argument(
-    "clips", metavar="CLIP.mat...", nargs=-1, required=True, type=click.Path(path_type=Path)
-)
+@click.argument("clips", metavar="CLIP.mat...", nargs=-1, required=True, type=PATH)
 @click.option("--method", default="gap-tv", show_default=True, metavar="M",
               help="gap-tv, admm-tv, dictionary, adjoint; or a yardstick: bilinear, "
               "thin-out.")  # fmt: skip
 @click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
 @click.option("--weight", type=NumberRange(0, 10, min_open=True), default=0.1,
               show_default=True, help="Of total variation, for values on [0, 1].")  # fmt: skip
-@click.option("--save", type=click.Path(path_type=Path), metavar="DIR",
-              help="Write reconstructions and truth into this folder.")  # fmt: skip
+@_save_option
 @_outputs
 def sci8(
-    clips: tuple[Path, ...], method: str, iterations: int, weight: float, save: Path | None,
-    as_json: bool, out: Path | None,
-) -> None:  # fmt: skip
+    clips: tuple[Path, ...], method: str, iterations: int, weight: float, **outputs: Any
+) -> None:
     """The benchmark of snapshot compressive imaging: eight frames from one measurement.
 
     The yardsticks see the truth, not the measurement, and say so in the result ("sees").
@@ -74,25 +65,20 @@ def sci8(
     names = [path.name for path in clips]
     if twice := sorted({name for name in names if names.count(name) > 1}):
         raise click.UsageError(f"a clip counts once, and results know it by its name: {twice[0]}")
-    if method.endswith("-tv") and not denoise.is_compiled():
-        done("compiling the loop of total variation for this processor: once, some seconds")
-    found, arrays = evaluate_sci8(list(clips), method, iterations, weight)
-    _finish(found, arrays, save, as_json, out)
+    if method.endswith("-tv"):
+        say_compiling(denoise, "the loop of total variation")
+    _of_scenes(*evaluate_sci8(list(clips), method, iterations, weight), **outputs)
 
 
 @command.command("of", cls=CommonCommand)
 @click.argument("subject", metavar="RUN|BASELINE")
-@click.option("--data", required=True, type=click.Path(path_type=Path), metavar="DIR",
+@click.option("--data", required=True, type=PATH, metavar="DIR",
               help="The folder of scenes.")  # fmt: skip
 @click.option("--protocol", required=True, metavar="P", help="hdr-v1, video-v1 or sci8.")
 @click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
-@click.option("--save", type=click.Path(path_type=Path), metavar="DIR",
-              help="Write reconstructions and truth into this folder.")  # fmt: skip
+@_save_option
 @_outputs
-def of(
-    subject: str, data: Path, protocol: str, seed: int, save: Path | None, as_json: bool,
-    out: Path | None,
-) -> None:  # fmt: skip
+def of(subject: str, data: Path, protocol: str, seed: int, **outputs: Any) -> None:
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
     A run that has seen one of the files is refused. Baselines of hdr-v1: ldr (always open),
@@ -103,74 +89,68 @@ def of(
     """
     from nscc_training.evaluation.subjects import evaluate
 
-    found, arrays = evaluate(subject, data, protocol, seed)
-    _finish(found, arrays, save, as_json, out)
+    _of_scenes(*evaluate(subject, data, protocol, seed), **outputs)
 
 
 @command.command("tables", cls=CommonCommand)
-@click.option("--data", required=True, type=click.Path(path_type=Path), metavar="DIR",
+@click.option("--data", required=True, type=PATH, metavar="DIR",
               help="Panoramas and clips, or folders hdr and video of them.")  # fmt: skip
-@click.option("--runs", type=click.Path(path_type=Path), metavar="DIR",
+@click.option("--runs", type=PATH, metavar="DIR",
               help="A folder of run folders; runs of one row are its seeds.")  # fmt: skip
-@click.option("--results", type=click.Path(path_type=Path), metavar="DIR",
+@click.option("--results", type=PATH, metavar="DIR",
               help="What `nscc evaluate -o` wrote before: it is not done again.")  # fmt: skip
 @_outputs
-def tables(
-    data: Path, runs: Path | None, results: Path | None, as_json: bool, out: Path | None
-) -> None:
+def tables(data: Path, runs: Path | None, results: Path | None, **outputs: Any) -> None:
     """The paper's Tables 2, 3 and 4: its rows and ours, what was measured here beside them.
 
     Baselines are evaluated on the data, which takes minutes; rows of decoders need runs of `nscc
     train`. Rows that were not run say so.
     """
-    from nscc_training.evaluation.result_text import result_json
     from nscc_training.evaluation.tables import tables as filled
     from nscc_training.evaluation.tables import text_of
 
     rows = filled(data, runs, results, lambda rows: progress(rows, "evaluating"))
-    text = result_json(rows)
-    if out is not None:
-        write_together({out: text.encode()})
-    click.echo(text if as_json else text_of(rows), nl=False)
+    _finish(rows, text_of(rows), {}, **outputs)
 
 
 @command.command("compare", cls=CommonCommand)
 @click.argument("results", metavar="A.json B.json [A.json B.json ...]", nargs=-1, required=True,
-                type=click.Path(path_type=Path))  # fmt: skip
+                type=PATH)  # fmt: skip
 @click.option("--metric", default="psnr_db", show_default=True, metavar="NAME_db",
               help="Which metric of the items; hdr-v1 has mu_psnr_db, too.")  # fmt: skip
 @_outputs
-def compare(results: tuple[Path, ...], metric: str, as_json: bool, out: Path | None) -> None:
+def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     """How much better B is than A, in pairs: the same items of the same scenes.
 
     More pairs are more seeds of the same two: the interval is over scenes, with all seeds.
     """
     if len(results) % 2:
         raise click.UsageError("results are compared in pairs: A.json B.json, for each seed")
-    from nscc_training.evaluation.result_text import comparison_text, result_json
+    from nscc_training.evaluation.result_text import comparison_text
     from nscc_training.evaluation.results import compare as compared
     from nscc_training.evaluation.results import read_result
 
     read = [read_result(path) for path in results]
     found = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
-    text = result_json(found)
-    if out is not None:
-        write_together({out: text.encode()})
-    click.echo(text.rstrip("\n") if as_json else comparison_text(found, metric))
+    _finish(found, comparison_text(found, metric) + "\n", {}, **outputs)
+
+
+def _of_scenes(
+    found: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, **outputs: Any
+) -> None:
+    """Write and print what was scored."""
+    from nscc_training.evaluation.result_text import arrays_in, result_text
+
+    products = {} if save is None else arrays_in(save, arrays)
+    _finish(found, result_text(found), products, **outputs)
 
 
 def _finish(
-    found: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, as_json: bool,
-    out: Path | None,
-) -> None:  # fmt: skip
+    found: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
+) -> None:
     """Write and print a result."""
-    from nscc_training.evaluation.result_text import arrays_in, result_json, result_text
+    from nscc_training.evaluation.result_text import result_json
 
     text = result_json(found)
-    products: dict[Path, Product] = {}
-    if out is not None:
-        products[out] = text.encode()
-    if save is not None:
-        products |= arrays_in(save, arrays)
-    write_together(products)
-    click.echo(text if as_json else result_text(found), nl=False)
+    write_together({**({out: text.encode()} if out else {}), **products})
+    click.echo(text if as_json else human, nl=False)

@@ -35,7 +35,9 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     if isinstance(error, MemoryError):
         return _out_of_memory(error), FAILED
     if isinstance(error, RecursionError):
-        return _too_deep(), REJECTED
+        deep = "this input is nested more deeply than nscc can follow"
+        hint = "use fewer parentheses, or name parts of an expression with `let`"
+        return Diagnostic("NS0903", deep, helps=(hint,)), REJECTED
     if isinstance(error, ModuleNotFoundError) and not (error.name or "nscc").startswith("nscc"):
         return _missing_package(error), WRONG_USAGE
     if isinstance(error, OSError) and error.errno is not None and not _of_nscc(error.filename):
@@ -66,14 +68,6 @@ def _out_of_memory(error: MemoryError) -> Diagnostic:
         "there is not enough memory for this",
         notes=(said,) if said else (),
         helps=("use fewer slots, codes or repeats, a smaller array, or leave `--keep` out",),
-    )
-
-
-def _too_deep() -> Diagnostic:
-    return Diagnostic(
-        "NS0903",
-        "this input is nested more deeply than nscc can follow",
-        helps=("use fewer parentheses, or name parts of an expression with `let`",),
     )
 
 

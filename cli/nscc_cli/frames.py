@@ -1,18 +1,47 @@
-"""What commands that expose frames share: what to keep, where files go, and what is said."""
+"""What commands that expose frames share: scene and sensor, what to keep, where files go."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
-from nscc.files import Product, refuse_same
+from nscc.files import Product, refuse_same, write_together
+from nscc_cli.support import progress
 
 if TYPE_CHECKING:
+    from nscc.target.target import Target
     from nscc.words.container import Container
     from nscc_runtime.frame_file import Frame
+    from nscc_runtime.light import Light
+    from nscc_runtime.scenes import Scene
+    from nscc_runtime.sensor import Sensor
+    from nscc_runtime.timings import Timings
+
+
+def scene_of(
+    options: Mapping[str, Any], missing: str = "no scene to expose: --scene is missing"
+) -> Scene:
+    """The scene that a command's options describe; NS0744 with the text `missing` without one."""
+    from nscc_runtime.scenes import Scene
+
+    if not options["scene"]:
+        raise rejected(
+            "NS0744",
+            missing,
+            helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
+        )
+    named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
+    return Scene(*(options[name] for name in named))
+
+
+def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
+    """The sensor that a command's options describe, on this chip."""
+    from nscc_runtime.sensor import load_sensor
+
+    return load_sensor(target, options["sensor"], options["sensor_set"])
 
 
 def parse_keep(text: str) -> tuple[str, ...]:
@@ -32,7 +61,7 @@ def parse_keep(text: str) -> tuple[str, ...]:
     return names
 
 
-def frame_path(program: Path, options: dict[str, Any]) -> Path:
+def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
     """Where the frame goes. Not NAME.npz: that may well be the program's own data.
 
     NS0745 where two products would be one file.
@@ -43,7 +72,31 @@ def frame_path(program: Path, options: dict[str, Any]) -> Path:
     return out
 
 
-def picture(container: Container, frame: Frame, title: str) -> Product:
+def write_frame(
+    out: Path, options: Mapping[str, Any], keep: Sequence[str], container: Container,
+    light: Light | None, frame: Frame, meta: Mapping[str, Any], title: str, timings: Timings,
+    plan: str | None = None,
+) -> list[Path]:  # fmt: skip
+    """Write the frame file, and the picture, plan and timings that were asked for; where frame,
+    picture and plan are."""
+    from nscc.prove.shutters import replayed
+    from nscc_runtime.frame_file import FrameFile
+
+    with timings.part("write_s"):
+        shutters = replayed(container) if "shutter" in keep else None
+        file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
+        products: dict[Path, Product] = {out: file.write}
+        if options["png"]:
+            products[options["png"]] = _picture(container, frame, title)
+        if plan is not None:
+            products[options["plan"]] = plan.encode()
+        write_together(products)
+    if options["timings"]:
+        write_together({options["timings"]: timings.json()})
+    return [*products]
+
+
+def _picture(container: Container, frame: Frame, title: str) -> Product:
     """The picture of `--png`: of the first frame, where there are several."""
     from nscc_runtime.pictures.frames import frame_sheet, readouts
     from nscc_runtime.pictures.sheet import png_of

@@ -9,10 +9,10 @@ import click
 from nscc import __version__
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.plugins import added, unusable
-from nscc_cli.support import session, show
+from nscc_cli.support import show
 from nscc_cli.table import COMMANDS
 
-_MODULES = {entry.name: entry.module for entry in COMMANDS}
+_OWN = [entry.name for entry in COMMANDS]
 
 
 class LazyGroup(click.Group):
@@ -24,16 +24,13 @@ class LazyGroup(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """The names of all commands, as `--help` and completion show them: nscc's own first."""
-        return [*_MODULES, *self._others()]
+        return [*_OWN, *self._others()]
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command of that name, imported now; None if there is none."""
-        module = _MODULES.get(cmd_name)
-        if module is None:
+        if cmd_name not in _OWN:
             return others().get(cmd_name)
-        command = import_module(module).command
-        if not isinstance(command, click.Command):
-            raise TypeError(f"{module}.command is no click command")
+        command: click.Command = import_module(f"nscc_cli.{cmd_name}").command
         return command
 
     def resolve_command(
@@ -62,7 +59,7 @@ class LazyGroup(click.Group):
         try:
             return others()
         except Rejected as rejected:
-            show(rejected.diagnostics, session().message_format)
+            show(rejected.diagnostics)
             return {}
 
 
@@ -71,7 +68,7 @@ def others() -> dict[str, click.Command]:
 
     Raises Rejected (NS0905) for what is no click command or has the name of one of nscc's own.
     """
-    found = added("nscc.commands", _MODULES)
+    found = added("nscc.commands", _OWN)
     for name, command in found.items():
         if not isinstance(command, click.Command):
             raise unusable("nscc.commands", name, f"a {type(command).__name__} is no click command")
@@ -91,25 +88,12 @@ def _unknown(name: str, known: list[str]) -> Diagnostic:
     return Diagnostic("NS0781", f"nscc has no command '{name}'", helps=helps)
 
 
-def _version(context: click.Context, _option: click.Parameter, value: bool) -> None:
-    if value and not context.resilient_parsing:
-        click.echo(f"nscc {__version__}")
-        context.exit()
-
-
-group = LazyGroup(
+_version_option = click.version_option(
+    __version__, message="nscc %(version)s", help="Print the version and exit."
+)
+group = _version_option(LazyGroup(
     name="nscc",
     help="Compile per-pixel shutter programs for SCAMP-5 class vision chips, and run them.",
     epilog="`nscc COMMAND --help` says more about one; `nscc explain NSxxxx` about a message.",
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
-    params=[
-        click.Option(
-            ["--version"],
-            is_flag=True,
-            is_eager=True,
-            expose_value=False,
-            callback=_version,
-            help="Print the version and exit.",
-        )
-    ],
-)
+))  # fmt: skip

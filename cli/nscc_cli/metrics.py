@@ -4,44 +4,28 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from typing import Any
 
 import click
 
 from nscc.files import write_whole
+from nscc_cli.options import PATH
 from nscc_cli.support import CommonCommand, NumberRange
 
 
 @click.command("metrics", cls=CommonCommand)
-@click.argument("truth", type=click.Path(path_type=Path))
-@click.argument("result", metavar="REC", type=click.Path(path_type=Path))
-@click.option(
-    "--data-range",
-    type=float,
-    required=True,
-    metavar="R",
-    help="The peak that errors count against: 255 for 8-bit values, 1 for values on [0, 1].",
-)
+@click.argument("truth", type=PATH)
+@click.argument("result", metavar="REC", type=PATH)
+@click.option("--data-range", type=float, required=True, metavar="R", help="The peak that errors "
+              "count against: 255 for 8-bit values, 1 for values on [0, 1].")  # fmt: skip
 @click.option("--truth-key", help="Which array of TRUTH, where it holds several.")
-@click.option("--rec-key", help="Which array of REC, where it holds several.")
-@click.option(
-    "--nits",
-    type=NumberRange(0.005, 10000.0, min_open=True),
-    default=1000.0,
-    show_default=True,
-    help="The luminance in cd/m2 that R stands for, in PU21-PSNR.",
-)
+@click.option("--rec-key", "result_key", help="Which array of REC, where it holds several.")
+@click.option("--nits", type=NumberRange(0.005, 10000.0, min_open=True), default=1000.0,
+              show_default=True,
+              help="The luminance in cd/m2 that R stands for, in PU21-PSNR.")  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, every frame of a clip too.")
-@click.option("-o", "out", type=click.Path(path_type=Path), help="Write the JSON to a file.")
-def command(
-    truth: Path,
-    result: Path,
-    data_range: float,
-    truth_key: str | None,
-    rec_key: str | None,
-    nits: float,
-    as_json: bool,
-    out: Path | None,
-) -> None:
+@click.option("-o", "out", type=PATH, help="Write the JSON to a file.")
+def command(as_json: bool, out: Path | None, **pair: Any) -> None:
     """Compare REC with TRUTH: pictures (rows, cols) or clips (T, rows, cols).
 
     PSNR, SSIM, mu-law PSNR (5000), PU21-PSNR and, of clips, the temporal error. Values are taken
@@ -49,7 +33,7 @@ def command(
     """
     from nscc_training.measures import measure_files, measures_text
 
-    found = measure_files(truth, result, data_range, nits, truth_key=truth_key, result_key=rec_key)
+    found = measure_files(**pair)
     text = json.dumps(found, indent=2, allow_nan=False) + "\n"
     if out is not None:
         write_whole(out, text.encode())

@@ -9,10 +9,8 @@ import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
-from nscc.files import Product, write_together
-from nscc_cli.frames import frame_path, picture, summary
-from nscc_cli.programs import BuildChoice, load_program
-from nscc_cli.scene_options import scene_of, sensor_of
+from nscc_cli.frames import frame_path, scene_of, sensor_of, summary, write_frame
+from nscc_cli.programs import load_program
 from nscc_cli.support import done, progress, say
 
 _SIMULATION = ("effects", "seed", "device_seed", "fidelity", "tolerance", "audit", "plan")
@@ -21,20 +19,17 @@ _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
 def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
     """Expose on the device at `options["place"]`, as `nscc run` does on the emulator."""
-    from nscc.containers import with_pixels
-    from nscc.prove.shutters import replayed
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.frames import exposed
     from nscc_runtime.device.link import Link
-    from nscc_runtime.frame_file import FrameFile, check_adc
+    from nscc_runtime.frame_file import check_adc
     from nscc_runtime.timings import Timings
 
     place, scene = options["place"], options["scene"]
     _refuse_simulation(place, scene, keep)
     timings = Timings()
     with timings.part("compile_s"):
-        container, messages = load_program(program, BuildChoice.of(options))
-        container = with_pixels(container, program, options["pixels"])
+        container, messages = load_program(program, options)
     check_adc(container.target)
     sensor = sensor_of(container.target, options)
     light, said = None, list(messages)
@@ -51,17 +46,9 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     ):
         chip = Chip(link, sensor, progress)
         frame, meta = exposed(chip, container, light, options["repeat"], progress)
-    with timings.part("write_s"):
-        shutters = replayed(container) if "shutter" in keep else None
-        file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
-        products: dict[Path, Product] = {out: file.write}
-        if options["png"]:
-            title = f"{program.name}  ·  on the device"
-            products[options["png"]] = picture(container, frame, title)
-        write_together(products)
-    if options["timings"]:
-        write_together({options["timings"]: timings.json()})
-    done(summary(container, frame, [*products], alike=False))
+    title = f"{program.name}  ·  on the device"
+    files = write_frame(out, options, keep, container, light, frame, meta, title, timings)
+    done(summary(container, frame, files, alike=False))
 
 
 def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> None:

@@ -1,13 +1,10 @@
-"""What commands that take a program share: build's options, and .nsl or .icw to a container."""
+"""What commands that take a program share: from build's options and a file to words."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, fields
+from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
-
-import click
+from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected
 
@@ -16,109 +13,59 @@ if TYPE_CHECKING:
     from nscc.pipeline import Compiled, Options
     from nscc.words.container import Container
 
-Command = TypeVar("Command", bound=Callable[..., Any])
+_SPELLED = {
+    "level": "-O",
+    "codes": "--codes",
+    "lowering": "--lowering",
+    "target": "--target",
+    "max_words_per_slot": "--max-words-per-slot",
+}
+"""Build's options, and how the user spells them; `cache` changes nothing in a product."""
 
 
-@dataclass(frozen=True)
-class BuildChoice:
-    """Build's options as given; None where the user gave none. `cache`: results may be reused."""
-
-    level: int | None = None
-    codes: str | None = None
-    lowering: str | None = None
-    target: str | None = None
-    cache: bool = True
-    max_words_per_slot: int | None = None
-
-    @classmethod
-    def of(cls, options: Mapping[str, Any]) -> BuildChoice:
-        """From a command's options by name."""
-        return cls(**{field.name: options[field.name] for field in fields(cls)})
-
-    def given(self) -> list[str]:
-        """The options that were given, as the user spells them."""
-        named = (
-            ("-O", self.level),
-            ("--codes", self.codes),
-            ("--lowering", self.lowering),
-            ("--target", self.target),
-            ("--max-words-per-slot", self.max_words_per_slot),
-        )
-        return [name for name, value in named if value is not None]
-
-
-def build_options(function: Command) -> Command:
-    """Adds the options of BuildChoice, under the names of its fields."""
-    options = (
-        click.option(
-            "-O",
-            "level",
-            type=click.IntRange(0, 3),
-            help="How long to search for fewer words (default: 2; check: 1).",
-        ),
-        click.option(
-            "--codes",
-            type=click.Choice(["fixed", "open"]),
-            help="Compile for the codes in use, or for every legal one (default: fixed).",
-        ),
-        click.option(
-            "--lowering",
-            type=click.Choice(["auto", "accumulate", "latch", "edges"]),
-            help="How exposure is gathered (default: auto, the cheapest).",
-        ),
-        click.option(
-            "--target", metavar="NAME|FILE.toml", help="The chip, instead of the program's own."
-        ),
-        click.option(
-            "--cache/--no-cache",
-            default=True,
-            help="Keep search results of -O2 and -O3 and reuse them (default), or search anew.",
-        ),
-        click.option(
-            "--max-words-per-slot",
-            metavar="W",
-            type=click.IntRange(min=1),
-            help="Reject what executes more words than this in any slot.",
-        ),
-    )
-    for option in reversed(options):
-        function = option(function)
-    return function
-
-
-def compile_program(path: Path, choice: BuildChoice, **more: Any) -> Compiled:
-    """Compiles a program as `choice` says; Rejected where it does not compile.
+def compile_program(path: Path, options: Mapping[str, Any], **more: Any) -> Compiled:
+    """Compiles a program as a command's options say; Rejected where it does not compile.
 
     `more` are further fields of `nscc.pipeline.Options`, and `see`, an observer of its passes.
     """
     from nscc.compiler import compile_file
 
     see = more.pop("see", None)
-    return compile_file(path, compile_options(choice, **more), see)
+    return compile_file(path, compile_options(options, **more), see)
 
 
-def compile_options(choice: BuildChoice, **more: Any) -> Options:
-    """The compiler's options where `choice` gives some, its defaults elsewhere."""
+def compile_options(options: Mapping[str, Any], **more: Any) -> Options:
+    """The compiler's options where a command's options give some, its defaults elsewhere."""
     from nscc.pipeline import Options
 
-    given = {name: value for name, value in vars(choice).items() if value is not None}
-    return Options(**given, **more)
+    return Options(**_given(options, *_SPELLED, "cache"), **more)
 
 
-def load_program(path: Path, choice: BuildChoice) -> tuple[Container, tuple[Diagnostic, ...]]:
+def load_program(
+    path: Path, options: Mapping[str, Any]
+) -> tuple[Container, tuple[Diagnostic, ...]]:
     """The container in an .icw file, or of a program that is compiled now; and its messages.
+
+    A command that has the option `pixels` gets a container whose pixels have codes.
 
     Raises Rejected as `nscc.containers.load_container` does, and NS0743 (status 2) for build's
     options beside a compiled program.
     """
-    from nscc.containers import is_compiled, load_container
+    from nscc.containers import is_compiled, load_container, with_pixels
 
-    if is_compiled(path) and choice.given():
-        names = ", ".join(choice.given())
+    names = ", ".join(_SPELLED[name] for name in _given(options, *_SPELLED))
+    if names and is_compiled(path):
         raise rejected(
             "NS0743",
             f"{names} cannot change '{path}': it is compiled already",
             notes=("build's options take effect where a program becomes words",),
             helps=(f"give the .nsl file instead, or leave {names} out",),
         )
-    return load_container(path, compile_options(choice))
+    container, messages = load_container(path, compile_options(options))
+    if "pixels" in options:
+        container = with_pixels(container, path, options["pixels"])
+    return container, messages
+
+
+def _given(options: Mapping[str, Any], *names: str) -> dict[str, Any]:
+    return {name: options[name] for name in names if options.get(name) is not None}

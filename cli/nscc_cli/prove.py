@@ -6,11 +6,12 @@ from pathlib import Path
 
 import click
 
+from nscc_cli.options import PATH
 from nscc_cli.support import CommonCommand
 
 
 @click.command("prove", cls=CommonCommand)
-@click.argument("file", metavar="FILE.icw", type=click.Path(path_type=Path))
+@click.argument("file", metavar="FILE.icw", type=PATH)
 def command(file: Path) -> None:
     """Replay FILE's words over all its codes and two frames of random light.
 

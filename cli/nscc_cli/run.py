@@ -9,11 +9,18 @@ import click
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.files import Product, write_together
-from nscc_cli.frames import frame_path, parse_keep, picture, summary
-from nscc_cli.link_options import link_options
-from nscc_cli.programs import BuildChoice, build_options, load_program
-from nscc_cli.scene_options import scene_of, scene_options, sensor_of, sensor_options
+from nscc_cli.frames import frame_path, parse_keep, scene_of, sensor_of, summary, write_frame
+from nscc_cli.options import (
+    PATH,
+    SEED,
+    build_options,
+    link_options,
+    pixels_option,
+    program_argument,
+    scene_options,
+    sensor_options,
+)
+from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, done, progress, say
 
 if TYPE_CHECKING:
@@ -23,59 +30,33 @@ _MOST_REPEATS = 10000
 
 
 @click.command(name="run", cls=CommonCommand)
-@click.argument("program", metavar="FILE.nsl|FILE.icw", type=click.Path(path_type=Path))
+@program_argument
+@click.option("--scene", help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
+              "builtin:flat:E, builtin:dark.")  # fmt: skip
 @click.option(
-    "--scene",
-    help="A file, a folder of pictures, or builtin:hdr, builtin:motion, builtin:flat:E, "
-    "builtin:dark.",
+    "-o", "out", type=PATH, help="The frame file (default: NAME.frame.npz in this folder)."
 )
-@click.option(
-    "-o",
-    "out",
-    type=click.Path(path_type=Path),
-    help="The frame file (default: NAME.frame.npz in this folder).",
-)
-@click.option("--png", type=click.Path(path_type=Path), help="Also write a picture of the frame.")
-@click.option(
-    "--effects",
-    help="Sensor effects: auto, all, none (the default), or names; +NAME forces one on, -NAME off.",
-)
-@click.option(
-    "--seed", type=click.IntRange(0, 2**63 - 1), default=0, help="Seed of a frame's noise."
-)
-@click.option(
-    "--device-seed", type=click.IntRange(0, 2**63 - 1), default=0, help="Seed of fixed patterns."
-)
+@click.option("--png", type=PATH, help="Also write a picture of the frame.")
+@click.option("--effects", help="Sensor effects: auto, all, none (the default), or names; +NAME "
+              "forces one on, -NAME off.")  # fmt: skip
+@click.option("--seed", type=SEED, default=0, help="Seed of a frame's noise.")
+@click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
 @click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames.")
 @click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes.")
-@click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
+@pixels_option
 @scene_options
-@click.option(
-    "--on",
-    "place",
-    default="emulator",
-    show_default=True,
-    metavar="emulator|PORT",
-    help="Where to run: a serial port is a device's.",
-)
+@click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
+              help="Where to run: a serial port is a device's.")  # fmt: skip
 @link_options
-@click.option(
-    "--fidelity",
-    type=click.Choice(["planned", "reference"]),
-    default="planned",
-    help="reference: effects slot by slot, exactly (slow). planned: to a tolerance.",
-)
-@click.option(
-    "--tolerance", metavar="5e|0.1lsb", help="RMS error that a plan may make (default: 5e)."
-)
+@click.option("--fidelity", type=click.Choice(["planned", "reference"]), default="planned",
+              help="reference: effects slot by slot, exactly (slow). planned: to a "
+              "tolerance.")  # fmt: skip
+@click.option("--tolerance", metavar="5e|0.1lsb",
+              help="RMS error that a plan may make (default: 5e).")  # fmt: skip
 @click.option("--audit", is_flag=True, help="Compare with the reference; exit 1 if it broke.")
-@click.option(
-    "--plan", type=click.Path(path_type=Path), help="Use this plan; if there is none, write it."
-)
+@click.option("--plan", type=PATH, help="Use this plan; if there is none, write it.")
 @sensor_options
-@click.option(
-    "--timings", type=click.Path(path_type=Path), help="Write seconds spent, as JSON, to a file."
-)
+@click.option("--timings", type=PATH, help="Write seconds spent, as JSON, to a file.")
 @build_options
 def command(program: Path, **options: Any) -> None:
     """Expose one frame of a scene with a program, and write it as an .npz file.
@@ -92,9 +73,7 @@ def command(program: Path, **options: Any) -> None:
 
 
 def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
-    from nscc.containers import with_pixels
-    from nscc.prove.shutters import replayed
-    from nscc_runtime import frame_file
+    from nscc_runtime.frame_file import meta
     from nscc_runtime.plan_file import plan_table
     from nscc_runtime.simulate import Listener, simulate
 
@@ -102,33 +81,23 @@ def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ..
     listener = Listener(done, lambda diagnostic: say([diagnostic]), progress)
     timings = listener.timings
     with timings.part("compile_s"):
-        container, messages = load_program(program, BuildChoice.of(options))
-        container = with_pixels(container, program, options["pixels"])
+        container, messages = load_program(program, options)
     sensor = sensor_of(container.target, options)
     with timings.part("scene_s"):
         scene, said = scene_of(options), list(messages)
         light = scene.light(container.slot_us, container.target, said.append, progress)
         say(said)
-    taken = simulate(container, light, sensor, request, listener)
     out = frame_path(program, options)
-    with timings.part("write_s"):
-        shutters = replayed(container) if "shutter" in keep else None
-        meta = frame_file.meta(container, light, taken.frame, taken.origin)
-        file = frame_file.FrameFile.of(
-            container, light, taken.frame, meta, keep, shutters, progress
-        )
-        products: dict[Path, Product] = {out: file.write}
-        if options["png"]:
-            title = f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}"
-            products[options["png"]] = picture(container, taken.frame, title)
-        if taken.plan_file is not None:
-            products[options["plan"]] = taken.plan_file.encode()
-        write_together(products)
-    if options["timings"]:
-        write_together({options["timings"]: timings.json()})
+    taken = simulate(container, light, sensor, request, listener)
+    frame = taken.frame
+    files = write_frame(
+        out, options, keep, container, light, frame, meta(container, light, frame, taken.origin),
+        f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
+        taken.plan_file,
+    )  # fmt: skip
     if taken.plan is not None:
         done(plan_table(taken.plan, taken.audit) + "\n")
-    done(summary(container, taken.frame, [*products], alike=request.effects.noiseless))
+    done(summary(container, frame, files, alike=request.effects.noiseless))
     if taken.broken is not None:
         raise taken.broken
 
@@ -156,15 +125,12 @@ def _request(options: dict[str, Any]) -> Request:
             "a plan that is used has decided on effects and tolerance",
             f"leave {named} out, or name a file that does not exist to write a new plan",
         )
+    same = ("audit", "plan", "seed", "device_seed", "repeat")
     return Request(
         effects,
         planned=not reference and (bool(asked) or not effects.noiseless),
         tolerance="5e" if options["tolerance"] is None else options["tolerance"],
-        audit=options["audit"],
-        plan=plan,
-        seed=options["seed"],
-        device_seed=options["device_seed"],
-        repeat=options["repeat"],
+        **{name: options[name] for name in same},
     )
 
 

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 import click
 
 from nscc.files import write_whole
-from nscc_cli.programs import BuildChoice, build_options, load_program
+from nscc_cli.options import PATH, build_options
+from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, say
 
 
 @click.command("shutters", cls=CommonCommand)
-@click.argument("file", type=click.Path(path_type=Path))
-@click.option("-o", "out", required=True, metavar="S.npz", type=click.Path(path_type=Path))
+@click.argument("file", type=PATH)
+@click.option("-o", "out", required=True, metavar="S.npz", type=PATH)
 @build_options
 def command(file: Path, out: Path, **options: Any) -> None:
     """Write the shutters of all pixels of FILE (.nsl or .icw) as the words open them.
@@ -26,12 +27,9 @@ def command(file: Path, out: Path, **options: Any) -> None:
 
     from nscc.prove.shutters import shutters_of_pixels
 
-    container, messages = load_program(file, BuildChoice.of(options))
+    container, messages = load_program(file, options)
     say(messages)
     arrays = shutters_of_pixels(container, f"'{file.as_posix()}'")
-
-    def save(stream: BinaryIO) -> None:
-        np.savez(stream, **arrays)  # type: ignore[arg-type]  # numpy types keywords as one kind
-
-    write_whole(out, save)
+    # numpy types keywords as one kind
+    write_whole(out, lambda stream: np.savez(stream, **arrays))  # type: ignore[arg-type]
     click.echo(f"wrote {out.as_posix()}", err=True)

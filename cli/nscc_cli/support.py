@@ -12,6 +12,8 @@ from typing import Any, Literal, TypeVar
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import closest
 
 Item = TypeVar("Item")
 MessageFormat = Literal["human", "short", "json"]
@@ -58,13 +60,13 @@ def use_color() -> bool:
     )
 
 
-def show(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> None:
-    """Render diagnostics to standard error."""
+def show(diagnostics: Sequence[Diagnostic], message_format: MessageFormat | None = None) -> None:
+    """Render diagnostics to standard error, in the session's format if no other is given."""
     if not diagnostics:
         return
     from nscc.diagnostics.render import render
 
-    text = render(diagnostics, message_format, use_color())
+    text = render(diagnostics, message_format or session().message_format, use_color())
     sys.stderr.write(text if text.endswith("\n") else text + "\n")
     sys.stderr.flush()
 
@@ -78,13 +80,19 @@ def say(diagnostics: Sequence[Diagnostic]) -> None:
     now = session()
     if now.deny_warnings and any(d.severity is Severity.WARNING for d in diagnostics):
         raise Rejected(tuple(_denied(d) for d in diagnostics))
-    show(diagnostics, now.message_format)
+    show(diagnostics)
 
 
 def done(text: str) -> None:
     """Tell the user what was done, on standard error; programs (json) read the files instead."""
     if session().message_format != "json":
         click.echo(text, err=True)
+
+
+def say_compiling(loop: Any, what: str) -> None:
+    """Say that a loop has yet to be compiled, where that is so: the user will wait for it."""
+    if not loop.is_compiled():
+        done(f"compiling {what} for this processor: once, some seconds")
 
 
 def _denied(diagnostic: Diagnostic) -> Diagnostic:
@@ -102,35 +110,52 @@ class CommonCommand(click.Command):
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
         super().__init__(*arguments, **settings)
-        self.params.append(
+        self.params += [
             click.Option(
-                ["--message-format"],
-                type=click.Choice(FORMATS),
-                default=None,
-                expose_value=False,
-                callback=_set_format,
+                ["--message-format"], type=click.Choice(FORMATS), default=None,
+                expose_value=False, callback=_to_session,
                 help="How messages are written to standard error (default: human).",
-            )
-        )
-        self.params.append(
+            ),
             click.Option(
-                ["--deny-warnings"],
-                is_flag=True,
-                expose_value=False,
-                callback=_set_deny,
+                ["--deny-warnings"], is_flag=True, expose_value=False, callback=_to_session,
                 help="Treat warnings as errors.",
-            )
-        )
+            ),
+        ]  # fmt: skip
 
 
-def _set_format(context: click.Context, _option: click.Parameter, value: Any) -> None:
-    if value is not None:
-        context.find_root().ensure_object(Session).message_format = value
-
-
-def _set_deny(context: click.Context, _option: click.Parameter, value: Any) -> None:
+def _to_session(context: click.Context, option: click.Parameter, value: Any) -> None:
     if value:
-        context.find_root().ensure_object(Session).deny_warnings = True
+        setattr(context.find_root().ensure_object(Session), str(option.name), value)
+
+
+class Subcommands(CommonCommand, click.Group):
+    """A command with commands of its own; other names are rejected (NS0781)."""
+
+    unknown = "command '{}'"
+    """What a name is called that is none of them."""
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The command named first in `args`, and what follows it."""
+        name = args[0]
+        if name not in self.commands and not name.startswith("-"):
+            return self.other(name, args)
+        return super().resolve_command(ctx, args)
+
+    def other(
+        self, name: str, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """The same where there is no command of that name."""
+        near = closest(name, self.commands)
+        raise rejected(
+            "NS0781",
+            f"nscc has no {self.unknown.format(name[:60])}",
+            helps=(
+                *((f"did you mean `nscc {self.name} {near}`?",) if near else ()),
+                f"there is: {', '.join(self.commands)}",
+            ),
+        )
 
 
 def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> Iterator[Item]:

@@ -9,14 +9,10 @@ from pathlib import Path
 
 import click
 
-from nscc.target.load import (
-    DEFAULT_NAME,
-    load_target,
-    target_names,
-    target_toml,
-)
+from nscc.target.load import DEFAULT_NAME, load_target, target_names, target_toml
 from nscc.target.target import SCHEMA, Target
 from nscc.toml.schema import Key
+from nscc_cli.options import LEVEL
 from nscc_cli.support import CommonCommand, progress
 
 DEFAULT_SLOTS = ("1ms", "10us")
@@ -40,24 +36,14 @@ def _checked_times(
 @click.command(name="targets", cls=CommonCommand)
 @click.argument("name", required=False, metavar="[NAME|FILE.toml]")
 @click.option("--toml", is_flag=True, help="Print a complete file that --target accepts.")
-@click.option(
-    "--limits",
-    is_flag=True,
-    help="Compile every class at growing sizes: what fits, what cannot, what is unknown.",
-)
+@click.option("--limits", is_flag=True, help="Compile every class at growing sizes: what fits, "
+              "what cannot, what is unknown.")  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="Print the limits for programs.")
-@click.option(
-    "--slot",
-    "slots",
-    multiple=True,
-    metavar="TIME",
-    callback=_checked_times,
-    help="Length of the slots that limits are found for; may be repeated (default: 1ms and 10us).",
-)
-@click.option(
-    "-O", "level", type=click.IntRange(0, 3), default=1, show_default=True,
-    help="How hard the compiler tries while limits are found.",
-)  # fmt: skip
+@click.option("--slot", "slots", multiple=True, metavar="TIME", callback=_checked_times,
+              help="Length of the slots that limits are found for; may be repeated (default: 1ms "
+              "and 10us).")  # fmt: skip
+@click.option("-O", "level", type=LEVEL, default=1, show_default=True,
+              help="How hard the compiler tries while limits are found.")  # fmt: skip
 def command(
     name: str | None, toml: bool, limits: bool, as_json: bool, slots: tuple[str, ...], level: int
 ) -> None:

@@ -2,16 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.files import Product, refuse_same, write_together
-from nscc_cli.programs import BuildChoice, build_options, compile_options, load_program
-from nscc_cli.scene_options import scene_of, scene_options, sensor_of, sensor_options
-from nscc_cli.support import CommonCommand, done, progress, say
+from nscc.files import Product
+from nscc.tradeoff.device import processor_name
+from nscc.tradeoff.points import csv_text
+from nscc_cli.frames import scene_of, sensor_of
+from nscc_cli.options import (
+    PATH,
+    SEED,
+    build_options,
+    csv_options,
+    pixels_option,
+    repeats_option,
+    scene_options,
+    sensor_options,
+)
+from nscc_cli.programs import compile_options, load_program
+from nscc_cli.support import CommonCommand, progress, say
+from nscc_cli.tradeoff_files import output_files, write_files
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
@@ -19,42 +33,26 @@ if TYPE_CHECKING:
     from nscc_runtime.sensor import Sensor
     from nscc_runtime.tradeoff.study import Scene, Settings, Study
 
-_SEEDS = click.IntRange(0, 2**63 - 1)
-
 
 @click.command("emulator", cls=CommonCommand)
-@click.argument(
-    "program", required=False, metavar="[FILE.nsl|FILE.icw]", type=click.Path(path_type=Path)
-)
-@click.option(
-    "--scene", "scenes", multiple=True, metavar="SCENE",
-    help="As in nscc run; more than once for several (default: three builtin ones).",
-)  # fmt: skip
-@click.option(
-    "-o", "out", type=click.Path(path_type=Path), metavar="OUT",
-    help="Write OUT.csv, OUT.png, OUT_calibration.png and OUT_budget.png.",
-)  # fmt: skip
-@click.option("--csv", "csv_path", type=click.Path(path_type=Path), help="Write the CSV file here.")
-@click.option("--png", "png_path", type=click.Path(path_type=Path), help="Write the diagram here.")
-@click.option(
-    "--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e", show_default=True,
-    help="Tolerances to plan for: electrons (5e) or codes (0.1lsb).",
-)  # fmt: skip
-@click.option(
-    "--budget", metavar="T", default="5e", show_default=True,
-    help="The tolerance whose plans are shown effect by effect.",
-)  # fmt: skip
-@click.option(
-    "--frames", type=click.IntRange(2, 1000), default=2, show_default=True,
-    help="Frames of which errors are measured; more where they have few pixels.",
-)  # fmt: skip
-@click.option(
-    "--repeats", type=click.IntRange(1, 1000), default=5, show_default=True,
-    help="How often everything is timed, in turn: the median counts.",
-)  # fmt: skip
-@click.option("--seed", type=_SEEDS, default=0, help="Seed of the frames' noise.")
-@click.option("--device-seed", type=_SEEDS, default=0, help="Seed of fixed patterns.")
-@click.option("--pixels", type=click.Path(path_type=Path), help="The pixels' codes (.npz).")
+@click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
+@click.option("--scene", "scenes", multiple=True, metavar="SCENE", help="As in nscc run; more than "
+              "once for several (default: three builtin ones).")  # fmt: skip
+@click.option("-o", "out", type=PATH, metavar="OUT", help="Write OUT.csv, OUT.png, "
+              "OUT_calibration.png and OUT_budget.png.")  # fmt: skip
+@csv_options
+@click.option("--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e",
+              show_default=True,
+              help="Tolerances to plan for: electrons (5e) or codes (0.1lsb).")  # fmt: skip
+@click.option("--budget", metavar="T", default="5e", show_default=True,
+              help="The tolerance whose plans are shown effect by effect.")  # fmt: skip
+@click.option("--frames", type=click.IntRange(2, 1000), default=2, show_default=True,
+              help="Frames of which errors are measured; more where they have few "
+              "pixels.")  # fmt: skip
+@repeats_option(5)
+@click.option("--seed", type=SEED, default=0, help="Seed of the frames' noise.")
+@click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
+@pixels_option
 @scene_options
 @sensor_options
 @build_options
@@ -71,7 +69,7 @@ def command(program: Path | None, **options: Any) -> int:
     from nscc_runtime.tradeoff.study import measure
     from nscc_runtime.tradeoff.study_text import kept, studies_text
 
-    files = _files(options["out"], options["csv_path"], options["png_path"])
+    files = output_files(options, "calibration", "budget")
     container, messages = _container(program, options)
     sensor = sensor_of(container.target, options)
     settings = _settings(options, sensor)
@@ -80,10 +78,7 @@ def command(program: Path | None, **options: Any) -> int:
     gb_per_s = copy_gb_per_s()
     studies = measure(made, scenes, settings, gb_per_s, lambda work: progress(work, "measuring"))
     click.echo(studies_text(studies, gb_per_s))
-    products = _products(studies, files, options["repeats"])
-    write_together(products)
-    if products:
-        done("wrote " + ", ".join(path.as_posix() for path in products))
+    write_files(files, _makers(studies, options["repeats"]))
     return 0 if all(kept(each) for study in studies for each in study.asked) else 1
 
 
@@ -91,21 +86,17 @@ def _container(
     path: Path | None, options: dict[str, Any]
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
     """The program given, or else one of 16 slots."""
-    from nscc.containers import with_pixels
-
-    messages: tuple[Diagnostic, ...] = ()
     if path is not None:
-        container, messages = load_program(path, BuildChoice.of(options))
-    else:
-        from nscc.compiler import compile_source
-        from nscc.source import Source
-        from nscc_runtime.tradeoff.study import PROGRAM
+        return load_program(path, options)
+    from nscc.compiler import compile_source
+    from nscc.containers import with_pixels
+    from nscc.source import Source
+    from nscc_runtime.tradeoff.study import PROGRAM
 
-        path, choice = Path("default.nsl"), compile_options(BuildChoice.of(options))
-        compiled = compile_source(Source(path.name, PROGRAM), Path(), choice).container
-        assert compiled is not None  # what does not fit is rejected
-        container = compiled
-    return with_pixels(container, path, options["pixels"]), messages
+    path = Path("default.nsl")
+    made = compile_source(Source(path.name, PROGRAM), Path(), compile_options(options)).container
+    assert made is not None  # what does not fit is rejected
+    return with_pixels(made, path, options["pixels"]), ()
 
 
 def _settings(options: dict[str, Any], sensor: Sensor) -> Settings:
@@ -113,13 +104,11 @@ def _settings(options: dict[str, Any], sensor: Sensor) -> Settings:
     from nscc_runtime.tradeoff.study import Settings
 
     asked = {tolerance_e(part, sensor) for part in options["tolerances"].split(",")}
+    named = ("frames", "repeats", "seed", "device_seed")
     return Settings(
         tuple(sorted(asked)),
         tolerance_e(options["budget"], sensor),
-        options["frames"],
-        options["repeats"],
-        options["seed"],
-        options["device_seed"],
+        *(options[name] for name in named),
     )
 
 
@@ -148,38 +137,22 @@ def _scenes(
     ]
 
 
-def _files(out: Path | None, csv_path: Path | None, png_path: Path | None) -> dict[str, Path]:
-    """What goes where; NS0745 where two products would be one file."""
-    found = {}
-    if out is not None:
-        csv_path = csv_path or out.with_name(out.name + ".csv")
-        png_path = png_path or out.with_name(out.name + ".png")
-        found["calibration"] = out.with_name(out.name + "_calibration.png")
-        found["budget"] = out.with_name(out.name + "_budget.png")
-    given = {"csv": csv_path, "png": png_path}
-    found = {name: path for name, path in given.items() if path is not None} | found
-    refuse_same(found.values(), "--csv and --png")
-    return found
+def _makers(studies: tuple[Study, ...], repeats: int) -> dict[str, Callable[[], Product]]:
+    """What makes each product."""
+    device = processor_name()
 
+    def csv() -> bytes:
+        return csv_text([point for each in studies for point in each.points], device).encode()
 
-def _products(
-    studies: tuple[Study, ...], files: dict[str, Path], repeats: int
-) -> dict[Path, Product]:
-    from nscc.tradeoff.device import processor_name
-    from nscc.tradeoff.points import csv_text
+    def picture(name: str, *more: Any) -> bytes:
+        from nscc_runtime.pictures import studies as diagrams
+        from nscc_runtime.pictures.sheet import png_of
 
-    products: dict[Path, Product] = {}
-    if "csv" in files:
-        points = [point for study in studies for point in study.points]
-        products[files["csv"]] = csv_text(points, processor_name()).encode()
-    if not files.keys() - {"csv"}:
-        return products
-    from nscc_runtime.pictures.sheet import png_of
-    from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
+        return png_of(getattr(diagrams, f"{name}_diagram"), studies, *more)
 
-    if "png" in files:
-        products[files["png"]] = png_of(study_diagram, studies, repeats, processor_name())
-    if "calibration" in files:
-        products[files["calibration"]] = png_of(promise_diagram, studies)
-        products[files["budget"]] = png_of(budget_diagram, studies)
-    return products
+    return {
+        "csv": csv,
+        "png": lambda: picture("study", repeats, device),
+        "calibration": lambda: picture("promise"),
+        "budget": lambda: picture("budget"),
+    }

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from dataclasses import fields
+from typing import Any
 
 import click
 
 from nscc.lower.plan import LOWERINGS
 from nscc.tradeoff.points import csv_text, table_text
-from nscc_cli.support import CommonCommand, NumberRange, done, progress
-from nscc_cli.tradeoff_files import output_files, output_options, some, write_files
-
-if TYPE_CHECKING:
-    from nscc_training.tradeoff.sensor import Measured
+from nscc_cli.options import (
+    COUNT,
+    LEVEL,
+    made_scenes_option,
+    made_seed_option,
+    some_option,
+    tradeoff_options,
+)
+from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling
+from nscc_cli.tradeoff_files import output_files, write_files
 
 _CLASSES = ("b", "c", "d", "e", "codebook")
 _CODES = ("fixed", "open")
@@ -44,34 +49,27 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
 
 
 @click.command("sensor", cls=CommonCommand)
-@click.option("--classes", callback=some(_CLASSES), metavar="CLASS,..", default=",".join(_CLASSES),
-              show_default=True, help="Classes of shutters for clips.")  # fmt: skip
+@some_option("--classes", _CLASSES, "CLASS,..", "Classes of shutters for clips.")
 @click.option("--slots", callback=_divisors, metavar="N,..", default="8,16", show_default=True,
               help="Slots of a frame, for clips.")  # fmt: skip
 @click.option("--stop-slots", callback=_counts, metavar="N,..", default="16,64", show_default=True,
               help="Slots of a frame for stills, which class b exposes.")  # fmt: skip
-@click.option("--codes", callback=some(_CODES), metavar="MODE,..", default=",".join(_CODES),
-              show_default=True,
-              help="Compile for the codes in use, for every legal one.")  # fmt: skip
-@click.option("--lowerings", callback=some(LOWERINGS), metavar="NAME,..",
-              default=",".join(LOWERINGS), show_default=True, help="Lowerings.")  # fmt: skip
+@some_option("--codes", _CODES, "MODE,..", "Compile for the codes in use, for every legal one.")
+@some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
 @click.option("--target", default="scamp5", show_default=True, metavar="NAME|FILE.toml",
               help="The chip.")  # fmt: skip
-@click.option("-O", "level", type=click.IntRange(0, 3), default=1, show_default=True,
+@click.option("-O", "level", type=LEVEL, default=1, show_default=True,
               help="How long to search for fewer words.")  # fmt: skip
-@click.option("--slot-us", type=NumberRange(0.01, 1e6), metavar="T",
-              help="Capture with slots of this length instead of each configuration's "
-              "shortest.")  # fmt: skip
+@click.option("--slot-us", type=NumberRange(0.01, 1e6), metavar="T", help="Capture with slots of "
+              "this length instead of each configuration's shortest.")  # fmt: skip
 @click.option("--effects", default="auto", show_default=True, metavar="E",
               help="The sensor's effects, as nscc run takes them.")  # fmt: skip
-@click.option("--data", type=click.Path(path_type=Path), metavar="DIR",
-              help="A folder of clips, panoramas or both, instead of made scenes.")  # fmt: skip
-@click.option("--scenes", type=click.IntRange(1, 1000), default=1, show_default=True,
+@made_scenes_option
+@click.option("--scenes", "count", type=COUNT, default=1, show_default=True,
               help="How many scenes of a kind.")  # fmt: skip
-@click.option("--seed", type=click.IntRange(0, 2**31 - 1), default=0,
-              help="Of made scenes, random codes and noise.")  # fmt: skip
-@output_options
-def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **options: Any) -> int:
+@made_seed_option
+@tradeoff_options
+def command(**options: Any) -> int:
     """Measure what slots buy: PSNR against the shortest slot of each shutter, on one chip.
 
     Every class in every number of slots, for codes in use and open ones, is compiled in each
@@ -82,15 +80,9 @@ def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **op
     from nscc_training.baselines.loops import denoise
     from nscc_training.tradeoff.sensor import Settings, measure, refusals_text
 
-    files = output_files(out, csv_path, png_path)
-    settings = Settings(
-        tuple(options["classes"]), options["slots"], options["stop_slots"],
-        tuple(options["codes"]), tuple(options["lowerings"]), options["target"],
-        options["level"], options["effects"], options["slot_us"], options["data"],
-        options["scenes"], options["seed"],
-    )  # fmt: skip
-    if not denoise.is_compiled():
-        done("compiling the loop of total variation for this processor: once, some seconds")
+    files = output_files(options)
+    settings = Settings(**{field.name: options[field.name] for field in fields(Settings)})
+    say_compiling(denoise, "the loop of total variation")
     found = measure(settings, lambda todo: progress(todo, "capturing"))
     if found.points:
         click.echo(table_text(found.points, ("shutters", "slots", "PSNR, dB"), ("slot, us", 1e3)))
@@ -98,16 +90,15 @@ def command(out: Path | None, csv_path: Path | None, png_path: Path | None, **op
         click.echo(line)
     if not found.points:
         return 1
+
+    def png() -> bytes:
+        from nscc_runtime.pictures.sheet import png_of
+        from nscc_training.tradeoff.diagrams import sensor_diagram
+
+        return png_of(sensor_diagram, found, settings.slot_us)
+
     write_files(
         files,
-        lambda: csv_text(found.points, found.target, found.refused),
-        lambda: _png(found, settings.slot_us),
+        {"csv": lambda: csv_text(found.points, found.target, found.refused).encode(), "png": png},
     )
     return 0
-
-
-def _png(found: Measured, slot_us: float | None) -> bytes:
-    from nscc_runtime.pictures.sheet import png_of
-    from nscc_training.tradeoff.diagrams import sensor_diagram
-
-    return png_of(sensor_diagram, found, slot_us)

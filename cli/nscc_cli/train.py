@@ -6,6 +6,7 @@ from pathlib import Path
 
 import click
 
+from nscc_cli.options import PATH
 from nscc_cli.support import CommonCommand, done, progress
 
 
@@ -19,8 +20,8 @@ def _print_schema(context: click.Context, _option: click.Parameter, value: bool)
 
 
 @click.command("train", cls=CommonCommand)
-@click.argument("config", metavar="CONFIG.toml", type=click.Path(path_type=Path))
-@click.option("--out", required=True, metavar="RUN", type=click.Path(path_type=Path),
+@click.argument("config", metavar="CONFIG.toml", type=PATH)
+@click.option("--out", required=True, metavar="RUN", type=PATH,
               help="The run folder.")  # fmt: skip
 @click.option("--set", "changes", multiple=True, metavar="K=V",
               help="Change a setting: train.steps=100.")  # fmt: skip

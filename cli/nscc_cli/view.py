@@ -7,33 +7,30 @@ from typing import Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
-from nscc_cli.programs import BuildChoice, build_options, compile_program, load_program
+from nscc_cli.options import PATH, build_options, program_argument
+from nscc_cli.programs import compile_program, load_program
 from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command(name="view", cls=CommonCommand)
-@click.argument("program", metavar="FILE.nsl|FILE.icw", type=click.Path(path_type=Path))
-@click.option(
-    "-o",
-    "out",
-    type=click.Path(path_type=Path),
-    help="The picture (default: the program's name with .png, in this folder).",
-)
+@program_argument
+@click.option("-o", "out", type=PATH,
+              help="The picture (default: the program's name with .png, in this "
+              "folder).")  # fmt: skip
 @click.option("--gates", is_flag=True, help="Draw the gates that decode the codes instead.")
 @build_options
 def command(program: Path, out: Path | None, gates: bool, **options: Any) -> None:
     """Draw the shutters of a program as a time chart, and the map of its codes, as a PNG."""
-    choice = BuildChoice.of(options)
-    data = _gates(program, choice) if gates else _shutters(program, choice)
+    data = _gates(program, options) if gates else _shutters(program, options)
     out = out or Path(program.stem + ".png")
     write_whole(out, data)
     done(f"wrote {out.as_posix()}")
 
 
-def _shutters(program: Path, choice: BuildChoice) -> bytes:
-    container, messages = load_program(program, choice)
+def _shutters(program: Path, options: dict[str, Any]) -> bytes:
+    container, messages = load_program(program, options)
     say(messages)
     from nscc_runtime.pictures.sheet import png_of
     from nscc_runtime.pictures.shutters import shutter_sheet
@@ -41,18 +38,15 @@ def _shutters(program: Path, choice: BuildChoice) -> bytes:
     return png_of(shutter_sheet, container, program.name)
 
 
-def _gates(program: Path, choice: BuildChoice) -> bytes:
+def _gates(program: Path, options: dict[str, Any]) -> bytes:
     if program.suffix.lower() == ".icw":
-        raise Rejected(
-            Diagnostic(
-                "NS0743",
-                f"--gates cannot draw '{program}': it is compiled already",
-                notes=("a compiled program holds words, not the gates they come from",),
-                helps=("give the .nsl file instead",),
-            ),
-            status=2,
+        raise rejected(
+            "NS0743",
+            f"--gates cannot draw '{program}': it is compiled already",
+            notes=("a compiled program holds words, not the gates they come from",),
+            helps=("give the .nsl file instead",),
         )
-    compiled = compile_program(program, choice)
+    compiled = compile_program(program, options)
     say(compiled.diagnostics)
     assert compiled.lowered is not None  # what does not fit is rejected
     from nscc.emit.network import gate_network

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.render import PAGES, names
 from nscc.diagnostics.suggest import closest
 
@@ -19,16 +19,13 @@ def page(code_or_name: str) -> str:
         code = next((c for c, name in known.items() if name == wanted.lower()), "")
     if not code:
         near = closest(wanted.upper(), list(known)) or closest(wanted.lower(), list(known.values()))
-        raise Rejected(
-            Diagnostic(
-                "NS0790",
-                f"no message has the code or name '{wanted[:60]}'",
-                helps=(
-                    *((f"did you mean {near}?",) if near else ()),
-                    "`nscc explain` lists all codes",
-                ),
+        raise rejected(
+            "NS0790",
+            f"no message has the code or name '{wanted[:60]}'",
+            helps=(
+                *((f"did you mean {near}?",) if near else ()),
+                "`nscc explain` lists all codes",
             ),
-            status=2,
         )
     return (PAGES / f"{code}-{known[code]}.md").read_text(encoding="utf-8")
 

@@ -14,9 +14,12 @@ def rejected(
     *,
     notes: Sequence[str] = (),
     helps: Sequence[str] = (),
-    data: dict[str, Any] | None = None,
     status: int = 2,
+    **about: Any,
 ) -> Rejected:
-    """The exception that ends the command with `status`; by default 2, wrong input."""
-    diagnostic = Diagnostic(code, message, notes=tuple(notes), helps=tuple(helps), data=data or {})
+    """The exception that ends the command with `status`; by default 2, wrong input.
+
+    `about` are further members of `Diagnostic`.
+    """
+    diagnostic = Diagnostic(code, message, notes=tuple(notes), helps=tuple(helps), **about)
     return Rejected(diagnostic, status=status)

@@ -34,3 +34,10 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
         if ratio > least or (best is None and ratio == least):
             best, least = original, ratio
     return best
+
+
+def meant(name: str, candidates: Iterable[str], otherwise: str = "") -> tuple[str, ...]:
+    """The help that asks for the nearest candidate; where none is near that says `otherwise`."""
+    near = closest(name, candidates)
+    help_text = f"did you mean `{near}`?" if near else otherwise
+    return (help_text,) if help_text else ()

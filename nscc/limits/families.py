@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
+from nscc.program.capacity import largest_with
 from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT
 
 MOST_DIGITS = 1 << 14
@@ -48,24 +49,21 @@ class Family:
 
 def families() -> list[Family]:
     """Classes a to e, class c at three lengths, and codebooks of several heights and one length."""
-    found = [
+    return [
         _by_slots("a", "always open", "open when true", lambda _slots: 1, "1 shutter"),
         _by_slots("b 1..N", "open from slot 0 to a stop", stop_rule("1"), lambda n: n, "N stops"),
         _by_slots(
             "b 0..N", "the same, or never open", stop_rule("0"), lambda n: n + 1, "N + 1 stops"
         ),
-    ]
-    for length in BUMP_LENGTHS:
-        found.append(_fixed_bump(length))
-    found += [
+        *map(_fixed_bump, BUMP_LENGTHS),
         _by_slots(
             "d", "one bump, any start and stop", bump_rule(), lambda n: n * (n + 1) // 2,
             "N (N + 1) / 2 bumps",
         ),
         _by_slots("e", "every pattern of N bits", bits_rule(), lambda n: 1 << n, "2^N patterns"),
+        *map(_book_by_slots, BOOK_ROWS),
+        _book_by_rows(BOOK_SLOTS),
     ]  # fmt: skip
-    found += [_book_by_slots(rows) for rows in BOOK_ROWS]
-    return [*found, _book_by_rows(BOOK_SLOTS)]
 
 
 def stop_rule(first: str) -> str:
@@ -176,13 +174,7 @@ def _book_by_rows(slots: int) -> Family:
 
 def _provable(shutters: Callable[[int], int]) -> tuple[int, str]:
     """The largest number of slots whose codes nscc enumerates and proves, and why no more."""
-    low, high = 1, MOST_SLOTS + 1
-    while high - low > 1:
-        middle = (low + high) // 2
-        if shutters(middle) * middle <= PROOF_LIMIT:
-            low = middle
-        else:
-            high = middle
-    if low == MOST_SLOTS:
-        return low, f"a frame has at most {MOST_SLOTS} slots (NS0308)"
-    return low, f"nscc proves at most {PROOF_LIMIT} codes x slots (NS0450)"
+    most = largest_with(lambda slots: shutters(slots) * slots, PROOF_LIMIT, 1, MOST_SLOTS)
+    if most == MOST_SLOTS:
+        return most, f"a frame has at most {MOST_SLOTS} slots (NS0308)"
+    return most, f"nscc proves at most {PROOF_LIMIT} codes x slots (NS0450)"

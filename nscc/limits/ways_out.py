@@ -8,9 +8,11 @@ its author has: rows of a fixed pseudo-random sequence stand in.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from decimal import Decimal
+from functools import partial
+from itertools import islice
 from typing import Any, Protocol
 
 import numpy as np
@@ -57,12 +59,7 @@ class WayOut:
 
 def ways_out(program: Program, attempt: Attempt) -> list[WayOut]:
     """Nearby programs that were compiled and fit, those first that change least."""
-    found: list[WayOut] = []
-    for way in _candidates(program, attempt):
-        found.append(way)
-        if len(found) == MOST_SHOWN:
-            break
-    return found
+    return list(islice(_candidates(program, attempt), MOST_SHOWN))
 
 
 def _candidates(program: Program, attempt: Attempt) -> Iterator[WayOut]:
@@ -74,7 +71,7 @@ def _candidates(program: Program, attempt: Attempt) -> Iterator[WayOut]:
     yield from _fewer_rows(program, attempt)
     yield from _fewer_slots(program, attempt)
     for rule, what, why in _simpler(program):
-        lowered = attempt(_source(program, len(program.frame.slot_us), rule), "open")
+        lowered = attempt(_source(program, rule, len(program.frame.slot_us)), "open")
         if lowered is not None:
             yield _way_out(what, why, lowered)
 
@@ -84,7 +81,7 @@ def _way_out(what: str, why: str, lowered: Lowered, **data: int) -> WayOut:
     return WayOut(f"{what:<24}{why}: {words:.3g} words a slot", data)
 
 
-def _source(program: Program, slots: int, rule: str) -> Source:
+def _source(program: Program, rule: str, slots: int) -> Source:
     """A program of `slots` slots as long as this one's on average."""
     slot_us = sum(program.frame.slot_us) / len(program.frame.slot_us)
     return Source("way-out.nsl", program_text(slots, f"{max(slot_us, 0.001):.3f}us", rule))
@@ -97,20 +94,13 @@ def _fewer_rows(program: Program, attempt: Attempt) -> Iterator[WayOut]:
     table, slots = program.table, len(program.frame.slot_us)
     rows = len(table.codes)
     digits = slots * len(program.buckets)
-    built: dict[int, Lowered] = {}
-
-    def fits(count: int) -> bool:
-        lowered = attempt(_book_source(program, count), "open", patient=True)
-        if lowered is not None:
-            built[count] = lowered
-        return lowered is not None
-
     registers = len(program.target.digital_registers)
     most = min(rows - 1, max(1, _MOST_DIGITS // digits))
     untried = "" if most == rows - 1 else f" ({most} was the most tried)"
     most = largest_with(lambda count: _different(program, count), 1 << registers, 1, most)
-    count = largest(1, most, fits, _ROW_TRIALS)
-    if count is None:
+    build = partial(_book_source, program)
+    count, lowered = _largest(1, most, build, partial(attempt, patient=True), _ROW_TRIALS)
+    if lowered is None:
         return
     field, last = program.fields[0], table.codes[count - 1, 0]
     whose = "in use" if program.mode == "fixed" else "allowed"
@@ -118,9 +108,22 @@ def _fewer_rows(program: Program, attempt: Attempt) -> Iterator[WayOut]:
     why = f"the first {count} of the {rows} rows {whose}, {until}"
     if count == most:
         why += untried
-    fullest = max(built[count].words_per_boundary)
-    why += f", at most {fullest} words in a slot"
-    yield _way_out(f"K = {count}", why, built[count], rows=count)
+    why += f", at most {max(lowered.words_per_boundary)} words in a slot"
+    yield _way_out(f"K = {count}", why, lowered, rows=count)
+
+
+def _largest(
+    least: int, most: int, source: Callable[[int], Source], attempt: Attempt, budget: int
+) -> tuple[int, Lowered | None]:
+    """The largest size that fits as `nscc.limits.search.largest` finds it, and what it became."""
+    built: dict[int, Lowered | None] = {}
+
+    def fits(size: int) -> bool:
+        built[size] = attempt(source(size), "open")
+        return built[size] is not None
+
+    size = largest(least, most, fits, budget)
+    return (0, None) if size is None else (size, built[size])
 
 
 def _different(program: Program, count: int) -> int:
@@ -166,21 +169,11 @@ def _fewer_slots(program: Program, attempt: Attempt) -> Iterator[WayOut]:
             most = min(most, registers)
         case _:
             return
-    built: dict[int, Lowered] = {}
-
-    def fits(count: int) -> bool:
-        lowered = attempt(_source(program, count, rule), "open")
-        if lowered is not None:
-            built[count] = lowered
-        return lowered is not None
-
-    count = largest(least, most, fits, _FRAME_TRIALS)
-    if count is not None:
-        yield _way_out(
-            f"frame {count} slots",
-            f"{counted(slots - count, 'slot')} fewer, {kept} still possible",
-            built[count],
-        )
+    build = partial(_source, program, rule)
+    count, lowered = _largest(least, most, build, attempt, _FRAME_TRIALS)
+    if lowered is not None:
+        why = f"{counted(slots - count, 'slot')} fewer, {kept} still possible"
+        yield _way_out(f"frame {count} slots", why, lowered)
 
 
 def _simpler(program: Program) -> Iterator[tuple[str, str, str]]:

@@ -16,13 +16,20 @@ class Bumps:
     """Shutter k is open in steps start[k] .. stop[k] - 1, never where start[k] = stop[k] = 0.
 
     Both are (shutters,) in 0 .. steps; `step[i]` is the step of demand i, one for each run of
-    demands that ask for the same. `slot` (steps,) is the time slot that a step starts with.
+    demands that ask for the same.
     """
 
     start: NDArray[np.int64]
     stop: NDArray[np.int64]
     step: tuple[int, ...]
     steps: int
+
+    def groups(self, size: int = 1) -> list[tuple[int, int]]:
+        """(group, demand) for every group of `size` steps: the first demand in it."""
+        first: dict[int, int] = {}
+        for demand, step in enumerate(self.step):
+            first.setdefault(step // size, demand)
+        return list(first.items())
 
     @property
     def length(self) -> int:

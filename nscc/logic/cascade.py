@@ -9,6 +9,7 @@ last ones are changed, and those predicates are made by cascades too (short ones
 from __future__ import annotations
 
 import random
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
@@ -21,7 +22,7 @@ from nscc.logic.encodings import asked
 from nscc.logic.gates import Gates
 from nscc.logic.point_sets import Planes, Points, packed
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
-from nscc.truth import columns, rows
+from nscc.truth import columns, rows, set_bits
 
 # More scratch registers leave too few planes to make anything of.
 _MOST_SCRATCH = 3
@@ -54,12 +55,8 @@ class _Points:
     shutters: NDArray[np.int64]
 
 
-@dataclass(frozen=True)
-class _Choice:
-    """Which predicates planes hold (numbers into `_Points.bits`) and which stand inverted."""
-
-    stored: tuple[int, ...]
-    inverted: tuple[bool, ...]
+_Choice = tuple[tuple[int, bool], ...]
+"""Of each plane the predicate that it holds (a number into `_Points.bits`), and if inverted."""
 
 
 @dataclass(frozen=True)
@@ -87,8 +84,7 @@ def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
     best: _Plan | None = None
     try:
         for plan in finder.plans():
-            if best is None or plan.words < best.words:
-                best = plan
+            best = plan
     except GaveUp:
         if best is None:
             raise
@@ -108,6 +104,8 @@ class _Finder:
         self._points = _points(problem)
         self._sets = packed(self._points.bits)
         self._tasks = self._tasks_of_demands()
+        # How often each task comes in a frame.
+        self._times = Counter(task for task in self._tasks if task is not None)
 
     def plans(self) -> Iterator[_Plan]:
         """Plans, each better than the last; raises GaveUp when the steps run out."""
@@ -127,15 +125,13 @@ class _Finder:
             width = min(self._machine.registers - scratch, widest)
             if width < least or scratch > self._machine.registers - width:
                 continue
-            for stored in self._first_choices(width):
+            for choice in self._first_choices(width):
                 most = best.words - 1 if best is not None else _LONGEST * len(self._tasks)
-                plan = self._quick(_Choice(stored, (False,) * width), scratch, quick, most)
+                plan = self._quick(choice, scratch, quick, most)
                 if plan is not None:
                     best = plan
                     yield plan
-        if best is None:
-            return
-        if best.words == sum(self._times().values()):
+        if best is None or best.words == self._times.total():
             return
         for plan in self._chosen(best, int(allowed * (1 - _CHOOSING)), quick):
             best = plan
@@ -160,20 +156,12 @@ class _Finder:
             points.names[number]
             + (", inverted" if turned else "")
             + ("" if (plane == (points.bits[number] ^ turned)).all() else ", changed in places")
-            for number, turned, plane in zip(
-                plan.choice.stored, plan.choice.inverted, plan.planes, strict=True
-            )
+            for (number, turned), plane in zip(plan.choice, plan.planes, strict=True)
         ]
+        name, planes = "predicates stored, the rest by cascades of cubes", columns(shutters.T)
         return Solution(
-            "predicates stored, the rest by cascades of cubes",
-            tuple(columns(shutters.T)),
-            tuple(holders),
-            0,
-            plan.scratch,
-            (),
-            tuple(answers),
-            (),
-        )  # fmt: skip
+            name, tuple(planes), tuple(holders), 0, plan.scratch, (), tuple(answers), ()
+        )
 
     def _tasks_of_demands(self) -> list[_Task | None]:
         """Every demand's task; None where FLAG already holds what is asked for."""
@@ -199,18 +187,19 @@ class _Finder:
         steps = cascades * (1 + links) * (20 + cubes * sets * 8 // 640)
         return int(max(1, min(_QUICK_WIDTH, self._budget.left // (8 * steps))))
 
-    def _first_choices(self, width: int) -> Iterator[tuple[int, ...]]:
+    def _first_choices(self, width: int) -> Iterator[_Choice]:
         """Planes to begin with: first what is no demand's (levels make edges), then demands."""
-        others = range(self._points.demanded, len(self._points.bits))
+        numbers = range(len(self._points.bits))
+        others = numbers[self._points.demanded :]
         if others:
-            yield tuple((*others, *range(self._points.demanded))[:width])
-        yield tuple(range(width))
+            yield tuple((number, False) for number in (*others, *numbers)[:width])
+        yield tuple((number, False) for number in numbers[:width])
 
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
         """A plan of at most `most` words found with a narrow beam."""
         planes = _separating(self._points.bits, choice)
-        times = self._times()
-        repeats = sum(times.values()) - len(times)
+        times = self._times
+        repeats = times.total() - len(times)
         found = self._search(planes, scratch).find(
             *self._wanted(list(times)), [min(most, _LONGEST)] * len(times), width, most - repeats
         )
@@ -219,14 +208,6 @@ class _Finder:
             return None
         words = sum(count * cascades[task].words for task, count in times.items())
         return _Plan(choice, planes, scratch, cascades, words) if words <= most else None
-
-    def _times(self) -> dict[_Task, int]:
-        """How often each task comes in a frame."""
-        times: dict[_Task, int] = {}
-        for task in self._tasks:
-            if task is not None:
-                times[task] = times.get(task, 0) + 1
-        return times
 
     def _search(self, planes: NDArray[np.bool_], scratch: int) -> Search:
         sets = packed(planes)
@@ -247,19 +228,19 @@ class _Finder:
         current = best
         span = max(1, self._budget.left - until)
         while self._budget.left > until:
-            stored = list(current.choice.stored)
-            inverted = list(current.choice.inverted)
-            place = choose.randrange(len(stored))
-            others = [number for number in everyone if number not in stored]
+            near = list(current.choice)
+            place = choose.randrange(len(near))
+            number, turned = near[place]
+            held = dict(near)
+            others = [number for number in everyone if number not in held]
             if others and choose.random() < _EXCHANGED:
-                stored[place], inverted[place] = choose.choice(others), False
+                near[place] = choose.choice(others), False
             else:
-                inverted[place] = not inverted[place]
+                near[place] = number, not turned
             # A little worse is allowed at first, less and less (threshold accepting; Dueck and
             # Scheuer, 1990): most choices have no better neighbour.
             slack = round(_SLACK * current.words * (self._budget.left - until) / span)
-            near = _Choice(tuple(stored), tuple(inverted))
-            plan = self._quick(near, current.scratch, width, current.words + slack)
+            plan = self._quick(tuple(near), current.scratch, width, current.words + slack)
             if plan is not None:
                 current = plan
                 if plan.words < best.words:
@@ -269,7 +250,7 @@ class _Finder:
     def _widened(self, best: _Plan, width: int) -> Iterator[_Plan]:
         """Shorter cascades for the same planes, the longest first."""
         search = self._search(best.planes, best.scratch)
-        for task, times in sorted(self._times().items(), key=lambda t: -best.cascades[t[0]].words):
+        for task, times in sorted(self._times.items(), key=lambda t: -best.cascades[t[0]].words):
             old = best.cascades[task].words
             (found,) = search.find(*self._wanted([task]), [old - 1], width, _LONGEST)
             if found is not None:
@@ -299,7 +280,8 @@ def _points(problem: Problem) -> _Points:
 
 def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
     """The planes of a choice, changed in as few points as tell all points apart."""
-    planes: NDArray[np.bool_] = bits[list(choice.stored)] ^ np.array(choice.inverted)[:, None]
+    stored, inverted = np.array(choice).T
+    planes: NDArray[np.bool_] = bits[stored] ^ (inverted[:, None] == 1)
     count = planes.shape[1]
     # `kinds` numbers what the planes so far tell apart; a plane may split each kind in two. A half
     # that the planes to come cannot tell apart any more gives its surplus to the other half.
@@ -323,7 +305,7 @@ def _write(gates: Gates, found: Cascade, scratch: int) -> None:
         sources = inner + ["FLAG"] * link.held
         free = [register for register in registers if register not in sources]
         for register, mask in zip(free, link.cubes, strict=False):
-            gates.nor(register, _names(i for i in range(mask.bit_length()) if mask >> i & 1))
+            gates.nor(register, _names(set_bits(mask)))
             sources.append(register)
         sources += _names(link.planes)
         if link.to_flag:

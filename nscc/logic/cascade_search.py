@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 from nscc.logic.cubes import Budget
 from nscc.logic.point_sets import Indices, Planes, Points, disjoint, gains, sizes
 from nscc.logic.problem import Machine
+from nscc.truth import set_bits
 
 # Words of 64 points that one step of a budget stands for.
 _WORDS_A_STEP = 640
@@ -96,10 +97,7 @@ class _Values:
         return len(self.on)
 
     def take(self, which: Indices | NDArray[np.bool_]) -> _Values:
-        return _Values(
-            self.on[which], self.off[which], self.task[which],
-            self.via[which], self.negated[which], self.cubes[which],
-        )  # fmt: skip
+        return _Values(*(part[which] for part in vars(self).values()))
 
     def swapped(self) -> _Values:
         """The values as complements."""
@@ -129,14 +127,8 @@ class _Values:
     def joined(parts: Sequence[_Values]) -> _Values:
         if len(parts) == 1:
             return parts[0]
-        return _Values(
-            np.concatenate([p.on for p in parts]),
-            np.concatenate([p.off for p in parts]),
-            np.concatenate([p.task for p in parts]),
-            np.concatenate([p.via for p in parts]),
-            np.concatenate([p.negated for p in parts]),
-            np.concatenate([p.cubes for p in parts]),
-        )
+        alike = zip(*(vars(part).values() for part in parts), strict=True)
+        return _Values(*(np.concatenate(part) for part in alike))
 
 
 _Way = tuple[int, bool, tuple[int, ...], bool]
@@ -216,11 +208,8 @@ class Search:
             before, last, _ = self._recorded[-1]
             first = before + len(last)
         self._recorded.append((first, values, in_flag))
-        count = len(values)
-        return _Values(
-            values.on, values.off, values.task, np.arange(first, first + count),
-            np.zeros(count, dtype=np.bool_), np.zeros_like(values.cubes),
-        )  # fmt: skip
+        via, none = np.arange(first, first + len(values)), np.zeros(len(values), dtype=np.bool_)
+        return replace(values, via=via, negated=none, cubes=np.zeros_like(values.cubes))
 
     def _links(
         self, values: _Values, in_flag: bool, words: int, width: int
@@ -377,7 +366,7 @@ class Search:
             on = on & ~table[choice]
         covered = np.zeros_like(on)
         for mask in cubes:
-            read = table[[i for i in range(len(table)) if mask >> i & 1]]
+            read = table[list(set_bits(mask))]
             covered |= self._table.everything & ~np.bitwise_or.reduce(read, axis=0)
         planes = []
         for choice in picked:

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from nscc.logic.cubes import Budget
 from nscc.logic.gates import words_of
+from nscc.truth import union
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,46 +54,103 @@ _HORIZONS = (1, 2, 4, 8, 16, 32, 64)
 _MOST_SEEDS = 40
 
 
-def find_cover(
-    values: Sequence[int],
-    usable: Sequence[bool],
-    ahead: Sequence[int],
-    everything: int,
-    most_cubes: int,
-    fan_in: int | None,
-    budget: Budget,
-    keep: bool,
-) -> Cover | None:
-    """The cheapest cover found of ahead[0] by values and cubes, None if there is none.
+@dataclass(frozen=True)
+class Covers:
+    """Looks for covers within `budget`.
 
-    `values` are truth vectors, `usable[i]` says whether value i may stand in the OR itself;
-    `ahead` are the predicates wanted now and by the demands to come, everything on which is
-    outside must stay outside. `fan_in`: sources that one word may have; `keep`: registers are left
-    to keep cubes that live on.
+    `everything` is the truth vector of all shutters, `fan_in` how many sources one word may have.
     """
-    wanted = ahead[0]
-    positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~wanted]
-    rest = wanted
-    for i in positive:
-        rest &= ~values[i]
-    if not rest:
-        return Cover(_irredundant(positive, values, wanted), (), 0.0)
-    if most_cubes < 1:
+
+    everything: int
+    fan_in: int | None
+    budget: Budget
+
+    def find(
+        self, values: Sequence[int], usable: Sequence[bool], ahead: Sequence[int], most_cubes: int
+    ) -> Cover | None:
+        """The cheapest cover found of ahead[0] by values and cubes, None if there is none.
+
+        `values` are truth vectors, `usable[i]` says whether value i may stand in the OR itself;
+        `ahead` are the predicates wanted now and by the demands to come, everything on which is
+        outside must stay outside.
+        """
+        wanted = ahead[0]
+        positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~wanted]
+        rest = wanted & ~union(values[i] for i in positive)
+        if not rest:
+            return Cover(_irredundant(positive, values, wanted), (), 0.0)
+        if most_cubes < 1:
+            return None
+        # A single register is not kept for cubes that live on.
+        cubes = self._candidates(values, ahead if most_cubes > 1 else ahead[:1], rest)
+        chosen = cubes and _select(cubes, rest, most_cubes, self.budget)
+        if not chosen:
+            return None
+        left = wanted & ~union(cube.vector for cube in chosen)
+        cost = sum(cube.cost for cube in chosen)
+        return Cover(_irredundant(positive, values, left), tuple(chosen), cost)
+
+    def _candidates(
+        self, values: Sequence[int], ahead: Sequence[int], rest: int
+    ) -> list[Nor] | None:
+        """Cubes inside ahead[0] that reach all of `rest`; None if a shutter cannot be reached."""
+        found: dict[int, Nor] = {}
+        unreached = rest
+        outside = [self.everything & ~ahead[0]]
+        for predicate in ahead[1 : _HORIZONS[-1]]:
+            outside.append(outside[-1] | (self.everything & ~predicate))
+        for _ in range(_MOST_SEEDS):
+            if not unreached:
+                return list(found.values())
+            # A cube that reaches `seed` can only read values that are 0 there.
+            seed = unreached & -unreached
+            zeros = [i for i, v in enumerate(values) if not v & seed]
+            before = unreached
+            for horizon in _HORIZONS:
+                if horizon > len(outside) or outside[horizon - 1] & seed:
+                    break
+                cube = self._prime(zeros, values, outside[horizon - 1], rest)
+                if cube is None:
+                    break
+                sources, vector = cube
+                unreached &= ~vector
+                known = found.get(vector)
+                if known is None or len(sources) < len(known.sources):
+                    served = max(1, life(vector, ahead))
+                    words = words_of(len(sources), self.fan_in)
+                    found[vector] = Nor(sources, vector, served, words)
+            if unreached == before:
+                return None
         return None
-    cubes = _candidates(values, ahead if keep else ahead[:1], rest, everything, fan_in, budget)
-    if cubes is None:
-        return None
-    chosen = _select(cubes, rest, most_cubes, budget)
-    if chosen is None:
-        return None
-    covered = 0
-    for cube in chosen:
-        covered |= cube.vector
-    return Cover(
-        _irredundant(positive, values, wanted & ~covered),
-        tuple(chosen),
-        sum(cube.cost for cube in chosen),
-    )
+
+    def _prime(
+        self, zeros: Sequence[int], values: Sequence[int], outside: int, rest: int
+    ) -> tuple[tuple[int, ...], int] | None:
+        """A cube that avoids `outside`, from the literals `zeros`, grown as far as it goes.
+
+        Every literal dropped makes the cube larger. Of those that may go, the one goes that lets
+        in most of `rest`. When none may, the cube is prime: no larger one avoids `outside`.
+        """
+        kept = list(zeros)
+        if outside & ~union(values[i] for i in kept):
+            return None
+        while True:
+            self.budget.spend(len(kept) * (1 + self.everything.bit_length() // 512))
+            # The union of all but one, for each one: what comes before it and what comes after it.
+            after = [0] * (len(kept) + 1)
+            for k in range(len(kept) - 1, -1, -1):
+                after[k] = after[k + 1] | values[kept[k]]
+            before, best, choice = 0, -1, -1
+            for k, i in enumerate(kept):
+                without = before | after[k + 1]
+                if not outside & ~without:
+                    gain = (rest & ~without).bit_count()
+                    if gain > best:
+                        best, choice = gain, k
+                before |= values[i]
+            if choice < 0:
+                return tuple(kept), self.everything & ~after[0]
+            del kept[choice]
 
 
 def life(vector: int, ahead: Sequence[int]) -> int:
@@ -111,83 +169,6 @@ def _irredundant(positive: Sequence[int], values: Sequence[int], wanted: int) ->
         chosen.append(best)
         wanted &= ~values[best]
     return tuple(sorted(chosen))
-
-
-def _candidates(
-    values: Sequence[int],
-    ahead: Sequence[int],
-    rest: int,
-    everything: int,
-    fan_in: int | None,
-    budget: Budget,
-) -> list[Nor] | None:
-    """Cubes inside ahead[0] that reach all of `rest`; None if some shutter cannot be reached."""
-    found: dict[int, Nor] = {}
-    unreached = rest
-    outside = [everything & ~ahead[0]]
-    for predicate in ahead[1 : _HORIZONS[-1]]:
-        outside.append(outside[-1] | (everything & ~predicate))
-    for _ in range(_MOST_SEEDS):
-        if not unreached:
-            return list(found.values())
-        # A cube that reaches `seed` can only read values that are 0 there.
-        seed = unreached & -unreached
-        zeros = [i for i, v in enumerate(values) if not v & seed]
-        reached = False
-        for horizon in _HORIZONS:
-            if horizon > len(outside) or outside[horizon - 1] & seed:
-                break
-            cube = _prime(zeros, values, outside[horizon - 1], rest, everything, budget)
-            if cube is None:
-                break
-            sources, vector = cube
-            unreached &= ~vector
-            reached = True
-            known = found.get(vector)
-            if known is None or len(sources) < len(known.sources):
-                served = max(1, life(vector, ahead))
-                found[vector] = Nor(sources, vector, served, words_of(len(sources), fan_in))
-        if not reached:
-            return None
-    return None
-
-
-def _prime(
-    zeros: Sequence[int],
-    values: Sequence[int],
-    outside: int,
-    rest: int,
-    everything: int,
-    budget: Budget,
-) -> tuple[tuple[int, ...], int] | None:
-    """A cube that avoids `outside`, from the literals `zeros`, grown as far as it goes.
-
-    Every literal dropped makes the cube larger. Of those that may go, the one goes that lets in
-    most of `rest`. When none may, the cube is prime: no larger one avoids `outside`.
-    """
-    kept = list(zeros)
-    union = 0
-    for i in kept:
-        union |= values[i]
-    if outside & ~union:
-        return None
-    while True:
-        budget.spend(len(kept) * (1 + everything.bit_length() // 512))
-        # The union of all but one, for each one: what comes before it and what comes after it.
-        after = [0] * (len(kept) + 1)
-        for k in range(len(kept) - 1, -1, -1):
-            after[k] = after[k + 1] | values[kept[k]]
-        before, best, choice = 0, -1, -1
-        for k, i in enumerate(kept):
-            without = before | after[k + 1]
-            if not outside & ~without:
-                gain = (rest & ~without).bit_count()
-                if gain > best:
-                    best, choice = gain, k
-            before |= values[i]
-        if choice < 0:
-            return tuple(kept), everything & ~after[0]
-        del kept[choice]
 
 
 def _select(cubes: Sequence[Nor], rest: int, most: int, budget: Budget) -> list[Nor] | None:

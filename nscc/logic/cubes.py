@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from nscc.logic.digits import Planes, unzipped
 from nscc.logic.gates import Gates
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 
@@ -22,14 +23,13 @@ Cube = tuple[tuple[int, int], ...]
 class Encoding:
     """What the planes hold, and each demand's predicate as an OR of cubes.
 
-    `cubes[i]` covers demand i; `inverted[i]`: it covers the complement instead.
+    `cubes[i]` covers demand i; where there is `inverted`, `inverted[i]`: its complement instead.
     """
 
     name: str
-    planes: tuple[int, ...]
-    holders: tuple[str, ...]
+    planes: Planes
     cubes: tuple[tuple[Cube, ...], ...]
-    inverted: tuple[bool, ...]
+    inverted: tuple[bool, ...] = ()
 
 
 # More cubes of one predicate than this are taken as they come: sorting them takes too long.
@@ -109,41 +109,56 @@ def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
     left = machine.registers - planes
     if left < 0:
         raise GaveUp(f"{planes} code planes are more than {machine.registers} registers")
-    emitter, answers, closing = _emit_with(problem, machine, encoding, left)
-    if machine.masked and left > 1 and emitter.all_planes_written and emitter.used == left:
+    solution = _emit_with(problem, machine, encoding, left)
+    if machine.masked and left > 1 and solution.scratch == left and all(solution.writes()):
         # Only a plane that never changes may live in the masked register; there is none.
-        emitter, answers, closing = _emit_with(problem, machine, encoding, left - 1)
-    return Solution(
-        encoding.name, encoding.planes, encoding.holders, 0, emitter.used, (),
-        answers, closing,
-    )  # fmt: skip
+        solution = _emit_with(problem, machine, encoding, left - 1)
+    return solution
 
 
-def _emit_with(
-    problem: Problem, machine: Machine, encoding: Encoding, scratch: int
-) -> tuple[_Emitter, tuple[tuple[Segment, ...], ...], tuple[Segment, ...]]:
+def _emit_with(problem: Problem, machine: Machine, encoding: Encoding, scratch: int) -> Solution:
     emitter = _Emitter(machine, len(encoding.planes), scratch)
-    answers: list[tuple[Segment, ...]] = []
-    for i, (cubes, inverted) in enumerate(zip(encoding.cubes, encoding.inverted, strict=True)):
-        answers.append(() if problem.answered(i) else emitter.answer(cubes, inverted))
-    return emitter, tuple(answers), emitter.restore()
+    inverted = encoding.inverted or (False,) * len(encoding.cubes)
+    answers = tuple(
+        () if problem.answered(i) else emitter.answer(cubes, inverted[i])
+        for i, cubes in enumerate(encoding.cubes)
+    )
+    closing = emitter.planes.restore()
+    planes, holders = unzipped(encoding.planes)
+    return Solution(encoding.name, planes, holders, 0, emitter.used, (), answers, closing)
+
+
+class Standing:
+    """Planes while gates are emitted: which of them stand `inverted` (1) and which do not."""
+
+    def __init__(self, gates: Gates, planes: int) -> None:
+        self._gates = gates
+        self.inverted = [0] * planes
+
+    def flip(self, plane: int) -> Segment:
+        """Turns a plane over; the gates that wait are in the same segment."""
+        self.inverted[plane] ^= 1
+        self._gates.invert(f"p{plane}")
+        return self._gates.take()
+
+    def turn(self, cube: Cube) -> list[Segment]:
+        """Turns over the planes of `cube` that stand the wrong way for a NOR."""
+        return [self.flip(plane) for plane, value in cube if self.inverted[plane] != value]
+
+    def restore(self) -> tuple[Segment, ...]:
+        """Puts every inverted plane back."""
+        return tuple(self.flip(p) for p, inverted in enumerate(self.inverted) if inverted)
 
 
 class _Emitter:
-    """State of the machine while gates are emitted: which planes stand inverted."""
+    """State of the machine while gates are emitted."""
 
     def __init__(self, machine: Machine, planes: int, scratch: int) -> None:
         self._machine = machine
-        self._inverted = [0] * planes
         self._scratch = [f"t{i}" for i in range(scratch)]
-        self._written = [False] * planes
         self._gates = Gates(machine)
+        self.planes = Standing(self._gates, planes)
         self.used = 0
-
-    @property
-    def all_planes_written(self) -> bool:
-        """Whether every plane is inverted at some time."""
-        return all(self._written)
 
     def answer(self, cubes: Sequence[Cube], inverted: bool) -> tuple[Segment, ...]:
         """Segments that leave the OR of `cubes` (or its complement) in FLAG."""
@@ -159,47 +174,29 @@ class _Emitter:
             # Room first: turning the plane of the masked register overwrites its mask, which is
             # scratch and may hold a term.
             terms = self._make_room(terms)
-            segments.extend(self._turn(cube))
+            self._close(segments)
+            segments += self.planes.turn(cube)
             target = self._free(terms)
             self._gates.nor(target, [f"p{plane}" for plane, _ in cube])
             terms.append(target)
         # Planes are read as they stand at the end; one that stands the wrong way round is
         # inverted into scratch, or in place where there is none.
+        standing = self.planes.inverted
+        terms += [f"p{plane}" for plane, value in single if standing[plane] != value]
         for plane, value in single:
-            if self._inverted[plane] != value:
-                terms.append(f"p{plane}")
-        for plane, value in single:
-            if self._inverted[plane] == value:
+            if standing[plane] == value:
                 terms = self._negate(plane, terms, segments)
         self._finish(terms, inverted)
         segments.append(self._gates.take())
         return tuple(segments)
 
-    def restore(self) -> tuple[Segment, ...]:
-        """Segments that put every inverted plane back."""
-        segments = []
-        for plane, inverted in enumerate(self._inverted):
-            if inverted:
-                segments.append(self._flip(plane))
-        return tuple(segments)
-
     def _mismatches(self, cube: Cube) -> int:
-        return sum(self._inverted[plane] != value for plane, value in cube)
+        return sum(self.planes.inverted[plane] != value for plane, value in cube)
 
-    def _flip(self, plane: int) -> Segment:
-        self._inverted[plane] ^= 1
-        self._written[plane] = True
-        self._gates.invert(f"p{plane}")
-        return self._gates.take()
-
-    def _turn(self, cube: Cube) -> list[Segment]:
-        """Inverts the planes of `cube` that stand the wrong way for a NOR."""
-        pending = self._gates.take()
-        segments = [pending] if pending else []
-        segments.extend(
-            self._flip(plane) for plane, value in cube if self._inverted[plane] != value
-        )
-        return segments
+    def _close(self, segments: list[Segment]) -> None:
+        """Ends a segment, if gates wait for that."""
+        if pending := self._gates.take():
+            segments.append(pending)
 
     def _free(self, terms: Sequence[str]) -> str:
         for i, name in enumerate(self._scratch):
@@ -229,10 +226,8 @@ class _Emitter:
         if name in terms:
             raise GaveUp("a plane is needed both ways round at once")
         if not self._scratch:
-            pending = self._gates.take()
-            if pending:
-                segments.append(pending)
-            segments.append(self._flip(plane))
+            self._close(segments)
+            segments.append(self.planes.flip(plane))
             return [*terms, name]
         terms = self._make_room(terms)
         target = self._free(terms)

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.problem import Gate
+from nscc.logic.problem import Gate, Segment
 from nscc.truth import columns, number_planes
 
-Planes = tuple[tuple[int, ...], tuple[str, ...]]
-"""Truth vectors of planes, and what each one carries."""
+Planes = list[tuple[int, str]]
+"""Of each plane the truth vector at the start of a frame, and in words what it carries."""
+
+
+def unzipped(planes: Planes) -> tuple[tuple[int, ...], tuple[str, ...]]:
+    """`planes` and `holders` of a solution."""
+    return tuple(plane for plane, _ in planes), tuple(holder for _, holder in planes)
 
 
 @cache
@@ -42,29 +47,44 @@ def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
 
 
 def binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
-    """The lowest `bits` binary digits of numbers (shutters,), the lowest first."""
-    return tuple(number_planes(numbers, bits)), tuple(f"{name}, bit {i}" for i in range(bits))
+    """The lowest `bits` binary digits of numbers (shutters,), the lowest first: `name 0`, .."""
+    return [(plane, f"{name} {i}") for i, plane in enumerate(number_planes(numbers, bits))]
 
 
-def thermometers(numbers: NDArray[np.int64], radices: Sequence[int], negative: bool) -> Planes:
-    """For each digit, the highest first, a plane for each m: digit <= m, or > m if `negative`.
-
-    (Thermometer codes: 3 of 0..4 is 1110 in "> m". To compare with a constant is to look at one
-    plane, where binary digits would take a gate of several levels.)
-    """
-    planes: list[int] = []
-    holders: list[str] = []
+def digits_of(
+    numbers: NDArray[np.int64], radices: Sequence[int]
+) -> list[tuple[str, NDArray[np.int64], int]]:
+    """For each digit, the highest first: its name, its values (shutters,) and its radix."""
+    found = []
     size = int(np.prod(radices))
     for place, radix in enumerate(radices):
         size //= radix
-        digit = numbers // size % radix
-        for m in range(radix - 1):
-            planes += columns(((digit > m) if negative else (digit <= m))[:, None])
-            sign = ">" if negative else "<="
-            holders.append(f"digit {len(radices) - 1 - place} {sign} {m}")
-    return tuple(planes), tuple(holders)
+        found.append((f"digit {len(radices) - 1 - place}", numbers // size % radix, radix))
+    return found
 
 
-def turn_over(plane: int) -> Gate:
-    """Inverts a plane in place."""
-    return Gate("NOT", f"p{plane}", (f"p{plane}",))
+def thermometers(
+    numbers: NDArray[np.int64], radices: Sequence[int], negative: bool | NDArray[np.bool_]
+) -> Planes:
+    """For each digit, the highest first, a plane for each m: digit <= m, or > m if `negative`.
+
+    (Thermometer codes: 3 of 0..4 is 1110 in "> m". To compare with a constant is to look at one
+    plane, where binary digits would take a gate of several levels.) `negative` may differ from
+    shutter to shutter (shutters,).
+    """
+    sign = ">" if negative is True else "<="
+    return [
+        (columns(((digit <= m) ^ negative)[:, None])[0], f"{name} {sign} {m}")
+        for name, digit, radix in digits_of(numbers, radices)
+        for m in range(radix - 1)
+    ]
+
+
+def nor(destination: str, sources: Sequence[str]) -> Segment:
+    """destination := NOR(sources), of which there are some."""
+    return (Gate("NOR" if len(sources) > 1 else "NOT", destination, tuple(sources)),)
+
+
+def turned_over(planes: Iterable[int]) -> tuple[Segment, ...]:
+    """Inverts planes in place, each in a segment of its own."""
+    return tuple((Gate("NOT", f"p{plane}", (f"p{plane}",)),) for plane in planes)

@@ -7,14 +7,16 @@ not serve them or where the planes would not leave the registers it needs.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.cubes import Budget, Cube, Encoding, cover
+from nscc.logic.digits import Planes, binary_planes
 from nscc.logic.gray import gray
 from nscc.logic.problem import Demand, GaveUp, Machine, Problem
-from nscc.truth import members, number_planes
+from nscc.truth import members, union
 
 
 def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
@@ -24,14 +26,9 @@ def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Enc
         raise GaveUp(f"{len(distinct)} different predicates, {machine.registers} registers")
     place = {predicate: i for i, predicate in enumerate(distinct)}
     cubes = tuple((((place[d.predicate], 1),),) for d in problem.demands)
-    first = {place[d.predicate]: d for d in reversed(problem.demands)}
-    return Encoding(
-        "one register for each predicate",
-        tuple(distinct),
-        tuple(asked(first[i]) for i in range(len(distinct))),
-        cubes,
-        (False,) * len(cubes),
-    )
+    first = {d.predicate: asked(d) for d in reversed(problem.demands)}
+    planes = [(predicate, first[predicate]) for predicate in distinct]
+    return Encoding("one register for each predicate", planes, cubes)
 
 
 def asked(demand: Demand) -> str:
@@ -45,21 +42,14 @@ def one_hot(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """One plane for each shutter: every predicate is an OR of planes."""
     if problem.shutters > machine.registers:
         raise GaveUp(f"{problem.shutters} shutters, {machine.registers} registers")
-    used = 0
-    for demand in problem.demands:
-        used |= demand.predicate
+    used = union(demand.predicate for demand in problem.demands)
     place = {int(shutter): i for i, shutter in enumerate(members(used, problem.shutters))}
     cubes = tuple(
         tuple(((place[int(m)], 1),) for m in members(d.predicate, problem.shutters))
         for d in problem.demands
     )
-    return Encoding(
-        "one register for each shutter",
-        tuple(1 << shutter for shutter in place),
-        tuple(f"shutter {shutter}" for shutter in place),
-        cubes,
-        (False,) * len(cubes),
-    )
+    planes = [(1 << shutter, f"shutter {shutter}") for shutter in place]
+    return Encoding("one register for each shutter", planes, cubes)
 
 
 def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
@@ -69,8 +59,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     field: its planes hold the Gray code of the event's number, and one in-place NOT before each
     event keeps "all zero" meaning "now".
     """
-    planes: list[int] = []
-    holders: list[str] = []
+    planes: Planes = []
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
     fields = event_fields(problem, machine.registers - 1)
     for (edge, bucket, rank), events in fields.items():
@@ -82,18 +71,11 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
         base = len(planes)
         if base + width > machine.registers - 1:
             raise GaveUp(f"event times need {base + width} registers and one of scratch")
-        planes += number_planes(gray(numbers), width)
         label = event_name(edge, bucket, rank, fields)
-        holders += [f"{label}, Gray bit {bit}" for bit in range(width)]
+        planes += binary_planes(f"{label}, Gray bit", gray(numbers), width)
         for number, (demand, _) in enumerate(events):
             cubes[demand].append(_equality(gray(number), base, width))
-    return Encoding(
-        "event times in Gray code",
-        tuple(planes),
-        tuple(holders),
-        tuple(tuple(each) for each in cubes),
-        (False,) * len(cubes),
-    )
+    return Encoding("event times in Gray code", planes, tuple(tuple(each) for each in cubes))
 
 
 def event_name(edge: str, bucket: int, rank: int, fields: Events) -> str:
@@ -114,9 +96,8 @@ Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
 def event_fields(problem: Problem, most: int) -> Events:
     """For each kind of event and its rank: (demand, shutters) in time order.
 
-    Raises GaveUp where there are more than `most` such fields.
-
-    Demands that find FLAG as they want it are nobody's event.
+    Demands that find FLAG as they want it are nobody's event. Raises GaveUp where there are more
+    than `most` such fields.
     """
     seen: dict[tuple[str, int], NDArray[np.int64]] = {}
     fields: Events = {}
@@ -136,13 +117,13 @@ def event_fields(problem: Problem, most: int) -> Events:
     return dict(sorted(fields.items()))
 
 
-def _index_planes(problem: Problem, machine: Machine) -> list[int]:
+def _index_planes(problem: Problem, machine: Machine) -> Planes:
     """Planes of the Gray code of every shutter's number, as few as tell all shutters apart."""
     numbers = np.arange(problem.shutters, dtype=np.int64)
     width = max(1, (problem.shutters - 1).bit_length())
     if width > machine.registers - 1:
         raise GaveUp(f"{problem.shutters} shutters leave no register to compute with")
-    return number_planes(gray(numbers), width)
+    return binary_planes("shutter number, Gray bit", gray(numbers), width)
 
 
 def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
@@ -167,21 +148,14 @@ def gray_index_wide(problem: Problem, machine: Machine, budget: Budget) -> Encod
 
 def _index_equalities(problem: Problem, machine: Machine) -> Encoding:
     planes = _index_planes(problem, machine)
-    width = len(planes)
     cubes = tuple(
         tuple(
-            _equality(gray(int(shutter)), 0, width)
+            _equality(gray(int(shutter)), 0, len(planes))
             for shutter in members(d.predicate, problem.shutters)
         )
         for d in problem.demands
     )
-    return Encoding(
-        "shutter number in Gray code, equalities",
-        tuple(planes),
-        tuple(f"shutter number, Gray bit {bit}" for bit in range(width)),
-        cubes,
-        (False,) * len(cubes),
-    )
+    return Encoding("shutter number in Gray code, equalities", planes, cubes)
 
 
 # An equality takes no search, but its gates take about as long to write down as these steps.
@@ -195,8 +169,7 @@ def _members(problem: Problem) -> int:
 def covered_gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """Shutters numbered in Gray code, a cover of cubes for each predicate."""
     planes = _index_planes(problem, machine)
-    holders = [f"shutter number, Gray bit {bit}" for bit in range(len(planes))]
-    return _covered(problem, "shutter number in Gray code", planes, holders, budget)
+    return _covered(problem, "shutter number in Gray code", planes, budget)
 
 
 def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
@@ -204,14 +177,14 @@ def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) 
     half = _index_planes(problem, machine)
     if 2 * len(half) > machine.registers - 2:
         raise GaveUp("no room for both polarities and two scratch registers")
-    bits = [f"shutter number, Gray bit {bit}" for bit in range(len(half))]
-    encoding = _covered(problem, "shutter number in Gray code, both polarities", half, bits, budget)
+    encoding = _covered(problem, "shutter number in Gray code, both polarities", half, budget)
     # Plane 2i holds bit i, 2i + 1 its complement; a NOR reads the complement of each literal, so
     # the literal (i, value) is (2i + value, 0), and alone it is the plane that equals it.
-    planes = [v for p in half for v in (p, problem.everything & ~p)]
-    holders = [text for b in bits for text in (b, f"{b}, inverted")]
+    planes: Planes = []
+    for plane, bit in half:
+        planes += [(plane, bit), (problem.everything & ~plane, f"{bit}, inverted")]
     cubes = tuple(tuple(_twice(cube) for cube in predicate) for predicate in encoding.cubes)
-    return Encoding(encoding.name, tuple(planes), tuple(holders), cubes, encoding.inverted)
+    return replace(encoding, planes=planes, cubes=cubes)
 
 
 def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
@@ -222,16 +195,13 @@ def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encodi
     """
     if len(problem.values) < 2:
         raise GaveUp("one field is as good as the shutters' numbers")
-    planes: list[int] = []
-    holders: list[str] = []
+    planes: Planes = []
     for name, values in problem.values.items():
         rank = np.searchsorted(np.unique(values), values)
-        width = int(rank.max()).bit_length()
-        planes += number_planes(gray(rank), width)
-        holders += [f"{name}, Gray bit {bit}" for bit in range(width)]
+        planes += binary_planes(f"{name}, Gray bit", gray(rank), int(rank.max()).bit_length())
     if len(planes) > machine.registers - 1:
         raise GaveUp(f"{len(planes)} bits of fields leave no register to compute with")
-    return _covered(problem, "fields in Gray code", planes, holders, budget)
+    return _covered(problem, "fields in Gray code", planes, budget)
 
 
 def _twice(cube: Cube) -> Cube:
@@ -244,11 +214,11 @@ def _twice(cube: Cube) -> Cube:
 def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """The open shutters of every slot stored: an edge is one cube of two neighbours."""
     distinct = dict.fromkeys(level for bucket in problem.opens for level in bucket)
-    planes = [level for level in distinct if level not in (0, problem.everything)]
-    if len(planes) > machine.registers - 1:
-        raise GaveUp(f"{len(planes)} different levels leave no register to compute with")
-    holders = [f"level {i}" for i in range(len(planes))]
-    return _covered(problem, "open slots, edges made from them", planes, holders, budget)
+    levels = [level for level in distinct if level not in (0, problem.everything)]
+    if len(levels) > machine.registers - 1:
+        raise GaveUp(f"{len(levels)} different levels leave no register to compute with")
+    planes = [(level, f"level {i}") for i, level in enumerate(levels)]
+    return _covered(problem, "open slots, edges made from them", planes, budget)
 
 
 def covered_stored(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
@@ -256,24 +226,16 @@ def covered_stored(problem: Problem, machine: Machine, budget: Budget) -> Encodi
     distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
     # One register to compute in; two where some predicates have to be made, of several cubes each.
     room = machine.registers - (2 if len(distinct) > machine.registers - 1 else 1)
-    planes = distinct[:room]
-    holders = [f"predicate {i}" for i in range(len(planes))]
-    return _covered(problem, "predicates, the rest made from them", planes, holders, budget)
+    planes = [(predicate, f"predicate {i}") for i, predicate in enumerate(distinct[:room])]
+    return _covered(problem, "predicates, the rest made from them", planes, budget)
 
 
-def _covered(
-    problem: Problem, name: str, planes: Sequence[int], holders: Sequence[str], budget: Budget
-) -> Encoding:
-    known: dict[int, tuple[tuple[Cube, ...], bool]] = {}
-    cubes: list[tuple[Cube, ...]] = []
-    inverted: list[bool] = []
-    for demand in problem.demands:
-        if demand.predicate not in known:
-            known[demand.predicate] = _best_cover(problem, demand.predicate, planes, budget)
-        chosen, negative = known[demand.predicate]
-        cubes.append(chosen)
-        inverted.append(negative)
-    return Encoding(name, tuple(planes), tuple(holders), tuple(cubes), tuple(inverted))
+def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Encoding:
+    wanted = [demand.predicate for demand in problem.demands]
+    vectors = [plane for plane, _ in planes]
+    covers = {p: _best_cover(problem, p, vectors, budget) for p in dict.fromkeys(wanted)}
+    cubes, inverted = zip(*(covers[predicate] for predicate in wanted), strict=True)
+    return Encoding(name, planes, cubes, inverted)
 
 
 def _best_cover(
@@ -282,9 +244,8 @@ def _best_cover(
     """The smaller of the covers of a predicate and of its complement, which costs a gate more."""
     complement = problem.everything & ~predicate
     direct = cover(predicate, complement, planes, problem.everything, budget)
-    if len(direct) <= 1:
-        return tuple(direct), False
-    other = cover(complement, predicate, planes, problem.everything, budget)
-    if len(other) + 1 < len(direct):
-        return tuple(other), True
+    if len(direct) > 1:
+        other = cover(complement, predicate, planes, problem.everything, budget)
+        if len(other) + 1 < len(direct):
+            return tuple(other), True
     return tuple(direct), False

@@ -15,13 +15,12 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.cubes import Budget
-from nscc.logic.digits import radices_of, turn_over
-from nscc.logic.encodings import event_fields, event_name
+from nscc.logic.digits import Planes, binary_planes, digits_of, radices_of, turned_over
+from nscc.logic.encodings import asked, event_fields, event_name
 from nscc.logic.gray import cycle
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
-from nscc.truth import columns, members, number_planes, vector
+from nscc.truth import columns, members, set_bits, union, vector
 
 
 @dataclass(frozen=True)
@@ -87,10 +86,7 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
         stored = room - sum(form.planes for form in chosen)
         for kept in {0, stored}:
             script = _script(problem, fields, chosen, kept)
-            try:
-                yield walk(problem, machine, script, Budget(steps))
-            except GaveUp:
-                continue
+            yield from walk(problem, machine, script, steps)
 
 
 def _fields(problem: Problem, left_out: frozenset[int]) -> list[_Field]:
@@ -133,10 +129,7 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
     covered = 0
     for v in sorted(set(vectors), key=int.bit_count):
         if v & covered:
-            within = 0
-            for atom in atoms:
-                within |= atom if not atom & ~v else 0
-            if within != v:
+            if union(atom for atom in atoms if not atom & ~v) != v:
                 return None
         else:
             atoms.append(v)
@@ -165,9 +158,8 @@ def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ..
     for demand, number in (*field.events, (-1, None)):
         wanted = 0 if number is None else codes[number // form.size]
         # A plane stands turned over where the group's code is 1: now reads as all zeros.
-        flips = [b for b in range(form.bits) if (wanted ^ standing) >> b & 1]
-        if flips:
-            turned[demand] = tuple((turn_over(base + b),) for b in flips)
+        if wanted != standing:
+            turned[demand] = turned_over(base + b for b in set_bits(wanted ^ standing))
         standing = wanted
     return turned
 
@@ -184,28 +176,18 @@ def _script(
     raw = raw[len(raw) - stored :]
     if raw:
         fields = _fields(problem, frozenset(raw))
-    planes: list[int] = []
-    holders: list[str] = []
+    planes: Planes = []
     before: dict[int, tuple[Segment, ...]] = {}
     for field, form in zip(fields, chosen, strict=False):
         for demand, flips in _turns(field, form, len(planes)).items():
             before[demand] = (*before.get(demand, ()), *flips)
         codes = np.array(_codes(field, form), dtype=np.int64)
-        planes += number_planes(codes[field.numbers // form.size], form.bits)
-        holders += [f"{field.name}, group, bit {bit}" for bit in range(form.bits)]
-        size = form.size
-        for place, radix in enumerate(form.radices):
-            size //= radix
-            digit = field.numbers // size % radix
-            planes += columns(np.stack([digit != m for m in range(radix)], axis=1))
-            name = f"{field.name}, digit {len(form.radices) - 1 - place}"
-            holders += [f"{name} is not {m}" for m in range(radix)]
-    for i in raw:
-        kept = problem.demands[i]
-        planes.append(kept.predicate)
-        holders.append(f"{kept.edge} at boundary {kept.boundary}")
+        groups = codes[field.numbers // form.size]
+        planes += binary_planes(f"{field.name}, group, bit", groups, form.bits)
+        for name, digit, radix in digits_of(field.numbers, form.radices):
+            held = columns(digit[:, None] != np.arange(radix))
+            planes += [(p, f"{field.name}, {name} is not {m}") for m, p in enumerate(held)]
+    planes += [(problem.demands[i].predicate, asked(problem.demands[i])) for i in raw]
     closing = before.pop(-1, ())
-    return Script(
-        "event times in digits " + " and ".join(f.name for f in chosen),
-        tuple(planes), tuple(holders), 0, (), before, closing,
-    )  # fmt: skip
+    name = "event times in digits " + " and ".join(form.name for form in chosen)
+    return Script(name, planes, before=before, closing=closing)

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import islice, product
+from itertools import chain, islice, product
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.cubes import Budget
 from nscc.logic.digits import Planes, radices_of, thermometers
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 from nscc.logic.walk import Script, walk
@@ -33,24 +32,12 @@ def field_digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
     if not fields or len(fields) > 4:
         raise GaveUp("no fields, or too many of them")
     options = [_forms(name, ranks, room) for name, ranks in fields.items()]
-    found = [
-        chosen
-        for chosen in islice(product(*options), _MOST_COMBINED)
-        if sum(len(planes) for planes, _ in chosen) <= room
-    ]
+    combined = (list(chain(*chosen)) for chosen in islice(product(*options), _MOST_COMBINED))
+    fitting = [planes for planes in combined if len(planes) <= room]
     # The more planes, the more comparisons are there before the frame begins.
-    found.sort(key=lambda chosen: -sum(len(planes) for planes, _ in chosen))
-    for chosen in found[:_MOST_TRIED]:
-        script = Script(
-            "digits of the fields",
-            tuple(plane for planes, _ in chosen for plane in planes),
-            tuple(holder for _, holders in chosen for holder in holders),
-            0, (), {}, (),
-        )  # fmt: skip
-        try:
-            yield walk(problem, machine, script, Budget(steps))
-        except GaveUp:
-            continue
+    fitting.sort(key=len, reverse=True)
+    for planes in fitting[:_MOST_TRIED]:
+        yield from walk(problem, machine, Script("digits of the fields", planes), steps)
 
 
 def _forms(name: str, ranks: NDArray[np.int64], room: int) -> list[Planes]:
@@ -65,14 +52,12 @@ def _forms(name: str, ranks: NDArray[np.int64], room: int) -> list[Planes]:
         if size > room or size in seen:
             continue
         seen.add(size)
-        forms += [_named(name, thermometers(ranks, radices, sign)) for sign in (False, True)]
+        for negative in (False, True):
+            planes = thermometers(ranks, radices, negative)
+            forms.append([(plane, f"{name}, {digit}") for plane, digit in planes])
     if 2 < count <= room:
         equal = ranks[:, None] == np.arange(count)
         for held, sign in ((equal, "is"), (~equal, "is not")):
-            holders = tuple(f"{name} {sign} value {v}" for v in range(count))
-            forms.append((tuple(columns(held)), holders))
+            planes = [(p, f"{name} {sign} value {v}") for v, p in enumerate(columns(held))]
+            forms.append(planes)
     return forms
-
-
-def _named(name: str, planes: Planes) -> Planes:
-    return planes[0], tuple(f"{name}, {holder}" for holder in planes[1])

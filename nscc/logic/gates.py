@@ -43,14 +43,6 @@ class Gates:
         """destination := OR(sources), 0 if there are none. The destination may be among them."""
         self._gather("OR", "MOV", destination, sources)
 
-    def clear(self, registers: Sequence[str]) -> None:
-        """Every register := 0."""
-        self._gates.extend(Gate("CLR", register, ()) for register in registers)
-
-    def set(self, registers: Sequence[str]) -> None:
-        """Every register := 1."""
-        self._gates.extend(Gate("SET", register, ()) for register in registers)
-
     def invert(self, register: str) -> None:
         """register := NOT register."""
         self._gates.append(Gate("NOT", register, (register,)))
@@ -71,7 +63,7 @@ class Gates:
 
     def _gather(self, many: str, single: str, destination: str, sources: Sequence[str]) -> None:
         if not sources:
-            (self.set if many == "NOR" else self.clear)([destination])
+            self.add(Gate("SET" if many == "NOR" else "CLR", destination, ()))
             return
         limit = self._machine.or_sources
         rest = [name for name in sources if name != destination]

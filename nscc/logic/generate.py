@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Generator as Yields
 from dataclasses import dataclass
 from typing import Literal
 
@@ -136,35 +137,34 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
     generators = _asked(level)
     steps = SEARCH_STEPS[level]
 
-    def made(*kinds: Kind, allowed: int = steps) -> Iterator[Solution]:
+    def made(*kinds: Kind, allowed: int = steps) -> Yields[Solution, None, bool]:
+        """Solutions of generators of these kinds; returns whether there were any."""
+        some = False
         for kind in kinds:
             for name, each in generators.items():
                 if each.kind == kind:
-                    yield from _tried(name, each, problem, machine, allowed)
+                    for solution in _tried(name, each, problem, machine, allowed):
+                        yield solution
+                        some = True
+        return some
 
     direct = list(made("direct"))
     if direct:
         yield min(direct, key=lambda s: len(s.planes))
         return
-    found, fewest = False, float("inf")
+    fewest = float("inf")
     for solution in made("family"):
         yield solution
-        found = True
         fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
     least = _fewest_words(problem, machine)
     close = fewest <= _CLOSE * least
-    for solution in made("equality"):
-        yield solution
-        found = True
+    found = yield from made("equality")
+    found |= fewest < float("inf")
     if fewest > _WORTH_CASCADES.get(level, 0.0) * least:
-        for solution in made("cascade"):
-            yield solution
-            found = True
+        found |= yield from made("cascade")
     if found and (close or problem.shutters > MOST_COVERED):
         return
-    for solution in made("cover"):
-        yield solution
-        found = True
+    found |= yield from made("cover")
     if not found:
         yield from made("cover", "last", allowed=PATIENT_STEPS)
 

@@ -89,18 +89,12 @@ class _Rotation:
         # The moves home are chains, which end at the register that is free, and circles, which a
         # move to the free register opens (see `improve.recolour`; here only the words of it count).
         holder = {register: bit for bit, register in enumerate(place)}
-        words = 2 * sum(place[b] == b and code >> b & 1 for b in range(self.bits))
-        left = {b for b in range(self.bits) if place[b] != b}
-        while left:
-            start = bit = min(left)
-            closed = False
-            while bit in left:
-                left.discard(bit)
-                words += 1
-                following = holder.get(bit)
-                if following is None:
-                    break
-                closed = following == start
-                bit = following
-            words += closed
+        astray = {b for b in range(self.bits) if place[b] != b}
+        words = 2 * sum(place[b] == b and code >> b & 1 for b in range(self.bits)) + len(astray)
+        while astray:
+            start = bit = min(astray)
+            while bit in astray:
+                astray.discard(bit)
+                bit = holder.get(bit, -1)
+            words += bit == start
         return words

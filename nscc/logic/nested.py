@@ -15,8 +15,7 @@ from itertools import combinations, pairwise, product
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.cubes import Budget
-from nscc.logic.digits import binary_planes, radices_of, thermometers, turn_over
+from nscc.logic.digits import binary_planes, nor, radices_of, thermometers, turned_over
 from nscc.logic.gray import gray
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
@@ -64,8 +63,8 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
     """
     nest = nest_of(problem)
     for bits in range(4):
-        turns = _turns(bits)
-        room = machine.registers - bits - turns.most_cubes
+        flips, most_cubes = _turns(bits)
+        room = machine.registers - bits - most_cubes
         tried = 0
         for stored in range(min(room, nest.steps), -1, -1):
             values = nest.steps + 1 - stored
@@ -77,11 +76,8 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
                     # Complemented demands want the planes the other way round.
                     if negative and (bits or not any(nest.complemented)):
                         continue
-                    script = _digit_script(nest, stored, radices, bits, turns, negative)
-                    try:
-                        yield walk(problem, machine, script, Budget(steps))
-                    except GaveUp:
-                        continue
+                    script = _digit_script(nest, stored, radices, bits, flips, negative)
+                    yield from walk(problem, machine, script, steps)
             tried += bool(inner)
             if tried == _MOST_STORED:
                 break
@@ -91,21 +87,18 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
 _MOST_STORED = 2
 
 
-@dataclass(frozen=True)
-class _Turns:
-    """How `bits` binary digits step through their values: the bits turned over at each step."""
-
-    flips: tuple[tuple[int, ...], ...]
-    most_cubes: int
+_Flips = tuple[tuple[int, ...], ...]
+"""How binary digits step through their values: the bits turned over at each step."""
 
 
 @cache
-def _turns(bits: int) -> _Turns:
-    """The cheapest way to turn bits over: a shortest path through (group, polarities).
+def _turns(bits: int) -> tuple[_Flips, int]:
+    """The cheapest way to turn bits over, and the most cubes of a group.
 
-    In group h the bits must mask every lower value but not h, and the values above h must be an
-    OR of planes as they stand and a few cubes. The path enters group 0 and leaves the last group
-    with every bit as it was stored; an edge costs two words a bit turned in place, and a cube's.
+    It is a shortest path through (group, polarities). In group h the bits must mask every lower
+    value but not h, and the values above h must be an OR of planes as they stand and a few cubes.
+    The path enters group 0 and leaves the last group with every bit as it was stored; an edge costs
+    two words a bit turned in place, and a cube's.
     """
     import networkx as nx  # only from -O2 on: `check` starts without it
 
@@ -126,10 +119,8 @@ def _turns(bits: int) -> _Turns:
         ways.add_edge((groups - 1, old), (groups, stored), words=2 * sum(old))
     path = nx.shortest_path(ways, (-1, stored), (groups, stored), "words")
     polarities = [state for _, state in path]
-    return _Turns(
-        tuple(_turned(old, new) for old, new in pairwise(polarities)),
-        max(ways.nodes[node]["cubes"] for node in path[1:-1]),
-    )
+    flips = tuple(_turned(old, new) for old, new in pairwise(polarities))
+    return flips, max(ways.nodes[node]["cubes"] for node in path[1:-1])
 
 
 def _turned(old: Sequence[int], new: Sequence[int]) -> tuple[int, ...]:
@@ -166,35 +157,33 @@ def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
 
 
 def _digit_script(
-    nest: Nest,
-    stored: int,
-    radices: tuple[int, ...],
-    bits: int,
-    turns: _Turns,
-    negative: bool,
+    nest: Nest, stored: int, radices: tuple[int, ...], bits: int, flips: _Flips, negative: bool
 ) -> Script:
     per_group = int(np.prod(radices))
     # The last demands are planes of their own; before them those ranks are all alike.
     ranks = np.minimum(nest.ranks, nest.steps - stored)
-    top = binary_planes("highest digit of the rank", ranks // per_group, bits)
-    inner = thermometers(ranks % per_group, radices, negative)
+    planes = binary_planes("highest digit of the rank, bit", ranks // per_group, bits)
+    planes += thermometers(ranks % per_group, radices, negative)
     last = range(nest.steps - stored, nest.steps)
-    raw = tuple(columns((nest.ranks > d)[:, None])[0] for d in last)
-    named = tuple(f"rank > {d}" for d in last)
+    planes += [(columns((nest.ranks > d)[:, None])[0], f"rank > {d}") for d in last]
     before: dict[int, tuple[Segment, ...]] = {}
-    standing = [0] * bits
+    turned: list[int] = []
     done = 0
     for i, step in enumerate(nest.step):
         while done < min(step, nest.steps - stored) // per_group:
             done += 1
-            for bit in turns.flips[done]:
-                standing[bit] ^= 1
-                before[i] = (*before.get(i, ()), (turn_over(bit),))
-    closing = tuple((turn_over(bit),) for bit in range(bits) if standing[bit])
+            turned += flips[done]
+            before[i] = (*before.get(i, ()), *turned_over(flips[done]))
+    closing = _back(turned)
     name = "digits " + " x ".join(str(r) for r in ([1 << bits] if bits else []) + list(radices))
     if stored:
         name += f", the last {stored} demands stored"
-    return Script(name, top[0] + inner[0] + raw, top[1] + inner[1] + named, 0, (), before, closing)
+    return Script(name, planes, before=before, closing=closing)
+
+
+def _back(turned: Sequence[int]) -> tuple[Segment, ...]:
+    """Turns over again those of the planes `turned` that do not stand as at the start."""
+    return turned_over(bit for bit in sorted(set(turned)) if turned.count(bit) % 2)
 
 
 class _Form(Enum):
@@ -226,10 +215,9 @@ def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
     for bits in range(2, (values - 1).bit_length() + 1):
         least = -(-values // (1 << bits))
         for form in _Form:
-            if form in (_Form.PAIR, _Form.FLAG):
-                kept = problem.flag_lasts and not any(nest.complemented)
-                if not kept:
-                    continue
+            in_flag = form in (_Form.PAIR, _Form.FLAG)
+            if in_flag and (not problem.flag_lasts or any(nest.complemented)):
+                continue
             # With digits inside, a group has as many values as they tell apart; a state by itself
             # serves a group of one, and a pair of them a group of two.
             room = machine.registers - bits - _BESIDE[form]
@@ -237,15 +225,11 @@ def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
                 choices = radices_of(room, least)[:2] if least > 1 else ()
             else:
                 inner = 2 if form is _Form.PAIR else 1
-                fits = room >= inner - 1 and least == inner
-                choices = ((inner,),) if fits else ()
+                choices = ((inner,),) if room >= inner - 1 and least == inner else ()
             for radices in choices:
                 for low in sorted({min(low, bits) for low in _SUBMASK_BITS}, reverse=True):
                     script = _counted_script(nest, radices, bits, low, form)
-                    try:
-                        yield walk(problem, machine, script, Budget(steps))
-                    except GaveUp:
-                        continue
+                    yield from walk(problem, machine, script, steps)
 
 
 def _counted_script(
@@ -257,12 +241,10 @@ def _counted_script(
     groups = nest.ranks // per_group
     high = groups >> low
     coded = gray(high) << low | groups & (1 << low) - 1
-    top = binary_planes("highest digit of the rank", coded, bits)
-    inner = thermometers(nest.ranks % per_group, radices, False) if per_group > 1 else ((), ())
+    planes = binary_planes("highest digit of the rank, bit", coded, bits)
+    planes += thermometers(nest.ranks % per_group, radices, False)
     states = {_Form.DIGITS: 2, _Form.STATE: 1, _Form.TIGHT: 1}.get(form, 0)
-    opening: tuple[Segment, ...] = ()
-    if states:
-        opening = ((Gate("SET", "s0", ()),),)
+    opening: tuple[Segment, ...] = ((Gate("SET", "s0", ()),),) if states else ()
     before: dict[int, tuple[Segment, ...]] = {}
     turned: list[int] = []
     done = -1
@@ -274,64 +256,43 @@ def _counted_script(
                 # The Gray code of k differs from that of k - 1 in the lowest 1 of k.
                 flip = ((done >> low) & -(done >> low)).bit_length() - 1 + low
                 turned.append(flip)
-                run.append((turn_over(flip),))
+                run += turned_over([flip])
             equal = [f"p{b}" for b in range(bits) if b >= low or not done >> b & 1]
             before[i] = (*before.get(i, ()), *run, *_advance(form, equal, bits))
         if form is _Form.PAIR and step % 2 and i not in before:
             before[i] = ((Gate("WHERE", "FLAG", ("t1",)),),)
-    closing = tuple((turn_over(bit),) for bit in sorted(set(turned)) if turned.count(bit) % 2)
+    closing = _back(turned)
     name = " x ".join(str(r) for r in (1 << bits, *radices) if r > 1)
-    return Script(
-        f"digits {name}, the highest counted: {form.value}",
-        top[0] + inner[0], top[1] + inner[1], states, opening, before, closing,
-        form in (_Form.PAIR, _Form.FLAG),
-    )  # fmt: skip
+    name = f"digits {name}, the highest counted: {form.value}"
+    in_flag = form in (_Form.PAIR, _Form.FLAG)
+    return Script(name, planes, states, opening, before, closing, in_flag)
 
 
 def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...]:
     """Takes the shutters of cube NOR(equal) out of "greater"; `equal` empty: all of them."""
-
-    def cube(destination: str) -> Segment:
-        return (Gate("NOR" if len(equal) > 1 else "NOT", destination, tuple(equal)),)
-
     # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still holds
     # those that are equal now: DIGITS keep its inverse, for the demands that lower digits decide.
     if form in (_Form.DIGITS, _Form.STATE):
         rest = "s1" if form is _Form.DIGITS else "t1"
+        turn = Gate("NOT", rest, ("s0",))
         if not equal:
-            clear = (Gate("NOT", rest, ("s0",)), Gate("CLR", "s0", ()))
-            return (clear,)
-        return (
-            (Gate("NOT", rest, ("s0",)),),
-            cube("t0"),
-            (Gate("NOR", "s0", (rest, "t0")),),
-        )
+            return ((turn, Gate("CLR", "s0", ())),)
+        return (turn,), nor("t0", equal), (Gate("NOR", "s0", (rest, "t0")),)
     if form is _Form.TIGHT:
         # One scratch register: the cube goes where the state was, which waits inverted.
         if not equal:
             return ((Gate("CLR", "s0", ()),),)
-        return (
-            (Gate("NOT", "t0", ("s0",)),),
-            cube("s0"),
-            (Gate("NOR", "s0", ("s0", "t0")),),
-        )
+        turn = Gate("NOT", "t0", ("s0",))
+        return (turn,), nor("s0", equal), (Gate("NOR", "s0", ("s0", "t0")),)
     if form is _Form.PAIR:
         # Two demands a group: FLAG, which the plane of the last digit decides as well, answers the
         # first; t1, "greater" alone, waits for the second and is the state from then on.
-        left: Segment = (Gate("NOR", "t1", ("t1", "t0")),) if equal else (Gate("CLR", "t1", ()),)
-        return (
-            (Gate("NOT", "t0", ("FLAG",)),),
-            *((cube("t1"),) if equal else ()),
-            (
-                *left,
-                Gate("NOR", "t0", ("t0", f"p{bits}")),
-                Gate("WHERE", "FLAG", ("t0", "t1")),
-            ),
-        )
+        left = Gate("NOR", "t1", ("t1", "t0")) if equal else Gate("CLR", "t1", ())
+        both = Gate("NOR", "t0", ("t0", f"p{bits}")), Gate("WHERE", "FLAG", ("t0", "t1"))
+        cubes = (nor("t1", equal),) if equal else ()
+        return (Gate("NOT", "t0", ("FLAG",)),), *cubes, (left, *both)
+    load = Gate("WHERE", "FLAG", ("t0",))
     if not equal:
-        return ((Gate("CLR", "t0", ()), Gate("WHERE", "FLAG", ("t0",))),)
-    return (
-        (Gate("NOT", "t0", ("FLAG",)), Gate("WHERE", "FLAG", ("t0",))),
-        cube("t0"),
-        (Gate("NOR", "t0", ("t0", "FLAG")), Gate("WHERE", "FLAG", ("t0",))),
-    )
+        return ((Gate("CLR", "t0", ()), load),)
+    turn, left = Gate("NOT", "t0", ("FLAG",)), Gate("NOR", "t0", ("t0", "FLAG"))
+    return (turn, load), nor("t0", equal), (left, load)

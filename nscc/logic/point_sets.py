@@ -18,12 +18,13 @@ Indices = NDArray[np.int64]
 class Planes:
     """Code planes and all the cubes that one NOR of them can be, by price.
 
-    `planes` (P, W) are sets of points; `groups` are (words, cubes (M, W), masks (M,)).
+    `planes` (P, W) are sets of points, `everything` (W,) is that of all points; `groups` are
+    (words, cubes (M, W), masks (M,)).
     """
 
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
         self.planes = planes
-        self.everything = full(points)
+        self.everything: Points = packed(np.ones((1, points), dtype=np.bool_))[0]
         # The union of every subset of the planes, doubled plane by plane: row m is that of mask m.
         limit = machine.or_sources
         ors = np.zeros((1, planes.shape[1]), dtype=np.uint64)
@@ -41,12 +42,6 @@ class Planes:
         self.groups = [
             (int(words), cubes[price == words], masks[price == words]) for words in np.unique(price)
         ]
-
-
-def full(points: int) -> Points:
-    """The set of all points (W,)."""
-    everything: Points = packed(np.ones((1, points), dtype=np.bool_))[0]
-    return everything
 
 
 def packed(bits: NDArray[np.bool_]) -> Points:

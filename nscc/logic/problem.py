@@ -11,8 +11,10 @@ are scratch. `nscc.lower.allocate` gives them places.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -138,10 +140,12 @@ class Solution:
 
     def segments(self) -> Sequence[Segment]:
         """All segments in the order in which they run."""
-        run = [*self.opening]
-        for answer in self.answers:
-            run.extend(answer)
-        return [*run, *self.closing]
+        return [*self.opening, *chain.from_iterable(self.answers), *self.closing]
+
+    def writes(self) -> list[int]:
+        """How often a frame writes each plane."""
+        times = Counter(gate.destination for segment in self.segments() for gate in segment)
+        return [times[f"p{i}"] for i in range(len(self.planes))]
 
 
 def quietest(writes: Sequence[int]) -> int:

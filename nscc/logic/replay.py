@@ -138,12 +138,7 @@ class _Frame:
 def _masked(machine: Machine, solution: Solution) -> str | None:
     """The plane that `nscc.lower.allocate` gives the masked register: where all are in use, the
     one that is written least. Its writes destroy t0."""
-    planes = _names("p", len(solution.planes))
-    if not machine.masked or len(planes) + solution.states + solution.scratch < machine.registers:
+    used = len(solution.planes) + solution.states + solution.scratch
+    if not machine.masked or used < machine.registers:
         return None
-    writes = dict.fromkeys(planes, 0)
-    for segment in solution.segments():
-        for gate in segment:
-            if gate.destination in writes:
-                writes[gate.destination] += 1
-    return planes[quietest([writes[name] for name in planes])]
+    return f"p{quietest(solution.writes())}"

@@ -7,19 +7,18 @@ are active is stored, or a state that every group brings forward.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.logic.bumps import Bumps, bumps_of
-from nscc.logic.cubes import Budget
-from nscc.logic.digits import Planes, turn_over
+from nscc.logic.digits import Planes, binary_planes, nor, turned_over
 from nscc.logic.gray import gray
-from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
-from nscc.truth import columns, number_planes
+from nscc.truth import columns, set_bits
 
 
 def stored_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
@@ -34,14 +33,11 @@ def stored_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
         first, start = _split(bumps.start, size, longer)
         last, stop = _split(np.maximum(bumps.stop - 1, 0), size, longer)
         active = [(first <= k) & (k <= last) & ~bumps.never for k in range(groups)]
-        planes, holders = _offsets(bumps, start, stop, size)
-        script = Script(
-            f"active groups of {size} and fewer, offsets of both ends",
-            (*columns(np.stack(active, axis=1)), *planes),
-            (*(f"active in group {k}" for k in range(groups)), *holders),
-            0, (), {}, (),
-        )  # fmt: skip
-        yield from _tried(problem, machine, script, steps)
+        held = columns(np.stack(active, axis=1))
+        planes = [(plane, f"active in group {k}") for k, plane in enumerate(held)]
+        planes += _offsets(bumps, start, stop, size)
+        name = f"active groups of {size} and fewer, offsets of both ends"
+        yield from walk(problem, machine, Script(name, planes), steps)
 
 
 def _split(
@@ -74,34 +70,19 @@ def counted_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[So
                 continue
             if size == 1 and room >= 1 and problem.flag_lasts:
                 script = _flag_script(bumps, bits, risers)
-                yield from _tried(problem, machine, script, steps)
+                yield from walk(problem, machine, script, steps)
             if room >= 3 and (problem.demands[-1].flag_kept or not halved):
                 script = _register_script(bumps, size, bits, risers, exact=not halved)
-                yield from _tried(problem, machine, script, steps)
-
-
-def _tried(problem: Problem, machine: Machine, script: Script, steps: int) -> Iterator[Solution]:
-    try:
-        yield walk(problem, machine, script, Budget(steps))
-    except GaveUp:
-        return
-
-
-def _groups(bumps: Bumps, size: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """(shutters,) the first and the last group that a shutter touches."""
-    return bumps.start // size, np.maximum(bumps.stop - 1, 0) // size
+                yield from walk(problem, machine, script, steps)
 
 
 def _offsets(bumps: Bumps, start: NDArray[np.int64], last: NDArray[np.int64], size: int) -> Planes:
     """Thermometers of both ends' places in their groups, in the sense that a NOR reads."""
-    start = np.where(bumps.never, 0, start)
-    last = np.where(bumps.never, size - 1, last)
-    planes = [start <= m for m in range(size - 1)] + [last > m for m in range(size - 1)]
-    holders = [f"start's place in its group <= {m}" for m in range(size - 1)]
-    holders += [f"last slot's place in its group > {m}" for m in range(size - 1)]
-    if not planes:
-        return (), ()
-    return tuple(columns(np.stack(planes, axis=1))), tuple(holders)
+    places = np.arange(size - 1)
+    starts = columns(np.where(bumps.never, 0, start)[:, None] <= places)
+    lasts = columns(np.where(bumps.never, size - 1, last)[:, None] > places)
+    planes = [(p, f"start's place in its group <= {m}") for m, p in enumerate(starts)]
+    return planes + [(p, f"last slot's place in its group > {m}") for m, p in enumerate(lasts)]
 
 
 @dataclass(frozen=True)
@@ -150,18 +131,14 @@ class _Risers:
         standing = codes[first]
         flips = []
         for m in range(groups - 1):
-            flips.append(_bits(standing ^ wanted[m]))
+            flips.append(set_bits(standing ^ wanted[m]))
             standing = wanted[m]
         return _Risers(
             tuple(codes[v] ^ codes[first] for v in (first, *range(groups - 1))),
             tuple(flips),
             tuple(cubes[: groups - 1]),
-            _bits(standing ^ codes[first]),
+            set_bits(standing ^ codes[first]),
         )
-
-
-def _bits(number: int) -> tuple[int, ...]:
-    return tuple(i for i in range(number.bit_length()) if number >> i & 1)
 
 
 def _ends(bumps: Bumps, size: int, bits: int, risers: _Risers) -> Planes:
@@ -169,91 +146,60 @@ def _ends(bumps: Bumps, size: int, bits: int, risers: _Risers) -> Planes:
 
     What never opens rises with group 1 and is taken out at once.
     """
-    first, last = _groups(bumps, size)
-    first = np.where(bumps.never, 1, first)
-    planes = number_planes(np.array(risers.codes, dtype=np.int64)[first], bits)
-    planes += number_planes(last, bits)
-    holders = [f"group of the start, bit {i}" for i in range(bits)]
-    holders += [f"group of the last slot, bit {i}" for i in range(bits)]
-    return tuple(planes), tuple(holders)
-
-
-def _nor(destination: str, sources: Sequence[str]) -> Segment:
-    return (Gate("NOR" if len(sources) > 1 else "NOT", destination, tuple(sources)),)
+    first = np.where(bumps.never, 1, bumps.start // size)
+    codes = np.array(risers.codes, dtype=np.int64)[first]
+    last = np.maximum(bumps.stop - 1, 0) // size
+    planes = binary_planes("group of the start, bit", codes, bits)
+    return planes + binary_planes("group of the last slot, bit", last, bits)
 
 
 def _fallers(m: int, bits: int) -> Segment:
     """t0 := shutters whose last group is a submask of m: m itself, and some before it."""
-    return _nor("t0", [f"p{bits + i}" for i in range(bits) if not m >> i & 1])
+    return nor("t0", [f"p{bits + i}" for i in range(bits) if not m >> i & 1])
 
 
 def _flag_script(bumps: Bumps, bits: int, risers: _Risers) -> Script:
     """The state in FLAG, one scratch register, groups of one step."""
-    planes, holders = _ends(bumps, 1, bits, risers)
     # FLAG := NOR(NOR(FLAG, rising), falling) in two steps; FLAG is inverted in between.
-    into_flag: Segment = (
-        Gate("NOR", "t0", ("t0", "FLAG")), Gate("WHERE", "FLAG", ("t0",)),
-    )  # fmt: skip
+    into_flag = (Gate("NOR", "t0", ("t0", "FLAG")), Gate("WHERE", "FLAG", ("t0",)))
     before: dict[int, tuple[Segment, ...]] = {}
-    for i, step in enumerate(bumps.step):
-        if i and step == bumps.step[i - 1]:
-            continue
+    for step, i in bumps.groups():
         if not step:
-            rise = _nor("t0", [f"p{b}" for b in range(bits)])
+            rise = nor("t0", [f"p{b}" for b in range(bits)])
             before[i] = ((*rise, Gate("WHERE", "FLAG", ("t0",))),)
             continue
         m = step - 1
         before[i] = (
-            *((turn_over(b),) for b in risers.flips[m]),
-            _nor("t0", [f"p{b}" for b in risers.cubes[m]]),
+            *turned_over(risers.flips[m]),
+            nor("t0", [f"p{b}" for b in risers.cubes[m]]),
             into_flag,
             _fallers(m, bits),
             into_flag,
         )
-    closing = tuple((turn_over(b),) for b in risers.back)
-    return Script(
-        "both ends in binary, state in FLAG", planes, holders, 0, (), before, closing, True
-    )
+    planes, closing = _ends(bumps, 1, bits, risers), turned_over(risers.back)
+    name = "both ends in binary, state in FLAG"
+    return Script(name, planes, 0, (), before, closing, state_in_flag=True)
 
 
 def _register_script(bumps: Bumps, size: int, bits: int, risers: _Risers, *, exact: bool) -> Script:
     """The state, inverted, in a register. Unless `exact`, FLAG must still hold the demand before:
     what was open in the last slot of a group is what was active in it and goes on."""
-    ends = _ends(bumps, size, bits, risers)
-    offsets = _offsets(bumps, bumps.start % size, (bumps.stop - 1) % size, size)
+    planes = _ends(bumps, size, bits, risers)
+    planes += _offsets(bumps, bumps.start % size, (bumps.stop - 1) % size, size)
     before: dict[int, tuple[Segment, ...]] = {}
-    done = -1
-    for i, step in enumerate(bumps.step):
-        group = step // size
-        if group == done:
-            continue
-        done = group
+    for group, i in bumps.groups(size):
         if not group:
-            first = tuple(f"p{b}" for b in range(bits))
-            before[i] = ((Gate("OR", "s0", first),),)
+            before[i] = ((Gate("OR", "s0", tuple(f"p{b}" for b in range(bits))),),)
             continue
         m = group - 1
-        flips = tuple((turn_over(b),) for b in risers.flips[m])
-        rise = _nor("t0", [f"p{b}" for b in risers.cubes[m]])
+        run: list[Segment] = [nor("t0", [f"p{b}" for b in risers.cubes[m]]), _fallers(m, bits)]
+        state, last = "FLAG", "OR"
         if exact:
-            before[i] = (
-                *flips,
-                _fallers(m, bits),
-                (Gate("NOR", "t1", ("s0", "t0")),),
-                rise,
-                (Gate("NOR", "s0", ("t0", "t1")),),
-            )
-        else:
-            before[i] = (
-                *flips,
-                rise,
-                (Gate("NOR", "t1", ("FLAG", "t0")),),
-                _fallers(m, bits),
-                (Gate("OR", "s0", ("t0", "t1")),),
-            )
-    closing = tuple((turn_over(b),) for b in risers.back)
+            run.reverse()
+            state, last = "s0", "NOR"
+        run.insert(1, (Gate("NOR", "t1", (state, "t0")),))
+        run.append((Gate(last, "s0", ("t0", "t1")),))
+        before[i] = (*turned_over(risers.flips[m]), *run)
+    closing = turned_over(risers.back)
     name = "both ends in binary" if size == 1 else f"groups of {size} in binary, offsets"
-    return Script(
-        f"{name}, state in a register", ends[0] + offsets[0], ends[1] + offsets[1], 1, (), before,
-        closing,
-    )  # fmt: skip
+    return Script(f"{name}, state in a register", planes, 1, (), before, closing)

@@ -11,11 +11,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
+from operator import itemgetter
 
-from nscc.logic.cubes import Budget, Encoding
+from nscc.logic.cubes import Budget, Cube, Encoding, Standing
+from nscc.logic.digits import unzipped
 from nscc.logic.encodings import covered_fields, gray_index, gray_times
 from nscc.logic.gates import Gates
-from nscc.logic.problem import Demand, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Demand, Gate, GaveUp, Machine, Problem, Segment, Solution
 
 
 def state_register(problem: Problem, machine: Machine, budget: Budget) -> Solution:
@@ -33,7 +35,8 @@ def state_in_flag(problem: Problem, machine: Machine, budget: Budget) -> Solutio
 def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool) -> Solution:
     if any(d.edge != "open" for d in problem.demands):
         raise GaveUp("the demands are events already")
-    from_open = [_closes_only(levels) for levels in problem.opens]
+    # Where no shutter opens later than slot 0, all start open, the never-open ones too.
+    from_open = [not any(b & ~a for a, b in pairwise(levels)) for levels in problem.opens]
     events, needed_before = _events(problem, from_open)
     inner = replace(problem, demands=tuple(events), flag_lasts=False)
     states = 0 if in_flag else len(problem.opens)
@@ -47,18 +50,17 @@ def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool)
     walker = _Walker(machine, planes, min(left, 2), in_flag)
     opening = walker.start(from_open)
     answers = []
-    done = 0
-    for i in range(len(problem.demands)):
+    for demand, (first, end) in zip(problem.demands, pairwise((0, *needed_before)), strict=True):
         segments: list[Segment] = []
-        while done < needed_before[i]:
-            segments.extend(walker.event(events[done], encoding.cubes[done]))
-            done += 1
-        segments.extend(walker.load(problem.demands[i]))
+        for i in range(first, end):
+            segments += walker.event(events[i], encoding.cubes[i])
+        if not in_flag:
+            segments.append((Gate("WHERE", "FLAG", (f"s{demand.bucket}",)),))
         answers.append(tuple(segments))
     return Solution(
         encoding.name + (", state in FLAG" if in_flag else ", state in a register"),
-        encoding.planes, encoding.holders, states, walker.scratch, opening, tuple(answers),
-        walker.restore(), in_flag,
+        *unzipped(encoding.planes), states, walker.scratch, opening, tuple(answers),
+        walker.planes.restore(), in_flag,
     )  # fmt: skip
 
 
@@ -72,11 +74,6 @@ def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Enc
         if len(encoding.planes) <= room and not any(encoding.inverted):
             return encoding
     return gray_index(problem, machine, budget)
-
-
-def _closes_only(levels: Sequence[int]) -> bool:
-    """Whether no shutter opens later than slot 0: then all start open, the never-open ones too."""
-    return not any(after & ~before for before, after in pairwise(levels))
 
 
 def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], list[int]]:
@@ -103,13 +100,13 @@ def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], 
 
 
 class _Walker:
-    """Emits the gates of events and of levels, keeping track of inverted planes."""
+    """Emits the gates of events and of levels."""
 
     def __init__(self, machine: Machine, planes: int, scratch: int, in_flag: bool) -> None:
         self._machine = machine
-        self._inverted = [0] * planes
         self._in_flag = in_flag
         self._gates = Gates(machine)
+        self.planes = Standing(self._gates, planes)
         self.scratch = scratch
 
     def start(self, from_open: Sequence[bool]) -> tuple[Segment, ...]:
@@ -117,25 +114,17 @@ class _Walker:
         if self._in_flag:
             if from_open[0]:
                 return ()  # FLAG is 1 everywhere after the setup
-            self._gates.clear(["t0"])
-            self._gates.where(["t0"], None)
-            return (self._gates.take(),)
-        self._gates.clear([f"s{b}" for b, is_open in enumerate(from_open) if not is_open])
-        self._gates.set([f"s{b}" for b, is_open in enumerate(from_open) if is_open])
-        return (self._gates.take(),)
+            return ((Gate("CLR", "t0", ()), Gate("WHERE", "FLAG", ("t0",))),)
+        closed_first = sorted(enumerate(from_open), key=itemgetter(1))
+        return (tuple(Gate("SET" if o else "CLR", f"s{b}", ()) for b, o in closed_first),)
 
-    def event(self, event: Demand, cubes: Sequence[Sequence[tuple[int, int]]]) -> list[Segment]:
+    def event(self, event: Demand, cubes: Sequence[Cube]) -> list[Segment]:
         """Segments that let the shutters of one event rise or fall."""
         segments = []
+        change = self._flag if self._in_flag else self._register
         for cube in cubes:
-            for plane, value in cube:
-                if self._inverted[plane] != value:
-                    self._inverted[plane] ^= 1
-                    self._gates.invert(f"p{plane}")
-                    segments.append(self._gates.take())
-            equal = [f"p{plane}" for plane, _ in cube]
-            change = self._flag if self._in_flag else self._register
-            change(event, equal)
+            segments += self.planes.turn(cube)
+            change(event, [f"p{plane}" for plane, _ in cube])
             segments.append(self._gates.take())
         return segments
 
@@ -166,19 +155,3 @@ class _Walker:
             self._gates.nor("t0", equal)
             self._gates.nor("t0", ["t0", "FLAG"])
         self._gates.where(["t0"], None)
-
-    def load(self, demand: Demand) -> list[Segment]:
-        """The segment that brings the level of the demand's bucket into FLAG."""
-        if self._in_flag:
-            return []
-        self._gates.where([f"s{demand.bucket}"], None)
-        return [self._gates.take()]
-
-    def restore(self) -> tuple[Segment, ...]:
-        """Segments that put every inverted plane back."""
-        segments = []
-        for plane, inverted in enumerate(self._inverted):
-            if inverted:
-                self._gates.invert(f"p{plane}")
-                segments.append(self._gates.take())
-        return tuple(segments)

@@ -10,29 +10,32 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
+from itertools import chain
 
-from nscc.logic.cover import Cover, find_cover, life
+from nscc.logic.cover import Cover, Covers, life
 from nscc.logic.cubes import Budget
+from nscc.logic.digits import Planes, unzipped
 from nscc.logic.gates import Gates
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution, quietest
+from nscc.truth import union
 
 
 @dataclass(frozen=True)
 class Script:
     """An encoding and the gates that do not depend on how demands are answered.
 
-    `before[i]` runs before demand i is answered; it may use states and the scratch registers
-    t0 .. t(reserved - 1), which lose what they hold, and FLAG where `writes_flag`.
+    `before[i]` runs before demand i is answered; it may use states, scratch registers and FLAG,
+    which lose what they hold.
     """
 
     encoding: str
-    planes: tuple[int, ...]
-    holders: tuple[str, ...]
-    states: int
-    opening: tuple[Segment, ...]
-    before: dict[int, tuple[Segment, ...]]
-    closing: tuple[Segment, ...]
+    planes: Planes
+    states: int = 0
+    opening: tuple[Segment, ...] = ()
+    before: dict[int, tuple[Segment, ...]] = field(default_factory=dict)
+    closing: tuple[Segment, ...] = ()
     state_in_flag: bool = False
 
 
@@ -62,14 +65,14 @@ _DEAR = 4.0
 _AHEAD = 64
 
 
-def walk(problem: Problem, machine: Machine, script: Script, budget: Budget) -> Solution:
-    """The solution of a script; raises GaveUp where some demand cannot be answered."""
-    held = len(script.planes) + script.states
-    scratch = machine.registers - held
-    if scratch < 0:
-        raise GaveUp(f"{held} planes and states are more than {machine.registers} registers")
-    walker = _Walker(problem, machine, _within_fan_in(script, machine), scratch, budget)
-    return walker.solution()
+def walk(problem: Problem, machine: Machine, script: Script, steps: int) -> Iterator[Solution]:
+    """The solution of a script, found in `steps` of search; none where a demand has no answer."""
+    scratch = machine.registers - len(script.planes) - script.states
+    if scratch >= 0:
+        script = _within_fan_in(script, machine)
+        covers = Covers(problem.everything, machine.or_sources, Budget(steps))
+        with suppress(GaveUp):
+            yield _Walker(problem, machine, script, scratch, covers).solution()
 
 
 def _within_fan_in(script: Script, machine: Machine) -> Script:
@@ -100,16 +103,9 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
     )
 
 
-def _quietest(script: Script) -> str:
-    """The plane that is written least: it gets the masked register where all are needed."""
-    writes = Counter(gate.destination for gate in _all_gates(script))
-    return f"p{quietest([writes[f'p{i}'] for i in range(len(script.planes))])}"
-
-
 def _all_gates(script: Script) -> Iterator[Gate]:
-    for run in (script.opening, *script.before.values(), script.closing):
-        for segment in run:
-            yield from segment
+    runs = (script.opening, *script.before.values(), script.closing)
+    return chain.from_iterable(chain.from_iterable(runs))
 
 
 @dataclass
@@ -118,7 +114,7 @@ class _Walker:
     machine: Machine
     script: Script
     scratch: int
-    budget: Budget
+    covers: Covers
     values: dict[str, int] = field(default_factory=dict)
     quiet: str = ""
     used: int = 0
@@ -127,8 +123,11 @@ class _Walker:
         """Runs the script and answers every demand."""
         script, problem = self.script, self.problem
         self.gates = Gates(self.machine)
-        self.quiet = _quietest(script) if self.machine.masked and script.planes else ""
-        self.values = {f"p{i}": vector for i, vector in enumerate(script.planes)}
+        if self.machine.masked and script.planes:
+            writes = Counter(gate.destination for gate in _all_gates(script))
+            self.quiet = f"p{quietest([writes[f'p{i}'] for i in range(len(script.planes))])}"
+        planes, holders = unzipped(script.planes)
+        self.values = {f"p{i}": vector for i, vector in enumerate(planes)}
         if script.state_in_flag:
             self.values["FLAG"] = problem.everything
         self._run(script.opening)
@@ -143,43 +142,37 @@ class _Walker:
                 self.values.pop("t0", None)  # FLAG may have waited there
             scripted = script.before.get(i, ())
             self._run(scripted)
-            if self.values.get("FLAG") == demand.predicate:
-                answers.append(scripted)
-                continue
-            answers.append((*scripted, self._answer(i)))
+            if self.values.get("FLAG") != demand.predicate:
+                scripted = (*scripted, self._answer(i))
+            answers.append(scripted)
         self.values.pop("FLAG", None)
         self._run(script.closing)
-        for i, vector in enumerate(script.planes):
+        for i, vector in enumerate(planes):
             if self.values[f"p{i}"] != vector:
                 raise GaveUp("the script does not restore its planes")
         return Solution(
-            script.encoding, script.planes, script.holders, script.states, self.used,
-            script.opening, tuple(answers), script.closing, script.state_in_flag,
+            script.encoding, planes, holders, script.states, self.used, script.opening,
+            tuple(answers), script.closing, script.state_in_flag,
         )  # fmt: skip
 
     def _run(self, segments: Sequence[Segment]) -> None:
-        for segment in segments:
-            for gate in segment:
-                self._do(gate)
+        """Brings the truth vectors up to date with scripted gates."""
+        for gate in chain.from_iterable(segments):
+            for name in gate.sources:
+                if name not in self.values:
+                    raise GaveUp(f"the script reads {name}, which holds nothing known")
+            inverted = gate.name in ("NOT", "NOR", "SET")
+            self.values[gate.destination] = self._or(gate.sources, inverted)
+            if gate.destination == self.quiet:
+                # Its mask, the first scratch register, is set for the write.
+                self.values.pop("t0", None)
+            if gate.destination.startswith("t"):
+                self._use(gate.destination)
+                if self.used > self.scratch:
+                    raise GaveUp("the script needs more scratch registers than there are")
 
-    def _do(self, gate: Gate) -> None:
-        """Brings the truth vectors up to date."""
-        union = 0
-        for name in gate.sources:
-            if name not in self.values:
-                raise GaveUp(f"the script reads {name}, which holds nothing known")
-            union |= self.values[name]
-        inverted = gate.name in ("NOT", "NOR", "SET")
-        everything = self.problem.everything
-        self.values[gate.destination] = everything & ~union if inverted else union
-        if gate.destination == self.quiet:
-            # Its mask, the first scratch register, is set for the write.
-            self.values.pop("t0", None)
-        if gate.destination.startswith("t"):
-            number = int(gate.destination[1:]) + 1
-            if number > self.scratch:
-                raise GaveUp("the script needs more scratch registers than there are")
-            self.used = max(self.used, number)
+    def _use(self, scratch: str) -> None:
+        self.used = max(self.used, int(scratch[1:]) + 1)
 
     def _answer(self, index: int) -> Segment:
         """The gates that bring demand `index` into FLAG, from the cheapest cover found.
@@ -227,10 +220,7 @@ class _Walker:
             if inverted and not scratch:
                 continue
             usable = [inverted or n != "FLAG" or self.machine.where_reads_flag for n in names]
-            cover = find_cover(
-                values, usable, wanted, self.problem.everything, scratch,
-                self.machine.or_sources, self.budget, scratch > 1,
-            )  # fmt: skip
+            cover = self.covers.find(values, usable, wanted, scratch)
             if cover is not None:
                 full = inverted and len(cover.cubes) >= scratch
                 yield _Choice(
@@ -249,8 +239,9 @@ class _Walker:
         positive = [names[k] for k in choice.cover.positive]
         waiting = [{names[k] for k in cube.sources} for cube in cubes]
         if choice.turned is not None:
-            busy = set(positive).union(*waiting)
-            place = self._place(busy, ahead)
+            place = self._free(set(positive).union(*waiting), ahead)
+            if place is None:
+                raise GaveUp("no register is left to compute with")
             self._gate("NOR", place, [choice.turned])
             names[-1] = place
             positive = [place if n == _TURNED else n for n in positive]
@@ -259,22 +250,20 @@ class _Walker:
         for n, cube in enumerate(cubes):
             needed = set().union(*waiting[n + 1 :])
             sources = [names[k] for k in cube.sources]
-            target = self._place_or_none(needed | set(terms) | set(sources), ahead)
+            target = self._free(needed | set(terms) | set(sources), ahead)
             if target is None:
                 # In place, over a source that nothing else reads.
                 over = [s for s in sources if s[0] == "t" and s not in needed and s not in terms]
-                if over:
-                    target = over[0]
-                else:
-                    terms, target = self._gather(terms, needed | set(sources))
+                target = next(iter(over), None)
+            if target is None:
+                terms, target = self._gather(terms, needed | set(sources))
             self._gate("NOR", target, sources)
             terms = [*terms, target]
         if not choice.inverted:
             self._where(terms)
             return
-        free = self._place_or_none(set(terms), ahead)
-        if free is None:
-            free = next(t for t in reversed(terms) if t[0] == "t")
+        free = self._free(set(terms), ahead)
+        free = free or next(t for t in reversed(terms) if t[0] == "t")
         self._gate("NOR", free, terms)
         self._where([free])
 
@@ -283,57 +272,42 @@ class _Walker:
         loose = [t for t in terms if t[0] == "t" and t not in needed]
         if len(loose) < 2:
             raise GaveUp("no register is left to compute with")
-        into, free = loose[0], loose[1]
+        into, free, *_ = loose
         self._gate("OR", into, [into, free])
         return [t for t in terms if t != free], free
 
-    def _place_or_none(self, busy: set[str], ahead: Sequence[int]) -> str | None:
+    def _free(self, busy: set[str], ahead: Sequence[int]) -> str | None:
         """A scratch register, a free one or whose value serves fewest demands to come; None if all
         are busy."""
-        best: str | None = None
-        least = 0
-        for k in range(self.scratch):
-            name = f"t{k}"
-            if name in busy:
-                continue
-            vector = self.values.get(name)
-            missed = 0
-            if vector is not None:
-                missed = life(vector, ahead[1:]) if vector else 0
-            if best is None or missed < least:
-                best, least = name, missed
-        return best
 
-    def _place(self, busy: set[str], ahead: Sequence[int]) -> str:
-        name = self._place_or_none(busy, ahead)
-        if name is None:
-            raise GaveUp("no register is left to compute with")
-        return name
+        def missed(name: str) -> int:
+            vector = self.values.get(name)
+            return life(vector, ahead[1:]) if vector else 0
+
+        names = [name for k in range(self.scratch) if (name := f"t{k}") not in busy]
+        return min(names, key=missed, default=None)
 
     def _gate(self, kind: str, destination: str, sources: Sequence[str]) -> None:
-        if kind == "NOR":
-            self.gates.nor(destination, sources)
-        else:
-            self.gates.or_(destination, sources)
-        union = 0
-        for name in sources:
-            union |= self.values[name]
-        everything = self.problem.everything
-        self.values[destination] = everything & ~union if kind == "NOR" else union
-        self.used = max(self.used, int(destination[1:]) + 1)
+        inverted = kind == "NOR"
+        (self.gates.nor if inverted else self.gates.or_)(destination, sources)
+        self.values[destination] = self._or(sources, inverted)
+        self._use(destination)
+
+    def _or(self, sources: Sequence[str], inverted: bool) -> int:
+        some = union(self.values[name] for name in sources)
+        return self.problem.everything & ~some if inverted else some
 
     def _where(self, sources: Sequence[str]) -> None:
         limit = self.machine.where_sources
         spare = None
         if limit is not None and len(sources) > limit:
             held = [s for s in sources if s.startswith("t")]
-            spare = held[0] if held else self._place_or_none(set(sources), [])
+            spare = held[0] if held else self._free(set(sources), [])
             if spare is None:
                 raise GaveUp("no register to gather the sources of WHERE")
-        union = 0
-        for name in sources:
-            union |= self.values[name]
+        some = self._or(sources, False)
         self.gates.where(sources, spare)
         if spare is not None:
             self.values.pop(spare, None)
-        self.values["FLAG"] = union
+            self._use(spare)
+        self.values["FLAG"] = some

@@ -14,15 +14,13 @@ from enum import Enum
 from itertools import product
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nscc.logic.bumps import Bumps, bumps_of
-from nscc.logic.cubes import Budget
-from nscc.logic.digits import Planes, radices_of, turn_over
+from nscc.logic.digits import binary_planes, radices_of, thermometers, turned_over
 from nscc.logic.gray import cycle, gray, rotation
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
-from nscc.truth import columns, number_planes
+from nscc.truth import set_bits
 
 
 def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
@@ -45,11 +43,9 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
             for turns in _Turns if low < bits else (_Turns.WITH,):
                 for codes in orders:
                     script = _script(bumps, length, chosen, codes, bits, doubled, low, turns)
-                    try:
-                        yield walk(problem, machine, script, Budget(steps))
-                    except GaveUp:
-                        continue
-                    tried += 1
+                    for solution in walk(problem, machine, script, steps):
+                        yield solution
+                        tried += 1
             # A walk takes as long as the frame has steps.
             if tried >= (_MOST_TRIED if bumps.steps <= 256 else _MOST_TRIED // 4):
                 return
@@ -79,48 +75,36 @@ def toggled_windows(problem: Problem, machine: Machine, steps: int) -> Iterator[
         if scratch < 2 or (in_flag and not problem.flag_lasts):
             continue
         script = _toggle_script(bumps, length, high, low, in_flag, scratch > 2)
-        try:
-            yield walk(problem, machine, script, Budget(steps))
-        except GaveUp:
-            continue
+        yield from walk(problem, machine, script, steps)
 
 
 def _toggle_script(
     bumps: Bumps, length: int, high: int, low: int, in_flag: bool, roomy: bool
 ) -> Script:
-    group = np.where(bumps.never, 0, bumps.start // length)
-    offset = np.where(bumps.never, 0, bumps.start % length)
-    coded = gray(group) << low | gray(offset)
     if np.any(bumps.never):
         raise GaveUp("shutters that never open have no window")
+    planes = binary_planes("offset in its group, Gray bit", gray(bumps.start % length), low)
+    planes += binary_planes("group, Gray bit", gray(bumps.start // length), high)
     state = "FLAG" if in_flag else "s0"
     before: dict[int, tuple[Segment, ...]] = {}
     standing = 0
-    for i, step in enumerate(bumps.step):
-        if i and step == bumps.step[i - 1]:
-            continue
+    for step, i in bumps.groups():
         now, place = divmod(step, length)
         wanted = gray(now) << low | gray(place)
-        turned = standing ^ wanted
+        flips = turned_over(set_bits(standing ^ wanted))
         standing = wanted
         # A NOR that leaves out the bit in which this group's code differs from the last one's holds
         # for both groups: those that open now and those that opened one length ago.
         apart = (now & -now).bit_length() - 1 + low if now else -1
         hit = tuple(f"p{b}" for b in range(high + low) if b != apart)
-        flips = tuple((turn_over(b),) for b in range(high + low) if turned >> b & 1)
         turn = _turn_state(state, roomy) if now else _open_state(state)
         before[i] = (*flips, (Gate("NOR", "t0", hit),), turn)
-    closing = tuple((turn_over(b),) for b in range(high + low) if standing >> b & 1)
+    closing = turned_over(set_bits(standing))
     opening: tuple[Segment, ...] = ((Gate("CLR", "s0", ()),),)
     if in_flag:
         opening = ((Gate("CLR", "t0", ()), Gate("WHERE", "FLAG", ("t0",))),)
-    holders = [f"offset in its group, Gray bit {b}" for b in range(low)]
-    holders += [f"group, Gray bit {b}" for b in range(high)]
-    return Script(
-        f"groups of {length} and offsets in Gray code, each hit turns the state over",
-        tuple(number_planes(coded, high + low)), tuple(holders), 0 if in_flag else 1, opening,
-        before, closing, in_flag,
-    )  # fmt: skip
+    name = f"groups of {length} and offsets in Gray code, each hit turns the state over"
+    return Script(name, planes, 0 if in_flag else 1, opening, before, closing, in_flag)
 
 
 def _open_state(state: str) -> Segment:
@@ -157,22 +141,6 @@ def _length(bumps: Bumps) -> int:
     return length
 
 
-def _offset_planes(
-    offsets: NDArray[np.int64], chosen: Sequence[int], odd: NDArray[np.bool_]
-) -> Planes:
-    planes: list[int] = []
-    holders: list[str] = []
-    size = int(np.prod(chosen))
-    for place, radix in enumerate(chosen):
-        size //= radix
-        digit = offsets // size % radix
-        for m in range(radix - 1):
-            planes += columns(((digit <= m) ^ odd)[:, None])
-            name = f"digit {len(chosen) - 1 - place} <= {m}"
-            holders.append(f"offset in its group, {name}, turned in odd groups")
-    return tuple(planes), tuple(holders)
-
-
 def _script(
     bumps: Bumps,
     length: int,
@@ -189,41 +157,32 @@ def _script(
     # At place m those of this group are open if offset <= m, those of the group before if not. One
     # of the two groups is odd: with the planes of odd ones turned over, both read a plane alike.
     group = np.where(bumps.never, 0, bumps.start // length)
-    odd = group % 2 == 1
-    offset = _offset_planes(bumps.start % length, chosen, odd)
-    gray = np.array(codes, dtype=np.int64)[group]
     everything = (1 << len(bumps.start)) - 1
-    planes = list(offset[0])
-    holders = list(offset[1])
+    planes = [
+        (plane, f"offset in its group, {digit}, turned in odd groups")
+        for plane, digit in thermometers(bumps.start % length, chosen, group % 2 == 1)
+    ]
     if doubled:
-        planes += [everything & ~p for p in offset[0]]
-        holders += [f"{text}, inverted" for text in offset[1]]
-    place: dict[int, int] = {}
-    for bit in range(bits):
-        vector = columns((gray >> bit & 1 == 1)[:, None])[0]
-        place[bit] = len(planes)
-        planes.append(vector)
-        holders.append(f"group, Gray bit {bit}")
+        planes += [(everything & ~plane, f"{text}, inverted") for plane, text in planes]
+    place: list[int] = []
+    coded = np.array(codes, dtype=np.int64)[group]
+    for bit, (plane, text) in enumerate(binary_planes("group, Gray bit", coded, bits)):
+        place.append(len(planes))
+        planes.append((plane, text))
         if bit < low:
-            planes.append(everything & ~vector)
-            holders.append(f"group, Gray bit {bit}, inverted")
+            planes.append((everything & ~plane, f"{text}, inverted"))
     before: dict[int, tuple[Segment, ...]] = {}
     standing = 0
-    done = 0
-    for i, step in enumerate(bumps.step):
-        if step // length == done:
-            continue
-        done = step // length
-        behind = turns is _Turns.AFTER or (turns is _Turns.EVEN and done % 2 == 1)
-        asked = codes[done - behind]
-        turned = [b for b in range(low, bits) if (asked ^ standing) >> b & 1]
+    for now, i in bumps.groups(length)[1:]:
+        behind = turns is _Turns.AFTER or (turns is _Turns.EVEN and now % 2 == 1)
+        asked = codes[now - behind]
+        before[i] = turned_over(place[b] for b in set_bits(asked ^ standing) if b >= low)
         standing = asked
-        before[i] = tuple((turn_over(place[b]),) for b in turned)
-    closing = tuple((turn_over(place[b]),) for b in range(low, bits) if standing >> b & 1)
-    digits = " x ".join(str(r) for r in chosen)
-    name = f"groups of {length} in Gray code, offset in digits {digits}"
+    closing = turned_over(place[b] for b in set_bits(standing) if b >= low)
+    radices = " x ".join(str(r) for r in chosen)
+    name = f"groups of {length} in Gray code, offset in digits {radices}"
     if doubled or low:
         name += ", some both ways round"
     if tuple(codes) != cycle(len(codes), bits):
         name += ", for turns into a free register"
-    return Script(name, tuple(planes), tuple(holders), 0, (), before, closing)
+    return Script(name, planes, before=before, closing=closing)

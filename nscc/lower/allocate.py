@@ -7,7 +7,6 @@ changes least, and each of its writes is preceded by SET of the mask, which is s
 
 from __future__ import annotations
 
-from collections import Counter
 from dataclasses import dataclass
 
 from nscc.logic.problem import Gate, Segment, Solution, quietest
@@ -26,30 +25,20 @@ class Allocation:
     mask: str | None
     masked: str | None
 
-    @property
-    def mask_is_code(self) -> bool:
-        """Whether the mask register itself carries code."""
-        return self.mask in self.code_registers
-
 
 def allocate(solution: Solution, target: Target) -> Allocation:
     """Registers of `target` for a solution that its generator sized for this target."""
-    writes = Counter(
-        gate.destination for segment in solution.segments() for gate in segment
-    )  # fmt: skip
     planes = [f"p{i}" for i in range(len(solution.planes))]
     scratch = [f"t{i}" for i in range(solution.scratch)]
     states = [f"s{i}" for i in range(solution.states)]
     places: dict[str, str] = {}
     free = list(target.digital_registers)
     if target.masked_register is not None and target.mask_register is not None:
-        total = len(planes) + len(scratch) + len(states)
         if scratch:
             places[scratch[0]] = target.mask_register
             free.remove(target.mask_register)
-        if total == len(target.digital_registers):
-            quiet = planes[quietest([writes[name] for name in planes])]
-            places[quiet] = target.masked_register
+        if len(planes) + len(states) + len(scratch) == len(target.digital_registers):
+            places[planes[quietest(solution.writes())]] = target.masked_register
         free.remove(target.masked_register)
         if not scratch and len(free) > len(planes) + len(states):
             free.remove(target.mask_register)  # code stays out of the mask while there is room
@@ -60,11 +49,10 @@ def allocate(solution: Solution, target: Target) -> Allocation:
         **dict.fromkeys(states, "state: open"),
         **dict.fromkeys(scratch, "scratch"),
     }
-    order = {register: i for i, register in enumerate(target.digital_registers)}
     by_place = {places[name]: holders[name] for name in (*planes, *states, *scratch)}
     return Allocation(
         places,
-        {register: by_place[register] for register in sorted(by_place, key=order.__getitem__)},
+        {r: by_place[r] for r in target.digital_registers if r in by_place},
         _load_order([places[name] for name in planes], target),
         tuple(places[name] for name in states),
         target.mask_register,
@@ -75,9 +63,9 @@ def allocate(solution: Solution, target: Target) -> Allocation:
 def _load_order(registers: list[str], target: Target) -> tuple[str, ...]:
     """Code registers in the order of loading: the masked one needs its mask at 1, so it goes first
     and the mask's own code last."""
-    order = {register: i for i, register in enumerate(target.digital_registers)}
-    rank = {target.masked_register: -1, target.mask_register: len(order)}
-    return tuple(sorted(registers, key=lambda r: rank.get(r, order[r])))
+    order: dict[str | None, int] = {r: i for i, r in enumerate(target.digital_registers)}
+    order |= {target.masked_register: -1, target.mask_register: len(order)}
+    return tuple(sorted(registers, key=order.__getitem__))
 
 
 def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
@@ -111,7 +99,7 @@ def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[O
     out: list[Op] = []
     plain = [r for r in registers if r != masked]
     if masked in registers and mask is not None:
-        if allocation.mask_is_code:
+        if mask in allocation.code_registers:
             # The mask's code waits in FLAG; moving it back refreshes it too.
             out += [op("WHERE", (), (mask,)), op("SET", (mask,))]
             out += [*pair("REFRESH", masked, (masked,)), op("MOV", (mask,), ("FLAG",))]

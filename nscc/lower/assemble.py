@@ -13,13 +13,12 @@ from nscc.words.encoding import encode
 def assemble(lowered: Lowered, level: int) -> Container:
     """The container of a lowered program, whole, for a device, the emulator or the proof."""
     program, plan, schedule = lowered.program, lowered.plan, lowered.schedule
-    target = program.target
+    target, planes = program.target, lowered.solution.planes
     shutters = len(program.table.shutters)
     encoding = np.zeros((shutters, len(target.digital_registers)), dtype=np.bool_)
-    held = rows(list(lowered.solution.planes), shutters)
-    for i in range(held.shape[1]):
-        place = schedule.allocation.places[f"p{i}"]
-        encoding[:, target.digital_registers.index(place)] = held[:, i]
+    places = schedule.allocation.places
+    held = [target.digital_registers.index(places[f"p{i}"]) for i in range(len(planes))]
+    encoding[:, held] = rows(list(planes), shutters)
     return Container(
         target=target,
         slot_us=program.frame.slot_us,

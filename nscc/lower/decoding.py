@@ -89,7 +89,6 @@ def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
 
 def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:
     """What each step of a plan needs."""
-    lost_at = set(time.refresh_at or ())
     actions: list[Before] = []
     held: Literal["unknown", "all", "predicate"] = "unknown"
     loaded: int | None = None
@@ -97,7 +96,7 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
     boundary = 0
     for step in plan.steps:
         now_us = time.boundary_us[step.boundary]
-        crossed = any(boundary < n <= step.boundary for n in lost_at) if lost_at else False
+        crossed = any(boundary < n <= step.boundary for n in time.refresh_at or ())
         if crossed or now_us - since_us > time.keep_us:
             held = "unknown"
         boundary = step.boundary
@@ -117,10 +116,5 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
 
 
 def _needs_flag(step: Step, target: Target) -> bool:
-    for word in step.words:
-        effect = word.operation.effect
-        if effect is Effect.BUS:
-            return True
-        if effect is Effect.RESET_PIX and target.reset_honours_flag != "no":
-            return True
-    return False
+    heeding = {Effect.BUS} if target.reset_honours_flag == "no" else {Effect.BUS, Effect.RESET_PIX}
+    return any(word.operation.effect in heeding for word in step.words)

@@ -7,6 +7,7 @@ seen; gates that this compiler did not find prove nothing, so `nscc check` only 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.lower.ledger import ledger
@@ -53,8 +54,7 @@ def capacity_fault(program: Program) -> Diagnostic | None:
         notes=(
             *chip_note(program, registers),
             capacity_note(shutters),
-            f"bits by holder: {', '.join(ledger)}; scratch 0" if len(ledger) > 1 else
-            f"bits by holder: {', '.join(ledger)}",
+            f"bits by holder: {', '.join(ledger)}{'; scratch 0' * (len(ledger) > 1)}",
         ),
         data=resource("digital registers", required, available, proved=True),
     )  # fmt: skip
@@ -155,14 +155,9 @@ def only_search_can_tell(diagnostic: Diagnostic) -> bool:
 
 def as_note(diagnostic: Diagnostic) -> Diagnostic:
     """What `nscc check` says instead of an unproved fault."""
-    return Diagnostic(
-        "NS0503",
-        f"whether this fits is for `nscc build` to decide: {diagnostic.message}",
-        severity=Severity.NOTE,
-        source=diagnostic.source,
-        label=diagnostic.label,
-        notes=diagnostic.notes,
-        data=diagnostic.data,
+    message = f"whether this fits is for `nscc build` to decide: {diagnostic.message}"
+    return replace(
+        diagnostic, code="NS0503", message=message, severity=Severity.NOTE, related=(), helps=()
     )
 
 

@@ -84,8 +84,7 @@ def lower(
     the best ones. No level's solution is dearer than that of the level below. What is already known
     comes from `results`.
     """
-    program, target = planned.program, planned.program.target
-    time = planned.time
+    program, target, time = planned.program, planned.program.target, planned.time
     problem, actions = problem_of(program, plan, time, planned.opens)
     machine = Machine.of(target)
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc.logic.problem import Solution
 from nscc.lower.decoding import Decoding
 from nscc.lower.plan import ExposurePlan, Lowering, Misfit, Step
-from nscc.lower.schedule import Schedule, schedule
+from nscc.lower.schedule import Schedule, kernel_us, schedule
 from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
 
@@ -45,12 +45,21 @@ class Lowered:
     @cached_property
     def words_per_boundary(self) -> list[int]:
         """Words executed at each boundary 0..N."""
-        return self.schedule.words_at(self.plan.slots)
+        counts = [0] * (self.plan.slots + 1)
+        for boundary, kernel in self.schedule.launches:
+            counts[boundary] += len(self.schedule.kernels[kernel])
+        return counts
 
     @cached_property
     def busy_us(self) -> list[float]:
-        """Time that each boundary's words take."""
-        return self.schedule.busy_us(self.plan.slots, self.program.target)
+        """Time that each boundary's words take, launches included; at boundary 0 of those that run
+        after the exposure has started."""
+        each_us = [kernel_us(kernel, self.program.target) for kernel in self.schedule.kernels]
+        busy = [0.0] * (self.plan.slots + 1)
+        for boundary, kernel in self.schedule.launches:
+            busy[boundary] += each_us[kernel]
+        busy[0] -= self.schedule.setup_us
+        return busy
 
     @property
     def shortest_slot_us(self) -> float:
@@ -94,8 +103,7 @@ class Lowered:
     @property
     def stored_ok(self) -> bool:
         """Whether the kernels fit the store."""
-        target = self.program.target
-        return self.schedule.words_stored <= target.store_words
+        return self.schedule.words_stored <= self.program.target.store_words
 
     @property
     def retained(self) -> bool:
@@ -136,7 +144,9 @@ class Lowered:
         else:
             pix_share = float(share[: max(reads, default=0)].sum())
             if plan.lowering == "edges":
-                register_share = max(register_share, _deepest_share(plan, share))
+                # A rising edge subtracts all the light before it.
+                last = max((s.boundary for s in plan.steps if s.role == "rise"), default=0)
+                register_share = max(register_share, float(share[:last].sum()))
         limits = [target.full_well_e / pix_share] if pix_share else []
         if register_share:
             limits.append(min(target.register_max_e, -target.register_min_e) / register_share)
@@ -176,9 +186,3 @@ def _longest_bump_share(shutters: NDArray[np.bool_], share: NDArray[np.float64])
         bump = np.where(shutters[:, :, slot], bump + part, 0.0)
         longest = max(longest, float(bump.max(initial=0.0)))
     return longest
-
-
-def _deepest_share(plan: ExposurePlan, share: np.ndarray) -> float:
-    """The largest light that a rising edge subtracts, as a share of the frame's."""
-    rises = [s.boundary for s in plan.steps if s.role == "rise"]
-    return float(share[: max(rises, default=0)].sum())

@@ -130,21 +130,20 @@ def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> Exposur
     buckets = len(program.buckets)
     free = program.target.analog_available
     reference_needed = lowering != "edges" or buckets < len(free)
-    required = buckets + (1 if reference_needed else 0)
+    required = buckets + reference_needed
     if required > len(free):
         return Misfit(
             f"{lowering} needs {required} analog registers beside {program.target.analog_scratch}: "
-            f"{buckets} buckets"
-            + (" and the reset level" if reference_needed else "")
-            + f"; there are {len(free)}",
+            f"{buckets} buckets{' and the reset level' * reference_needed}; there are {len(free)}",
             "analog registers",
             required,
             len(free),
         )
-    if lowering == "latch" and not _prefixes(program):
+    shutters = program.table.shutters
+    if lowering == "latch" and np.any(shutters[:, :, 1:] & ~shutters[:, :, :-1]):
         return Misfit("latch serves only shutters that open with slot 0 and close once")
-    builder = _Builder(program, lowering, opens, free[buckets] if reference_needed else None)
-    return builder.build()
+    reference = free[buckets] if reference_needed else None
+    return _Builder(program, lowering, opens, reference).build()
 
 
 def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
@@ -161,14 +160,12 @@ def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
             counts += buses
         else:
             counts[members(predicate, shutters)] += buses
-    opening = program.table.shutters.any(axis=(1, 2))
-    used = counts[opening]
+    used = counts[program.table.shutters.any(axis=(1, 2))]
     return (int(used.min()), int(used.max())) if used.size else (0, 0)
 
 
-def _prefixes(program: Program) -> bool:
-    shutters = program.table.shutters
-    return not bool(np.any(shutters[:, :, 1:] & ~shutters[:, :, :-1]))
+# Twice and a pause, as the library's respix does: one word is too short to empty the well.
+_RESET = (op("rpix"), op("rpix"), op("nop"))
 
 
 class _Builder:
@@ -181,6 +178,7 @@ class _Builder:
         self.lowering = lowering
         self.opens = opens
         self.reference = reference
+        self.zero = () if reference is None else (reference,)
         self.slots = len(program.frame.slot_us)
         self.registers = program.target.analog_available[: len(program.buckets)]
         self.scratch = program.target.analog_scratch
@@ -189,13 +187,8 @@ class _Builder:
 
     def build(self) -> ExposurePlan:
         self._setup()
-        match self.lowering:
-            case "accumulate":
-                self._accumulate()
-            case "latch":
-                self._latch()
-            case "edges":
-                self._edges()
+        lowerings = {"accumulate": self._accumulate, "latch": self._latch, "edges": self._edges}
+        lowerings[self.lowering]()
         holders = {
             register: f"exposure of {bucket.name}"
             for register, bucket in zip(self.registers, self.program.buckets, strict=True)
@@ -221,10 +214,6 @@ class _Builder:
             where = None if predicate == self.everywhere else predicate
             self.steps.append(Step(boundary, role, bucket, where, words))
 
-    def _reset(self) -> tuple[Op, ...]:
-        # Twice and a pause, as the library's respix does: one word is too short to empty the well.
-        return (op("rpix"), op("rpix"), op("nop"))
-
     def _setup(self) -> None:
         scratch = self.scratch
         clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
@@ -232,24 +221,23 @@ class _Builder:
         sample: tuple[Op, ...] = ()
         if self.reference is not None:
             sample = (op("bus", (scratch,), ("PIX",)), op("bus", (self.reference,), (scratch,)))
-        self.steps.append(Step(0, "reset", -1, None, (*self._reset(), *sample)))
+        self.steps.append(Step(0, "reset", -1, None, (*_RESET, *sample)))
 
     def _add(self, register: str) -> tuple[Op, ...]:
         """register += PIX - reference."""
-        scratch, zero = self.scratch, (self.reference,) if self.reference else ()
-        return (op("bus", (scratch,), (register, "PIX")), op("bus", (register,), (scratch, *zero)))
+        before, after = (register, "PIX"), (self.scratch, *self.zero)
+        return op("bus", (self.scratch,), before), op("bus", (register,), after)
 
     def _subtract(self, register: str) -> tuple[Op, ...]:
         """register -= PIX - reference."""
-        scratch, zero = self.scratch, (self.reference,) if self.reference else ()
-        return (op("bus", (scratch,), (register, *zero)), op("bus", (register,), (scratch, "PIX")))
+        before, after = (register, *self.zero), (self.scratch, "PIX")
+        return op("bus", (self.scratch,), before), op("bus", (register,), after)
 
     def _accumulate(self) -> None:
         adds = [self._add(register) for register in self.registers]
-        reset = self._reset()
         for slot, lit in enumerate(zip(*self.opens, strict=True)):
             if slot and any(lit):
-                self.steps.append(Step(slot, "reset", -1, None, reset))
+                self.steps.append(Step(slot, "reset", -1, None, _RESET))
             for bucket, add in enumerate(adds):
                 self._step(slot + 1, "open", bucket, lit[bucket], add)
 
@@ -269,10 +257,8 @@ class _Builder:
     def _edges(self) -> None:
         """Falls before rises: a rise may reset what another bucket's fall still has to read."""
         falls = [self._add(register) for register in self.registers]
-        if self._can_reset_at_rise():
-            rises = [self._reset() for _ in self.registers]
-        else:
-            rises = [self._subtract(register) for register in self.registers]
+        resets = self._can_reset_at_rise()
+        rises = [_RESET if resets else self._subtract(register) for register in self.registers]
         # With a reference, PIX stands at it at boundary 0: there is nothing to subtract.
         first_rise = 0 if self.reference is None else 1
         for boundary, changes in self._changes():

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
-from itertools import groupby
+from itertools import chain, groupby
 
 from nscc.logic.problem import Segment
 from nscc.lower.allocate import Allocation, allocate, refresh_words, words
@@ -52,30 +52,11 @@ class Schedule:
         of_kernel = [refresh_count(kernel) for kernel in self.kernels]
         return sum(of_kernel[kernel] for _, kernel in self.launches)
 
-    def words_at(self, slots: int) -> list[int]:
-        """Words executed at each boundary 0..N."""
-        counts = [0] * (slots + 1)
-        for boundary, kernel in self.launches:
-            counts[boundary] += len(self.kernels[kernel])
-        return counts
 
-    def busy_us(self, slots: int, target: Target) -> list[float]:
-        """Time that the words of each boundary 0..N take, launches included.
-
-        At boundary 0 only what runs after the exposure has started counts.
-        """
-        kernel_us = [_time_us(kernel, target) + target.launch_us for kernel in self.kernels]
-        busy = [0.0] * (slots + 1)
-        for boundary, kernel in self.launches:
-            busy[boundary] += kernel_us[kernel]
-        busy[0] -= self.setup_us
-        return busy
-
-
-def _time_us(kernel: Sequence[Op], target: Target) -> float:
-    """Time that the words of a kernel take, without its launch."""
+def kernel_us(kernel: Sequence[Op], target: Target) -> float:
+    """Time that launching a kernel and its words take."""
     analog = sum(1 for word in kernel if word.analog)
-    return words_us(analog, len(kernel) - analog, target)
+    return words_us(analog, len(kernel) - analog, target) + target.launch_us
 
 
 def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
@@ -87,7 +68,7 @@ def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
     exposed = max(
         i for i, w in enumerate(boundaries[0][0]) if w.operation.effect is Effect.RESET_PIX
     )
-    setup_us = _time_us(boundaries[0][0][: exposed + 1], target) + target.launch_us
+    setup_us = kernel_us(boundaries[0][0][: exposed + 1], target)
     apart: set[Words] = set()
     for n in time.refresh_at or ():
         # A state that nobody has written yet in this frame is nobody's.
@@ -156,29 +137,20 @@ def _refreshed(
     """The code registers that the frame's own words do not write often enough."""
     written: dict[str, set[int]] = {register: set() for register in allocation.code_registers}
     for n, segments in enumerate(boundaries):
-        for segment in segments:
-            for word in segment:
-                for register in word.destinations:
-                    if register in written:
-                        written[register].add(n)
-    return tuple(
-        register
-        for register in allocation.code_registers
-        if fades(tuple(sorted(written[register])), time)
-    )
+        for word in chain.from_iterable(segments):
+            for register in written.keys() & word.destinations:
+                written[register].add(n)
+    return tuple(register for register, at in written.items() if fades(at, time))
 
 
 def _merged(boundaries: Sequence[Sequence[Words]], apart: Collection[Words]) -> list[list[Words]]:
     """One segment for each boundary, but for segments that stay `apart`."""
     merged: list[list[Words]] = []
     for segments in boundaries:
-        if len(segments) < 2:
-            merged.append(list(segments))
-            continue
         run: list[Words] = []
-        for alone, group in groupby(segments, key=lambda segment: segment in apart):
+        for alone, group in groupby(segments, key=apart.__contains__):
             found = list(group)
-            run += found if alone else [tuple(word for segment in found for word in segment)]
+            run += found if alone else [tuple(chain.from_iterable(found))]
         merged.append(run)
     return merged
 

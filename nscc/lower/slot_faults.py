@@ -80,13 +80,14 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
         any(_analog_words(tried, n) > allowed for n in tried.overfull) for tried in choice.tried
     )
     slots = len(program.frame.slot_us)
+    over = counted(len(lowered.overfull), "boundary", "boundaries")
     place = f"slot {worst}" if worst < slots else "the end of the last slot"
     return Diagnostic(
         "NS0603",
         f"{place} executes {words[worst]} words at -O{level}, "
         f"and --max-words-per-slot allows {allowed}",
         source=program.source,
-        label=Label(program.frame.span, _how_many(len(lowered.overfull), slots)),
+        label=Label(program.frame.span, f"{over} of {slots + 1} over the limit"),
         notes=(
             f"{words[worst]} words: {_where_they_go(lowered, worst)}",
             f"lowered as {lowered.plan.lowering}, encoding: {lowered.solution.encoding}",
@@ -95,15 +96,8 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
             else "not proved: fewer words may be found",
         ),
         helps=(f"--max-words-per-slot {words[worst]} accepts the words found",),
-        data={
-            **resource("words_per_slot", words[worst], allowed, proved=certain),
-            "slot": worst,
-        },
-    )  # fmt: skip
-
-
-def _how_many(overfull: int, slots: int) -> str:
-    return f"{counted(overfull, 'boundary', 'boundaries')} of {slots + 1} over the limit"
+        data={**resource("words_per_slot", words[worst], allowed, proved=certain), "slot": worst},
+    )
 
 
 def _where_they_go(lowered: Lowered, boundary: int) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
 
@@ -25,20 +26,14 @@ class Timeline:
     keep_us: float
     refresh_at: tuple[int, ...] | None
 
-    @property
-    def slots(self) -> int:
-        """Number of slots."""
-        return len(self.boundary_us) - 1
-
 
 def timeline(slot_us: tuple[float, ...], buckets: int, target: Target) -> Timeline:
     """The timeline of a frame of `buckets` readouts."""
     boundary_us = (0.0, *accumulate(slot_us))
     between_us = target.readout_us * buckets
     keep_us = RETENTION_SHARE * target.digital_retention_us
-    return Timeline(
-        boundary_us, between_us, keep_us, _refresh_boundaries(boundary_us, between_us, keep_us)
-    )
+    refresh_at = _refresh_boundaries(boundary_us, between_us, keep_us)
+    return Timeline(boundary_us, between_us, keep_us, refresh_at)
 
 
 def _refresh_boundaries(
@@ -56,7 +51,7 @@ def _refresh_boundaries(
     return tuple(at)
 
 
-def fades(written_at: tuple[int, ...], time: Timeline) -> bool:
+def fades(written_at: Collection[int], time: Timeline) -> bool:
     """Whether a register written at these boundaries of every frame is ever left too long."""
     if not written_at:
         return True

@@ -48,7 +48,7 @@ def analyse(
     problems.stop_on_errors()
     assert frame is not None
     assert chosen is not None
-    sound = [field for field in fields.values() if field is not None]
+    sound = tuple(field for field in fields.values() if field is not None)
     digits = {name: book for name, book in books.items() if book is not None}
     known = Rules(sound, requires, rules, digits, len(frame.slot_us))
     return Completion(problems, declared, chosen, frame, known, planes, codes).run()

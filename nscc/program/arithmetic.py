@@ -8,7 +8,7 @@ integers, so that places are searched for faults only where the intervals allow 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,16 +24,16 @@ Data = Any
 """An int or a bool, or an int64 or bool array that broadcasts against the others."""
 
 
-class Fault:
-    """Why an expression has no value: a code of nscc, one line of text, the place."""
+class Fault(NamedTuple):
+    """Why an expression has no value: a code of nscc, one line of text, the place and its label.
 
-    __slots__ = ("code", "message", "span", "text")
+    These are what `Problems.error` takes.
+    """
 
-    def __init__(self, code: str, message: str, span: Span, text: str) -> None:
-        self.code = code
-        self.message = message
-        self.span = span
-        self.text = text
+    code: str
+    message: str
+    span: Span
+    text: str
 
 
 Faults = Fault | NDArray[np.bool_] | None

@@ -1,19 +1,23 @@
 """Reading integer arrays from .npz files that anyone may have made: nothing in them is trusted.
 
 An array's size is checked as declared, before it is unpacked; objects (pickles) are refused; every
-failure is an `Unreadable` with the code and the words of its diagnostic.
+failure is a `Rejected` (status 2) that knows no place in a program.
 """
 
 from __future__ import annotations
 
 from io import BytesIO
+from math import prod
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import meant
+from nscc.npy import npy_header, npy_values
 from nscc.program.problems import clipped
 
 if TYPE_CHECKING:
@@ -24,17 +28,6 @@ MOST_FILE_BYTES = 2**27
 
 _MOST_KEYS = 4096
 _MOST_HEADER_BYTES = 2**16
-
-
-class Unreadable(Exception):
-    """A file, or an array in it, that cannot be used: code, one line, facts, what to do."""
-
-    def __init__(self, code: str, message: str, *helps: str, notes: tuple[str, ...] = ()) -> None:
-        super().__init__(message)
-        self.code = code
-        self.message = message
-        self.helps = helps
-        self.notes = notes
 
 
 class ArraysFile:
@@ -60,15 +53,15 @@ class ArraysFile:
         return sha256(self._data).hexdigest()
 
     def require_sha256(self, wanted: str) -> None:
-        """Raises Unreadable (NS0315) unless the file has the digest that the program states."""
+        """Raises Rejected (NS0315) unless the file has the digest that the program states."""
         if len(wanted) != 64 or not all(c in "0123456789abcdefABCDEF" for c in wanted):
-            raise Unreadable(
+            raise rejected(
                 "NS0315",
                 f'"{clipped(wanted)}" is no SHA-256: that has 64 hexadecimal digits',
-                f'the file has sha256 "{self.sha256}"',
+                helps=(f'the file has sha256 "{self.sha256}"',),
             )
         if wanted.lower() != self.sha256:
-            raise Unreadable(
+            raise rejected(
                 "NS0315",
                 f'"{self.shown}" is not the file that the program was written for: '
                 "its SHA-256 differs",
@@ -78,7 +71,7 @@ class ArraysFile:
     def integers(self, key: str, *, most: int, bools: bool = False) -> NDArray[Any]:
         """The array `key`, of an integer dtype (or bool, with `bools`), of at most `most` values.
 
-        Raises Unreadable: NS0313 where the file is broken, NS0314 where the array is missing or is
+        Raises Rejected: NS0313 where the file is broken, NS0314 where the array is missing or is
         no such array.
         """
         if key not in self.keys:
@@ -91,8 +84,6 @@ class ArraysFile:
                 raise self._too_large(key, most)
             with self._zip.open(f"{key}.npy") as stream:
                 return self._array(stream, key, most, bools)
-        except Unreadable:
-            raise
         except (
             BadZipFile, ZlibError, EOFError, OSError, ValueError, RuntimeError, SyntaxError,
             TypeError, KeyError, MemoryError, OverflowError,
@@ -100,48 +91,35 @@ class ArraysFile:
             raise self._broken(f"the array `{clipped(key)}` cannot be unpacked") from error
 
     def _array(self, stream: IO[bytes], key: str, most: int, bools: bool) -> NDArray[Any]:
-        from numpy.lib import format as npy
-
-        version = npy.read_magic(stream)
-        read = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
+        version, shape, fortran, dtype = npy_header(stream)
         if version not in ((1, 0), (2, 0)):
             raise self._broken(f"the array `{clipped(key)}` has npy version {version}")
-        shape, fortran, dtype = read(stream)
         if dtype.kind not in ("iub" if bools else "iu"):
             raise self._not_integers(key, dtype)
-        count = 1
-        for length in shape:
-            count *= length
-        if count > most:
+        if prod(shape) > most:
             raise self._too_large(key, most)
         if any(length < 0 for length in shape):
             raise self._broken(f"the array `{clipped(key)}` has the shape {shape}")
-        data = stream.read(count * dtype.itemsize + 1)
-        if len(data) != count * dtype.itemsize:
+        values = npy_values(stream, shape, fortran, dtype)
+        if values is None:
             raise self._broken(f"the array `{clipped(key)}` is cut short or too long")
-        flat = np.frombuffer(data, dtype=dtype)
-        return flat.reshape(shape[::-1]).T if fortran else flat.reshape(shape)
+        return values
 
     def _bytes(self, path: Path) -> bytes:
         try:
             if not path.is_file():
                 problem = "is not a file" if path.exists() else "does not exist"
-                raise Unreadable(
-                    "NS0313",
-                    f'"{self.shown}" {problem}',
-                    "paths are relative to the file that names them",
-                )
+                help_text = "paths are relative to the file that names them"
+                raise rejected("NS0313", f'"{self.shown}" {problem}', helps=(help_text,))
             size = path.stat().st_size
             if size > MOST_FILE_BYTES:
-                raise Unreadable(
-                    "NS0313",
-                    f'"{self.shown}" has {size} bytes; at most {MOST_FILE_BYTES} are read',
-                )
+                message = f'"{self.shown}" has {size} bytes; at most {MOST_FILE_BYTES} are read'
+                raise rejected("NS0313", message)
             with path.open("rb") as stream:
-                return stream.read(MOST_FILE_BYTES + 1)
+                return stream.read(MOST_FILE_BYTES)
         except (OSError, ValueError) as error:
             reason = getattr(error, "strerror", None) or "not a possible path"
-            raise Unreadable("NS0313", f'"{self.shown}" cannot be read: {reason}') from error
+            raise rejected("NS0313", f'"{self.shown}" cannot be read: {reason}') from error
 
     def _unzip(self) -> ZipFile:
         from zipfile import BadZipFile, ZipFile
@@ -149,41 +127,31 @@ class ArraysFile:
         try:
             return ZipFile(BytesIO(self._data))
         except (BadZipFile, OSError, ValueError, NotImplementedError, EOFError) as error:
-            raise Unreadable(
-                "NS0313",
-                f'"{self.shown}" is not an .npz file',
-                "write one with `numpy.savez(PATH, NAME=array)`",
-            ) from error
+            help_text = "write one with `numpy.savez(PATH, NAME=array)`"
+            message = f'"{self.shown}" is not an .npz file'
+            raise rejected("NS0313", message, helps=(help_text,)) from error
 
-    def _broken(self, what: str) -> Unreadable:
-        return Unreadable("NS0313", f'"{self.shown}" is damaged: {what}')
+    def _broken(self, what: str) -> Rejected:
+        return rejected("NS0313", f'"{self.shown}" is damaged: {what}')
 
-    def _too_large(self, key: str, most: int) -> Unreadable:
-        return Unreadable(
-            "NS0314",
-            f'the array `{clipped(key)}` of "{self.shown}" has more than {most} values',
-            "no program of this size can use so many",
-        )
+    def _too_large(self, key: str, most: int) -> Rejected:
+        message = f'the array `{clipped(key)}` of "{self.shown}" has more than {most} values'
+        return rejected("NS0314", message, helps=("no program of this size can use so many",))
 
-    def _missing(self, key: str) -> Unreadable:
-        near = closest(key, self.keys)
-        helps = [f"did you mean `{near}`?"] if near else []
+    def _missing(self, key: str) -> Rejected:
         listed = ", ".join(f"`{clipped(k, 30)}`" for k in self.keys[:12]) or "no arrays"
-        return Unreadable(
+        return rejected(
             "NS0314",
             f'"{self.shown}" has no array `{clipped(key)}`',
-            *helps,
             notes=(f"the file has {listed}",),
+            helps=meant(key, self.keys),
         )
 
-    def _not_integers(self, key: str, dtype: np.dtype[Any]) -> Unreadable:
-        if dtype.hasobject:
-            kind, helps = "Python objects", []
-        else:
-            kind = f"of type {dtype}"
-            helps = [f"round and convert it before saving: `{key}.astype(numpy.int64)`"]
-        return Unreadable(
+    def _not_integers(self, key: str, dtype: np.dtype[Any]) -> Rejected:
+        kind = "Python objects" if dtype.hasobject else f"of type {dtype}"
+        help_text = f"round and convert it before saving: `{key}.astype(numpy.int64)`"
+        return rejected(
             "NS0314",
             f'the array `{clipped(key)}` of "{self.shown}" is {kind}, and must be of integers',
-            *helps,
+            helps=() if dtype.hasobject else (help_text,),
         )

@@ -7,7 +7,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.arrays_file import ArraysFile, Unreadable
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.program.arrays_file import ArraysFile
 from nscc.program.expressions import Meaning
 from nscc.program.limits import PROOF_LIMIT
 from nscc.program.names import Book
@@ -33,10 +35,8 @@ def _make(book: Book, slots: Meaning, base: Path, problems: Problems) -> Digits 
         return _inline(book, slots, problems)
     try:
         return _from_file(book, slots, base)
-    except Unreadable as problem:
-        problems.error(
-            problem.code, problem.message, book.path.span, notes=problem.notes, helps=problem.helps
-        )
+    except Rejected as wrong:
+        problems.adopt(wrong, book.path.span)
         return None
 
 
@@ -99,19 +99,19 @@ def _from_file(book: BookFromFile, slots: Meaning, base: Path) -> Digits | None:
     if slots.kind != "constant":
         return None
     if rows.ndim != 2 or rows.shape[0] < 1 or rows.shape[1] != slots.value:
-        raise Unreadable(
+        raise rejected(
             "NS0314",
             f"{where} has shape {rows.shape}; a codebook for this frame has shape "
             f"(K, {slots.value})",
-            "one row for each shutter, one column for each slot",
+            helps=("one row for each shutter, one column for each slot",),
         )
     wrong = (rows != 0) & (rows != 1)
     if wrong.any():
         row, slot = (int(k) for k in np.unravel_index(int(wrong.argmax()), rows.shape))
-        raise Unreadable(
+        raise rejected(
             "NS0310",
             f"{where} holds {rows[row, slot]} in row {row}, slot {slot}; a codebook holds 0 and 1",
-            f"{counted(int(wrong.sum()), 'value is', 'values are')} neither",
+            helps=(f"{counted(int(wrong.sum()), 'value is', 'values are')} neither",),
         )
     digits: Digits = rows.astype(np.bool_)
     return digits

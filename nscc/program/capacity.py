@@ -6,6 +6,7 @@ held in digital registers.
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable
 
 from nscc.program.limits import MOST_SLOTS
@@ -31,14 +32,7 @@ def capacity_note(shutters: int) -> str:
 def largest_with(count: Count, most: int, least: int, ceiling: int) -> int:
     """The largest size in `least`..`ceiling` that has at most `most` shutters; least - 1 if none
     has."""
-    low, high = least - 1, ceiling + 1
-    while high - low > 1:
-        middle = (low + high) // 2
-        if count(middle) <= most:
-            low = middle
-        else:
-            high = middle
-    return low
+    return least - 1 + bisect_right(range(least, ceiling + 1), most, key=count)
 
 
 def impossible_from(count: Count, target: Target) -> int | None:

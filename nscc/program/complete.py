@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
+
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.advice import judge_bumps, judge_codes, judge_names, judge_rules
 from nscc.program.classes import Recognised, recognise
-from nscc.program.expressions import Checked, names_in
+from nscc.program.expressions import names_in
 from nscc.program.limits import SURVEY_LIMIT
 from nscc.program.names import Declarations, Rule
 from nscc.program.pixels import codes_in_use, rows_of
@@ -26,48 +28,31 @@ from nscc.program.table import (
     legal_codes,
 )
 from nscc.source import Span
-from nscc.syntax.tree import (
-    Bucket,
-    CodeBits,
-    CodeRange,
-    EqualSlots,
-    Expr,
-    Int,
-    Node,
-    PixelsExpr,
-    PixelsTile,
-    TargetByName,
-    TargetFromFile,
-)
+from nscc.syntax import tree
 from nscc.target.target import Target
 from nscc.words.container import DecodeTable
 
 
+@dataclass(eq=False, repr=False)
 class Completion:
     """The second half of the analysis: codes, shutters and class of sound declarations.
 
     `planes` has the values of every field at every pixel where the file has `pixels`.
     """
 
-    def __init__(
-        self,
-        problems: Problems,
-        declared: Declarations,
-        target: Target,
-        frame: Frame,
-        rules: Rules,
-        planes: dict[str, Plane],
-        codes: Codes,
-    ) -> None:
-        self.problems = problems
-        self.declared = declared
-        self.target = target
-        self.frame = frame
-        self.rules = rules
-        self.planes = [planes[f.name] for f in rules.fields] if declared.has_pixels else []
-        self.has_data = declared.has_pixels or not rules.fields
-        self.mode: Codes = codes if declared.has_pixels and rules.fields else "open"
-        self.buckets = tuple(_bucket(rule) for rule in declared.rules)
+    problems: Problems
+    declared: Declarations
+    target: Target
+    frame: Frame
+    rules: Rules
+    planes: dict[str, Plane]
+    codes: Codes
+
+    def __post_init__(self) -> None:
+        has_pixels, fields = self.declared.has_pixels, self.rules.fields
+        self.has_data = has_pixels or not fields
+        self.mode: Codes = self.codes if has_pixels and fields else "open"
+        self.buckets = tuple(_bucket(rule) for rule in self.declared.rules)
 
     def run(self) -> Program:
         """The program; raises Rejected for codes that break `require` (NS0312), rules without a
@@ -99,7 +84,8 @@ class Completion:
 
     def _codes_in_use(self) -> tuple[CodeArray, NDArray[np.int32]]:
         shape = (self.target.rows, self.target.cols)
-        in_use, at_pixel = codes_in_use(self.planes, shape)
+        planes = [self.planes[field.name] for field in self.rules.fields] if self.planes else []
+        in_use, at_pixel = codes_in_use(planes, shape)
         if self.has_data:
             self._require(in_use, at_pixel)
         return in_use, at_pixel
@@ -123,7 +109,7 @@ class Completion:
             for statement, condition in zip(
                 self.declared.requires, self.rules.requires, strict=True
             )
-            if not allowed(self._with_requires([condition]), code[None, :])[0]
+            if not allowed(replace(self.rules, requires=[condition]), code[None, :])[0]
         )
         self.problems.error(
             "NS0312",
@@ -134,10 +120,6 @@ class Completion:
             data={"x": x, "y": y, "pixels": count},
         )
         self.problems.stop_on_errors()
-
-    def _with_requires(self, requires: list[Checked]) -> Rules:
-        rules = self.rules
-        return Rules(rules.fields, requires, rules.rules, rules.books, rules.slots)
 
     def _decode(self, codes: CodeArray, mode: Codes) -> DecodeTable:
         try:
@@ -219,15 +201,8 @@ class Completion:
             self._too_much(problem, span, mode)
         else:
             for finding in problem.findings:
-                fault = finding.fault
-                self.problems.error(
-                    fault.code,
-                    fault.message,
-                    fault.span,
-                    fault.text,
-                    notes=(finding.text,),
-                    data={"count": finding.count},
-                )
+                notes, data = (finding.text,), {"count": finding.count}
+                self.problems.error(*finding.fault, notes=notes, data=data)
         return Rejected(self.problems.sorted())
 
     def _too_much(self, problem: TooMuch, span: Span, mode: Codes) -> None:
@@ -258,44 +233,44 @@ class Completion:
         return max(self.rules.fields, key=lambda f: f.high - f.low).span
 
     def _pixels_span(self) -> Span:
-        statements: list[Node] = list(self.declared.pixels.values())
+        statements: list[tree.Node] = list(self.declared.pixels.values())
         if self.declared.pixels_file is not None:
             statements.append(self.declared.pixels_file)
         return min((s.span for s in statements), key=lambda span: span.start)
 
 
 def _bucket(rule: Rule) -> BucketRule:
-    if isinstance(rule, Bucket):
+    if isinstance(rule, tree.Bucket):
         return BucketRule(rule.name.text, rule.span)
     return BucketRule("frame", rule.span)
 
 
 def _names_read(declared: Declarations) -> set[str]:
     """Every name that an expression anywhere in the file reads."""
-    exprs: list[Expr] = [let.value for let in declared.lets.values()]
+    exprs: list[tree.Expr] = [let.value for let in declared.lets.values()]
     exprs += [r.condition for r in declared.requires]
     exprs += [r.rule for r in declared.rules]
-    if isinstance(declared.frame, EqualSlots):
+    if isinstance(declared.frame, tree.EqualSlots):
         exprs.append(declared.frame.count)
     for code in declared.codes.values():
-        if isinstance(code, CodeRange):
+        if isinstance(code, tree.CodeRange):
             exprs += [code.low, code.high]
-        elif isinstance(code, CodeBits):
+        elif isinstance(code, tree.CodeBits):
             exprs.append(code.count)
     for pixels in declared.pixels.values():
-        if isinstance(pixels, PixelsExpr):
+        if isinstance(pixels, tree.PixelsExpr):
             exprs.append(pixels.value)
-        elif isinstance(pixels, PixelsTile):
+        elif isinstance(pixels, tree.PixelsTile):
             values = (value for row in pixels.rows for value in row.values)
-            exprs += [value for value in values if not isinstance(value, Int)]
+            exprs += [value for value in values if not isinstance(value, tree.Int)]
     return {name.text for expr in exprs for name in names_in(expr)}
 
 
-def _named_at(target: TargetByName | TargetFromFile | None) -> Span | None:
+def _named_at(target: tree.TargetByName | tree.TargetFromFile | None) -> Span | None:
     """Where the target statement names the chip."""
     match target:
-        case TargetByName(name=name):
+        case tree.TargetByName(name=name):
             return name.span
-        case TargetFromFile(path=path):
+        case tree.TargetFromFile(path=path):
             return path.span
     return None

@@ -25,8 +25,7 @@ def constant(expr: Expr, scope: Scope, problems: Problems, what: str) -> int | N
         return None
     value = evaluate(checked, {}, {})
     if isinstance(value.faults, Fault):
-        fault = value.faults
-        problems.error(fault.code, fault.message, fault.span, fault.text)
+        problems.error(*value.faults)
         return None
     return int(value.data)
 

@@ -27,18 +27,7 @@ from nscc.program.arithmetic import (
 )
 from nscc.program.expressions import Checked, operands
 from nscc.program.problems import clipped
-from nscc.syntax.tree import (
-    Binary,
-    Bool,
-    Call,
-    Compare,
-    Expr,
-    IfElse,
-    Index,
-    Int,
-    Name,
-    Unary,
-)
+from nscc.syntax import tree
 
 Bindings = Mapping[str, Value]
 Books = Mapping[str, NDArray[np.bool_]]
@@ -72,43 +61,43 @@ def fault_at(
 
 
 def _value(
-    node: Expr,
+    node: tree.Expr,
     given: list[Value],
     constants: Mapping[str, int],
     bindings: Bindings,
     books: Books,
 ) -> Value:
     match node:
-        case Int():
+        case tree.Int():
             return scalar(node.value)
-        case Bool():
+        case tree.Bool():
             return Value(node.value, 0, 1)
-        case Name():
+        case tree.Name():
             known = constants.get(node.text)
             return bindings[node.text] if known is None else scalar(known)
-        case Unary(op="not"):
+        case tree.Unary(op="not"):
             return Value(given[0].data ^ True, 0, 1, given[0].faults)
-        case Unary():
+        case tree.Unary():
             (a,) = given
             return Value(-a.data, -a.high, -a.low, a.faults)
-        case Binary(op="and"):
+        case tree.Binary(op="and"):
             return _junction(given[0], given[1], True)
-        case Binary(op="or"):
+        case tree.Binary(op="or"):
             return _junction(given[0], given[1], False)
-        case Binary(op="xor"):
+        case tree.Binary(op="xor"):
             a, b = given
             return Value(a.data ^ b.data, 0, 1, either(a.faults, b.faults))
-        case Binary():
+        case tree.Binary():
             return ARITHMETIC[node.op](node, *given)
-        case Compare():
+        case tree.Compare():
             return _chain(node, given)
-        case IfElse():
+        case tree.IfElse():
             return _chosen(*given)
-        case Index():
+        case tree.Index():
             if node.base.text in books:
                 return _digit(node, given[0], books[node.base.text], bindings["n"])
             return _bit(node, given[0], bindings[node.base.text], bindings)
-        case Call():
+        case tree.Call():
             return _extreme(node.function.text, given)
     assert_never(node)
 
@@ -137,7 +126,7 @@ def _junction(a: Value, b: Value, conjunction: bool) -> Value:
     return Value(data, 0, 1, either(a.faults, where(undecided, b.faults)))
 
 
-def _chain(node: Compare, given: list[Value]) -> Value:
+def _chain(node: tree.Compare, given: list[Value]) -> Value:
     links = [
         Value(_COMPARE[op](a.data, b.data), 0, 1, b.faults)
         for op, a, b in zip(node.ops, given, given[1:], strict=False)
@@ -166,7 +155,7 @@ def _extreme(name: str, given: list[Value]) -> Value:
     return result
 
 
-def _position(node: Index, index: Value, size: int, what: str) -> tuple[Data, Faults]:
+def _position(node: tree.Index, index: Value, size: int, what: str) -> tuple[Data, Faults]:
     if index.low >= 0 and index.high < size:
         return index.data, index.faults
 
@@ -184,7 +173,7 @@ def _position(node: Index, index: Value, size: int, what: str) -> tuple[Data, Fa
     return guard(wrong, index.data, 0, fault, index.faults)
 
 
-def _bit(node: Index, index: Value, field: Value, bindings: Bindings) -> Value:
+def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Value:
     bits = bindings[bit_count(node.base.text)].low
     position, faults = _position(node, index, bits, f"{bits} bits")
     return Value((field.data >> position) & 1 != 0, 0, 1, either(field.faults, faults))
@@ -195,7 +184,7 @@ def bit_count(field: str) -> str:
     return f"{field}[]"
 
 
-def _digit(node: Index, index: Value, book: NDArray[np.bool_], slot: Value) -> Value:
+def _digit(node: tree.Index, index: Value, book: NDArray[np.bool_], slot: Value) -> Value:
     row, faults = _position(node, index, book.shape[0], f"{book.shape[0]} rows")
     n = slot.data
     if isinstance(row, int) and isinstance(n, int):

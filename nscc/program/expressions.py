@@ -7,23 +7,12 @@ nodes in evaluation order, by a loop: a chain of ten thousand operators is no de
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import Literal, assert_never
+from dataclasses import dataclass
+from typing import Any, Literal, assert_never
 
 from nscc.program.problems import Problems, clipped
 from nscc.source import Span
-from nscc.syntax.tree import (
-    Binary,
-    Bool,
-    Call,
-    Compare,
-    Expr,
-    IfElse,
-    Index,
-    Int,
-    Name,
-    Node,
-    Unary,
-)
+from nscc.syntax import tree
 
 Type = Literal["integer", "boolean"]
 
@@ -33,6 +22,7 @@ LIMIT = 2**62 - 1
 MinMax = ("min", "max")
 
 
+@dataclass(eq=False, repr=False)
 class Meaning:
     """What a name stands for in one place.
 
@@ -41,19 +31,10 @@ class Meaning:
     is known but cannot stand here, and `note` says why.
     """
 
-    __slots__ = ("bits", "kind", "note", "value")
-
-    def __init__(
-        self,
-        kind: Literal["constant", "variable", "book", "failed", "misplaced"],
-        value: int = 0,
-        note: str = "",
-        bits: bool = False,
-    ) -> None:
-        self.kind = kind
-        self.value = value
-        self.note = note
-        self.bits = bits
+    kind: Literal["constant", "variable", "book", "failed", "misplaced"]
+    value: int = 0
+    note: str = ""
+    bits: bool = False
 
 
 Scope = Mapping[str, Meaning]
@@ -61,6 +42,7 @@ FAILED = Meaning("failed")
 VARIABLE = Meaning("variable")
 
 
+@dataclass(eq=False, repr=False)
 class Checked:
     """An expression whose names and types are right.
 
@@ -68,47 +50,36 @@ class Checked:
     of constant names, `variables` the fields and n, x, y that it reads, `books` its codebooks.
     """
 
-    __slots__ = ("books", "constants", "nodes", "span", "type", "variables")
-
-    def __init__(
-        self,
-        nodes: tuple[Expr, ...],
-        type_: Type,
-        constants: Mapping[str, int],
-        variables: frozenset[str],
-        books: frozenset[str],
-    ) -> None:
-        self.nodes = nodes
-        self.type = type_
-        self.constants = constants
-        self.variables = variables
-        self.books = books
-        self.span = nodes[-1].span
+    nodes: tuple[tree.Expr, ...]
+    type: Type
+    constants: Mapping[str, int]
+    variables: frozenset[str]
+    books: frozenset[str]
 
 
-def operands(node: Expr) -> tuple[Expr, ...]:
+def operands(node: tree.Expr) -> tuple[tree.Expr, ...]:
     """The direct subexpressions, in evaluation order. A book or bit field's name is not one."""
     match node:
-        case Int() | Bool() | Name():
+        case tree.Int() | tree.Bool() | tree.Name():
             return ()
-        case Unary():
+        case tree.Unary():
             return (node.operand,)
-        case Binary():
+        case tree.Binary():
             return (node.left, node.right)
-        case Compare():
+        case tree.Compare():
             return (node.first, *node.rest)
-        case IfElse():
+        case tree.IfElse():
             return (node.condition, node.then, node.otherwise)
-        case Index():
+        case tree.Index():
             return (node.index,)
-        case Call():
+        case tree.Call():
             return node.arguments
     assert_never(node)
 
 
-def in_evaluation_order(expr: Expr) -> tuple[Expr, ...]:
+def in_evaluation_order(expr: tree.Expr) -> tuple[tree.Expr, ...]:
     """Every node of `expr`, each after its operands, left before right."""
-    backwards: list[Expr] = []
+    backwards: list[tree.Expr] = []
     waiting = [expr]
     while waiting:
         node = waiting.pop()
@@ -117,16 +88,18 @@ def in_evaluation_order(expr: Expr) -> tuple[Expr, ...]:
     return tuple(reversed(backwards))
 
 
-def names_in(expr: Expr) -> Iterator[Name]:
+def names_in(expr: tree.Expr) -> Iterator[tree.Name]:
     """Every name read by `expr`, those of indexed books and bit fields included."""
     for node in in_evaluation_order(expr):
-        if isinstance(node, Name):
+        if isinstance(node, tree.Name):
             yield node
-        elif isinstance(node, Index):
+        elif isinstance(node, tree.Index):
             yield node.base
 
 
-def check(expr: Expr, wanted: Type, scope: Scope, problems: Problems, what: str) -> Checked | None:
+def check(
+    expr: tree.Expr, wanted: Type, scope: Scope, problems: Problems, what: str
+) -> Checked | None:
     """`expr` with its names and types checked, or None after reporting what is wrong.
 
     `what` names the expression in messages ("a rule", "the end of a range"). Names that are
@@ -144,7 +117,7 @@ class _Checker:
         self.variables: set[str] = set()
         self.books: set[str] = set()
 
-    def run(self, expr: Expr, wanted: Type, what: str) -> Checked | None:
+    def run(self, expr: tree.Expr, wanted: Type, what: str) -> Checked | None:
         nodes = in_evaluation_order(expr)
         types: list[Type | None] = []
         for node in nodes:
@@ -166,9 +139,9 @@ class _Checker:
             nodes, found, self.constants, frozenset(self.variables), frozenset(self.books)
         )
 
-    def _type(self, node: Expr, given: list[Type | None]) -> Type | None:
+    def _type(self, node: tree.Expr, given: list[Type | None]) -> Type | None:
         match node:
-            case Int():
+            case tree.Int():
                 if node.value > LIMIT:
                     self._error(
                         "NS0305",
@@ -177,33 +150,33 @@ class _Checker:
                         "numbers go up to 2^62 - 1",
                     )
                 return "integer"
-            case Bool():
+            case tree.Bool():
                 return "boolean"
-            case Name():
+            case tree.Name():
                 return self._name(node)
-            case Unary():
+            case tree.Unary():
                 wanted: Type = "boolean" if node.op == "not" else "integer"
                 self._want(wanted, given, [node.operand], f"`{node.op}`")
                 return wanted
-            case Binary():
+            case tree.Binary():
                 wanted = "boolean" if node.op in ("and", "or", "xor") else "integer"
                 self._want(wanted, given, [node.left, node.right], f"`{node.op}`")
                 return wanted
-            case Compare():
+            case tree.Compare():
                 self._compare(node, given)
                 return "boolean"
-            case IfElse():
+            case tree.IfElse():
                 self._want("boolean", given[:1], [node.condition], "the condition after `if`")
                 return self._branches(node, given[1], given[2])
-            case Index():
+            case tree.Index():
                 self._want("integer", given, [node.index], "an index")
                 self._base(node.base)
                 return "boolean"
-            case Call():
+            case tree.Call():
                 return self._call(node, given)
         assert_never(node)
 
-    def _name(self, node: Name) -> Type | None:
+    def _name(self, node: tree.Name) -> Type | None:
         meaning = self.scope.get(node.text)
         if meaning is None:
             self._unknown(node, "anything that can stand here", self._readable())
@@ -232,7 +205,7 @@ class _Checker:
                 return None
         assert_never(meaning.kind)
 
-    def _base(self, base: Name) -> None:
+    def _base(self, base: tree.Name) -> None:
         meaning = self.scope.get(base.text)
         if meaning is None:
             indexable = [k for k, m in self.scope.items() if m.kind == "book" or m.bits]
@@ -258,7 +231,7 @@ class _Checker:
                 ),
             )
 
-    def _compare(self, node: Compare, given: list[Type | None]) -> None:
+    def _compare(self, node: tree.Compare, given: list[Type | None]) -> None:
         parts = [node.first, *node.rest]
         for k, op in enumerate(node.ops):
             left, right = given[k], given[k + 1]
@@ -274,7 +247,7 @@ class _Checker:
                     _CONVERT["boolean"] if "boolean" in (left, right) else (),
                 )
 
-    def _branches(self, node: IfElse, then: Type | None, other: Type | None) -> Type | None:
+    def _branches(self, node: tree.IfElse, then: Type | None, other: Type | None) -> Type | None:
         if then is None or other is None:
             return then or other
         if then != other:
@@ -286,7 +259,7 @@ class _Checker:
             return None
         return then
 
-    def _call(self, node: Call, given: list[Type | None]) -> Type | None:
+    def _call(self, node: tree.Call, given: list[Type | None]) -> Type | None:
         name = node.function.text
         if name not in MinMax:
             self._unknown(node.function, "a function", MinMax)
@@ -295,7 +268,7 @@ class _Checker:
         return "integer"
 
     def _want(
-        self, wanted: Type, given: list[Type | None], nodes: Iterable[Node], who: str
+        self, wanted: Type, given: list[Type | None], nodes: Iterable[tree.Node], who: str
     ) -> None:
         for found, node in zip(given, nodes, strict=True):
             if found is not None and found != wanted:
@@ -309,26 +282,18 @@ class _Checker:
     def _mismatch(self, span: Span, message: str, label: str, helps: tuple[str, ...] = ()) -> None:
         self._error("NS0301", message, span, label, helps=helps)
 
-    def _misplaced(self, node: Name, meaning: Meaning) -> None:
+    def _misplaced(self, node: tree.Name, meaning: Meaning) -> None:
         self._error(
             "NS0208", f"`{node.text}` cannot stand here", node.span, "", notes=(meaning.note,)
         )
 
-    def _unknown(self, node: Name, what: str, known: Iterable[str]) -> None:
+    def _unknown(self, node: tree.Name, what: str, known: Iterable[str]) -> None:
         self.sound = False
         self.problems.unknown(what, node.text, node.span, known)
 
-    def _error(
-        self,
-        code: str,
-        message: str,
-        span: Span,
-        label: str,
-        notes: tuple[str, ...] = (),
-        helps: tuple[str, ...] = (),
-    ) -> None:
+    def _error(self, code: str, message: str, span: Span, label: str, **more: Any) -> None:
         self.sound = False
-        self.problems.error(code, message, span, label, notes=notes, helps=helps)
+        self.problems.error(code, message, span, label, **more)
 
     def _readable(self) -> list[str]:
         return [k for k, m in self.scope.items() if m.kind in ("constant", "variable", "failed")]

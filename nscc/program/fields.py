@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import assert_never
 
 import numpy as np
@@ -33,18 +34,12 @@ def make_fields(
     return {name: maker.make(statement) for name, statement in declared.codes.items()}
 
 
+@dataclass(eq=False, repr=False)
 class _Maker:
-    def __init__(
-        self,
-        declared: Declarations,
-        scope: Scope,
-        books: Mapping[str, NDArray[np.bool_] | None],
-        problems: Problems,
-    ) -> None:
-        self.declared = declared
-        self.scope = scope
-        self.books = books
-        self.problems = problems
+    declared: Declarations
+    scope: Scope
+    books: Mapping[str, NDArray[np.bool_] | None]
+    problems: Problems
 
     def make(self, statement: CodeRange | CodeBits | CodeRow) -> Field | None:
         match statement:

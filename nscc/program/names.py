@@ -9,28 +9,7 @@ from nscc.diagnostics.diagnostic import Label
 from nscc.program.limits import MOST_FIELDS
 from nscc.program.problems import Problems
 from nscc.source import Span
-from nscc.syntax.tree import (
-    BookFromFile,
-    BookInline,
-    Bucket,
-    CodeBits,
-    CodeRange,
-    CodeRow,
-    EqualSlots,
-    File,
-    Let,
-    ListedSlots,
-    Name,
-    Open,
-    PixelsExpr,
-    PixelsFromFile,
-    PixelsTile,
-    Require,
-    Statement,
-    TargetByName,
-    TargetFromFile,
-    Version,
-)
+from nscc.syntax import tree
 
 PREDEFINED = {
     "N": "the number of slots",
@@ -41,9 +20,9 @@ PREDEFINED = {
     "cols": "the number of columns of the array",
 }
 
-Code = CodeRange | CodeBits | CodeRow
-Book = BookInline | BookFromFile
-Rule = Open | Bucket
+Code = tree.CodeRange | tree.CodeBits | tree.CodeRow
+Book = tree.BookInline | tree.BookFromFile
+Rule = tree.Open | tree.Bucket
 
 
 class Declarations:
@@ -55,15 +34,15 @@ class Declarations:
     """
 
     def __init__(self) -> None:
-        self.target: TargetByName | TargetFromFile | None = None
-        self.frame: EqualSlots | ListedSlots | None = None
-        self.lets: dict[str, Let] = {}
+        self.target: tree.TargetByName | tree.TargetFromFile | None = None
+        self.frame: tree.EqualSlots | tree.ListedSlots | None = None
+        self.lets: dict[str, tree.Let] = {}
         self.codes: dict[str, Code] = {}
         self.books: dict[str, Book] = {}
-        self.requires: list[Require] = []
+        self.requires: list[tree.Require] = []
         self.rules: list[Rule] = []
-        self.pixels: dict[str, PixelsExpr | PixelsTile] = {}
-        self.pixels_file: PixelsFromFile | None = None
+        self.pixels: dict[str, tree.PixelsExpr | tree.PixelsTile] = {}
+        self.pixels_file: tree.PixelsFromFile | None = None
         self.refused: set[str] = set()
 
     @property
@@ -81,17 +60,17 @@ class Declarations:
             yield name, "a codebook"
 
 
-def gather(tree: File, problems: Problems) -> Declarations:
-    """The declarations of `tree`.
+def gather(file: tree.File, problems: Problems) -> Declarations:
+    """The declarations of `file`.
 
     Reports names given twice (NS0201) or predefined (NS0202), a missing frame or rule (NS0204), a
     statement given twice (NS0205), `open` beside buckets (NS0206), a field given twice (NS0211) and
     more fields than the stated limit (NS0450). What is reported is left out.
     """
     gatherer = _Gatherer(problems)
-    for statement in tree.statements:
+    for statement in file.statements:
         gatherer.add(statement)
-    gatherer.finish(tree)
+    gatherer.finish(file)
     return gatherer.found
 
 
@@ -102,41 +81,41 @@ class _Gatherer:
         self.first_place: dict[str, Span] = {}
         self.mixed = False
 
-    def add(self, statement: Statement) -> None:
+    def add(self, statement: tree.Statement) -> None:
         found = self.found
         match statement:
-            case Version():
+            case tree.Version():
                 pass
-            case TargetByName() | TargetFromFile():
+            case tree.TargetByName() | tree.TargetFromFile():
                 if self._once("target", found.target, statement):
                     found.target = statement
-            case EqualSlots() | ListedSlots():
+            case tree.EqualSlots() | tree.ListedSlots():
                 if self._once("frame", found.frame, statement):
                     found.frame = statement
-            case Let():
+            case tree.Let():
                 if self._new(statement.name):
                     found.lets[statement.name.text] = statement
-            case CodeRange() | CodeBits() | CodeRow():
+            case tree.CodeRange() | tree.CodeBits() | tree.CodeRow():
                 if self._new(statement.name):
                     found.codes[statement.name.text] = statement
-            case BookInline() | BookFromFile():
+            case tree.BookInline() | tree.BookFromFile():
                 if self._new(statement.name):
                     found.books[statement.name.text] = statement
-            case Require():
+            case tree.Require():
                 found.requires.append(statement)
-            case Open() | Bucket():
+            case tree.Open() | tree.Bucket():
                 self._rule(statement)
-            case PixelsExpr() | PixelsTile():
+            case tree.PixelsExpr() | tree.PixelsTile():
                 self._pixels(statement)
-            case PixelsFromFile():
+            case tree.PixelsFromFile():
                 if self._once("pixels from", found.pixels_file, statement):
                     found.pixels_file = statement
             case _:
                 assert_never(statement)
 
-    def finish(self, tree: File) -> None:
+    def finish(self, file: tree.File) -> None:
         """Reports what must be there and is not, at the first statement."""
-        place = tree.statements[0].span if tree.statements else Span(0, 0)
+        place = file.statements[0].span if file.statements else Span(0, 0)
         if self.found.frame is None:
             self.problems.error(
                 "NS0204",
@@ -162,7 +141,7 @@ class _Gatherer:
                 helps=("put single bits together in one field: `code bits : bit[K]`",),
             )
 
-    def _once(self, word: str, first: Statement | None, second: Statement) -> bool:
+    def _once(self, word: str, first: tree.Statement | None, second: tree.Statement) -> bool:
         if first is None:
             return True
         self.problems.error(
@@ -170,11 +149,11 @@ class _Gatherer:
             f"`{word}` is given twice; a program has one",
             second.span,
             "the second",
-            related=_related(first.span, "the first"),
+            related=(Label(first.span, "the first"),),
         )
         return False
 
-    def _new(self, name: Name) -> bool:
+    def _new(self, name: tree.Name) -> bool:
         meaning = PREDEFINED.get(name.text)
         if meaning is not None:
             self.found.refused.add(name.text)
@@ -191,7 +170,7 @@ class _Gatherer:
         self.found.refused.add(name.text)
         return False
 
-    def _unused(self, name: Name, message: str, key: str) -> bool:
+    def _unused(self, name: tree.Name, message: str, key: str) -> bool:
         first = self.first_place.setdefault(key, name.span)
         if first is name.span:
             return True
@@ -200,14 +179,14 @@ class _Gatherer:
             message,
             name.span,
             "the second",
-            related=_related(first, "the first"),
+            related=(Label(first, "the first"),),
             helps=("choose another name for one of them",),
         )
         return False
 
     def _rule(self, rule: Rule) -> None:
         rules = self.found.rules
-        if rules and isinstance(rules[0], Open) != isinstance(rule, Open):
+        if rules and isinstance(rules[0], tree.Open) != isinstance(rule, tree.Open):
             if self.mixed:
                 return
             self.mixed = True
@@ -216,10 +195,10 @@ class _Gatherer:
                 "a program has either one `open when` or named buckets, not both",
                 rule.span,
                 "of the other kind",
-                related=_related(rules[0].span, "the first rule"),
+                related=(Label(rules[0].span, "the first rule"),),
                 helps=("give each frame of the exposure a name: `bucket NAME open when ...`",),
             )
-        elif isinstance(rule, Open):
+        elif isinstance(rule, tree.Open):
             if self._once("open when", rules[0] if rules else None, rule):
                 rules.append(rule)
         # Buckets have names of their own (the key cannot be a name): no expression reads them.
@@ -228,7 +207,7 @@ class _Gatherer:
         ):
             rules.append(rule)
 
-    def _pixels(self, statement: PixelsExpr | PixelsTile) -> None:
+    def _pixels(self, statement: tree.PixelsExpr | tree.PixelsTile) -> None:
         name = statement.field.text
         first = self.found.pixels.setdefault(name, statement)
         if first is not statement:
@@ -237,9 +216,5 @@ class _Gatherer:
                 f"the pixels of `{name}` are given twice",
                 statement.field.span,
                 "the second",
-                related=_related(first.field.span, "the first"),
+                related=(Label(first.field.span, "the first"),),
             )
-
-
-def _related(span: Span, text: str) -> tuple[Label, ...]:
-    return (Label(span, text),)

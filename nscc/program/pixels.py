@@ -8,8 +8,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.program.arrays_file import ArraysFile, Unreadable
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.program.arrays_file import ArraysFile
 from nscc.program.planes import Plane, first_place, pixel_text, stored_plane
 from nscc.program.problems import counted
 from nscc.words.container import DecodeTable
@@ -58,35 +59,29 @@ def codes_from_file(
     count) where the program was not compiled for a pixel's code.
     """
     shape = (rows, cols)
-    try:
-        file = ArraysFile(path, str(path) if shown is None else shown)
-        planes = []
-        missing = np.zeros(shape, dtype=bool)
-        for name in table.fields:
-            plane, beyond = stored_plane(file, name, rows, cols)
-            planes.append(plane)
-            missing |= beyond
-    except Unreadable as problem:
-        raise Rejected(
-            Diagnostic(problem.code, problem.message, notes=problem.notes, helps=problem.helps),
-            status=2,
-        ) from problem
+    file = ArraysFile(path, str(path) if shown is None else shown)
+    planes = []
+    missing = np.zeros(shape, dtype=bool)
+    for name in table.fields:
+        plane, beyond = stored_plane(file, name, rows, cols)
+        planes.append(plane)
+        missing |= beyond
     rows_of_table, unknown = (
         rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
     )
     missing |= unknown
     if missing.any():
-        raise Rejected(_not_compiled(file, table, planes, missing), status=2)
+        raise _not_compiled(file, table, planes, missing)
     return rows_of_table
 
 
 def _not_compiled(
     file: ArraysFile, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_]
-) -> Diagnostic:
+) -> Rejected:
     y, x = first_place(missing)
     count = int(missing.sum())
     code = ", ".join(f"{n} = {p[y, x]}" for n, p in zip(table.fields, planes, strict=True))
-    return Diagnostic(
+    return rejected(
         "NS0319",
         f'the program was not compiled for a code of "{file.shown}": {pixel_text(x, y)} has {code}',
         notes=(

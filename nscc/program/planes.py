@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import assert_never
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Label
+from nscc.diagnostics.diagnostic import Label, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.program.arithmetic import Value, array
-from nscc.program.arrays_file import ArraysFile, Unreadable
+from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant
 from nscc.program.evaluate import evaluate, fault_at
 from nscc.program.expressions import Checked, Meaning, check
@@ -45,24 +47,18 @@ def make_planes(
     return _Maker(declared, fields, constants, target, base, problems).run()
 
 
+@dataclass(eq=False, repr=False)
 class _Maker:
-    def __init__(
-        self,
-        declared: Declarations,
-        fields: Mapping[str, Field | None],
-        constants: Mapping[str, Meaning],
-        target: Target | None,
-        base: Path,
-        problems: Problems,
-    ) -> None:
-        self.declared = declared
-        self.fields = fields
-        self.constants = constants
-        self.target = target
-        self.base = base
-        self.problems = problems
-        self.scope = pixels_scope(declared, constants)
-        self.tile_scope = constants_scope(declared, constants)
+    declared: Declarations
+    fields: Mapping[str, Field | None]
+    constants: Mapping[str, Meaning]
+    target: Target | None
+    base: Path
+    problems: Problems
+
+    def __post_init__(self) -> None:
+        self.scope = pixels_scope(self.declared, self.constants)
+        self.tile_scope = constants_scope(self.declared, self.constants)
 
     def run(self) -> dict[str, Plane]:
         planes: dict[str, Plane] = {}
@@ -153,10 +149,7 @@ class _Maker:
         fault = fault_at(checked, bindings, {}, shape, (y, x))
         count = int(places.sum())
         self.problems.error(
-            fault.code,
-            fault.message,
-            fault.span,
-            fault.text,
+            *fault,
             notes=(f"at {pixel_text(x, y)}, and at {counted(count, 'pixel')} in all",),
             data={"x": x, "y": y, "pixels": count},
         )
@@ -222,24 +215,19 @@ class _Maker:
             file = ArraysFile(self.base / statement.path.value, statement.path.value)
             if statement.sha256 is not None:
                 file.require_sha256(statement.sha256.value)
-        except Unreadable as problem:
-            self._unreadable(problem, statement.path.span)
+        except Rejected as wrong:
+            self.problems.adopt(wrong, statement.path.span)
             return
         for name in missing:
             field = self.fields[name]
             if field is None or self.target is None:
                 continue
             try:
-                plane, wrong = stored_plane(file, name, self.target.rows, self.target.cols)
-            except Unreadable as problem:
-                self._unreadable(problem, statement.path.span)
+                plane, beyond = stored_plane(file, name, self.target.rows, self.target.cols)
+            except Rejected as wrong:
+                self.problems.adopt(wrong, statement.path.span)
             else:
-                self._keep(planes, field, plane, statement, wrong)
-
-    def _unreadable(self, problem: Unreadable, span: Span) -> None:
-        self.problems.error(
-            problem.code, problem.message, span, notes=problem.notes, helps=problem.helps
-        )
+                self._keep(planes, field, plane, statement, beyond)
 
     def _keep(
         self,
@@ -288,11 +276,11 @@ def stored_plane(
     """The array `name` as int64, and where it held what int64 cannot."""
     stored = file.integers(name, most=max(rows * cols, 2**20))
     if stored.shape != (rows, cols):
-        raise Unreadable(
+        raise rejected(
             "NS0314",
             f'the array `{clipped(name)}` of "{file.shown}" has shape {stored.shape}; '
             f"the array of pixels is {rows} rows x {cols} columns",
-            f"save an array of shape ({rows}, {cols}): [row, column]",
+            helps=(f"save an array of shape ({rows}, {cols}): [row, column]",),
         )
     beyond = np.zeros(stored.shape, dtype=bool)
     if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:

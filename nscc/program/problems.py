@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import replace
+from functools import partialmethod
 from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected, Severity
@@ -21,17 +22,16 @@ class Problems:
         self._found: list[Diagnostic] = []
         self._unknown: set[str] = set()
 
-    def error(self, code: str, message: str, span: Span, text: str = "", **more: Any) -> None:
-        """Adds an error at `span`; `more` are further members of `Diagnostic`."""
-        self._add(code, message, Severity.ERROR, span, text, more)
+    def add(
+        self, severity: Severity, code: str, message: str, span: Span, text: str = "", **more: Any
+    ) -> None:
+        """Adds a diagnostic at `span`; `more` are further members of `Diagnostic`."""
+        place = Label(span, text)
+        self._found.append(Diagnostic(code, message, severity, self.source, place, **more))
 
-    def warning(self, code: str, message: str, span: Span, text: str = "", **more: Any) -> None:
-        """Adds a warning at `span`."""
-        self._add(code, message, Severity.WARNING, span, text, more)
-
-    def note(self, code: str, message: str, span: Span, text: str = "", **more: Any) -> None:
-        """Adds a note at `span`."""
-        self._add(code, message, Severity.NOTE, span, text, more)
+    error = partialmethod(add, Severity.ERROR)
+    warning = partialmethod(add, Severity.WARNING)
+    note = partialmethod(add, Severity.NOTE)
 
     def unknown(self, what: str, name: str, span: Span, known: Iterable[str]) -> None:
         """Adds the error for a name that is not known, with the nearest of `known`.
@@ -81,19 +81,6 @@ class Problems:
         """Raises Rejected with everything found if any of it is an error."""
         if self.has_errors():
             raise Rejected(self.sorted())
-
-    def _add(
-        self,
-        code: str,
-        message: str,
-        severity: Severity,
-        span: Span,
-        text: str,
-        more: dict[str, Any],
-    ) -> None:
-        self._found.append(
-            Diagnostic(code, message, severity, self.source, Label(span, text), **more)
-        )
 
 
 def _place(diagnostic: Diagnostic) -> tuple[int, int]:

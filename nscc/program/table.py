@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from math import prod
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,15 +39,13 @@ class TooMuch(Exception):
         self.available = available
 
 
+@dataclass(eq=False, repr=False)
 class Finding:
     """One expression without a value: why, for which code and slot first, and for how many."""
 
-    __slots__ = ("count", "fault", "where")
-
-    def __init__(self, fault: Fault, where: str, count: int) -> None:
-        self.fault = fault
-        self.where = where
-        self.count = count
+    fault: Fault
+    where: str
+    count: int
 
     @property
     def text(self) -> str:
@@ -63,33 +63,23 @@ class NoValue(Exception):
         self.findings = tuple(findings)
 
 
+@dataclass(eq=False, repr=False)
 class Rules:
     """What decides which codes exist and what they mean, all names and types right.
 
     `rules` has one boolean expression for each bucket; `slots` is N.
     """
 
-    def __init__(
-        self,
-        fields: Sequence[Field],
-        requires: Sequence[Checked],
-        rules: Sequence[Checked],
-        books: Books,
-        slots: int,
-    ) -> None:
-        self.fields = tuple(fields)
-        self.requires = tuple(requires)
-        self.rules = tuple(rules)
-        self.books = books
-        self.slots = slots
+    fields: tuple[Field, ...]
+    requires: Sequence[Checked]
+    rules: Sequence[Checked]
+    books: Books
+    slots: int
 
     @property
     def combinations(self) -> int:
         """How many combinations the fields' ranges name, whether `require` allows them or not."""
-        count = 1
-        for field in self.fields:
-            count *= field.high - field.low + 1
-        return count
+        return prod(field.high - field.low + 1 for field in self.fields)
 
 
 def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:

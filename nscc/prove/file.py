@@ -49,9 +49,5 @@ def prove_file(path: Path) -> tuple[Container, Proof]:
 
 
 def _where(failure: Failure) -> str:
-    where = f"frame {failure.frame}"
-    if failure.bucket is not None:
-        where += f", bucket {failure.bucket}"
-    if failure.shutter is not None:
-        where += f", shutter {failure.shutter}"
-    return where
+    places = {"frame": failure.frame, "bucket": failure.bucket, "shutter": failure.shutter}
+    return ", ".join(f"{kind} {which}" for kind, which in places.items() if which is not None)

@@ -13,19 +13,16 @@ class Noise:
     def __init__(self, seed: int) -> None:
         self._next = seed << 32
 
-    def words(self, count: int) -> NDArray[np.uint64]:
-        """`count` uniform 64-bit words."""
-        x = np.arange(self._next, self._next + count, dtype=np.uint64)
-        self._next += count
+    def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
+        """Values between 1/4 and 1, none like another: (rows, columns)."""
+        end = self._next + rows * columns
+        x = np.arange(self._next, end, dtype=np.uint64)
+        self._next = end
         x *= np.uint64(0x9E3779B97F4A7C15)
         x ^= x >> np.uint64(30)
         x *= np.uint64(0xBF58476D1CE4E5B9)
         x ^= x >> np.uint64(27)
         x *= np.uint64(0x94D049BB133111EB)
         x ^= x >> np.uint64(31)
-        return x
-
-    def levels(self, rows: int, columns: int) -> NDArray[np.float64]:
-        """Values between 1/4 and 1, none like another: (rows, columns)."""
-        unit = (self.words(rows * columns) >> np.uint64(11)).astype(np.float64) * 2.0**-53
+        unit = (x >> np.uint64(11)).astype(np.float64) * 2.0**-53
         return (0.25 + 0.75 * unit).reshape(rows, columns)

@@ -60,20 +60,16 @@ class Proof:
 
 def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
     """Replays `kernels` (the container's words, decoded) against the container's decode table."""
+    codes, slots = len(container.table.codes), container.slots
     for operation in dict.fromkeys(word for kernel in kernels for word in kernel):
         fault = target_fault(operation, container.target)
         if fault is not None:
             what = f"the target does not take the word `{operation}`: {fault}"
-            return Proof(len(container.table.codes), container.slots, 0, Failure(what, 0))
+            return Proof(codes, slots, 0, Failure(what, 0))
     replay = Replay(container, kernels, lights=1)
     noise = Noise(LIGHT_SEED)
-    failure: Failure | None = None
-    for frame in range(1, FRAMES + 1):
-        light = noise.levels(container.slots, 1)
-        failure = _frame(replay, light, frame)
-        if failure is not None:
-            break
-    return Proof(len(container.table.codes), container.slots, FRAMES, failure)
+    frames = (_frame(replay, noise.levels(slots, 1), n) for n in range(1, FRAMES + 1))
+    return Proof(codes, slots, FRAMES, next(filter(None, frames), None))
 
 
 def _frame(replay: Replay, light: NDArray[np.float64], frame: int) -> Failure | None:

@@ -21,7 +21,6 @@ from numpy.typing import NDArray
 
 from nscc.operations import Effect, Op, Phase
 from nscc.prove.noise import Noise
-from nscc.target.target import Target
 from nscc.truth import columns, members
 from nscc.words.container import Container
 
@@ -48,21 +47,19 @@ class Replay:
     container: Container
     kernels: Sequence[Sequence[Op]]
     lights: int
-    seed: int = 20201
     quiet: bool = False
     doubts: list[str] = field(default_factory=list)
 
     def __post_init__(self) -> None:
         container = self.container
-        target = container.target
-        self.target: Target = target
+        self.target = target = container.target
         self.lanes = len(container.encoding)
         self.everything = (1 << self.lanes) - 1
-        self._random = Noise(self.seed)
+        self._random = Noise(_SEED)
         self._reset_level = self._noise(self.lanes)
         self.pix = self._noise(self.lanes)
         self.analog = {name: self._noise(self.lanes) for name in target.analog_registers}
-        self._inputs = {"IN": self._noise(self.lanes)}
+        self._sources = {**self.analog, "IN": self._noise(self.lanes)}
         encoded = columns(container.encoding)
         column = {name: i for i, name in enumerate(target.digital_registers)}
         self.code: dict[str, Bits] = {}
@@ -151,10 +148,8 @@ class Replay:
             return
         where, unsure = self._flagged(word)
         if self.target.reset_honours_flag == "unknown":
-            ones = self._split[0][0]
-            unsure = (
-                members(self.everything & ~ones, self.lanes) if ones != self.everything else None
-            )
+            rest = self.everything & ~self._split[0][0]
+            unsure = members(rest, self.lanes) if rest else None
         self.pix[where] = self._reset_level[where]
         if unsure is not None:
             self._spoil(self.pix, unsure)
@@ -212,14 +207,10 @@ class Replay:
         return one, zero
 
     def _total(self, word: Op, where: _Lanes) -> Lights:
-        total: Lights | None = None
-        for name in word.sources:
-            if name == "PIX":
-                source = self.pix
-            else:
-                source = self._inputs.get(name, self.analog.get(name, self.pix))
-            total = source[where] if total is None else total + source[where]
-        return np.zeros((1, self.lights)) if total is None else total
+        if not word.sources:
+            return np.zeros((1, self.lights))
+        first, *others = (self._sources.get(name, self.pix)[where] for name in word.sources)
+        return sum(others, first)
 
     def _flagged(self, word: Op) -> tuple[_Lanes, _Lanes | None]:
         """Lanes whose FLAG is 1 and, if there are any, those whose FLAG is unknown."""
@@ -243,6 +234,7 @@ class Replay:
             self.doubts.append(f"{what}, at boundary {boundary} of frame {frame}")
 
 
+_SEED = 20201
 _MOST_DOUBTS = 4
 
 # Slots whose light is told apart in one float64: powers of four from 1 to 4^23, so that weights of

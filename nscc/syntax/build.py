@@ -10,6 +10,8 @@ from lark import Token, Tree
 from lark.tree import Meta
 from lark.visitors import Transformer_NonRecursive
 
+from nscc.diagnostics.diagnostic import Label, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.source import Span
 from nscc.syntax import tree
 from nscc.syntax.lexer import span_of
@@ -21,25 +23,6 @@ usual limit of a thousand calls each may take four a level."""
 MOST_INTEGER = 10**18
 _MOST_DECIMALS = 18
 _UNIT_US = {"ns": Fraction(1, 1000), "us": Fraction(1), "ms": Fraction(1000), "s": Fraction(10**6)}
-
-
-class Refused(Exception):
-    """A statement that parses but says something that no program may say."""
-
-    def __init__(self, code: str, message: str, span: Span, help_text: str) -> None:
-        super().__init__(message)
-        self.code = code
-        self.message = message
-        self.span = span
-        self.help_text = help_text
-
-
-class TooDeep(Exception):
-    """A statement is nested more than MOST_DEPTH deep, from the token at `span` on."""
-
-    def __init__(self, span: Span) -> None:
-        super().__init__(f"{span}")
-        self.span = span
 
 
 class _Part(NamedTuple):
@@ -54,7 +37,8 @@ class _Part(NamedTuple):
 class Builder(Transformer_NonRecursive[Token, _Part]):
     """Makes the nodes of one statement from lark's tree of it, from the leaves up.
 
-    Raises Refused (NS0111 for a number beyond 10^18, NS0112 for a time of zero) and TooDeep.
+    Raises Rejected for what parses and yet no program may say, without its source: NS0110 for more
+    than MOST_DEPTH levels, NS0111 for a number beyond 10^18, NS0112 for a time of zero.
     """
 
     def __init__(self) -> None:
@@ -72,7 +56,7 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
         nodes = [child for child in children if isinstance(child, _Part)]
         depth = 1 + max([node.depth for node in nodes], default=-1)
         if depth > MOST_DEPTH:
-            raise TooDeep(span_of(last))
+            raise _too_deep(span_of(last))
         make = _OF_NODES.get(data)
         parts: list[Token | _Part] | list[_Part] = nodes
         if make is None:
@@ -148,12 +132,8 @@ def _whole_number(text: str, span: Span) -> int:
     digits = text.lstrip("0")
     value = int(digits or "0") if len(digits) <= 19 else MOST_INTEGER + 1
     if value > MOST_INTEGER:
-        raise Refused(
-            "NS0111",
-            "this number is larger than 10^18",
-            span,
-            "numbers count slots, codes and pixels: none of them comes near that",
-        )
+        help_text = "numbers count slots, codes and pixels: none of them comes near that"
+        raise _refused("NS0111", "this number is larger than 10^18", span, help_text)
     return value
 
 
@@ -161,15 +141,25 @@ def _microseconds(text: str, span: Span) -> Fraction:
     number = text.rstrip("nums")
     whole, _, decimals = number.partition(".")
     if len(decimals) > _MOST_DECIMALS:
-        raise Refused(
-            "NS0111",
-            f"this time has {len(decimals)} decimals",
-            span,
-            f"at most {_MOST_DECIMALS} decimals are read",
-        )
+        help_text = f"at most {_MOST_DECIMALS} decimals are read"
+        raise _refused("NS0111", f"this time has {len(decimals)} decimals", span, help_text)
     us = (_whole_number(whole, span) + Fraction(f"0.{decimals or 0}")) * _UNIT_US[
         text[len(number) :]
     ]
     if us == 0:
-        raise Refused("NS0112", "this slot takes no time", span, "give it a time above zero")
+        raise _refused("NS0112", "this slot takes no time", span, "give it a time above zero")
     return us
+
+
+def _refused(code: str, message: str, span: Span, help_text: str) -> Rejected:
+    return rejected(code, message, label=Label(span), helps=(help_text,))
+
+
+def _too_deep(place: Span) -> Rejected:
+    return rejected(
+        "NS0110",
+        f"this expression is nested more than {MOST_DEPTH} deep",
+        label=Label(place, "too deep from here on"),
+        notes=("brackets in brackets count, and so does every operator of a chain",),
+        helps=("name parts of it with `let`, or put data into a `tile` or a file",),
+    )

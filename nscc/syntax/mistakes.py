@@ -6,8 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
-from nscc.source import Source, Span
-from nscc.syntax.build import MOST_DEPTH
+from nscc.source import Span
 from nscc.syntax.grammar import END, spellings
 from nscc.syntax.lexer import Tokens
 from nscc.syntax.statement import Stuck
@@ -79,18 +78,6 @@ def misspelt_statement(
 def _first_on_line(tokens: Tokens, index: int) -> bool:
     text = tokens.source.text
     return "\n" in text[tokens.span(index - 1).end : tokens.span(index).start]
-
-
-def too_deep(source: Source, place: Span) -> Diagnostic:
-    """NS0110: a statement nests too deeply from `place` on."""
-    return Diagnostic(
-        "NS0110",
-        f"this expression is nested more than {MOST_DEPTH} deep",
-        source=source,
-        label=Label(place, "too deep from here on"),
-        notes=("brackets in brackets count, and so does every operator of a chain",),
-        helps=("name parts of it with `let`, or put data into a `tile` or a file",),
-    )
 
 
 def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:

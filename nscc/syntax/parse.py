@@ -5,15 +5,16 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 
-from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
+from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected
 from nscc.source import Source, Span
 from nscc.syntax import tree
-from nscc.syntax.build import Builder, Refused, TooDeep
+from nscc.syntax.build import Builder
 from nscc.syntax.lexer import Tokens, lex
-from nscc.syntax.mistakes import misspelt_statement, mistake, too_deep, unknown_statement
+from nscc.syntax.mistakes import misspelt_statement, mistake, unknown_statement
 from nscc.syntax.reading import MOST_BYTES, read_source, too_large
 from nscc.syntax.statement import Stuck, read
 from nscc.syntax.words import STATEMENT_WORDS
@@ -132,10 +133,8 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
                 if first is not None:
                     found, stuck = read(tokens, at, first)
                 statement = builder.build(found) if found is not None else None
-            except Refused as refused:
-                errors.add(partial(_refusal, tokens.source, refused))
-            except TooDeep as refused:
-                errors.add(partial(too_deep, tokens.source, refused.span))
+            except Rejected as wrong:
+                errors.add(partial(replace, wrong.diagnostics[0], source=tokens.source))
             else:
                 if stuck is not None:
                     errors.add(partial(mistake, tokens, at, first or last, stuck))
@@ -152,16 +151,6 @@ def _misspelt(tokens: Tokens, first: int, last: int, stuck: Stuck, errors: _Erro
     errors.add(partial(unknown_statement, tokens, index))
     tokens.read_as(index, word)
     return index
-
-
-def _refusal(source: Source, refused: Refused) -> Diagnostic:
-    return Diagnostic(
-        refused.code,
-        refused.message,
-        source=source,
-        label=Label(refused.span),
-        helps=(refused.help_text,),
-    )
 
 
 def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.source import Source
 
 MOST_BYTES = 256 * 1024
@@ -22,14 +23,8 @@ def read_source(path: Path) -> Source:
             data = file.read(MOST_BYTES + 1)
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise Rejected(
-            Diagnostic(
-                "NS0101",
-                f"cannot read '{name}': {reason}",
-                helps=("name a shutter program, a text file that ends in .nsl",),
-            ),
-            status=2,
-        ) from None
+        help_text = "name a shutter program, a text file that ends in .nsl"
+        raise rejected("NS0101", f"cannot read '{name}': {reason}", helps=(help_text,)) from None
     if len(data) > MOST_BYTES:
         raise Rejected(too_large(name))
     try:

@@ -15,7 +15,8 @@ from pathlib import Path
 from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import meant
 from nscc.plugins import added, unusable
 from nscc.source import Source, Span
 from nscc.target.registers import contradictions
@@ -81,22 +82,19 @@ def load_target(
     if name_or_path in added_targets():
         return added_targets()[name_or_path]
     names = target_names()
-    near = closest(name_or_path, names)
-    shown = ascii(name_or_path[:60])
-    raise Rejected(
-        Diagnostic(
-            "NS0230",
-            f"nscc knows no target {shown}",
-            source=source,
-            label=Label(span, "no such target") if source and span else None,
-            notes=(f"the targets are {', '.join(names)}",),
-            helps=(
-                *((f"did you mean `{near}`?",) if near else ()),
-                "a target of your own is a file whose name ends in .toml: "
-                "`nscc targets scamp5 --toml` prints one to start from",
-            ),
-            data={"target": name_or_path[:60], "known": list(names)},
-        )
+    raise rejected(
+        "NS0230",
+        f"nscc knows no target {name_or_path[:60]!a}",
+        status=1,
+        source=source,
+        label=Label(span, "no such target") if source and span else None,
+        notes=(f"the targets are {', '.join(names)}",),
+        helps=(
+            *meant(name_or_path, names),
+            "a target of your own is a file whose name ends in .toml: "
+            "`nscc targets scamp5 --toml` prints one to start from",
+        ),
+        data={"target": name_or_path[:60], "known": list(names)},
     )
 
 

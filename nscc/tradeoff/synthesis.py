@@ -13,6 +13,7 @@ import numpy as np
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.report import report
+from nscc.limits.families import bits_rule, book_rule, bump_rule, program_text, start_rule
 from nscc.lower.plan import Lowering
 from nscc.pipeline import Compiled, Options, run_passes
 from nscc.program.program import Codes
@@ -66,26 +67,17 @@ class Measured:
 
 def builtin_cases() -> tuple[Case, ...]:
     """Classes b to e and a random codebook, at sizes that a chip of 13 registers takes."""
-    texts = {f"b {n}": _frame(n) + f"code stop : 0..{n - 1} open when n < stop"
-             for n in (16, 64, 256)}  # fmt: skip
-    for n, length in ((64, 8), (64, 13)):
-        texts[f"c ({n}, {length})"] = (
-            _frame(n) + f"code start : 0..{n - length} open when start <= n < start + {length}"
-        )
-    for n in (16, 32):
-        texts[f"d {n}"] = (
-            _frame(n) + f"code start : 0..{n - 1} code stop : 1..{n} require start < stop "
-            "open when start <= n < stop"
-        )
-    texts["e 12"] = _frame(12) + "code bits : bit[12] open when bits[n]"
     rows = np.random.default_rng(1).integers(0, 2, (64, 16))
-    book = ", ".join("".join(map(str, row)) for row in rows)
-    texts["codebook 64 x 16"] = (
-        _frame(16) + f"shutters book [{book}] code id : row of book open when book[id]"
-    )
+    rules = {
+        **{f"b {n}": (n, f"code stop : 0..{n - 1}\nopen when n < stop") for n in (16, 64, 256)},
+        **{f"c (64, {length})": (64, start_rule(length)) for length in (8, 13)},
+        **{f"d {n}": (n, bump_rule()) for n in (16, 32)},
+        "e 12": (12, bits_rule()),
+        "codebook 64 x 16": (16, book_rule(["".join(map(str, row)) for row in rows])),
+    }
     return tuple(
-        Case(name, Source(f"{name}.nsl", f"nsl 1 {text}\n"), Path(), "open")
-        for name, text in texts.items()
+        Case(name, Source(f"{name}.nsl", program_text(slots, "1ms", rule)), Path(), "open")
+        for name, (slots, rule) in rules.items()
     )
 
 
@@ -97,10 +89,6 @@ def cases_of(files: Sequence[Path]) -> tuple[Case, ...]:
         Case(path.stem if short else path.as_posix(), read_source(path), path.parent, "fixed")
         for path in paths
     )
-
-
-def _frame(slots: int) -> str:
-    return f"frame {slots} slots of 1ms "
 
 
 def measure(ways: Sequence[Way], repeats: int, count: Count, progress: Progress = iter) -> Measured:

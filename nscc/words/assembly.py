@@ -27,7 +27,7 @@ import re
 from pathlib import Path
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import meant
 from nscc.macros import OperandError, expand, mnemonics
 from nscc.operations import READ_LINES, Operation
 from nscc.source import Source, Span
@@ -158,13 +158,8 @@ def _directive(tokens: list[Token], draft: Draft, faults: Faults) -> Block | Non
     head = tokens[0]
     directive = DIRECTIVES.get(head.text)
     if directive is None:
-        near = closest(head.text, DIRECTIVES)
-        faults.add(
-            "NS0713",
-            f"there is no directive {shown(head.text)}",
-            head.span,
-            helps=(f"did you mean `{near}`?" if near else f"there are {', '.join(DIRECTIVES)}",),
-        )
+        helps = meant(head.text, DIRECTIVES, f"there are {', '.join(DIRECTIVES)}")
+        faults.add("NS0713", f"there is no directive {shown(head.text)}", head.span, helps=helps)
         return None
     return directive(tokens, draft, faults)
 
@@ -184,17 +179,9 @@ def _instruction(
     operands = _operands(rest, begin + len(code) - len(rest))
     known = mnemonics(own)
     if name not in known:
-        near = closest(name, known)
-        faults.add(
-            "NS0710",
-            f"there is no instruction {shown(name)}",
-            Span(begin, begin + len(name)),
-            helps=(
-                (f"did you mean `{near}`?",)
-                if near
-                else (f"instructions and macros: {' '.join(known)}",)
-            ),
-        )
+        helps = meant(name, known, f"instructions and macros: {' '.join(known)}")
+        place = Span(begin, begin + len(name))
+        faults.add("NS0710", f"there is no instruction {shown(name)}", place, helps=helps)
         return
     if not _known_registers(name, operands, faults):
         return
@@ -235,17 +222,10 @@ def _known_registers(name: str, operands: list[Token], faults: Faults) -> bool:
                 helps=(f"write `{name} {', '.join(operand.text.split())}`",),
             )
             continue
-        near = closest(operand.text, READ_LINES)
-        faults.add(
-            "NS0712",
-            f"there is no register {shown(operand.text)}"
-            if operand.text
-            else f"an operand of {name} is empty",
-            operand.span,
-            helps=(
-                (f"did you mean `{near}`?",)
-                if near
-                else ("registers are A to F, NEWS, PIX, IN, R0, R1, .., FLAG and SELECT",)
-            ),
-        )
+        message = f"an operand of {name} is empty"
+        if operand.text:
+            message = f"there is no register {shown(operand.text)}"
+        some = "registers are A to F, NEWS, PIX, IN, R0, R1, .., FLAG and SELECT"
+        helps = meant(operand.text, READ_LINES, some)
+        faults.add("NS0712", message, operand.span, helps=helps)
     return known

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from difflib import unified_diff
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nscc.target.load import target_dict
 from nscc.words.container import Container, Kernel
@@ -47,15 +49,19 @@ def _change(what: str, old: object, new: object) -> str:
 
 
 def _target(first: Container, second: Container) -> Iterator[str]:
-    old, new = target_dict(first.target), target_dict(second.target)
+    old, new = _flat(target_dict(first.target)), _flat(target_dict(second.target))
     for name in {**old, **new}:
-        if not isinstance(old.get(name), dict):
-            if old.get(name) != new.get(name):
-                yield _change(name, old.get(name, "none"), new.get(name, "none"))
-            continue
-        for key in old[name]:
-            if old[name][key] != new[name][key]:
-                yield _change(f"{name}.{key}", old[name][key], new[name][key])
+        if old.get(name) != new.get(name):
+            yield _change(name, old.get(name, "none"), new.get(name, "none"))
+
+
+def _flat(target: Mapping[str, Any]) -> dict[str, Any]:
+    """The keys of a target with their sections."""
+    flat: dict[str, Any] = {}
+    for name, value in target.items():
+        keys = value.items() if isinstance(value, dict) else ()
+        flat |= {f"{name}.{key}": held for key, held in keys} or {name: value}
+    return flat
 
 
 def _costs(old: FrameCost, new: FrameCost) -> Iterator[str]:
@@ -108,12 +114,8 @@ def _listing_change(
     before: Kernel | None, first: Container, after: Kernel | None, second: Container
 ) -> Iterator[str]:
     old, new = _listing(before, first), _listing(after, second)
-    if max(len(old), len(new)) > _LONGEST_LISTING:
-        same = next((i for i, (a, b) in enumerate(zip(old, new, strict=False)) if a != b), None)
-        yield f"  too long to compare line by line; they part at line {same}"
-        return
-    for line in list(unified_diff(old, new, lineterm="", n=2))[2:]:
-        yield f"  {line}"
+    same = next((i for i, (a, b) in enumerate(zip(old, new, strict=False)) if a != b), None)
+    yield from _text_change(old, new, 2, f"; they part at line {same}")
 
 
 def _listing(kernel: Kernel | None, container: Container) -> list[str]:
@@ -154,30 +156,22 @@ def _codes(first: Container, second: Container) -> Iterator[str]:
             yield _change(what, " ".join(before) or "none", " ".join(after) or "none")
     if len(old.codes) != len(new.codes):
         yield _change("codes", len(old.codes), len(new.codes))
-    elif old.codes.shape == new.codes.shape and not np.array_equal(old.codes, new.codes):
-        changed = np.flatnonzero((old.codes != new.codes).any(axis=1)).tolist()
-        yield f"other field values in codes {_cut(ranges_text(changed))}"
+    else:
+        yield from _rows("field values in codes", old.codes, new.codes)
     if len(old.shutters) != len(new.shutters):
         yield _change("distinct shutters", len(old.shutters), len(new.shutters))
     else:
-        yield from _shutters(first, second)
+        yield from _rows("slots open in shutters", old.shutters, new.shutters)
+        yield from _rows("register contents for shutters", first.encoding, second.encoding)
+        yield from _rows("shutters for codes", old.shutter_of_code, new.shutter_of_code)
     yield from _pixels(first, second)
 
 
-def _shutters(first: Container, second: Container) -> Iterator[str]:
-    old, new = first.table, second.table
-    if old.shutters.shape == new.shutters.shape:
-        changed = np.flatnonzero((old.shutters != new.shutters).any(axis=(1, 2))).tolist()
-        if changed:
-            yield f"other slots open in shutters {_cut(ranges_text(changed))}"
-    if first.encoding.shape == second.encoding.shape:
-        changed = np.flatnonzero((first.encoding != second.encoding).any(axis=1)).tolist()
-        if changed:
-            yield f"other register contents for shutters {_cut(ranges_text(changed))}"
-    same = old.shutter_of_code.shape == new.shutter_of_code.shape
-    if same and not np.array_equal(old.shutter_of_code, new.shutter_of_code):
-        changed = np.flatnonzero(old.shutter_of_code != new.shutter_of_code).tolist()
-        yield f"other shutters for codes {_cut(ranges_text(changed))}"
+def _rows(what: str, old: NDArray[Any], new: NDArray[Any]) -> Iterator[str]:
+    """The rows in which arrays of one shape differ."""
+    if old.shape == new.shape and not np.array_equal(old, new):
+        changed = (old != new).any(axis=tuple(range(1, old.ndim)))
+        yield f"other {what} {_cut(ranges_text(np.flatnonzero(changed).tolist()))}"
 
 
 def _pixels(first: Container, second: Container) -> Iterator[str]:
@@ -208,16 +202,18 @@ def _notes(first: Container, second: Container) -> Iterator[str]:
             yield _change(key, _quoted(old), _quoted(new))
     if first.source_lines != second.source_lines:
         yield "the program's source:"
-        yield from _source_change(first.source_lines, second.source_lines)
+        yield from _text_change(first.source_lines, second.source_lines, 1)
 
 
 def _quoted(text: str | None) -> str:
     return "none" if text is None else _cut(ascii(text))
 
 
-def _source_change(old: Sequence[str], new: Sequence[str]) -> Iterator[str]:
+def _text_change(
+    old: Sequence[str], new: Sequence[str], around: int, where: str = ""
+) -> Iterator[str]:
     if max(len(old), len(new)) > _LONGEST_LISTING:
-        yield "  too long to compare line by line"
+        yield f"  too long to compare line by line{where}"
         return
-    for line in list(unified_diff(list(old), list(new), lineterm="", n=1))[2:]:
+    for line in list(unified_diff(old, new, lineterm="", n=around))[2:]:
         yield f"  {line}"

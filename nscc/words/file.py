@@ -25,7 +25,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.target.load import target_dict, target_from_dict
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.soundness import faults
@@ -157,8 +158,7 @@ def read_container(path: Path) -> Container:
                 data += more
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        found = Diagnostic("NS0709", f"cannot read '{path}': {reason}")
-        raise Rejected(found, status=2) from None
+        raise rejected("NS0709", f"cannot read '{path}': {reason}") from None
     return from_bytes(data, str(path))
 
 
@@ -188,13 +188,12 @@ def from_bytes(data: bytes, name: str) -> Container:
 
 
 def _rejected(code: str, name: str, what: str) -> Rejected:
-    return Rejected(
-        Diagnostic(
-            code,
-            f"'{name}' cannot be used: {what}",
-            helps=("build the program again: `nscc build PROGRAM.nsl -o FILE.icw`",),
-            data={"file": name},
-        )
+    return rejected(
+        code,
+        f"'{name}' cannot be used: {what}",
+        status=1,
+        helps=("build the program again: `nscc build PROGRAM.nsl -o FILE.icw`",),
+        data={"file": name},
     )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Label, Rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import meant
 from nscc.source import Span
 from nscc.target.load import DEFAULT_NAME, load_target, parse_target
 from nscc.target.target import Target
@@ -159,9 +159,7 @@ def _find(token: Token, names: dict[str, int], what: str, faults: Faults) -> int
     index = names.get(token.text)
     if index is not None:
         return index
-    near = closest(token.text, names)
-    listed = ", ".join(list(names)[:12]) or "none"
-    helps = (f"did you mean `{near}`?",) if near else (f"there are: {listed}",)
+    helps = meant(token.text, names, f"there are: {', '.join(list(names)[:12]) or 'none'}")
     faults.add("NS0719", f"there is no {what} {shown(token.text)}", token.span, helps=helps)
     return 0
 

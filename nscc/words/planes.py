@@ -11,7 +11,8 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import meant
+from nscc.npy import npy_header, npy_values
 from nscc.target.target import Target
 from nscc.words.draft import Faults, PlaneDraft, shown
 
@@ -33,12 +34,11 @@ def read_planes(
     for draft in drafts:
         register = draft.register.text
         if register not in target.digital_registers:
-            near = closest(register, target.digital_registers)
             faults.add(
                 "NS0712",
                 f"{target.name} has no digital register {shown(register)}",
                 draft.register.span,
-                helps=(f"did you mean `{near}`?",) if near else (),
+                helps=meant(register, target.digital_registers),
             )
         elif register in planes:
             faults.add("NS0719", f"{register} is given two planes", draft.register.span)
@@ -118,21 +118,15 @@ def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
 
 def _array(file: IO[bytes], shape: tuple[int, int]) -> NDArray[Any]:
     """The array of an .npy stream; its size is checked before it is read."""
-    from numpy.lib import format as npy
-
     try:
-        version = npy.read_magic(file)
-        read = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
-        found, fortran, dtype = read(file)
+        _, found, fortran, dtype = npy_header(file)
     except (ValueError, SyntaxError, TypeError, EOFError, RecursionError, MemoryError):
         raise _BadPlaneError("its .npy header is damaged") from None
     if tuple(found) != shape:
         raise _BadPlaneError(f"its shape is {found}, and the array's is {shape}")
     if dtype.kind not in "biuf":
         raise _BadPlaneError(f"its values are of type {dtype}, not numbers")
-    size = shape[0] * shape[1] * dtype.itemsize
-    data = file.read(size + 1)
-    if len(data) != size:
+    values = npy_values(file, shape, fortran, dtype)
+    if values is None:
         raise _BadPlaneError("it is cut short, or too long")
-    values = np.frombuffer(data, dtype=dtype)
-    return values.reshape(shape[::-1]).T if fortran else values.reshape(shape)
+    return values

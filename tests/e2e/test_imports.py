@@ -29,7 +29,7 @@ FLOORS = {
 """From the ground up: each may import those before it."""
 
 ROOMS = (
-    ("operations", "requirements", "source", "truth"),
+    ("npy", "operations", "requirements", "source", "truth"),
     ("diagnostics", "macros"),
     ("files", "plugins", "toml"),
     ("target",),

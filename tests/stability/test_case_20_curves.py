@@ -7,8 +7,21 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from nscc_training import curves
+
+
+def mu_law_inverse(y: Any) -> Any:
+    scaled = y.astype(np.float64) * np.log1p(curves.MU)
+    return np.where(y >= 0, np.expm1(np.maximum(scaled, 0)), scaled) / curves.MU
+
+
+def gamma_inverse(y: Any) -> Any:
+    """Of a square root, which goes on below its toe as a straight line."""
+    wide, toe = y.astype(np.float64), curves.GAMMA_TOE**0.5
+    return np.where(wide > toe, wide**2, wide * toe)
+
 
 VALUES = [0.0, -1e-7, 1e-6, 1e8, 1.0, 3e-3]
 CURVES: dict[str, tuple[Callable[[Any], Any], Callable[[Any], Any]]] = {
@@ -16,8 +29,8 @@ CURVES: dict[str, tuple[Callable[[Any], Any], Callable[[Any], Any]]] = {
         lambda x: curves.log_curve(x, 1e-3),
         lambda y: curves.log_curve_inverse(y, 1e-3),
     ),
-    "mu": (curves.mu_law, curves.mu_law_inverse),
-    "gamma": (curves.gamma, curves.gamma_inverse),
+    "mu": (curves.mu_law, mu_law_inverse),
+    "gamma": (curves.gamma, gamma_inverse),
 }
 
 
@@ -34,7 +47,11 @@ def test_round_trip(name: str, kind: type) -> None:
 
 def test_round_trip_of_pu21_where_it_is_defined() -> None:
     x = np.array([0.005, 0.01, 1.0, 100.0, 1e4, 1e8, -1e-7, 0.0])
-    np.testing.assert_allclose(curves.pu21_inverse(curves.pu21(x)), x, rtol=2e-6, atol=1e-12)
+    back = [
+        brentq(lambda light, y=y: curves.pu21(np.float64(light)) - y, -1.0, 2e8, xtol=1e-13)
+        for y in curves.pu21(x)
+    ]
+    np.testing.assert_allclose(back, x, rtol=2e-6, atol=1e-12)
     # the authors scale it so that an ordinary display's white is near 256
     assert curves.pu21(np.float64(100.0)) == pytest.approx(256, abs=1)
     assert curves.pu21(np.float64(0.005)) == pytest.approx(0, abs=1e-6)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from nscc_training import metrics
-from nscc_training.metrics.psnr import mean_square_error
+from nscc_training.metrics import mean_square_error
 
 
 def test_equal_is_infinite_and_one_ulp_is_not() -> None:

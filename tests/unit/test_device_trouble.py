@@ -103,11 +103,11 @@ def test_a_port_that_goes_away_says_so() -> None:
 
 
 def test_the_options_have_the_links_defaults() -> None:
-    from nscc_cli import link_options
+    from nscc_cli import options
     from nscc_runtime.device import link, port
 
-    assert link_options.DEFAULT_BAUD == port.DEFAULT_BAUD
-    assert link_options.DEFAULT_PATIENCE_S == link.PATIENCE_S
+    assert options.DEFAULT_BAUD == port.DEFAULT_BAUD
+    assert options.DEFAULT_PATIENCE_S == link.PATIENCE_S
 
 
 def test_the_list_of_ports_is_sorted() -> None:

@@ -312,7 +312,7 @@ def test_sequences_stay_within_their_room():
     turned = "p2 = NOT p2 | FLAG = WHERE p2"
     problem, solution = solved([ALL ^ C, C] * 6, [turned] * 12)
     frame, items = flatten(solution, problem, MACHINE)
-    assert [len(block.places) for block in blocks_of(frame, items, 0)] == [12, 12]
+    assert [len(block) for block in blocks_of(frame, items, 0)] == [12, 12]
     (block,) = blocks_of(frame, items, 3)
-    assert len(block.places) == 12
-    assert [token.end - token.start for token in block.places[0]] == [1, 1, 1]
+    assert len(block) == 12
+    assert [token.end - token.start for token in block[0]] == [1, 1, 1]

@@ -38,7 +38,7 @@ def sensor_model() -> tuple[SensorModel, object, object]:
 
     target = load_target("scamp5", Path())
     sensor = default_sensor(target)
-    return SensorModel.of(sensor, target, noise=False), sensor, target
+    return SensorModel.of(sensor, target).noiseless(), sensor, target
 
 
 @pytest.mark.parametrize("still", [False, True])

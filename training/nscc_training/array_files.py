@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
-from nscc_training.problems import listed
+from nscc_training.problems import listed, unreadable
 
 KEYS = ("image", "video", "truth_e", "light", "orig")
 """The arrays that a file of several is taken to mean, the first that it has."""
@@ -65,13 +65,9 @@ def _read(path: Path, key: str | None) -> NDArray[Any]:
     except Rejected:
         raise
     except Exception as error:  # zipfile, numpy and scipy raise a dozen types for damaged files
-        words = " ".join(str(error).split())[:200]
-        raise rejected(
-            "NS0801",
-            f"'{path}' cannot be read as a {suffix} file",
-            notes=(f"the reader says: {words}",) if words else (),
-            helps=("check that the file is whole and that its ending says what it is",),
-        ) from error
+        message = f"'{path}' cannot be read as a {suffix} file"
+        hint = "check that the file is whole and that its ending says what it is"
+        raise unreadable("NS0801", message, error, hint) from error
     return _read_image(path, suffix)
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc_training.problems import unreadable
 
 Codes = Mapping[str, NDArray[np.int64]]
 
@@ -58,13 +59,9 @@ def load_codes(path: Path) -> dict[str, NDArray[np.int64]]:
     except Rejected:
         raise
     except Exception as error:  # numpy, zipfile and scipy raise a dozen types for damaged files
-        words = " ".join(str(error).split())[:200]
-        raise rejected(
-            "NS0805",
-            f"the codes in '{path}' cannot be read",
-            notes=(f"the reader says: {words}",) if words else (),
-            helps=("codes are .npz or .mat files with an integer array (rows, cols) a field",),
-        ) from error
+        hint = "codes are .npz or .mat files with an integer array (rows, cols) a field"
+        message = f"the codes in '{path}' cannot be read"
+        raise unreadable("NS0805", message, error, hint) from error
 
 
 def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.int64]:

@@ -36,11 +36,6 @@ def mu_law(x: Array, mu: float = MU) -> Array:
     return _as(x, log_curve(_wide(x), 1.0 / mu) / math.log1p(mu))
 
 
-def mu_law_inverse(y: Array, mu: float = MU) -> Array:
-    """The x that `mu_law` takes to y."""
-    return _as(y, log_curve_inverse(_wide(y) * math.log1p(mu), 1.0 / mu))
-
-
 def log_curve(x: Array, floor: float) -> Array:
     """log(1 + x / floor): relative errors count alike well above `floor`, absolute ones below."""
     xp, wide = _library(x), _wide(x)
@@ -61,14 +56,6 @@ def gamma(x: Array, exponent: float = 0.5) -> Array:
     return _as(x, xp.where(wide > GAMMA_TOE, power, wide * GAMMA_TOE ** (exponent - 1.0)))
 
 
-def gamma_inverse(y: Array, exponent: float = 0.5) -> Array:
-    """The x that `gamma` takes to y."""
-    xp, wide = _library(y), _wide(y)
-    toe = GAMMA_TOE**exponent
-    power = xp.clip(wide, toe, None) ** (1.0 / exponent)
-    return _as(y, xp.where(wide > toe, power, wide * GAMMA_TOE ** (1.0 - exponent)))
-
-
 def srgb(x: Array) -> Array:
     """The curve of IEC 61966-2-1 from linear light; a straight line below 0.0031308."""
     xp, wide = _library(x), _wide(x)
@@ -86,18 +73,6 @@ def pu21(luminance: Array) -> Array:
     low, high = (_pu21_slope(end) for end in (PU21_LOW, PU21_HIGH))
     below, above = xp.clip(wide - PU21_LOW, None, 0.0), xp.clip(wide - PU21_HIGH, 0.0, None)
     return _as(luminance, _pu21_inside(inside) + below * low + above * high)
-
-
-def pu21_inverse(units: Array) -> Array:
-    """The luminance in cd/m2 that `pu21` takes to `units`."""
-    xp, wide = _library(units), _wide(units)
-    bottom, top = _pu21_inside(PU21_LOW), _pu21_inside(PU21_HIGH)
-    a, b, c, d, e, f, scale = _PU21
-    ratio = (xp.clip(wide, bottom, top) / scale + f) ** (1.0 / e)
-    inside = ((ratio - a) / (b - c * ratio)) ** (1.0 / d)
-    below, above = xp.clip(wide - bottom, None, 0.0), xp.clip(wide - top, 0.0, None)
-    low, high = (_pu21_slope(end) for end in (PU21_LOW, PU21_HIGH))
-    return _as(units, inside + below / low + above / high)
 
 
 def _pu21_inside(luminance: Any) -> Any:

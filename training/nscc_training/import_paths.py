@@ -12,6 +12,7 @@ from typing import Any
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc_training.problems import said
 
 
 def is_import_path(text: str) -> bool:
@@ -58,9 +59,9 @@ def own_code(text: str, what: str) -> Iterator[None]:
         raise
     except Exception as error:  # the user's code may raise anything
         last = traceback.extract_tb(error.__traceback__)[-1]
-        said = " ".join(str(error).split())[:200]
+        words = said(error)
         place = f"{Path(last.filename).name}, line {last.lineno}"
-        raise own_failed(text, what, f"{type(error).__name__}: {said} ({place})") from error
+        raise own_failed(text, what, f"{type(error).__name__}: {words} ({place})") from error
 
 
 def own_failed(text: str, what: str, reason: str) -> Rejected:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 
 import torch
 from torch import Tensor
 
-from nscc_training.curves import MU, log_curve, mu_law, pu21, srgb
+from nscc_training.curves import log_curve, mu_law, pu21, srgb
 
 Loss = Callable[[Tensor, Tensor], Tensor]
 """(prediction, truth) of one shape to a scalar."""
@@ -25,36 +26,11 @@ def l1(prediction: Tensor, truth: Tensor) -> Tensor:
     return (prediction - truth).abs().mean()
 
 
-def display(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Mean absolute error in display encoding (sRGB), in which clips are scored."""
-    return l1(srgb(prediction), srgb(truth))
-
-
-def log(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Mean absolute error of log(1 + light / LOG_FLOOR)."""
-    return l1(log_curve(prediction, LOG_FLOOR), log_curve(truth, LOG_FLOOR))
-
-
-def mu(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Mean absolute error after mu-law with mu = 5000."""
-    return l1(mu_law(prediction, MU), mu_law(truth, MU))
-
-
 def psnr(prediction: Tensor, truth: Tensor) -> Tensor:
     """Minus a tenth of the PSNR in dB: every exposure counts by its own errors, as in evaluations,
     where squared errors are ruled by the worst. Patches of one exposure ([data] together) belong
     into a batch: their errors are taken together."""
     return torch.log10((prediction - truth).square().mean() + LEAST_ERROR)
-
-
-def psnr_mu(prediction: Tensor, truth: Tensor) -> Tensor:
-    """The same after mu-law."""
-    return psnr(mu_law(prediction, MU), mu_law(truth, MU))
-
-
-def psnr_display(prediction: Tensor, truth: Tensor) -> Tensor:
-    """The same in display encoding."""
-    return psnr(srgb(prediction), srgb(truth))
 
 
 def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
@@ -63,8 +39,19 @@ def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
     return l1(pu21(prediction * NITS), pu21(truth * NITS)) / most
 
 
+def after(curve: Callable[[Tensor], Tensor], loss: Loss) -> Loss:
+    """The loss of both after a curve."""
+    return lambda prediction, truth: loss(curve(prediction), curve(truth))
+
+
 LOSSES: dict[str, Loss] = {
-    "l1": l1, "display": display, "log": log, "mu-law": mu, "pu21": pu21_loss, "psnr": psnr,
-    "psnr-mu": psnr_mu, "psnr-display": psnr_display,
-}  # fmt: skip
+    "l1": l1,
+    "display": after(srgb, l1),  # the encoding in which clips are scored
+    "log": after(partial(log_curve, floor=LOG_FLOOR), l1),
+    "mu-law": after(mu_law, l1),
+    "pu21": pu21_loss,
+    "psnr": psnr,
+    "psnr-mu": after(mu_law, psnr),
+    "psnr-display": after(srgb, psnr),
+}
 """The losses by the names that configurations use."""

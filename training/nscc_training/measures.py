@@ -14,8 +14,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc_training import metrics
 from nscc_training.array_files import read_picture_or_clip
-from nscc_training.metrics.psnr import mean_square_error
-from nscc_training.metrics.ssim import WINDOW
+from nscc_training.metrics import WINDOW, mean_square_error
 
 NITS = 1000.0
 """The luminance in cd/m2 that the data range stands for in PU21-PSNR, unless stated."""
@@ -99,6 +98,11 @@ def measures(
     return found
 
 
+def stamp(path: Path) -> dict[str, str]:
+    """What results say of a file: its name and digest."""
+    return {"file": path.name, "sha256": sha256(path.read_bytes()).hexdigest()}
+
+
 def decibels(value: float) -> float | str:
     """A number of dB as JSON can hold it."""
     return "inf" if math.isinf(value) else value
@@ -129,8 +133,8 @@ def measure_files(
     ]
     check_pair(arrays[0], arrays[1])
     return {
-        "truth": {"file": truth.name, "sha256": sha256(truth.read_bytes()).hexdigest()},
-        "result": {"file": result.name, "sha256": sha256(result.read_bytes()).hexdigest()},
+        "truth": stamp(truth),
+        "result": stamp(result),
         "shape": list(arrays[0].shape),
         "data_range": data_range,
         "nits": nits,

@@ -4,8 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+
 
 def listed(names: Sequence[str], most: int = 12) -> str:
     """`a, b, c and 4 more`, or `nothing`."""
     shown = ", ".join(name[:40] for name in names[:most]) or "nothing"
     return shown + (f" and {len(names) - most} more" if len(names) > most else "")
+
+
+def said(error: object, most: int = 200) -> str:
+    """An exception's text in one line."""
+    return " ".join(str(error).split())[:most]
+
+
+def unreadable(code: str, message: str, error: Exception, help_text: str) -> Rejected:
+    """A file that its reader could not read, with the reader's words."""
+    notes = (f"the reader says: {said(error)}",) if said(error) else ()
+    return rejected(code, message, notes=notes, helps=(help_text,))

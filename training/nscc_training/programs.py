@@ -127,28 +127,26 @@ def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
     return analyse(source, tree, base=Path(), codes="open", target=target).table.codes
 
 
+_RULES = {
+    "a": ["open when true"],
+    "b": ["code stop : 1..N", "open when n < stop"],
+    "c": ["code start : 0..N - len", "open when start <= n < start + len"],
+    "d": [
+        "code start : 0..N - 1", "code stop : 1..N", "require start < stop",
+        "open when start <= n < stop",
+    ],
+    "e": ["code bits : bit[N]", "open when bits[n]"],
+    "codebook": ["code id : row of book", "open when book[id]"],
+}  # fmt: skip
+"""The code's fields and when a pixel is open, by class."""
+
+
 def _rule(spec: ShutterSpec, codes: Codes, packed: bytes) -> list[str]:
-    """The code's fields and when a pixel is open."""
-    if spec.kind == "a":
-        return ["open when true"]
-    if spec.kind == "b":
-        return ["code stop : 1..N", "open when n < stop"]
-    if spec.kind == "c":
-        return [
-            f"let len = {spec.length}",
-            "code start : 0..N - len",
-            "open when start <= n < start + len",
-        ]
-    if spec.kind == "d":
-        return [
-            "code start : 0..N - 1",
-            "code stop : 1..N",
-            "require start < stop",
-            "open when start <= n < stop",
-        ]
-    if spec.kind == "e":
-        return ["code bits : bit[N]", "open when bits[n]"]
-    return [*_book(codes["book"], packed), "code id : row of book", "open when book[id]"]
+    """The rule of a class, after what it speaks of."""
+    before = [f"let len = {spec.length}"] if spec.kind == "c" else []
+    if spec.kind == "codebook":
+        before = _book(codes["book"], packed)
+    return [*before, *_RULES[spec.kind]]
 
 
 def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:

@@ -99,29 +99,20 @@ def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     if read.shutter is not None:
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
             yield "it was exposed with other shutters than the run's"
-    elif read.meta.get("program_sha256") not in _programs(folder):
+    elif not _is_program(folder, read.meta.get("program_sha256")):
         chip = "" if folder.parts.chip.file is None else f" with --target {TARGET_FILE}"
         yield f"its program is not the run's shutter.nsl, compiled{chip} at any level"
 
 
-class _Programs:
-    """The digests of the run's program at each level, compiled only as far as needed."""
-
-    def __init__(self, folder: RunFolder) -> None:
-        self.folder = folder
-
-    def __contains__(self, digest: object) -> bool:
-        source = Source("shutter.nsl", self.folder.program)
-        for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
-            options = Options(level=level, target=self.folder.parts.chip.file)
-            found = compile_source(source, self.folder.path, options)
-            if found.container and sha256(to_bytes(found.container)).hexdigest() == digest:
-                return True
-        return False
-
-
-def _programs(folder: RunFolder) -> _Programs:
-    return _Programs(folder)
+def _is_program(folder: RunFolder, digest: object) -> bool:
+    """Whether that is the digest of the run's program at some level; the likely ones first."""
+    source = Source("shutter.nsl", folder.program)
+    for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
+        options = Options(level=level, target=folder.parts.chip.file)
+        found = compile_source(source, folder.path, options)
+        if found.container and sha256(to_bytes(found.container)).hexdigest() == digest:
+            return True
+    return False
 
 
 def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:

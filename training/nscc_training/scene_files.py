@@ -5,9 +5,16 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Collection, Iterable
 from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes import clips
+from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, read_mat
+from nscc_runtime.scenes.clips import read_clip
+from nscc_runtime.scenes.colour import Transfer, linear, luminance
 
 CLIPS = (*clips.CLIPS, ".mat")
 """How names of clips end: films, and the arrays of the benchmark."""
@@ -33,6 +40,20 @@ def protocol_files(
             helps=(f"name a folder of {wanted}",),
         )
     return found
+
+
+def light_in(stored: NDArray[Any], transfer: Transfer) -> NDArray[np.float64]:
+    """The light of a stored picture or frame, (rows, cols), of colours their luminance."""
+    light = linear(stored, transfer)
+    return luminance(light) if light.ndim == 3 else light
+
+
+def frames_in(path: Path) -> Iterable[NDArray[Any]]:
+    """The frames of a clip as they are stored, one after the other."""
+    if path.suffix.lower() != ".mat":
+        return read_clip(path)
+    key, found = read_mat(path, lambda _shape: None)
+    return np.moveaxis(found, 2, 0) if key == MAT_CLIP_KEY else found
 
 
 def labels(files: Iterable[Path]) -> dict[str, str]:

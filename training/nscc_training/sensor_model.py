@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import torch
+from numpy.typing import NDArray
 from torch import Tensor
 from torch.autograd import Function
 
@@ -18,6 +19,7 @@ from nscc_runtime.sensor import Sensor
 from nscc_training.draws import normal
 from nscc_training.encoders.base import Encoder
 from nscc_training.gradients import rounded, saturated
+from nscc_training.protocols import Protocol
 
 _BLOCK = 32
 """Slots whose light is masked at a time: what is kept besides the light itself."""
@@ -41,15 +43,27 @@ class SensorModel:
     slope: float = 0.1
 
     @classmethod
-    def of(cls, sensor: Sensor, target: Target, *, noise: bool = True) -> SensorModel:
-        """The model of a sensor's values; without `noise`, of an ideal one."""
+    def of(cls, sensor: Sensor, target: Target) -> SensorModel:
+        """The model of a sensor's values."""
         return cls(
             full_well_e=sensor.full_well_e,
             electrons_per_lsb=sensor.electrons_per_lsb,
             adc_offset_lsb=sensor.adc_offset_lsb,
             adc_bits=target.adc_bits,
-            adc_noise_lsb=sensor.adc_noise_lsb if noise else 0.0,
-            shot_noise=noise,
+            adc_noise_lsb=sensor.adc_noise_lsb,
+            shot_noise=True,
+        )
+
+    @classmethod
+    def of_protocol(cls, protocol: Protocol) -> SensorModel:
+        """The sensor that a protocol fixes."""
+        well_e, bits = float(protocol["full_well_e"]), int(protocol["adc_bits"])
+        return cls(
+            full_well_e=well_e,
+            electrons_per_lsb=well_e / ((1 << bits) - 1),
+            adc_bits=bits,
+            adc_noise_lsb=float(protocol["read_noise_lsb"]),
+            shot_noise=bool(protocol["shot_noise"]),
         )
 
     def noiseless(self) -> SensorModel:
@@ -118,6 +132,16 @@ def capture(
         _check_shapes(light, shutters, slot_share)
         exposure = exposed(light.float(), shutters.to(light.device), slot_share)
         return Captured(exposure, read_out(exposure, sensor, generator))
+
+
+def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
+    """One scene's frame (rows, cols), codes above the ADC's offset, with the noise of that seed.
+
+    `light` and `tile` as in `capture`, without the batch.
+    """
+    given = torch.as_tensor(light, dtype=torch.float32)[None]
+    generator = torch.Generator().manual_seed(seed)
+    return capture(given, tile, sensor, generator=generator).frame[0] - sensor.adc_offset_lsb
 
 
 def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:

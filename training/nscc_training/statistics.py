@@ -94,8 +94,6 @@ def paired(
         "scenes": len({scene_of[k] for k in common}),
         "only_first": len(set(first) - set(second)),
         "only_second": len(set(second) - set(first)),
-        "gain_db": found["mean"],
-        "sd": found["sd"],
-        "ci95": found["ci95"],
-        "infinite": found["infinite"],
+        "gain_db": found.pop("mean"),
+        **found,
     }

@@ -17,11 +17,10 @@ from numpy.typing import NDArray
 from nscc.emit.cpp.bitmap import image_width
 from nscc.emit.cpp.kernels import calls_words
 from nscc.emit.cpp.patterns import Match, Patterns, patterns_of
-from nscc.emit.cpp.text import Call, comment, literal, section
+from nscc.emit.cpp.text import Call, comment, literal, part, section
 from nscc.lower.timeline import RETENTION_SHARE
 from nscc.target.target import Target
 
-_ROWS_BETWEEN_REFRESHES = 16
 _REFRESHES_IN_A_LIFE = 4
 
 
@@ -136,10 +135,7 @@ def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: st
 def loading_lines(loading: Loading) -> Iterator[str]:
     """Tables and functions, the last of which is `load_codes`."""
     rows, cols = loading.target.rows, loading.target.cols
-    yield from comment(
-        "Digital memory fades when it is not written for a while: all codes are written back after "
-        "each plane, and again and again during what takes long."
-    )
+    yield from part("fading")
     if loading.refresh_calls()[0][0] == "WHERE":
         yield from comment(
             f"{loading.target.masked_register} takes a write only where "
@@ -152,9 +148,11 @@ def loading_lines(loading: Loading) -> Iterator[str]:
         yield ""
         yield f"const int rows = {rows}, cols = {cols};"
     if any(load.gathered for load in loading.loads):
-        yield from _match_lines(any(load.drawn for load in loading.loads))
+        yield from ["", *part("match")]
+    if any(load.drawn for load in loading.loads):
+        yield from ["", *part("among")]
     if loading.images:
-        yield from _image_lines(loading.target)
+        yield from ["", *part("images", width=image_width(cols))]
     for load in loading.loads:
         yield ""
         yield from _load_lines(loading, load)
@@ -166,79 +164,6 @@ def loading_lines(loading: Loading) -> Iterator[str]:
     yield "}"
 
 
-def _match_lines(drawn: bool) -> Iterator[str]:
-    yield ""
-    yield from comment("All pixels whose address is (row, col) but for the bits set in the masks.")
-    yield "struct Match {"
-    yield "    uint8_t row, col, row_mask, col_mask;"
-    yield "};"
-    if drawn:
-        yield ""
-        yield "template <int count>"
-        yield "bool among(const Match (&matches)[count], int row, int col) {"
-        yield "    for (const Match &match : matches) {"
-        yield "        if (((row ^ match.row) & ~match.row_mask) == 0 &&"
-        yield "            ((col ^ match.col) & ~match.col_mask) == 0) {"
-        yield "            return true;"
-        yield "        }"
-        yield "    }"
-        yield "    return false;"
-        yield "}"
-
-
-def _image_lines(target: Target) -> Iterator[str]:
-    width = image_width(target.cols)
-    yield ""
-    yield from comment(
-        "Draws an image onto a cleared plane. Column 0 of the image is its left one, column 0 of "
-        "the array the right one."
-    )
-    yield "template <class Plane>"
-    yield "void draw(const vs_dotmat &image, const Plane &plane) {"
-    yield "    const uint8_t *bits = static_cast<const uint8_t *>(image.get_buffer());"
-    yield "    scamp5_draw_begin(plane);"
-    yield "    for (int row = 0; row < rows; ++row) {"
-    yield "        for (int x = 0; x < cols; ++x) {"
-    yield f"            if (bits[(row * {width} + x) / 8] >> x % 8 & 1) {{"
-    yield "                scamp5_draw_pixel(row, cols - 1 - x);"
-    yield "            }"
-    yield "        }"
-    yield from _refresh_between_rows()
-    yield "    }"
-    yield "    scamp5_draw_end();"
-    yield "}"
-    yield ""
-    yield from comment(
-        "Asks the host for an image until it is there, with the right size: a request that is not "
-        "answered in time, or was not taken, is made again."
-    )
-    yield "template <class Plane>"
-    yield "void load_image(const char *file, const Plane &plane) {"
-    yield "    bool drawn = false;"
-    yield "    while (!drawn) {"
-    yield "        bool answered = false;"
-    yield "        vs_gui_request_image(file, 1, [&](const vs_dotmat &image, int status) {"
-    yield "            answered = true;"
-    yield f"            if (status >= 0 && image.get_width() == {width} &&"
-    yield "                image.get_height() == rows) {"
-    yield "                draw(image, plane);"
-    yield "                drawn = true;"
-    yield "            }"
-    yield "        });"
-    yield "        for (int turn = 0; turn < 20 && !answered; ++turn) {"
-    yield "            vs_frame_loop_control();"
-    yield "            refresh_codes();"
-    yield "        }"
-    yield "    }"
-    yield "}"
-
-
-def _refresh_between_rows() -> Iterator[str]:
-    yield f"        if (row % {_ROWS_BETWEEN_REFRESHES} == {_ROWS_BETWEEN_REFRESHES - 1}) {{"
-    yield "            refresh_codes();"
-    yield "        }"
-
-
 def _load_lines(loading: Loading, load: PlaneLoad) -> Iterator[str]:
     register, patterns = load.register, load.patterns
     name = register.lower()
@@ -246,8 +171,8 @@ def _load_lines(loading: Loading, load: PlaneLoad) -> Iterator[str]:
         assert patterns is not None
         yield f"const Match code_{name}[] = {{"
         for start in range(0, len(patterns.matches), 4):
-            part = patterns.matches[start : start + 4]
-            yield "    " + " ".join(f"{{{_operands(match)}}}," for match in part)
+            some = patterns.matches[start : start + 4]
+            yield "    " + " ".join(f"{{{_operands(match)}}}," for match in some)
         yield "};"
         yield ""
     yield f"void load_{name}() {{"
@@ -255,34 +180,19 @@ def _load_lines(loading: Loading, load: PlaneLoad) -> Iterator[str]:
     if patterns is None:
         yield f"    load_image({literal(load.file)}, {register});"
     elif load.drawn:
-        yield from _drawn_lines(load, patterns)
+        # At once, for want of a register in which to gather the patterns.
+        yield from part(
+            "drawn", register=register, codes=f"code_{name}", inverted="!" * patterns.inverted
+        )
     elif load.gathered:
-        yield f"    for (const Match &match : code_{name}) {{"
-        yield f"        scamp5_load_pattern({load.scratch}, match.row, match.col, match.row_mask,"
-        yield "                            match.col_mask);"
-        yield from section(loading.add_calls(load), "        ")
-        yield "    }"
+        add = "\n".join(section(loading.add_calls(load), " " * 8))
+        yield from part("gathered", scratch=load.scratch, codes=f"code_{name}", add=add)
     else:
         for match in patterns.matches:
             yield f"    scamp5_load_pattern({register}, {_operands(match)});"
     if patterns is not None and patterns.inverted and not load.drawn:
         yield from section([("NOT", (register,))])
     yield "}"
-
-
-def _drawn_lines(load: PlaneLoad, patterns: Patterns) -> Iterator[str]:
-    """Drawn at once, for want of a register in which to gather the patterns."""
-    inverted = "!" if patterns.inverted else ""
-    yield f"    scamp5_draw_begin({load.register});"
-    yield "    for (int row = 0; row < rows; ++row) {"
-    yield "        for (int col = 0; col < cols; ++col) {"
-    yield f"            if ({inverted}among(code_{load.register.lower()}, row, col)) {{"
-    yield "                scamp5_draw_pixel(row, col);"
-    yield "            }"
-    yield "        }"
-    yield from _refresh_between_rows()
-    yield "    }"
-    yield "    scamp5_draw_end();"
 
 
 def _operands(match: Match) -> str:

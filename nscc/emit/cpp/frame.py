@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import accumulate
 from math import ceil
 
-from nscc.emit.cpp.text import remarked
+from nscc.emit.cpp.text import part, remarked
 from nscc.operations import Effect
 from nscc.target.target import Target
 from nscc.words.container import Container, Kernel
@@ -153,11 +153,7 @@ def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
         yield f"    {', '.join(names[start : start + 12])},"
     yield "};"
     yield ""
-    yield "struct Step {"
-    yield "    uint32_t wait_us;               // for the rest of the slots before"
-    yield "    uint16_t kernel;                // then this one of `kernels` runs,"
-    yield "    uint16_t times;                 // so many times over"
-    yield "};"
+    yield from part("step")
     yield ""
     yield "const Step schedule[] = {"
     texts = [
@@ -174,22 +170,13 @@ def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
         )
     else:
         for start in range(0, len(texts), _ROWS_A_LINE):
-            part = schedule.rows[start : start + _ROWS_A_LINE]
-            first, last = part[0].instants[0], part[-1].instants[-1]
+            some = schedule.rows[start : start + _ROWS_A_LINE]
+            first, last = some[0].instants[0], some[-1].instants[-1]
             line = f"    {' '.join(texts[start : start + _ROWS_A_LINE])}"
             yield f"{line}  // boundary {first} to {last}"
     yield "};"
     yield ""
-    yield "void expose() {"
-    yield "    for (const Step &step : schedule) {"
-    yield "        for (uint16_t i = 0; i < step.times; ++i) {"
-    yield "            if (step.wait_us) {"
-    yield "                vs_wait(step.wait_us);"
-    yield "            }"
-    yield "            kernels[step.kernel]();"
-    yield "        }"
-    yield "    }"
-    yield "}"
+    yield from part("expose")
 
 
 def _shortened(instants: Sequence[int]) -> str:

@@ -25,7 +25,7 @@ from nscc.emit.cpp.frame import (
 )
 from nscc.emit.cpp.kernels import DEVKIT_ANALOG, DEVKIT_DIGITAL, calls, kernel_lines
 from nscc.emit.cpp.patterns import ADDRESS_BITS
-from nscc.emit.cpp.text import Call, comment, entry, literal, safe, section
+from nscc.emit.cpp.text import Call, comment, entry, literal, part, safe, section
 from nscc.lower.lowered import Lowered
 from nscc.program.program import Program
 from nscc.source import Span
@@ -229,16 +229,7 @@ def _pixel_statements(tree: File, program: Program) -> Iterator[str]:
 
 def _kernels(tree: File, program: Program, container: Container) -> Iterator[str]:
     if any(calls(kernel.words) is None for kernel in container.kernels):
-        yield from comment(
-            "Runs a constant table, be scamp5_kernel(table, n) a function that runs it or an "
-            "object that runs when it is called."
-        )
-        yield "struct Run {};"
-        yield "template <class Kernel>"
-        yield "auto operator,(Kernel &&kernel, Run) -> decltype(kernel()) {"
-        yield "    return kernel();"
-        yield "}"
-        yield ""
+        yield from [*part("run"), ""]
     launched: dict[int, list[int]] = {}
     for launch in container.launches:
         launched.setdefault(launch.kernel, []).append(launch.instant)
@@ -276,31 +267,13 @@ def _main(container: Container, schedule: Schedule, loading: Loading) -> Iterato
             f"vs_gui_add_display({literal(readout.bucket)}, {2 * row}, {2 * col}, 2);"
         )
     yield ""
-    yield from comment(
-        "A kernel is recorded when it first runs, which takes time: here, where none is lost.",
-        "    ",
-    )
-    yield "    for (void (*kernel)() : kernels) {"
-    yield "        kernel();"
-    yield "    }"
+    yield from part("record")
     if loading.images:
-        yield ""
-        yield from comment("While images are awaited, codes are refreshed at this rate.", "    ")
-        yield (
-            f"    vs_configure_frame_trigger(VS_FRAME_TRIGGER_CONST_LOOP, {loading_rate(target)});"
-        )
+        yield from ["", *part("awaiting", rate=loading_rate(target))]
     if loading.loads:
         yield "    load_codes();"
-    yield ""
-    yield from comment(
-        "Faster than frames can be, so that none waits for the next: codes fade meanwhile.", "    "
-    )
-    yield (f"    vs_configure_frame_trigger(VS_FRAME_TRIGGER_CONST_LOOP, {frame_rate(period_us)});")
-    yield "    while (true) {"
-    yield "        vs_frame_loop_control();"
-    yield "        expose();"
-    yield from comment("Pixels that FLAG leaves out would be left out of readout.", " " * 8)
-    yield from section(_READOUT, " " * 8)
+    prepare = "\n".join(section(_READOUT, " " * 8))
+    yield from ["", *part("frames", rate=frame_rate(period_us), prepare=prepare)]
     for number, readout in enumerate(container.readouts):
         remark = "" if readout.gain == 1 else f"  // times {number_text(readout.gain)}"
         yield f"        scamp5_output_image({readout.register}, display_{number});{remark}"

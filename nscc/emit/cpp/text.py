@@ -3,12 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from functools import cache
+from pathlib import Path
 from textwrap import wrap
 
 WIDTH = 100
 
 Call = tuple[str, tuple[str, ...]]
 """A call of the devkit's kernel library: its name and its operands."""
+
+
+@cache
+def _parts() -> dict[str, str]:
+    _, *parts = Path(__file__).with_name("parts.cpp").read_text(encoding="ascii").split("//: ")
+    split = (part.partition("\n") for part in parts)
+    return {name: text.rstrip("\n") for name, _, text in split}
+
+
+def part(name: str, **values: object) -> list[str]:
+    """The lines of a part of `parts.cpp`, with values in place of their names between `@`."""
+    text = _parts()[name]
+    for each, value in values.items():
+        text = text.replace(f"@{each}@", str(value))
+    return text.split("\n")
 
 
 def safe(text: str) -> str:

@@ -3,20 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
+from itertools import islice
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import (
-    CLOSING,
-    OPENING,
-    Check,
-    Frame,
-    Illegal,
-    Item,
-    Op,
-    flatten,
-    states_before,
-)
+from nscc.logic.improve.code import CLOSING, OPENING, Check, Frame, Illegal, Item, Op, flatten
 from nscc.logic.improve.rewrite import Rewrite, rewrite
 from nscc.logic.improve.run import Run
 from nscc.logic.improve.search import settled
@@ -40,37 +32,32 @@ def balance(
     boundary gets as small as was found, but nothing is done below `limit` words. Comes back itself
     where nothing can be moved.
     """
+    frame, items = flatten(solution, problem, machine)
     try:
-        frame, items = flatten(solution, problem, machine)
-        states_before(frame, items)
+        run = Run(frame, items, budget)
     except Illegal:
         return solution
-    run = Run(frame, items, budget)
-    loads = _Loads(frame, items, problem, others)
-    try:
-        while loads.largest() > limit and _flatten_one(run, loads, loads.largest()):
+    loads = _Loads(frame, items, others)
+    with suppress(GaveUp):
+        while max(loads.words) > limit and _flatten_one(run, loads, max(loads.words)):
             pass
-    except GaveUp:
-        pass
-    if loads.largest() >= max(loads.counted(items)):
+    if max(loads.words) >= max(loads.counted(items)):
         return solution
-    return settled(solution, problem, machine, frame, run.items, as_long=True)
+    return settled(frame, run.items, as_long=True)
 
 
 def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int) -> list[int]:
     """Words of a solution's gates at each boundary 0..slots."""
     frame, items = flatten(solution, problem, machine)
-    return _Loads(frame, items, problem, [0] * (slots + 1)).words
+    return _Loads(frame, items, [0] * (slots + 1)).words
 
 
 class _Loads:
     """Words at each boundary."""
 
-    def __init__(
-        self, frame: Frame, items: Sequence[Item], problem: Problem, others: Sequence[int]
-    ) -> None:
+    def __init__(self, frame: Frame, items: Sequence[Item], others: Sequence[int]) -> None:
         self._frame = frame
-        self._boundaries = [demand.boundary for demand in problem.demands]
+        self._boundaries = [demand.boundary for demand in frame.problem.demands]
         self._others = others
         self.words = self.counted(items)
 
@@ -79,10 +66,6 @@ class _Loads:
         if place == OPENING:
             return 0
         return len(self._others) - 1 if place == CLOSING else self._boundaries[place]
-
-    def largest(self) -> int:
-        """Most words at one boundary."""
-        return max(self.words)
 
     def counted(self, items: Sequence[Item]) -> list[int]:
         """Words at each boundary with these items."""
@@ -103,10 +86,10 @@ def _relieve(run: Run, loads: _Loads, boundary: int, most: int) -> bool:
     for k, item in enumerate(run.items):
         if isinstance(item, Check) or loads.boundary(item.place) != boundary:
             continue
-        if item.destination == run.frame.flag:
+        if item.destination in (run.frame.flag, run.frame.masked):
             continue
         for start, place, segment in _earlier(run, k, loads, most):
-            for target in _targets(run, start, item):
+            for target in (item.destination, *run.free(start, item.destination)):
                 moved = replace(item, destination=target, place=place, segment=segment)
                 done = rewrite(run, start, (moved,), (k,), least=0)
                 if done is not None and _take(run, loads, done, boundary, most):
@@ -117,16 +100,10 @@ def _relieve(run: Run, loads: _Loads, boundary: int, most: int) -> bool:
 def _earlier(run: Run, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
     """(item, place, segment) at the ends of earlier answers with room for another word."""
     found = []
-    segment = -1
     own = loads.boundary(run.items[k].place)
-    checks = 0
-    for at in range(k - 1, -1, -1):
+    checks = (at for at in range(k - 1, -1, -1) if isinstance(run.items[at], Check))
+    for at in islice(checks, REACH):
         item = run.items[at]
-        if not isinstance(item, Check):
-            continue
-        checks += 1
-        if checks > REACH:
-            break
         boundary = loads.boundary(item.place)
         if boundary == own or loads.words[boundary] + 1 >= most:
             continue
@@ -134,17 +111,6 @@ def _earlier(run: Run, k: int, loads: _Loads, most: int) -> list[tuple[int, int,
         segment = before.segment if isinstance(before, Op) else 0
         found.append((at, item.place, segment))
     return found
-
-
-def _targets(run: Run, start: int, item: Op) -> list[int]:
-    """The operation's own destination, then registers that are free where it is to go."""
-    frame = run.frame
-    if item.destination == frame.masked:
-        return []
-    taken = run.live[start] | 1 << item.destination
-    if frame.masked is not None:
-        taken |= 1 << frame.masked
-    return [item.destination, *(r for r in range(frame.flag) if not taken >> r & 1)]
 
 
 def _take(run: Run, loads: _Loads, done: Rewrite, boundary: int, most: int) -> bool:

@@ -27,11 +27,8 @@ class Token:
     key: Hashable
 
 
-@dataclass(frozen=True, slots=True)
-class Block:
-    """Equal sequences of tokens: `places` has the tokens of each one."""
-
-    places: tuple[tuple[Token, ...], ...]
+Block = list[tuple[Token, ...]]
+"""Equal sequences of tokens, one for each place."""
 
 
 def tokens_of(items: Sequence[Item]) -> list[Token]:
@@ -65,14 +62,14 @@ def blocks_of(frame: Frame, items: Sequence[Item], room: int) -> list[Block]:
     merger = _Merger(frame, items, tokens)
     while merger.merge(room):
         pass
-    places: dict[int, list[tuple[Token, ...]]] = {}
+    places: dict[int, Block] = {}
     at = 0
     for symbol in merger.sequence:
         length = merger.lengths[symbol]
         places.setdefault(symbol, []).append(tuple(tokens[at : at + length]))
         at += length
     order = sorted(places, key=lambda symbol: -merger.words[symbol] * len(places[symbol]))
-    return [Block(tuple(places[symbol])) for symbol in order if merger.words[symbol]]
+    return [places[symbol] for symbol in order if merger.words[symbol]]
 
 
 class _Merger:
@@ -119,12 +116,9 @@ class _Merger:
         self.words.append(words)
         self.lengths.append(self.lengths[left] + self.lengths[right])
         out: list[int] = []
-        k = 0
-        while k < len(self.sequence):
-            if self.sequence[k : k + 2] == [left, right]:
-                out.append(symbol)
-                k += 2
+        for following in self.sequence:
+            if out and (out[-1], following) == (left, right):
+                out[-1] = symbol
             else:
-                out.append(self.sequence[k])
-                k += 1
+                out.append(following)
         self.sequence = out

@@ -13,6 +13,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution, quietest
+from nscc.truth import set_bits
 
 Content = int | None
 """What a register holds: a truth vector, None if unknown."""
@@ -69,22 +70,12 @@ def op(inverted: bool, destination: int, sources: Iterable[int], place: int, seg
     reads = 0
     for source in sources:
         reads |= 1 << source
-    return Op(inverted, destination, bits(reads), place, segment, reads)
-
-
-def bits(mask: int) -> tuple[int, ...]:
-    """The registers of a bit mask in rising order."""
-    found = []
-    while mask:
-        low = mask & -mask
-        found.append(low.bit_length() - 1)
-        mask ^= low
-    return tuple(found)
+    return Op(inverted, destination, set_bits(reads), place, segment, reads)
 
 
 @dataclass(frozen=True)
 class Frame:
-    """What does not change while a solution is improved: registers, limits and the first state.
+    """What does not change while a solution is improved: problem, registers, limits, first state.
 
     `masked` is the plane that lives in the masked register, if one does: a write to it costs a word
     more and destroys t0 (`mask`). `ends` is None for a whole frame, at whose end the planes must be
@@ -92,6 +83,7 @@ class Frame:
     """
 
     solution: Solution
+    problem: Problem
     machine: Machine
     planes: int
     states: int
@@ -124,18 +116,10 @@ class Frame:
         in_place = target != self.flag and item.reads >> target & 1
         return 1 + in_place + (target == self.masked)
 
-    def total(self, items: Iterable[Item]) -> int:
+    def total(self, items: Sequence[Item]) -> int:
         """ICWs of a frame, with those that refresh planes nobody writes."""
-        written = 0
-        count = 0
-        for item in items:
-            count += self.words(item)
-            if isinstance(item, Op):
-                written |= 1 << item.destination
-        if self.ends is not None:
-            return count
-        left_alone = (~written & self.unscathed).bit_count()
-        return count + REFRESH_WORDS * left_alone
+        left_alone = self.writes(items).count(0) if self.ends is None else 0
+        return sum(map(self.words, items)) + REFRESH_WORDS * left_alone
 
     def value(self, item: Op, state: Sequence[Content]) -> Content:
         """What an operation writes in a state; None where a source is unknown."""
@@ -153,12 +137,9 @@ class Frame:
         if item.destination == self.flag:
             limit = self.machine.where_sources
             reads_flag = item.reads >> self.flag & 1
-            return (
-                not item.inverted
-                and count > 0
-                and (limit is None or count <= limit)
-                and (self.machine.where_reads_flag or not reads_flag)
-            )
+            if item.inverted or not count or (reads_flag and not self.machine.where_reads_flag):
+                return False
+            return limit is None or count <= limit
         if item.destination == self.masked and (self.mask is None or item.reads >> self.mask & 1):
             return False
         limit = self.machine.or_sources
@@ -166,54 +147,65 @@ class Frame:
         alone = count == 1 and item.reads >> item.destination & 1
         return (limit is None or count <= max(limit, 1)) and (item.inverted or not alone)
 
-    def quiet(self, items: Iterable[Item]) -> bool:
-        """Whether the masked register would still go to the plane for which it is meant."""
-        if self.masked is None:
-            return True
-        writes = [0] * self.planes
+    def apply(self, item: Item, state: list[Content]) -> None:
+        """Brings a state from before an item to after it."""
+        if isinstance(item, Check):
+            for register in set_bits(item.forgets):
+                state[register] = None
+        else:
+            self.store(item, self.value(item, state), state)
+
+    def store(self, item: Op, value: Content, state: list[Content]) -> None:
+        """Writes what an operation has computed."""
+        state[item.destination] = value
+        if item.destination == self.masked and self.mask is not None:
+            state[self.mask] = None
+
+    def writes(self, items: Iterable[Item]) -> list[int]:
+        """How often items write each plane."""
+        times = [0] * self.planes
         for item in items:
             if isinstance(item, Op) and item.destination < self.planes:
-                writes[item.destination] += 1
-        return writes[self.masked] == 0 or quietest(writes) == self.masked
+                times[item.destination] += 1
+        return times
+
+    def quiet(self, writes: Sequence[int]) -> bool:
+        """Whether the masked register goes to the plane for which it is meant, if planes are
+        written so often."""
+        masked = self.masked
+        return masked is None or writes[masked] == 0 or quietest(writes) == masked
+
+    def names(self) -> list[str]:
+        """The names of all registers."""
+        kinds = (("p", self.planes), ("s", self.states), ("t", self.scratch))
+        return [*(f"{kind}{i}" for kind, count in kinds for i in range(count)), "FLAG"]
 
 
 def flatten(solution: Solution, problem: Problem, machine: Machine) -> tuple[Frame, list[Item]]:
     """A solution as items, with as much scratch as the machine leaves room for."""
     planes, states = len(solution.planes), solution.states
     scratch, masked = _scratch(solution, machine)
-    count = planes + states + scratch
     everything = problem.everything
     flag: Content = everything if solution.state_in_flag else None
     frame = Frame(
-        solution, machine, planes, states, scratch, everything,
+        solution, problem, machine, planes, states, scratch, everything,
         (*solution.planes, *[None] * (states + scratch), flag), masked,
     )  # fmt: skip
-    number = {f"p{i}": i for i in range(planes)}
-    number |= {f"s{i}": planes + i for i in range(states)}
-    number |= {f"t{i}": planes + states + i for i in range(scratch)}
-    number["FLAG"] = count
-    spare = ((1 << scratch) - 1) << (planes + states)
+    number = {name: i for i, name in enumerate(frame.names())}
     items: list[Item] = []
 
     def add(segments: Sequence[Segment], place: int) -> None:
         for index, segment in enumerate(segments):
             for gate in segment:
-                items.append(
-                    op(
-                        gate.name in ("NOR", "NOT", "SET"),
-                        number[gate.destination],
-                        (number[name] for name in gate.sources),
-                        place,
-                        index,
-                    )
-                )
+                inverted = gate.name in ("NOR", "NOT", "SET")
+                sources = (number[name] for name in gate.sources)
+                items.append(op(inverted, number[gate.destination], sources, place, index))
 
     add(solution.opening, OPENING)
-    items.append(Check(None, _forgotten(frame, problem, 0, spare), OPENING))
+    items.append(Check(None, _forgotten(frame, 0), OPENING))
     for index, (demand, answer) in enumerate(zip(problem.demands, solution.answers, strict=True)):
         add(answer, index)
-        forgets = _forgotten(frame, problem, index + 1, spare)
-        items.append(Check(demand.predicate, forgets, index))
+        items.append(Check(demand.predicate, _forgotten(frame, index + 1), index))
     add(solution.closing, CLOSING)
     return frame, items
 
@@ -224,11 +216,7 @@ def _scratch(solution: Solution, machine: Machine) -> tuple[int, int | None]:
     room = machine.registers - planes - states
     if not machine.masked or not planes:
         return max(scratch, room - (machine.masked and not planes)), None
-    writes = [0] * planes
-    for segment in solution.segments():
-        for gate in segment:
-            if gate.destination.startswith("p"):
-                writes[int(gate.destination[1:])] += 1
+    writes = solution.writes()
     quiet = quietest(writes)
     # Where all registers are taken, or a plane is never written, the masked register holds a plane
     # and every other one is free; else it stays empty, as every write to it destroys its mask.
@@ -237,12 +225,9 @@ def _scratch(solution: Solution, machine: Machine) -> tuple[int, int | None]:
     return max(scratch, room - 1), None
 
 
-def _forgotten(frame: Frame, problem: Problem, coming: int, spare: int) -> int:
-    """Registers of which nothing is known when the answer `coming` begins.
-
-    `spare` is the mask of all scratch.
-    """
-    demands = problem.demands
+def _forgotten(frame: Frame, coming: int) -> int:
+    """Registers of which nothing is known when the answer `coming` begins."""
+    demands = frame.problem.demands
     forgets = 0
     if frame.solution.state_in_flag:
         # Analog words meanwhile may keep FLAG in t0.
@@ -250,24 +235,18 @@ def _forgotten(frame: Frame, problem: Problem, coming: int, spare: int) -> int:
     elif coming == len(demands) or not demands[coming].flag_kept:
         forgets |= 1 << frame.flag
     # Only planes and states are refreshed in a frame that is longer than memory lasts.
-    kept = problem.flag_lasts if coming == len(demands) else demands[coming].scratch_kept
-    if not kept:
-        forgets |= spare
-    return forgets
+    last = coming == len(demands)
+    kept = frame.problem.flag_lasts if last else demands[coming].scratch_kept
+    return forgets if kept else forgets | ((1 << frame.scratch) - 1) << frame.planes + frame.states
 
 
 def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
     """Items as a solution again; raises Illegal where no answer is left for a demand's segment."""
     solution = frame.solution
-    parts: dict[int, list[list[Gate]]] = {
-        OPENING: [[] for _ in solution.opening],
-        CLOSING: [[] for _ in solution.closing],
-    }
-    parts |= {i: [[] for _ in answer] for i, answer in enumerate(solution.answers)}
-    names = [f"p{i}" for i in range(frame.planes)]
-    names += [f"s{i}" for i in range(frame.states)]
-    names += [f"t{i}" for i in range(frame.scratch)]
-    names.append("FLAG")
+    runs = {OPENING: solution.opening, CLOSING: solution.closing}
+    runs |= dict(enumerate(solution.answers))
+    parts: dict[int, list[list[Gate]]] = {place: [[] for _ in run] for place, run in runs.items()}
+    names = frame.names()
     used = 0
     for item in items:
         if isinstance(item, Check):
@@ -279,18 +258,14 @@ def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
             segments.append([])
         segments[max(last, item.segment)].append(_gate(item, names, frame.flag))
         used |= item.reads | 1 << item.destination
-    scratch = _highest(used >> (frame.planes + frame.states) & ((1 << frame.scratch) - 1))
+    spare = used >> (frame.planes + frame.states) & ((1 << frame.scratch) - 1)
     return replace(
         solution,
-        scratch=max(scratch, 1 if solution.state_in_flag else 0),
+        scratch=max(spare.bit_length(), 1 if solution.state_in_flag else 0),
         opening=_kept(parts[OPENING]),
         answers=tuple(_kept(parts[i]) for i in range(len(solution.answers))),
         closing=_kept(parts[CLOSING]),
     )
-
-
-def _highest(mask: int) -> int:
-    return mask.bit_length()
 
 
 def _kept(segments: Sequence[Sequence[Gate]]) -> tuple[Segment, ...]:
@@ -301,13 +276,8 @@ def _gate(item: Op, names: Sequence[str], flag: int) -> Gate:
     sources = tuple(names[i] for i in item.sources)
     if item.destination == flag:
         return Gate("WHERE", "FLAG", sources)
-    if not sources:
-        kind = "SET" if item.inverted else "CLR"
-    elif len(sources) == 1:
-        kind = "NOT" if item.inverted else "MOV"
-    else:
-        kind = "NOR" if item.inverted else "OR"
-    return Gate(kind, names[item.destination], sources)
+    kinds = ("SET", "NOT", "NOR") if item.inverted else ("CLR", "MOV", "OR")
+    return Gate(kinds[min(len(sources), 2)], names[item.destination], sources)
 
 
 def states_before(frame: Frame, items: Sequence[Item]) -> list[tuple[Content, ...]]:
@@ -319,22 +289,16 @@ def states_before(frame: Frame, items: Sequence[Item]) -> list[tuple[Content, ..
         if isinstance(item, Check):
             if item.need is not None and state[frame.flag] != item.need:
                 raise Illegal("FLAG is not what the demand asks for")
-            for register in bits(item.forgets):
-                state[register] = None
-            continue
-        value = frame.value(item, state)
-        if value is None:
-            raise Illegal("an operation reads what nobody knows")
-        if not frame.legal(item):
+        elif not frame.legal(item):
             raise Illegal("the machine has no such word")
-        state[item.destination] = value
-        if item.destination == frame.masked and frame.mask is not None:
-            state[frame.mask] = None
+        frame.apply(item, state)
+        if isinstance(item, Op) and state[item.destination] is None:
+            raise Illegal("an operation reads what nobody knows")
     found.append(tuple(state))
     if frame.ends is not None:
         return found
     if state[: frame.planes] != list(frame.start[: frame.planes]):
         raise Illegal("the planes are not as they were")
-    if not frame.quiet(items):
+    if not frame.quiet(frame.writes(items)):
         raise Illegal("another plane would get the masked register")
     return found

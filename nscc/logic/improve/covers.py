@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nscc.logic.improve.code import Content
+from nscc.truth import union
 
 
 def cover(
@@ -21,10 +22,10 @@ def cover(
 
     Of equally good ones, earlier sources are taken. At most `limit` of them.
     """
-    union = 0
+    reachable = 0
     for _, content in sources:
-        union |= content
-    if wanted & ~union:
+        reachable |= content
+    if wanted & ~reachable:
         return None
     rest = wanted
     chosen: list[tuple[int, int]] = []
@@ -47,11 +48,7 @@ def cover(
 
 def _irredundant(wanted: int, chosen: list[tuple[int, int]]) -> list[tuple[int, int]]:
     for source in list(chosen):
-        others = 0
-        for other in chosen:
-            if other is not source:
-                others |= other[1]
-        if not wanted & ~others:
+        if not wanted & ~union(content for other, content in chosen if other != source[0]):
             chosen.remove(source)
     return chosen
 
@@ -89,11 +86,7 @@ def gate(
     best: tuple[bool, tuple[int, ...]] | None = None
     for invert in inverted:
         avoid, wanted = (one, zero) if invert else (zero, one)
-        allowed = []
-        for register in readable:
-            content = state[register]
-            if content is not None and not content & avoid:
-                allowed.append((register, content))
+        allowed = _avoiding(avoid, state, readable)
         found = cover(wanted, allowed, limit)
         if found is None:
             continue
@@ -121,10 +114,17 @@ def inner(
     ways = []
     for invert in inverted:
         avoid, wanted = (one, zero) if invert else (zero, one)
-        rest = wanted
-        for register in readable:
-            content = state[register]
-            if content is not None and not content & avoid:
-                rest &= ~content
+        rest = wanted & ~union(content for _, content in _avoiding(avoid, state, readable))
         ways.append((invert, rest, avoid))
     return ways
+
+
+def _avoiding(
+    avoid: int, state: Sequence[Content], readable: Sequence[int]
+) -> list[tuple[int, int]]:
+    """Those of `readable`, with their contents, that hold 0 in all of `avoid`."""
+    return [
+        (register, content)
+        for register in readable
+        if (content := state[register]) is not None and not content & avoid
+    ]

@@ -7,22 +7,16 @@ register. So wherever a register can be spared, it may hold any truth vector fro
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 import networkx as nx
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import (
-    REFRESH_WORDS,
-    Illegal,
-    Op,
-    flatten,
-    states_before,
-    unflatten,
-)
+from nscc.logic.improve.code import REFRESH_WORDS, Illegal, Op, flatten, states_before, unflatten
 from nscc.logic.improve.recolour import recoloured
 from nscc.logic.improve.run import Run
-from nscc.logic.improve.shrink import drop_pairs, drop_singles
+from nscc.logic.improve.shrink import shrink
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
 # So many of the most promising vectors are tried for each register: each try is a search of its
@@ -35,14 +29,10 @@ HOLDER = "computed before the frame"
 
 def enrich(solution: Solution, problem: Problem, machine: Machine, budget: Budget) -> Solution:
     """A solution with more planes and fewer words, or `solution` itself where none was found."""
-    try:
-        while True:
-            richer = _richer(solution, problem, machine, budget)
-            if richer is None:
-                return solution
+    with suppress(GaveUp, Illegal):
+        while (richer := _richer(solution, problem, machine, budget)) is not None:
             solution = richer
-    except (GaveUp, Illegal):
-        return solution
+    return solution
 
 
 def _richer(
@@ -75,8 +65,7 @@ def _shortened(
 ) -> tuple[Solution, int]:
     """A shorter solution, and its words."""
     run = Run(*flatten(solution, problem, machine), budget)
-    drop_singles(run)
-    drop_pairs(run, NEAR)
+    shrink(run, NEAR)
     found = unflatten(run.frame, run.items)
     frame, items = flatten(found, problem, machine)
     states_before(frame, items)
@@ -102,15 +91,9 @@ def _promising(run: Run) -> list[int]:
     frame = run.frame
     makers, flow = _flow(run)
     held = set(frame.start[: frame.planes])
-    gains = []
-    for vector, numbers in makers.items():
-        if vector in held:
-            continue
-        gain = _saved(run, numbers, flow) - REFRESH_WORDS
-        if gain > 0:
-            gains.append((gain, vector))
-    gains.sort(key=lambda pair: -pair[0])
-    return [vector for _, vector in gains]
+    gains = {v: _saved(run, numbers, flow) for v, numbers in makers.items() if v not in held}
+    worth = [vector for vector, gain in gains.items() if gain > REFRESH_WORDS]
+    return sorted(worth, key=lambda vector: -gains[vector])
 
 
 def _flow(run: Run) -> tuple[dict[int, list[int]], nx.DiGraph]:
@@ -142,12 +125,10 @@ def _saved(run: Run, numbers: Sequence[int], flow: nx.DiGraph) -> int:
     These are the items' fan-out-free cone: what feeds nothing else falls away with them.
     """
     left: dict[int, int] = {}
-    saved = 0
+    # FLAG must be loaded all the same.
+    written = [item.destination for k in numbers if isinstance(item := run.items[k], Op)]
+    saved = -written.count(run.frame.flag)
     gone = list(numbers)
-    for k in numbers:
-        # FLAG must be loaded all the same.
-        item = run.items[k]
-        saved -= int(isinstance(item, Op) and item.destination == run.frame.flag)
     seen = set(gone)
     while gone:
         k = gone.pop()

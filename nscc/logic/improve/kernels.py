@@ -8,12 +8,15 @@ that is right for these is right in every place, and all passes work on it uncha
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
+from itertools import chain
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.blocks import Block, Token, blocks_of
 from nscc.logic.improve.code import Check, Content, Frame, Illegal, Item
 from nscc.logic.improve.run import Run
+from nscc.truth import union
 
 Pass = Callable[[Frame, list[Item], Budget], list[Item]]
 """Makes items shorter that a frame, or a part of one, consists of."""
@@ -27,27 +30,21 @@ def improve_kernels(
     Sequences of kernels are rewritten as one where there is `room` for all words (see `blocks_of`).
     """
     run = Run(frame, items, budget)
-    blocks = blocks_of(frame, run.items, room)
     # Where each item of the run has gone: rewriting a block replaces its items by others.
     parts: list[list[Item]] = [[item] for item in run.items]
-    for block in blocks:
+    for block in blocks_of(frame, run.items, room):
         new = _shortened(frame, run, block, budget, shorten)
         if new is None:
             continue
-        before = {}
-        for tokens in block.places:
-            moved = _moved(run.items, block.places[0], tokens, new)
-            for k in range(tokens[0].start, tokens[-1].end):
-                before[k] = parts[k]
-                parts[k] = []
-            parts[tokens[0].start] = moved
+        tried = list(parts)
+        for tokens in block:
+            start, end = tokens[0].start, tokens[-1].end
+            tried[start:end] = [_moved(run.items, block[0], tokens, new), *[[]] * (end - start - 1)]
         # Right in every place by itself, but the masked register's plane may be another one now.
-        try:
-            Run(frame, [item for part in parts for item in part], budget)
-        except Illegal:
-            for k, part in before.items():
-                parts[k] = part
-    return [item for part in parts for item in part]
+        with suppress(Illegal):
+            Run(frame, list(chain.from_iterable(tried)), budget)
+            parts = tried
+    return list(chain.from_iterable(parts))
 
 
 def _shortened(
@@ -55,25 +52,20 @@ def _shortened(
 ) -> list[Item] | None:
     """Items in place of those of the block's first place; None if there are no shorter ones."""
     size = (frame.everything.bit_length() + 7) // 8
-    starts = [tokens[0].start for tokens in block.places]
-    length = block.places[0][-1].end - starts[0]
-    live = 0
-    for k in starts:
-        live |= run.live[k + length]
-    start = tuple(
-        _joined([run.before[k][register] for k in starts], size)
-        for register in range(frame.flag + 1)
-    )
+    starts = [tokens[0].start for tokens in block]
+    length = block[0][-1].end - starts[0]
+    live = union(run.live[k + length] for k in starts)
+    states = zip(*(run.before[k] for k in starts), strict=True)
+    start = tuple(_joined(contents, size) for contents in states)
     everything = _joined([frame.everything] * len(starts), size)
     assert everything is not None
     part = replace(frame, everything=everything, start=start, ends=live)
-    items: list[Item] = []
-    for offset, item in enumerate(run.items[starts[0] : starts[0] + length]):
+    items = run.items[starts[0] : starts[0] + length]
+    for offset, item in enumerate(items):
         if isinstance(item, Check) and item.need is not None:
             checks = [run.items[k + offset] for k in starts]
             needs = [check.need for check in checks if isinstance(check, Check)]
-            item = replace(item, need=_joined(needs, size))
-        items.append(item)
+            items[offset] = replace(item, need=_joined(needs, size))
     try:
         found = shorten(part, items, budget)
     except Illegal:

@@ -13,11 +13,12 @@ or a value may not be everywhere; what is chosen among the free ones decides the
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import networkx as nx
 
-from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op, bits, op
+from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op, op
+from nscc.truth import set_bits
 
 
 @dataclass(slots=True)
@@ -32,7 +33,7 @@ class _Value:
     last: int
     home: int = -1
     banned: int = 0
-    sources: tuple[int, ...] = field(default=())
+    sources: tuple[int, ...] = ()
 
 
 def recoloured(frame: Frame, items: Sequence[Item], without: int = 0) -> list[Item] | None:
@@ -44,8 +45,16 @@ def recoloured(frame: Frame, items: Sequence[Item], without: int = 0) -> list[It
     values, written = _values(frame, items)
     for value in values:
         value.banned |= without
-    if frame.masked is not None:
-        _ban_mask(frame, items, values, written)
+    if frame.masked is not None and frame.mask is not None:
+        # A write to the masked register destroys its mask.
+        writes = [
+            k
+            for k, item in enumerate(items)
+            if isinstance(item, Op) and item.destination == frame.masked
+        ]
+        for value in values:
+            if any(value.first < k <= value.last for k in writes):
+                value.banned |= 1 << frame.mask
     return _Painter(frame, items, values, written).paint()
 
 
@@ -66,13 +75,15 @@ def _values(frame: Frame, items: Sequence[Item]) -> tuple[list[_Value], list[int
         holds[item.destination] = len(values)
         written.append(len(values))
         values.append(_Value(k, k, sources=sources))
-    for register in bits(frame.unscathed):
+    for register in set_bits(frame.unscathed):
         values[holds[register]].last = len(items)
         if register != frame.flag:
             values[holds[register]].home = register
-    checks = [(k, item.forgets) for k, item in enumerate(items) if isinstance(item, Check)]
-    lossy = [(k, forgets & ~(1 << frame.flag)) for k, forgets in checks]
-    lossy = [(k, forgets) for k, forgets in lossy if forgets]
+    lossy = [
+        (k, forgets)
+        for k, item in enumerate(items)
+        if isinstance(item, Check) and (forgets := item.forgets & ~(1 << frame.flag))
+    ]
     at = 0
     for value in values:
         while at < len(lossy) and lossy[at][0] < value.first:
@@ -84,34 +95,14 @@ def _values(frame: Frame, items: Sequence[Item]) -> tuple[list[_Value], list[int
     return values, written
 
 
-def _ban_mask(
-    frame: Frame, items: Sequence[Item], values: Sequence[_Value], written: Sequence[int]
-) -> None:
-    """A write to the masked register destroys its mask."""
-    assert frame.masked is not None
-    writes = [k for k, item in enumerate(items) if isinstance(item, Op)]
-    writes = [k for k in writes if items[k].destination == frame.masked]  # type: ignore[union-attr]
-    if not writes or frame.mask is None:
-        return
-    for value in values:
-        if any(value.first < k <= value.last for k in writes):
-            value.banned |= 1 << frame.mask
-
-
 class _Painter:
     """Gives out registers from front to back."""
 
     def __init__(
-        self,
-        frame: Frame,
-        items: Sequence[Item],
-        values: list[_Value],
-        written: list[int],
+        self, frame: Frame, items: Sequence[Item], values: list[_Value], written: list[int]
     ) -> None:
-        self.frame = frame
-        self.items = items
-        self.values = values
-        self.written = written
+        self.frame, self.items = frame, items
+        self.values, self.written = values, written
         self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
         # Which value a register holds; the first ones that nobody reads do not count.
         self.holds: list[int] = list(range(frame.flag))
@@ -148,13 +139,8 @@ class _Painter:
         masked = self.frame.masked
         if item.destination == masked:
             return masked
-        best: int | None = None
-        best_price = (9, 0, 0, 0)
-        for register in range(self.frame.flag):
-            if register == masked or value.banned >> register & 1:
-                continue
-            if self.values[self.holds[register]].last > k:
-                continue
+
+        def price(register: int) -> tuple[int, bool, bool, int]:
             in_place = int(register in sources)
             if in_place and _copies(item):
                 in_place = -1  # nothing to do at all
@@ -165,15 +151,21 @@ class _Painter:
             # Words first, the copy home among them (a part of a frame has no place for one, so away
             # is dearer there). Then no plane's way home is blocked, then as little as can be is
             # changed, then a register is taken that no plane needs, or only late.
-            price = (
+            return (
                 in_place + away * (1 if self.frame.ends is None else 2),
-                int(in_the_way),
-                int(register != item.destination),
+                in_the_way,
+                register != item.destination,
                 -self.homing[register] if self.homing[register] >= 0 else -len(self.items),
             )
-            if best is None or price < best_price:
-                best, best_price = register, price
-        return best
+
+        free = [
+            register
+            for register in range(self.frame.flag)
+            if register != masked
+            and not value.banned >> register & 1
+            and self.values[self.holds[register]].last <= k
+        ]
+        return min(free, key=price, default=None)
 
     def _bring_home(self, out: list[Item]) -> list[Item] | None:
         """Copies every plane that is astray to its home; None where that takes a register more.

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from operator import attrgetter
 from typing import Generic, Protocol, TypeVar
 
 from nscc.logic.cubes import Budget
@@ -49,6 +50,7 @@ class Priced(Protocol):
 
 
 P = TypeVar("P", bound=Priced)
+_PRICE = attrgetter("price")
 
 
 def refine(
@@ -63,92 +65,85 @@ def refine(
 
     `store_words` is how many words all kernels may have.
     """
-    return _Refinery(problem, machine, level, priced, store_words).best(candidates)
+    # With more demands than words in the store, kernels must come again and again: few of them
+    # are worth more than the words that many would save.
+    scarce = len(problem.demands) > store_words
+    room = 0 if scarce else int(store_words * ROOM_SHARE)
+    return _Refinery(problem, machine, level, priced, scarce, room).best(candidates)
 
 
+@dataclass(frozen=True)
 class _Refinery(Generic[P]):
-    def __init__(
-        self,
-        problem: Problem,
-        machine: Machine,
-        level: int,
-        priced: Callable[[Solution], P],
-        store_words: int,
-    ) -> None:
-        self._problem = problem
-        self._machine = machine
-        self._level = level
-        self._priced = priced
-        # With more demands than words in the store, kernels must come again and again: few of them
-        # are worth more than the words that many would save.
-        self._scarce = len(problem.demands) > store_words
-        self._room = 0 if self._scarce else int(store_words * ROOM_SHARE)
+    problem: Problem
+    machine: Machine
+    level: int
+    priced: Callable[[Solution], P]
+    scarce: bool
+    room: int
 
     def best(self, candidates: Sequence[P]) -> P:
         """Improves all a little and the best of them more."""
-        steps = FIRST_STEPS[self._level]
-        first = sorted(
-            (self._first(c, steps, i < MOST_KEPT) for i, c in enumerate(candidates)), key=_price
-        )
-        more = [self._more(found, kept) for _, found, kept in first[: BEST[self._level]]]
-        best = min([*more, *(found for _, found, _ in first), *candidates], key=_least)
-        return best if self._scarce else min(best, self._balanced(best), key=_least)
+        steps = FIRST_STEPS[self.level]
+        first = [self._first(c, steps, i < MOST_KEPT) for i, c in enumerate(candidates)]
+        first.sort(key=lambda pair: pair[0].price)
+        more = [self._more(found, kept) for found, kept in first[: BEST[self.level]]]
+        best = min([*more, *(found for found, _ in first), *candidates], key=_PRICE)
+        return best if self.scarce else min(best, self._balanced(best), key=_PRICE)
 
-    def _first(self, candidate: P, steps: int, patient: bool) -> tuple[Price, P, bool]:
-        """(price, improved, whether equal segments had to be kept equal).
+    def _first(self, candidate: P, steps: int, patient: bool) -> tuple[P, bool]:
+        """(improved, whether equal segments had to be kept equal).
 
         Unless `patient`, they are not: what does not fit then is given up.
         """
-        if self._scarce:
-            kept = self._kept(candidate.solution, steps)
-            return kept.price, kept, True
+        if self.scarce:
+            return self._kept(candidate.solution, steps), True
         found = self._form(self._improved(candidate.solution, steps))
         if found.price[0] and patient:
             # Rewritten freely, segments share no kernels any more.
             other = self._kept(candidate.solution, KERNEL_SHARE * steps)
             if other.price < found.price:
-                return other.price, other, True
-        return found.price, found, False
+                return other, True
+        return found, False
 
     def _more(self, candidate: P, kept: bool) -> P:
-        steps = MORE_STEPS[self._level]
+        steps = MORE_STEPS[self.level]
         if kept:
             return self._kept(candidate.solution, steps)
         solution = self._improved(candidate.solution, steps // 2)
-        budget = Budget(ENRICH_STEPS[self._level])
-        richer = enrich(solution, self._problem, self._machine, budget)
+        budget = Budget(ENRICH_STEPS[self.level])
+        richer = enrich(solution, self.problem, self.machine, budget)
         return self._form(self._improved(richer, steps // 2))
 
     def _improved(self, solution: Solution, steps: int) -> Solution:
-        return improve(solution, self._problem, self._machine, Budget(steps))
+        return improve(solution, self.problem, self.machine, Budget(steps))
 
     def _kept(self, solution: Solution, steps: int) -> P:
         """The solution improved with equal segments kept equal: with room for more of them than
         there are now, and without."""
         found = []
-        for room in sorted({self._room, 0}, reverse=True):
+        for room in sorted({self.room, 0}, reverse=True):
             budget = Budget(steps)
             shorter = improve(
-                solution, self._problem, self._machine, budget, keep_kernels=True, room=room
+                solution, self.problem, self.machine, budget, keep_kernels=True, room=room
             )
             found.append(self._form(shorter))
             if not found[-1].price[0]:
                 break
-        return min(found, key=_least)
+        return min(found, key=_PRICE)
 
     def _form(self, solution: Solution) -> P:
         """The solution priced; if its words do not fit, with gates and analog words apart."""
-        found = self._priced(solution)
-        return min(found, self._priced(apart(solution)), key=_least) if found.price[0] else found
+        found = self.priced(solution)
+        return min(found, self.priced(apart(solution)), key=_PRICE) if found.price[0] else found
 
     def _balanced(self, candidate: P) -> P:
         """The candidate with its largest boundary made smaller."""
         solution = candidate.solution
         others = list(candidate.words_per_boundary)
-        gates = words_at(solution, self._problem, self._machine, len(others) - 1)
+        gates = words_at(solution, self.problem, self.machine, len(others) - 1)
         others = [all_ - own for all_, own in zip(others, gates, strict=True)]
-        budget = Budget(FIRST_STEPS[self._level])
-        return self._form(balance(solution, self._problem, self._machine, budget, others))
+        budget = Budget(FIRST_STEPS[self.level])
+        return self._form(balance(solution, self.problem, self.machine, budget, others))
 
 
 def apart(solution: Solution) -> Solution:
@@ -156,11 +151,3 @@ def apart(solution: Solution) -> Solution:
     every slot, and stored once."""
     answers = tuple((*answer, ()) if answer else answer for answer in solution.answers)
     return replace(solution, answers=answers)
-
-
-def _price(found: tuple[Price, P, bool]) -> Price:
-    return found[0]
-
-
-def _least(candidate: Priced) -> Price:
-    return candidate.price

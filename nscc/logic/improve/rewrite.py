@@ -83,9 +83,7 @@ class _Walk:
                 if item.need is not None and self.state[frame.flag] != item.need:
                     return None
                 self.out.append(item)
-                for register in range(frame.flag + 1):
-                    if item.forgets >> register & 1:
-                        self.state[register] = None
+                frame.apply(item, self.state)
                 self.changed &= ~item.forgets
             else:
                 if k not in dropped and not self._follow(k, item):
@@ -121,9 +119,7 @@ class _Walk:
 
     def _store(self, item: Op, value: Content) -> None:
         self.out.append(item)
-        self.state[item.destination] = value
-        if item.destination == self.frame.masked and self.frame.mask is not None:
-            self.state[self.frame.mask] = None
+        self.frame.store(item, value, self.state)
 
     def _follow(self, k: int, item: Op) -> bool:
         """Operation k in the present state: as it is, dropped or repaired."""
@@ -154,14 +150,10 @@ class _Walk:
         """Other sources for operation k, or another gate before it; `gain` is kept up to date."""
         self.run.budget.spend(self.run.step)
         new = self._single(item, one, zero, in_place=False)
-        if new is not None:
-            return self._put(new)
-        if self.gain - 2 < self.least:
+        if new is None and self.gain - 2 < self.least:
             return False
-        new = self._single(item, one, zero, in_place=True)
-        if new is not None:
-            return self._put(new)
-        return self.deepen and self._double(k, item, one, zero)
+        new = new or self._single(item, one, zero, in_place=True)
+        return self._put(new) if new else self.deepen and self._double(k, item, one, zero)
 
     def _readable(self, target: int) -> list[int]:
         frame = self.frame
@@ -195,7 +187,7 @@ class _Walk:
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]
         for _, one_, zero_ in inner(one, zero, self.state, readable, kinds):
-            for spare in self._spares(k, target):
+            for spare in self.run.free(k + 1, target):
                 sources = [r for r in self._readable(spare) if r != spare]
                 found = gate(one_, zero_, self.state, sources, frame.machine.or_sources)
                 if found is None:
@@ -211,11 +203,3 @@ class _Walk:
                     self._compare(self.run.before[k], spare)
                     return self._put(outer)
         return False
-
-    def _spares(self, k: int, target: int) -> list[int]:
-        """Digital registers that nobody reads from here on."""
-        frame = self.frame
-        taken = self.run.live[k + 1] | 1 << target
-        if frame.masked is not None:
-            taken |= 1 << frame.masked
-        return [r for r in range(frame.flag) if not taken >> r & 1]

@@ -12,16 +12,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import (
-    REFRESH_WORDS,
-    Check,
-    Content,
-    Frame,
-    Item,
-    Op,
-    states_before,
-)
-from nscc.logic.problem import quietest
+from nscc.logic.improve.code import REFRESH_WORDS, Check, Frame, Item, states_before
 
 # How far an influence is followed; what reaches further is taken to matter in every shutter, which
 # is safe.
@@ -37,14 +28,19 @@ class Run:
 
     def __init__(self, frame: Frame, items: Sequence[Item], budget: Budget) -> None:
         self.frame = frame
-        self.items = list(items)
-        self.before = states_before(frame, items)
         self.budget = budget
         self.step = 1 + frame.everything.bit_length() // STEP_SHUTTERS
+        self.restart(items)
+
+    def restart(self, items: Sequence[Item]) -> None:
+        """Takes other items; raises Illegal, and changes nothing, where they are none of a run."""
+        frame = self.frame
+        self.before = states_before(frame, items)
+        self.items = list(items)
         self.live = [0] * (len(items) + 1)
         self.live[-1] = frame.unscathed
         self._cares: list[tuple[int, int] | None] = [None] * len(items)
-        self._writes = self._written(items)
+        self._writes = frame.writes(items)
         self._settle(self._revive(0, len(items)), len(items))
 
     def words(self) -> int:
@@ -58,6 +54,12 @@ class Run:
             known = self._cares[k] = self._follow(k)
         return known[0]
 
+    def free(self, k: int, besides: int) -> list[int]:
+        """Digital registers but the masked one, and `besides`, that nobody reads from item k on."""
+        taken = self.live[k] | 1 << besides
+        flag, masked = self.frame.flag, self.frame.masked
+        return [r for r in range(flag) if r != masked and not taken >> r & 1]
+
     def refresh(self, old: Sequence[Item], new: Sequence[Item]) -> int:
         """Words more that refresh costs where `new` replaces `old`."""
         if self.frame.ends is not None:
@@ -67,21 +69,14 @@ class Run:
 
     def disquiets(self, old: Sequence[Item], new: Sequence[Item]) -> bool:
         """Whether another plane would get the masked register if `new` replaced `old`."""
-        masked = self.frame.masked
-        if masked is None or self.frame.ends is not None:
+        if self.frame.masked is None or self.frame.ends is not None:
             return False
-        after = self._after(old, new)
-        return after[masked] > 0 and masked != quietest(after)
-
-    def _written(self, items: Sequence[Item]) -> list[int]:
-        writes = [0] * self.frame.planes
-        for item in items:
-            if isinstance(item, Op) and item.destination < self.frame.planes:
-                writes[item.destination] += 1
-        return writes
+        return not self.frame.quiet(self._after(old, new))
 
     def _after(self, old: Sequence[Item], new: Sequence[Item]) -> list[int]:
-        changes = zip(self._writes, self._written(old), self._written(new), strict=True)
+        """How often each plane is written once `new` has replaced `old`."""
+        written = self.frame.writes
+        changes = zip(self._writes, written(old), written(new), strict=True)
         return [count - less + more for count, less, more in changes]
 
     def splice(self, start: int, end: int, new: Sequence[Item]) -> None:
@@ -106,7 +101,7 @@ class Run:
         """
         if first:
             state = list(self.before[first - 1])
-            self._apply(self.items[first - 1], state)
+            self.frame.apply(self.items[first - 1], state)
         else:
             state = list(self.frame.start)
         for k in range(first, len(self.items) + 1):
@@ -115,21 +110,7 @@ class Run:
                 return
             self.before[k] = now
             if k < len(self.items):
-                self._apply(self.items[k], state)
-
-    def _apply(self, item: Item, state: list[Content]) -> None:
-        frame = self.frame
-        if isinstance(item, Check):
-            rest, register = item.forgets, 0
-            while rest:
-                if rest & 1:
-                    state[register] = None
-                rest >>= 1
-                register += 1
-            return
-        state[item.destination] = frame.value(item, state)
-        if item.destination == frame.masked and frame.mask is not None:
-            state[frame.mask] = None
+                self.frame.apply(self.items[k], state)
 
     def _revive(self, start: int, end: int) -> int:
         """Computes liveness anew from `end` backwards, beyond `start` for as long as it changes.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from itertools import count
 
 from nscc.logic.cubes import Budget
@@ -9,7 +10,7 @@ from nscc.logic.improve.code import Frame, Illegal, Item, flatten, states_before
 from nscc.logic.improve.kernels import improve_kernels
 from nscc.logic.improve.recolour import recoloured
 from nscc.logic.improve.run import Run
-from nscc.logic.improve.shrink import drop_pairs, drop_singles
+from nscc.logic.improve.shrink import shrink
 from nscc.logic.improve.wander import wander
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -41,18 +42,15 @@ def improve(
     sequences of kernels that come again are rewritten as one while all distinct segments together
     take no more than `room` words.
     """
+    frame, items = flatten(solution, problem, machine)
     try:
-        frame, items = flatten(solution, problem, machine)
-        states_before(frame, items)
+        if keep_kernels:
+            items = _kernels(frame, items, budget, room)
+        else:
+            items = _exhausted(Run(frame, items, budget), WALK_STEPS, PATIENCE)
     except Illegal:
         return solution
-    if keep_kernels:
-        items = _kernels(frame, items, budget, room)
-    else:
-        search = _Search(frame, items, budget)
-        search.exhaust(WALK_STEPS, patience=PATIENCE)
-        items = search.run.items
-    return settled(solution, problem, machine, frame, items)
+    return settled(frame, items)
 
 
 def _kernels(frame: Frame, items: list[Item], budget: Budget, room: int) -> list[Item]:
@@ -66,73 +64,52 @@ def _kernels(frame: Frame, items: list[Item], budget: Budget, room: int) -> list
 
 def _kernel(frame: Frame, items: list[Item], budget: Budget) -> list[Item]:
     """Shorter items, found by sweeps and a short walk."""
-    search = _Search(frame, items, budget)
-    search.exhaust(KERNEL_STEPS, patience=1)
-    return search.run.items
+    return _exhausted(Run(frame, items, budget), KERNEL_STEPS, patience=1)
 
 
-def settled(
-    solution: Solution,
-    problem: Problem,
-    machine: Machine,
-    frame: Frame,
-    items: list[Item],
-    *,
-    as_long: bool = False,
-) -> Solution:
-    """`items` as a solution if they are one and take fewer words than `solution` (`as_long`: or as
-    many), which otherwise comes back itself."""
+def settled(frame: Frame, items: list[Item], *, as_long: bool = False) -> Solution:
+    """`items` as a solution if they are one and take fewer words than that of the frame (`as_long`:
+    or as many), which otherwise comes back itself."""
+    solution = frame.solution
     try:
         found = unflatten(frame, items)
-        checked, again = flatten(found, problem, machine)
+        checked, again = flatten(found, frame.problem, frame.machine)
         states_before(checked, again)
     except Illegal:
         return solution
-    before, gates = flatten(solution, problem, machine)
+    before, gates = flatten(solution, frame.problem, frame.machine)
     gain = before.total(gates) - checked.total(again)
     return found if gain > 0 or (as_long and gain == 0) else solution
 
 
-class _Search:
-    """The run as it gets shorter."""
+def _exhausted(run: Run, steps: int, patience: int) -> list[Item]:
+    """The items of a run after sweeps until they gain nothing, then walks of so many steps and
+    sweeps, until no step is left or `patience` walks gained nothing."""
+    try:
+        _sweep(run)
+        idle = 0
+        for seed in count():
+            gained = wander(run, seed, steps)
+            words = run.words()
+            _sweep(run)
+            idle = 0 if gained or run.words() < words else idle + 1
+            if idle == patience:
+                break
+    except GaveUp:
+        _recolour(run)
+    return run.items
 
-    def __init__(self, frame: Frame, items: list[Item], budget: Budget) -> None:
-        self.frame = frame
-        self.budget = budget
-        self.run = Run(frame, items, budget)
 
-    def exhaust(self, steps: int, *, patience: int) -> None:
-        """Sweeps until they gain nothing, then walks of so many steps and sweeps, until no step is
-        left or `patience` walks gained nothing."""
-        try:
-            self._sweep()
-            idle = 0
-            for seed in count():
-                gained = wander(self.run, seed, steps)
-                words = self.run.words()
-                self._sweep()
-                idle = 0 if gained or self.run.words() < words else idle + 1
-                if idle == patience:
-                    return
-        except GaveUp:
-            self._recolour()
+def _sweep(run: Run) -> None:
+    words = run.words() + 1
+    while run.words() < words:
+        words = run.words()
+        shrink(run, PAIR_SPAN)
+        _recolour(run)
 
-    def _sweep(self) -> None:
-        words = self.run.words()
-        while True:
-            drop_singles(self.run)
-            drop_pairs(self.run, PAIR_SPAN)
-            self._recolour()
-            now = self.run.words()
-            if now >= words:
-                return
-            words = now
 
-    def _recolour(self) -> None:
-        items = recoloured(self.frame, self.run.items)
-        if items is None or self.frame.total(items) >= self.run.words():
-            return
-        try:
-            self.run = Run(self.frame, items, self.budget)
-        except Illegal:
-            return
+def _recolour(run: Run) -> None:
+    items = recoloured(run.frame, run.items)
+    if items is not None and run.frame.total(items) < run.words():
+        with suppress(Illegal):
+            run.restart(items)

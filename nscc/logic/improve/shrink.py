@@ -10,36 +10,26 @@ from nscc.logic.improve.rewrite import rewrite
 from nscc.logic.improve.run import Run
 
 
-def drop_singles(run: Run) -> int:
-    """Tries to do without each operation; returns the words gained."""
-    gained = 0
-    k = len(run.items) - 1
-    while k >= 0:
-        if k < len(run.items) and isinstance(run.items[k], Op):
-            done = rewrite(run, k, (), (k,), least=1, deepen=True)
-            if done is not None:
-                run.splice(done.start, done.end, done.items)
-                gained += done.gain
-        k -= 1
-    return gained
-
-
-def drop_pairs(run: Run, span: int) -> int:
-    """Tries to do without two operations at most `span` apart; returns the words gained."""
-    gained = 0
+def shrink(run: Run, span: int) -> None:
+    """Tries to do without each operation, then without any two at most `span` apart."""
+    for k in reversed(range(len(run.items))):
+        if k < len(run.items):
+            _drop(run, k)
     k = len(run.items) - 2
     while k >= 0:
-        for j in range(k + 1, k + 1 + span):
-            if j >= len(run.items) or not isinstance(run.items[k], Op):
-                break
-            if not isinstance(run.items[j], Op):
-                continue
-            done = rewrite(run, k, (), (k, j), least=1, deepen=True)
-            if done is not None:
-                run.splice(done.start, done.end, done.items)
-                gained += done.gain
+        for j in range(k + 1, min(k + 1 + span, len(run.items))):
+            if _drop(run, k, j):
                 # What was beyond reach may be within it now.
                 k = min(k + span, len(run.items) - 1)
                 break
         k -= 1
-    return gained
+
+
+def _drop(run: Run, *dropped: int) -> bool:
+    """Does without items, the first of them first, if they are operations and words are gained."""
+    if not all(isinstance(run.items[k], Op) for k in dropped):
+        return False
+    done = rewrite(run, dropped[0], (), dropped, least=1, deepen=True)
+    if done is not None:
+        run.splice(done.start, done.end, done.items)
+    return done is not None

@@ -25,14 +25,8 @@ def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) ->
     field = np.zeros((3, *image.shape), np.float32)
     out = np.empty_like(image)
     frames, rows, cols = image.shape
-    denoise(
-        volume=Volume(
-            frames=frames, rows=rows, cols=cols, iterations=iterations, weight=weight, time=time
-        ),
-        image=image,
-        later=field[0],
-        down=field[1],
-        right=field[2],
-        out=out,
+    volume = Volume(
+        frames=frames, rows=rows, cols=cols, iterations=iterations, weight=weight, time=time
     )
+    denoise(volume=volume, image=image, later=field[0], down=field[1], right=field[2], out=out)
     return out

@@ -21,6 +21,9 @@ _POLES = 8
 """Such a part of a panorama's rows, at the top and at the bottom, is stretched as no lens does."""
 
 
+_Patch = tuple[NDArray[np.float32], NDArray[np.float32], float, str]
+
+
 @dataclass(frozen=True)
 class Batch:
     """Patches of light, and what is to be found.
@@ -115,7 +118,7 @@ class Batches:
         return found
 
     def _patch(self, around: _Exposed, row: int, col: int) -> _Patch:
-        """The patch of an exposure at that corner."""
+        """The patch of an exposure at that corner: light, truth, peak and name."""
         values = around.part(row, col, self.settings.patch)
         # What has no light is dark at any exposure.
         scale = self.full_well_e / around.level if around.level > 0 else 0.0
@@ -123,17 +126,7 @@ class Batches:
         slots = 1 if values.ndim == 2 else self.slots
         truth = light * np.float32(slots / self.full_well_e)
         peak = max(around.white * scale * slots / self.full_well_e, 1e-6)
-        return _Patch(light, truth, peak, f"{around.name}+{row},{col}")
-
-
-@dataclass(frozen=True, eq=False)
-class _Patch:
-    """One patch of a batch."""
-
-    light: NDArray[np.float32]
-    truth: NDArray[np.float32]
-    peak: float
-    name: str
+        return light, truth, peak, f"{around.name}+{row},{col}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -207,13 +200,7 @@ def _corner(
 
 
 def _joined(drawn: list[_Patch]) -> Batch:
+    light, truth, peaks, names = zip(*drawn, strict=True)
     # Put together by numpy: torch would start threads of its own for every thread that asks.
-    light, truth = (
-        np.stack(parts) for parts in zip(*((p.light, p.truth) for p in drawn), strict=True)
-    )
-    return Batch(
-        torch.from_numpy(light),
-        torch.from_numpy(truth),
-        torch.tensor([p.peak for p in drawn]),
-        tuple(p.name for p in drawn),
-    )
+    together = [torch.from_numpy(np.stack(parts)) for parts in (light, truth)]
+    return Batch(together[0], together[1], torch.tensor(peaks), names)

@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc_runtime.scenes.colour import Transfer
 from nscc_training import made_scenes
 from nscc_training.curves import srgb
 from nscc_training.data.camera import turned
 from nscc_training.import_paths import imported, is_import_path, own_code
-from nscc_training.scene_files import CLIPS, files_in
+from nscc_training.scene_files import CLIPS, files_in, frames_in, light_in
 from nscc_training.settings import DataSettings
 
 _MOST_SIDE = 512
@@ -140,13 +141,11 @@ def _folder(folder: Path, kind: _Kind, part: str) -> list[Scene]:
 
 def _read(path: Path, kind: _Kind) -> list[Scene]:
     """The scenes of a file: one, or the clips of a panorama."""
-    from nscc_runtime.scenes.colour import linear, luminance
     from nscc_runtime.scenes.picture_files import LINEAR, read_picture
 
     digest = sha256(path.read_bytes()).hexdigest()
     if path.suffix.lower() in LINEAR:
-        picture = linear(read_picture(path), "linear")
-        light = np.maximum(luminance(picture) if picture.ndim == 3 else picture, 0.0)
+        light = np.maximum(light_in(read_picture(path), "linear"), 0.0)
         if not kind.still:
             return _turned(light.astype(np.float32), path.name, digest, kind)
         return [_scene(path.name, light, kind, digest)]
@@ -172,24 +171,12 @@ def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) 
 
 def _read_clip(path: Path, kind: _Kind) -> NDArray[np.float32]:
     """The first frames of a clip as light."""
-    from nscc_runtime.scenes.arrays import read_mat
-    from nscc_runtime.scenes.clips import read_clip
-    from nscc_runtime.scenes.colour import Transfer, linear, luminance
-
-    chosen: Transfer = "linear" if path.suffix.lower() == ".mat" else "srgb"
-    if kind.settings.transfer:
-        chosen = "linear" if kind.settings.transfer == "linear" else "srgb"
-    if path.suffix.lower() == ".mat":
-        key, found = read_mat(path, lambda _shape: None)
-        stored: Any = np.moveaxis(found, 2, 0) if key == "orig" else found
-    else:
-        stored = read_clip(path)
-    frames = []
-    for frame in islice(stored, kind.settings.frames):
-        cut = _centre(np.asarray(frame))
-        light = linear(cut, chosen)
-        frames.append((luminance(light) if light.ndim == 3 else light).astype(np.float32))
-    return np.stack(frames)
+    chosen = kind.settings.transfer or ("linear" if path.suffix.lower() == ".mat" else "srgb")
+    transfer: Transfer = "linear" if chosen == "linear" else "srgb"
+    frames = islice(frames_in(path), kind.settings.frames)
+    return np.stack(
+        [light_in(_centre(np.asarray(each)), transfer).astype(np.float32) for each in frames]
+    )
 
 
 def _centre(frame: NDArray[Any]) -> NDArray[Any]:

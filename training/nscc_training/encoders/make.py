@@ -21,10 +21,7 @@ STARTS = ("random", "uniform", "quad")
 
 
 def make_encoder(
-    spec: ShutterSpec,
-    start: str = "random",
-    seed: int = 0,
-    relaxation: str = "straight-through",
+    spec: ShutterSpec, start: str = "random", seed: int = 0, relaxation: str = "straight-through"
 ) -> Encoder:
     """An encoder of that class, at one of `STARTS`; the seed is for `random`.
 
@@ -37,12 +34,10 @@ def make_encoder(
     encoder = CLASSES[spec.kind](spec, relaxation)
     if relaxation == "tried" and spec.kind == "a":
         raise ValueError("class a is always open: there is nothing to try")
+    if start not in STARTS:
+        raise ValueError(f"{start!r} is none of {', '.join(STARTS)}")
     if start == "random":
         encoder.start_random(np.random.default_rng(seed))
-    elif start == "uniform":
-        encoder.start_uniform()
-    elif start == "quad":
-        encoder.start_quad()
     else:
-        raise ValueError(f"{start!r} is none of {', '.join(STARTS)}")
+        (encoder.start_quad if start == "quad" else encoder.start_uniform)()
     return encoder

@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_training import metrics
-from nscc_training.evaluation.results import Item
+from nscc_training.evaluation.results import Item, Scene, Unusable
 from nscc_training.measures import decibels, number
-from nscc_training.metrics.psnr import mean_square_error, psnr_of_mse
+from nscc_training.metrics import mean_square_error, psnr_of_mse
 from nscc_training.protocols import Protocol
 from nscc_training.scene_files import protocol_files
 
@@ -22,25 +22,36 @@ ENDINGS = (".hdr", ".exr", ".pfm")
 
 
 @dataclass(frozen=True, eq=False)
-class Crop:
+class Crop(Scene):
     """A scene of the protocol: `light_e` (rows, cols), electrons over the whole frame."""
 
     file: Path
     corner: tuple[int, int]
     light_e: Picture
+    protocol: Protocol
 
+    def item(self, result_e: Picture) -> Item:
+        return Item(self.file.name, list(self.corner), None, self.scores(result_e))
 
-@dataclass(frozen=True)
-class Unusable:
-    """A crop that cannot be exposed as the protocol says."""
-
-    file: str
-    corner: tuple[int, int]
-    reason: str
-
-    def as_json(self) -> dict[str, Any]:
-        """What a result says of it."""
-        return {"file": self.file, "crop": list(self.corner), "reason": self.reason}
+    def scores(self, result_e: Picture) -> dict[str, Any]:
+        truth_e, protocol = self.light_e, self.protocol
+        peak = float(np.percentile(truth_e, protocol["normalise_percentile"]))
+        truth, result = (np.clip(x / peak, 0.0, 1.0) for x in (truth_e, result_e))
+        well = float(protocol["full_well_e"])
+        found: dict[str, Any] = {
+            "psnr_db": decibels(metrics.psnr(truth, result, 1.0)),
+            "ssim": metrics.ssim(truth, result, 1.0),
+            "mu_psnr_db": decibels(metrics.mu_psnr(truth, result, 1.0, protocol["mu"])),
+            "pu21_psnr_db": decibels(metrics.pu21_psnr(truth, result, 1.0, protocol["pu21_nits"])),
+        }
+        for name, where in (
+            ("saturated", truth_e >= well),
+            ("dark", truth_e < float(protocol["dark_fraction"]) * well),
+        ):
+            error = mean_square_error(truth[where], result[where]) if where.any() else None
+            found[f"{name}_share"] = float(where.mean())
+            found[f"{name}_psnr_db"] = None if error is None else decibels(psnr_of_mse(error, 1.0))
+        return found
 
 
 def panoramas(folder: Path) -> list[Path]:
@@ -66,7 +77,7 @@ def crops(
         picture = linear(read_picture(path), "linear")
         light = picture @ weights if picture.ndim == 3 else picture
         if light.shape != (rows, cols):
-            yield Unusable(path.name, (0, 0), f"{light.shape}, not {(rows, cols)}")
+            yield Unusable(path.name, {"crop": [0, 0]}, f"{light.shape}, not {(rows, cols)}")
             continue
         for left in range(0, cols - size + 1, size):
             part = np.maximum(light[top:bottom, left : left + size], 0.0)
@@ -79,17 +90,17 @@ def exposed_crop(
 ) -> Crop | Unusable:  # fmt: skip
     """The crop scaled so that `fraction` of its pixels saturate when always open."""
     wanted = float(protocol["saturated_fraction"]) if fraction is None else fraction
-    well = float(protocol["full_well_e"])
+    well, place = float(protocol["full_well_e"]), {"crop": list(corner)}
     if not np.isfinite(light).all():
-        return Unusable(path.name, corner, "its light is not finite")
+        return Unusable(path.name, place, "its light is not finite")
     level = float(np.quantile(light, 1 - wanted, method="higher"))
     if level <= 0:
-        return Unusable(path.name, corner, "it is dark where it should saturate")
+        return Unusable(path.name, place, "it is dark where it should saturate")
     scaled = light * (well / level)
     share = float(np.mean(scaled >= well))
     if abs(share - wanted) > float(protocol["saturated_tolerance"]):
-        return Unusable(path.name, corner, f"{share:.1%} saturate instead of {wanted:.0%}")
-    return Crop(path, corner, scaled)
+        return Unusable(path.name, place, f"{share:.1%} saturate instead of {wanted:.0%}")
+    return Crop(path, corner, scaled, protocol)
 
 
 def parted(
@@ -113,32 +124,10 @@ def also_saturated(
         items = scored(usable)
         means: dict[str, Any] = {}
         for name in ("psnr_db", "ssim", "mu_psnr_db", "pu21_psnr_db"):
-            values = [number(item.metrics[name]) for item in items]
-            finite = [value for value in values if np.isfinite(value)]
-            means[f"mean_{name}"] = float(np.mean(finite)) if finite else None
+            mean = metrics.finite_mean(number(item.metrics[name]) for item in items)
+            means[f"mean_{name}"] = None if np.isinf(mean) else mean
         found.append({
             "saturated_fraction": fraction, "crops": len(items), "crops_left_out": len(left_out),
             **means,
         })  # fmt: skip
-    return found
-
-
-def scores(truth_e: Picture, result_e: Picture, protocol: Protocol) -> dict[str, Any]:
-    """The protocol's metrics of one crop, as JSON values."""
-    peak = float(np.percentile(truth_e, protocol["normalise_percentile"]))
-    truth, result = (np.clip(x / peak, 0.0, 1.0) for x in (truth_e, result_e))
-    well = float(protocol["full_well_e"])
-    found: dict[str, Any] = {
-        "psnr_db": decibels(metrics.psnr(truth, result, 1.0)),
-        "ssim": metrics.ssim(truth, result, 1.0),
-        "mu_psnr_db": decibels(metrics.mu_psnr(truth, result, 1.0, protocol["mu"])),
-        "pu21_psnr_db": decibels(metrics.pu21_psnr(truth, result, 1.0, protocol["pu21_nits"])),
-    }
-    for name, where in (
-        ("saturated", truth_e >= well),
-        ("dark", truth_e < float(protocol["dark_fraction"]) * well),
-    ):
-        error = mean_square_error(truth[where], result[where]) if where.any() else None
-        found[f"{name}_share"] = float(where.mean())
-        found[f"{name}_psnr_db"] = None if error is None else decibels(psnr_of_mse(error, 1.0))
     return found

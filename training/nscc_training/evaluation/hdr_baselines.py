@@ -7,40 +7,21 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
 
 from nscc_training.baselines.hdr import merged
 from nscc_training.baselines.sparse_coding import coded_still
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.evaluation.hdr import (
-    Crop,
-    also_saturated,
-    panoramas,
-    parted,
-    scores,
-)
-from nscc_training.evaluation.results import Item, Subject, result
+from nscc_training.evaluation.hdr import Crop, Picture, also_saturated, panoramas, parted
+from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
 from nscc_training.measures import number
+from nscc_training.metrics import finite_mean
 from nscc_training.protocols import Protocol, load_protocol
-from nscc_training.scene_files import labels
-from nscc_training.sensor_model import SensorModel, capture
+from nscc_training.sensor_model import SensorModel, frame_of
 
 BASELINES = ("ldr", "best-uniform", "best-uniform-mu", "quad", "random", "sparse-coding")
 _HINDSIGHT = {"best-uniform": "psnr_db", "best-uniform-mu": "mu_psnr_db"}
 """What the best uniform stop is best in."""
-
-
-def sensor_of(protocol: Protocol) -> SensorModel:
-    """The sensor that a protocol fixes."""
-    top = (1 << int(protocol["adc_bits"])) - 1
-    return SensorModel(
-        full_well_e=float(protocol["full_well_e"]),
-        electrons_per_lsb=float(protocol["full_well_e"]) / top,
-        adc_bits=int(protocol["adc_bits"]),
-        adc_noise_lsb=float(protocol["read_noise_lsb"]),
-        shot_noise=bool(protocol["shot_noise"]),
-    )
 
 
 def stops_of(name: str, protocol: Protocol, seed: int) -> list[NDArray[np.int64]]:
@@ -67,45 +48,38 @@ def evaluate_hdr_baseline(
     protocol = load_protocol("hdr-v1")
     files = panoramas(folder)
     usable, left_out = parted(files, protocol)
-    best: tuple[float, list[Item], dict[str, NDArray[Any]], NDArray[np.int64]] | None = None
     begin = perf_counter()
-    choices = stops_of(name, protocol, seed)
-    for choice in choices:
-        items, arrays = _decoded(name, usable, choice, protocol, seed)
-        values = [number(i.metrics[_HINDSIGHT.get(name, "psnr_db")]) for i in items]
-        finite = [value for value in values if np.isfinite(value)]
-        mean = float(np.mean(finite)) if finite else -np.inf
-        if best is None or mean > best[0]:
-            best = (mean, items, arrays, choice)
-    assert best is not None
-    stops = best[3]
+    choices, metric = stops_of(name, protocol, seed), _HINDSIGHT.get(name, "psnr_db")
 
-    def scored(others: list[Crop]) -> list[Item]:
-        return _decoded(name, others, stops, protocol, seed)[0]
+    def worth(tried: tuple[NDArray[np.int64], list[Scored]]) -> float:
+        return finite_mean((number(each.item.metrics[metric]) for each in tried[1]), -np.inf)
 
+    tried = ((stops, _decoded(name, usable, stops, protocol, seed)) for stops in choices)
+    stops, every = max(tried, key=worth)
     spent = 1e3 * (perf_counter() - begin) / max(1, len(usable) * len(choices))
+
+    def items(others: list[Crop]) -> list[Item]:
+        return [each.item for each in _decoded(name, others, stops, protocol, seed)]
+
     settings = {"stops": stops.tolist(), "seed": seed}
     subject = Subject(name, settings, stage="hard", decoder_ms=spent)
-    others = also_saturated(files, protocol, scored)
+    others = also_saturated(files, protocol, items)
     passed = [crop.as_json() for crop in left_out]
-    return result(protocol, subject, files, best[1], passed, also_saturated=others), best[2]
+    return with_arrays(protocol, subject, files, every, passed, also_saturated=others)
 
 
 def _decoded(
     method: str, usable: list[Crop], stops: NDArray[np.int64], protocol: Protocol, seed: int
-) -> tuple[list[Item], dict[str, NDArray[Any]]]:
-    sensor = sensor_of(protocol)
+) -> list[Scored]:
+    sensor = SensorModel.of_protocol(protocol)
     slots = int(protocol["slots"])
     encoder = make_encoder(ShutterSpec("b", slots, (stops.shape[0], stops.shape[1])), "uniform")
     encoder.load_codes({"stop": stops})
-    shutters = encoder.hard()
-    items, arrays = [], {}
-    called = labels({crop.file for crop in usable})
-    for index, crop in enumerate(usable):
+    tile = encoder.hard()
+
+    def decode(crop: Scene, index: int) -> tuple[Picture, float]:
         # A crop's noise is its own, whatever else is evaluated.
-        generator = torch.Generator().manual_seed(1000 * seed + index)
-        light = torch.as_tensor(crop.light_e, dtype=torch.float32)[None]
-        frame = capture(light, shutters, sensor, generator=generator).frame[0].numpy()
+        frame = frame_of(crop.light_e, tile, sensor, 1000 * seed + index).numpy()
         repeats = [-(-side // part) for side, part in zip(frame.shape, stops.shape, strict=True)]
         share = np.tile(stops / slots, repeats)[: frame.shape[0], : frame.shape[1]]
         made = merged(
@@ -116,10 +90,6 @@ def _decoded(
             made = coded_still(
                 frame, share, made, sensor.electrons_per_lsb, sensor.top_code, sensor.full_well_e
             )
-        name = f"{called[crop.file.name]}_{crop.corner[0]}_{crop.corner[1]}"
-        arrays[f"{name}_image"] = made.astype(np.float32)
-        arrays[f"{name}_truth"] = crop.light_e.astype(np.float32)
-        items.append(
-            Item(crop.file.name, list(crop.corner), None, scores(crop.light_e, made, protocol))
-        )
-    return items, arrays
+        return made, 0.0
+
+    return list(scored(usable, decode, []))

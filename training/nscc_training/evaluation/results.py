@@ -4,20 +4,25 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training.measures import number
+from nscc_training.measures import number, stamp
 from nscc_training.protocols import Protocol
+from nscc_training.scene_files import labels
 from nscc_training.statistics import paired, summary
 
 SCHEMA = "nscc-result-1"
 _MOST_REASONS = 5
-STAGES = ("soft", "hard", "compiled", "emulated")
+
+Array = NDArray[Any]
 
 
 @dataclass(frozen=True)
@@ -29,14 +34,63 @@ class Item:
     frame: int | None
     metrics: dict[str, Any]
 
-    @property
-    def key(self) -> str:
-        """The same item in another result: file, corner of the crop, first frame."""
-        return f"{self.file} {self.crop} {self.frame}"
-
     def as_json(self) -> dict[str, Any]:
         """The item as one flat object."""
         return {"file": self.file, "crop": self.crop, "frame": self.frame, **self.metrics}
+
+
+class Scored(NamedTuple):
+    """An item, its reconstruction and truth (float32), and the seconds that decoding took."""
+
+    item: Item
+    made: Array
+    truth: Array
+    seconds: float
+
+
+class Scene(ABC):
+    """A scene as a protocol exposes it; `light_e` in electrons."""
+
+    light_e: Array
+
+    @abstractmethod
+    def scores(self, result_e: Array) -> dict[str, Any]:
+        """The protocol's metrics of what was made of it, as JSON values."""
+
+    @abstractmethod
+    def item(self, result_e: Array) -> Item:
+        """The same as an item of a result."""
+
+
+@dataclass(frozen=True)
+class Unusable:
+    """A scene that cannot be exposed as the protocol says: its file, its place there, and why."""
+
+    file: str
+    place: Mapping[str, Any]
+    reason: str
+
+    def as_json(self) -> dict[str, Any]:
+        """What a result says of it."""
+        return {"file": self.file, **self.place, "reason": self.reason}
+
+
+def scored(
+    scenes: Iterable[Scene | Unusable],
+    decode: Callable[[Scene, int], tuple[Array, float]],
+    left_out: list[dict[str, Any]],
+) -> Iterator[Scored]:
+    """Every scene that can be used, decoded and scored; the others go into `left_out`.
+
+    `decode` gives electrons and seconds; it is told the scene's number, for noise of its own.
+    """
+    for index, scene in enumerate(scenes):
+        if isinstance(scene, Unusable):
+            left_out.append(scene.as_json())
+            continue
+        made, seconds = decode(scene, index)
+        truth = scene.light_e.astype(np.float32)
+        yield Scored(scene.item(made), made.astype(np.float32), truth, seconds)
 
 
 @dataclass(frozen=True)
@@ -83,9 +137,7 @@ def result(
         "settings": subject.settings,
         "sees": subject.sees,
         "stage": subject.stage,
-        "data": [
-            {"file": path.name, "sha256": sha256(path.read_bytes()).hexdigest()} for path in files
-        ],
+        "data": [stamp(path) for path in files],
         "data_range": protocol["data_range"],
         "domain": protocol["domain"],
         "items": [item.as_json() for item in items],
@@ -97,6 +149,26 @@ def result(
         "left_out": list(left_out),
         **more,
     }  # fmt: skip
+
+
+def with_arrays(
+    protocol: Protocol,
+    subject: Subject,
+    files: Sequence[Path],
+    every: Sequence[Scored],
+    left_out: Sequence[Mapping[str, Any]],
+    **more: Any,
+) -> tuple[dict[str, Any], dict[str, Array]]:
+    """The same of what was scored, and what `--save` writes of every item, by name: the
+    reconstruction, an `image` or a `video`, and the truth."""
+    found = result(protocol, subject, files, [each.item for each in every], left_out, **more)
+    called, arrays = labels(files), {}
+    for item, made, truth, _ in every:
+        place = [item.frame] if item.crop is None else item.crop
+        label = "_".join([called[item.file], *map(str, place)])
+        kind = "image" if protocol.name == "hdr-v1" else "video"
+        arrays[f"{label}_{kind}"], arrays[f"{label}_truth"] = made, truth
+    return found, arrays
 
 
 def read_result(path: Path) -> dict[str, Any]:
@@ -194,7 +266,5 @@ def _check_metric(items: Sequence[dict[str, dict[str, Any]]], metric: str) -> No
 
 
 def _by_key(found: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    items = {}
-    for item in found["items"]:
-        items[f"{item['file']} {item['crop']} {item['frame']}"] = item
-    return items
+    """Items by what they are in other results too: file, corner of the crop, first frame."""
+    return {f"{each['file']} {each['crop']} {each['frame']}": each for each in found["items"]}

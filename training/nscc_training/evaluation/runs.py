@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 from hashlib import sha256
 from pathlib import Path
 from time import perf_counter
@@ -17,18 +18,37 @@ from nscc.diagnostics.rejection import rejected
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.evaluation import hdr, video
-from nscc_training.evaluation.keys import key_of
-from nscc_training.evaluation.results import Item, Subject, result
-from nscc_training.evaluation.sci8 import read_sci_clip, sci_clips
-from nscc_training.measures import decibels
-from nscc_training.metrics import psnr, ssim
+from nscc_training.evaluation.results import (
+    Item,
+    Scene,
+    Scored,
+    Subject,
+    scored,
+    with_arrays,
+)
+from nscc_training.evaluation.sci8 import frame_scores, read_sci_clip, sci_clips
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
-from nscc_training.scene_files import labels
-from nscc_training.sensor_model import exposed, laid, read_out
+from nscc_training.sensor_model import frame_of, laid
+from nscc_training.settings import Settings
 
-Scored = tuple[Item, NDArray[Any], NDArray[Any], float]
-"""An item, its reconstruction and truth, and the seconds that the decoder took."""
+Key = tuple[str, str, str]
+"""What rows of tables know runs by: decoder, class, and what became of the codes: learned, words,
+random, quad or fixed."""
+
+
+def key_of(settings: Settings) -> Key:
+    """The key of a run's settings."""
+    shutter = settings.shutter
+    codes = "learned"
+    if not shutter.learn:
+        codes = shutter.init if shutter.init in ("random", "quad") else "fixed"
+    elif shutter.words_weight > 0:
+        codes = "words"
+    decoder = settings.decoder
+    # Narrower decoders are none of the tables' rows.
+    name = decoder.name if decoder.width == 1 else f"{decoder.name} x {decoder.width:g}"
+    return name, shutter.kind, codes
 
 
 def evaluate_run(
@@ -41,33 +61,23 @@ def evaluate_run(
     """
     parts = folder.parts
     _check_kind(folder, protocol)
-    if protocol.name == "hdr-v1":
-        files = hdr.panoramas(data)
-    elif protocol.name == "video-v1":
-        files = video.clips_of(data)
-    else:
-        files = sci_clips(data)
+    find = {"hdr-v1": hdr.panoramas, "video-v1": video.clips_of, "sci8": sci_clips}
+    files = find[protocol.name](data)
     check_unseen(folder, files)
     left_out: list[dict[str, Any]] = []
-    items: list[Item] = []
-    arrays: dict[str, NDArray[Any]] = {}
-    spent: list[float] = []
-    called = labels(files)
-    ways = {"hdr-v1": _stills, "video-v1": _clips, "sci8": _sci}
-    for item, made, truth, seconds in ways[protocol.name](folder, files, protocol, seed, left_out):
-        items.append(item)
-        place = [item.frame] if item.crop is None else item.crop
-        label = "_".join([called[item.file], *map(str, place)])
-        arrays[f"{label}_image" if parts.still else f"{label}_video"] = made.astype(np.float32)
-        arrays[f"{label}_truth"] = truth.astype(np.float32)
-        spent.append(seconds)
     more: dict[str, Any] = {}
-    if parts.still:
-
-        def scored(crops: list[hdr.Crop]) -> list[Item]:
-            return [item for item, *_ in _of_crops(folder, crops, protocol, seed)]
-
-        more["also_saturated"] = hdr.also_saturated(files, protocol, scored)
+    decode = partial(_made, folder, seed)
+    if protocol.name == "hdr-v1":
+        crops, unusable = hdr.parted(files, protocol)
+        left_out += [crop.as_json() for crop in unusable]
+        every = list(scored(crops, decode, left_out))
+        more["also_saturated"] = hdr.also_saturated(
+            files, protocol, lambda others: [each.item for each in scored(others, decode, [])]
+        )
+    elif protocol.name == "video-v1":
+        every = list(scored(video.windows(files, protocol), decode, left_out))
+    else:
+        every = list(_sci(folder, files, protocol))
     size, settings = (256, 256), parts.settings
     subject = Subject(
         f"{settings.decoder.name} ({settings.decoder.sized})",
@@ -82,13 +92,13 @@ def evaluate_run(
             "seed": seed,
         },
         stage="hard",
-        decoder_ms=1e3 * float(np.median(spent)) if spent else None,
+        decoder_ms=1e3 * float(np.median([each.seconds for each in every])) if every else None,
         device=parts.device.type,
         parameters=parameter_count(parts.decoder),
         flops=flops(parts.decoder, parts.slots, *size),
     )  # fmt: skip
     more["flops_size"] = list(size)
-    return result(protocol, subject, files, items, left_out, **more), arrays
+    return with_arrays(protocol, subject, files, every, left_out, **more)
 
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
@@ -139,62 +149,21 @@ def _decoded(folder: RunFolder, frame: Tensor, shutters: Tensor) -> tuple[NDArra
     return found, perf_counter() - begin
 
 
-def _captured(folder: RunFolder, light: NDArray[Any], seed: int) -> tuple[Tensor, Tensor]:
-    """The frame's codes over the top code, with noise, and the shutters over it."""
+def _made(folder: RunFolder, seed: int, scene: Scene, index: int) -> tuple[NDArray[Any], float]:
+    """Electrons over the frame, or a slot, of a scene's capture with noise; the seconds."""
     parts = folder.parts
-    given = torch.as_tensor(light, dtype=torch.float32)
-    shutters = laid(parts.encoder.hard().cpu(), *given.shape[-2:])
-    generator = torch.Generator().manual_seed(seed)
-    codes = read_out(exposed(given[None], shutters), parts.model, generator)
-    return (codes[0] - parts.model.adc_offset_lsb) / parts.model.top_code, shutters
+    tile = parts.encoder.hard().cpu()
+    frame = frame_of(scene.light_e, tile, parts.model, 1000 * seed + index) / parts.model.top_code
+    made, seconds = _decoded(folder, frame, laid(tile, *frame.shape))
+    return made * (parts.model.full_well_e / (1 if parts.still else parts.slots)), seconds
 
 
-def _stills(
-    folder: RunFolder, files: list[Path], protocol: Protocol, seed: int,
-    left_out: list[dict[str, Any]],
-) -> Iterator[Scored]:  # fmt: skip
-    crops, unusable = hdr.parted(files, protocol)
-    left_out += [crop.as_json() for crop in unusable]
-    yield from _of_crops(folder, crops, protocol, seed)
-
-
-def _of_crops(
-    folder: RunFolder, crops: list[hdr.Crop], protocol: Protocol, seed: int
-) -> Iterator[Scored]:
-    for index, crop in enumerate(crops):
-        frame, shutters = _captured(folder, crop.light_e, 1000 * seed + index)
-        made, seconds = _decoded(folder, frame, shutters)
-        made = made * folder.parts.model.full_well_e
-        scores = hdr.scores(crop.light_e, made, protocol)
-        yield Item(crop.file.name, list(crop.corner), None, scores), made, crop.light_e, seconds
-
-
-def _clips(
-    folder: RunFolder, files: list[Path], protocol: Protocol, seed: int,
-    left_out: list[dict[str, Any]],
-) -> Iterator[Scored]:  # fmt: skip
-    parts = folder.parts
-    for index, window in enumerate(video.windows(files, protocol)):
-        if isinstance(window, video.Passed):
-            left_out.append(vars(window))
-            continue
-        frame, shutters = _captured(folder, window.light_e, 1000 * seed + index)
-        made, seconds = _decoded(folder, frame, shutters)
-        made = made * (parts.model.full_well_e / parts.slots)
-        item = Item(window.file.name, None, window.first, video.scores(window, made))
-        yield item, made, window.light_e, seconds
-
-
-def _sci(
-    folder: RunFolder, files: list[Path], protocol: Protocol, seed: int,
-    left_out: list[dict[str, Any]],
-) -> Iterator[Scored]:  # fmt: skip
+def _sci(folder: RunFolder, files: list[Path], protocol: Protocol) -> Iterator[Scored]:
     """The mask of the file instead of the run's shutters; neither noise nor quantisation.
 
     As in training a full well is the 99th percentile of what an always open pixel would gather; of
     a measurement, the light of open slots scaled up to all of them.
     """
-    del seed, left_out
     top = float(protocol["data_range"])
     for path in files:
         clip = read_sci_clip(path, protocol)
@@ -206,8 +175,5 @@ def _sci(
         made, seconds = _decoded(folder, frame.clamp(max=1), mask)
         scaled = np.clip(made * (level / len(clip.mask)), 0, 1) * top
         for k, (frame_made, truth) in enumerate(zip(scaled, clip.orig, strict=True)):
-            scores = {
-                "psnr_db": decibels(psnr(truth, frame_made, top)),
-                "ssim": ssim(truth, frame_made, top),
-            }
-            yield Item(path.name, None, k, scores), frame_made, truth, seconds
+            item = Item(path.name, None, k, frame_scores(truth, frame_made, top))
+            yield Scored(item, frame_made.astype(np.float32), truth.astype(np.float32), seconds)

@@ -17,7 +17,8 @@ from nscc_training.baselines.sci import METHODS
 from nscc_training.baselines.tv import Clip
 from nscc_training.evaluation.results import Item, Subject, result
 from nscc_training.measures import decibels
-from nscc_training.metrics.ssim import WINDOW
+from nscc_training.metrics import WINDOW
+from nscc_training.problems import said
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.scene_files import files_in, labels
 
@@ -54,7 +55,7 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     except FileNotFoundError:
         raise _unusable(path, "there is no such file") from None
     except Exception as error:  # scipy.io raises a dozen types for damaged files
-        raise _unusable(path, " ".join(str(error).split())[:200]) from error
+        raise _unusable(path, said(error)) from error
     frames = int(protocol["frames"])
     try:
         orig, mask, meas = (np.asarray(found[key]) for key in ("orig", "mask", "meas"))
@@ -85,6 +86,14 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     return SciClip(
         truth.astype(np.uint8), opened.astype(np.float32), (measured / scale).astype(np.float32)
     )
+
+
+def frame_scores(truth: NDArray[Any], made: NDArray[Any], top: float) -> dict[str, Any]:
+    """The protocol's metrics of one frame, as JSON values."""
+    return {
+        "psnr_db": decibels(metrics.psnr(truth, made, top)),
+        "ssim": metrics.ssim(truth, made, top),
+    }
 
 
 def evaluate_sci8(
@@ -125,11 +134,7 @@ def evaluate_sci8(
         arrays[f"{called[path.name]}_video"] = scaled.astype(np.float32)
         arrays[f"{called[path.name]}_truth"] = clip.orig
         for k, (frame, wanted) in enumerate(zip(scaled, clip.orig, strict=True)):
-            scores = {
-                "psnr_db": decibels(metrics.psnr(wanted, frame, top)),
-                "ssim": metrics.ssim(wanted, frame, top),
-            }
-            items.append(Item(path.name, None, k, scores))
+            items.append(Item(path.name, None, k, frame_scores(wanted, frame, top)))
     settings = {"iterations": iterations, "weight": weight} if chosen.name.endswith("-tv") else {}
     subject = Subject(
         chosen.name, settings, stage="hard", sees=chosen.sees, decoder_ms=1e3 * spent / len(paths)

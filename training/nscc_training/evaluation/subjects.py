@@ -29,8 +29,7 @@ def evaluate(
     if subject in known:
         if chosen.name == "hdr-v1":
             return hdr_baselines.evaluate_hdr_baseline(subject, data, seed)
-        sensor = hdr_baselines.sensor_of(chosen)
-        return video_baselines.evaluate_video_baseline(subject, data, sensor, seed)
+        return video_baselines.evaluate_video_baseline(subject, data, seed)
     if Path(subject).is_dir():
         return evaluate_run(load_run(Path(subject)), data, chosen, seed)
     raise rejected(

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,8 +18,8 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_training.config import load_config
 from nscc_training.evaluation.hdr import ENDINGS, panoramas
-from nscc_training.evaluation.keys import Key, key_of
 from nscc_training.evaluation.results import read_result
+from nscc_training.evaluation.runs import Key, key_of
 from nscc_training.evaluation.subjects import evaluate
 from nscc_training.evaluation.video import clips_of
 from nscc_training.measures import number
@@ -104,12 +104,8 @@ def tables(
     has `psnr_db` None and says why, such as a run whose weights were not kept. Rejected (NS0811,
     NS0818, NS0807) for folders that there are not.
     """
-    if not data.is_dir():
-        raise rejected(
-            "NS0811",
-            f"'{data}' is no folder of data",
-            helps=("name a folder of panoramas and clips, or with folders hdr and video of them",),
-        )
+    hint = "name a folder of panoramas and clips, or with folders hdr and video of them"
+    _check_folder(data, "NS0811", "data", hint)
     places = {
         protocol: _Place.of(data, protocol) for protocol in dict.fromkeys(r.protocol for r in ROWS)
     }
@@ -139,56 +135,47 @@ def _held(folder: Path | None, places: Mapping[str, _Place]) -> list[dict[str, A
     """The results in a folder that are of the same protocols and files."""
     if folder is None:
         return []
-    if not folder.is_dir():
-        raise rejected(
-            "NS0807",
-            f"'{folder}' is no folder of results",
-            helps=("`nscc evaluate ... -o DIR/NAME.json` writes them",),
-        )
+    hint = "`nscc evaluate ... -o DIR/NAME.json` writes them"
+    _check_folder(folder, "NS0807", "results", hint)
     found = []
     for path in sorted(folder.glob("*.json")):
         result = read_result(path)
         place = places.get(str(result.get("protocol")))
         digests = frozenset(str(entry["sha256"]) for entry in result.get("data", ()))
-        current = (
-            place is not None
-            and place.digests == digests
-            and load_protocol(str(result["protocol"])).sha256 == result.get("protocol_sha256")
-        )
-        if current:
+        if place is None or place.digests != digests:
+            continue
+        if load_protocol(str(result["protocol"])).sha256 == result.get("protocol_sha256"):
             found.append(result)
     return found
+
+
+def _check_folder(folder: Path, code: str, what: str, hint: str) -> None:
+    if not folder.is_dir():
+        raise rejected(code, f"'{folder}' is no folder of {what}", helps=(hint,))
 
 
 def _config(found: dict[str, Any]) -> object:
     return found.get("settings", {}).get("config_sha256")
 
 
-@dataclass(frozen=True)
-class _Run:
+class _Run(NamedTuple):
     """A run folder that may be evaluated: its configuration and that file's digest."""
 
     path: Path
     settings: Settings
     config_sha256: str
 
-    @classmethod
-    def of(cls, path: Path) -> _Run:
-        file = path / "config.resolved.toml"
-        return cls(path, load_config(file), sha256(file.read_bytes()).hexdigest())
-
 
 def _runs(folder: Path | None) -> list[_Run]:
     if folder is None:
         return []
-    if not folder.is_dir():
-        raise rejected(
-            "NS0818",
-            f"'{folder}' is no folder of runs",
-            helps=("name the folder in which the run folders of nscc train are",),
-        )
-    places = sorted(p for p in folder.iterdir() if (p / "result.json").is_file())
-    return [_Run.of(place) for place in places]
+    hint = "name the folder in which the run folders of nscc train are"
+    _check_folder(folder, "NS0818", "runs", hint)
+    found = []
+    for place in sorted(p for p in folder.iterdir() if (p / "result.json").is_file()):
+        file = place / "config.resolved.toml"
+        found.append(_Run(place, load_config(file), sha256(file.read_bytes()).hexdigest()))
+    return found
 
 
 def _row(row: Row, place: _Place, fresh: list[_Run], held: list[dict[str, Any]]) -> dict[str, Any]:

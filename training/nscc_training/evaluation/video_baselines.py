@@ -7,31 +7,21 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
 
-from nscc_training.baselines.sci import (
-    adjoint,
-    admm_tv,
-    bilinear,
-    from_dictionary,
-    gap_tv,
-    thin_out,
-)
+from nscc_training.baselines.sci import ITERATIONS, METHODS, WEIGHT
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.evaluation.results import Item, Subject, result
-from nscc_training.evaluation.video import Passed, Window, clips_of, scores, windows
-from nscc_training.protocols import Protocol, load_protocol
-from nscc_training.scene_files import labels
-from nscc_training.sensor_model import SensorModel, capture, laid
+from nscc_training.evaluation.results import Scene, Subject, scored, with_arrays
+from nscc_training.evaluation.video import Window, clips_of, windows
+from nscc_training.protocols import load_protocol
+from nscc_training.sensor_model import SensorModel, frame_of, laid
 
-BASELINES = ("gap-tv", "admm-tv", "dictionary", "adjoint", "bilinear", "thin-out")
-_TRUTH = ("bilinear", "thin-out")
+BASELINES = tuple(METHODS)
 _TILE = (8, 8)
 
 
 def evaluate_video_baseline(
-    name: str, folder: Path, sensor: SensorModel, seed: int = 0
+    name: str, folder: Path, seed: int = 0
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """The result of a baseline on a folder of clips, and its clips: arrays by name.
 
@@ -47,47 +37,31 @@ def evaluate_video_baseline(
     if name == "bilinear":
         spec = ShutterSpec("c", slots, _TILE, length=1)
     encoder = make_encoder(spec, "random", seed)
-    items, arrays, spent = [], {}, 0.0
-    left_out: list[dict[str, Any]] = []
-    called = labels(files)
-    for index, window in enumerate(windows(files, protocol)):
-        if isinstance(window, Passed):
-            left_out.append(vars(window))
-            continue
+    tile, method = encoder.hard(), METHODS[name]
+    sensor = SensorModel.of_protocol(protocol)
+
+    def decode(window: Scene, index: int) -> tuple[NDArray[np.float64], float]:
+        """Electrons a slot (16, rows, cols), as a baseline sees them."""
+        assert isinstance(window, Window)
         begin = perf_counter()
-        made = _made(name, window, encoder.hard(), sensor, protocol, 1000 * seed + index)
-        spent += perf_counter() - begin
-        items.append(Item(window.file.name, None, window.first, scores(window, made)))
-        label = f"{called[window.file.name]}_{window.first}"
-        arrays[f"{label}_video"] = made.astype(np.float32)
-        arrays[f"{label}_truth"] = window.light_e.astype(np.float32)
+        mask = laid(tile, *window.light_e.shape[-2:]).numpy().astype(np.float32)
+        truth, scale_e = window.light_e.astype(np.float32), 1.0
+        measurement = np.zeros(truth.shape[1:], np.float32)
+        if method.sees == "capture":
+            # In units of the source's white a slot, for which the weight of TV is meant.
+            scale_e = window.scale_e
+            frame = frame_of(window.light_e, tile, sensor, 1000 * seed + index).numpy()
+            measurement = (frame * sensor.electrons_per_lsb / scale_e).astype(np.float32)
+        made = method.run(measurement, mask, truth, ITERATIONS, WEIGHT)
+        return made.astype(np.float64) * scale_e, perf_counter() - begin
+
+    left_out: list[dict[str, Any]] = []
+    every = list(scored(windows(files, protocol), decode, left_out))
     settings: dict[str, Any] = {}
     if name != "thin-out":
         settings = {key: codes.tolist() for key, codes in encoder.codes().items()} | {"seed": seed}
+    spent = sum(each.seconds for each in every)
     subject = Subject(
-        name, settings, stage="hard", sees="truth" if name in _TRUTH else "capture",
-        decoder_ms=1e3 * spent / max(1, len(items)),
-    )  # fmt: skip
-    return result(protocol, subject, files, items, left_out), arrays
-
-
-def _made(
-    name: str, window: Window, tile: torch.Tensor, sensor: SensorModel, protocol: Protocol,
-    seed: int,
-) -> NDArray[np.float64]:  # fmt: skip
-    """Electrons a slot (16, rows, cols), as a baseline sees them."""
-    light = torch.as_tensor(window.light_e, dtype=torch.float32)
-    shutters = laid(tile, *light.shape[-2:])
-    mask = shutters.numpy().astype(np.float32)
-    if name == "bilinear":
-        return bilinear(window.light_e.astype(np.float32), mask).astype(np.float64)
-    if name == "thin-out":
-        return thin_out(window.light_e.astype(np.float32)).astype(np.float64)
-    generator = torch.Generator().manual_seed(seed)
-    frame = capture(light[None], shutters, sensor, generator=generator).frame[0].numpy()
-    # In units of the source's white a slot, for which the weight of TV is meant.
-    measurement = (frame * sensor.electrons_per_lsb / window.scale_e).astype(np.float32)
-    run = {
-        "gap-tv": gap_tv, "admm-tv": admm_tv, "dictionary": from_dictionary, "adjoint": adjoint
-    }[name]  # fmt: skip
-    return run(measurement, mask).astype(np.float64) * window.scale_e
+        name, settings, stage="hard", sees=method.sees, decoder_ms=1e3 * spent / max(1, len(every))
+    )
+    return with_arrays(protocol, subject, files, every, left_out)

@@ -26,7 +26,7 @@ from nscc_training.least_squares import solve
 from nscc_training.loop.setup import Parts
 from nscc_training.loop.steps import Scores, scored
 from nscc_training.measures import decibels
-from nscc_training.metrics import psnr
+from nscc_training.metrics import finite_mean, psnr
 from nscc_training.programs import (
     CODES_FILE,
     compiled,
@@ -121,25 +121,23 @@ def split_digest(scenes: Scenes) -> str:
 
 def capture_toml(parts: Parts) -> str:
     """What a frame must have been made with for the decoder to understand it."""
-    model = parts.model
-    lines = [
-        "# What the decoder was trained on; `nscc reconstruct` refuses frames of something else.",
-        f"sensor_sha256 = {json.dumps(sensor_sha256(parts.sensor))}",
-        f"full_well_e = {model.full_well_e!r}",
-        f"electrons_per_lsb = {model.electrons_per_lsb!r}",
-        f"adc_offset_lsb = {model.adc_offset_lsb!r}",
-        f"adc_bits = {model.adc_bits}",
-        f"slots = {parts.slots}",
-        f"slot_us = {parts.chip.slot_us!r}",
-        f"scenes = {json.dumps('stills' if parts.still else 'clips')}",
-        f"transfer = {json.dumps(parts.settings.data.transfer)}",
-        'exposure = "'
-        + ("30 % of the pixels saturate when always open" if parts.still
-           else "percentile 99 of the all-open sum is a full well")
-        + '"',
-        'normalisation = "1 is a full well'
-        + (" over the frame" if parts.still else " / slots in a slot") + '"',
-    ]  # fmt: skip
+    model, slots = parts.model, "" if parts.still else " / slots in a slot"
+    values = {
+        "sensor_sha256": sensor_sha256(parts.sensor),
+        "full_well_e": model.full_well_e,
+        "electrons_per_lsb": model.electrons_per_lsb,
+        "adc_offset_lsb": model.adc_offset_lsb,
+        "adc_bits": model.adc_bits,
+        "slots": parts.slots,
+        "slot_us": parts.chip.slot_us,
+        "scenes": "stills" if parts.still else "clips",
+        "transfer": parts.settings.data.transfer,
+        "exposure": "30 % of the pixels saturate when always open" if parts.still
+        else "percentile 99 of the all-open sum is a full well",
+        "normalisation": f"1 is a full well{slots or ' over the frame'}",
+    }  # fmt: skip
+    head = "# What the decoder was trained on; `nscc reconstruct` refuses frames of something else."
+    lines = [head, *(f"{key} = {json.dumps(value)}" for key, value in values.items())]
     return "\n".join(lines) + "\n"
 
 
@@ -191,8 +189,7 @@ def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
         truth, peak = batch.truth[0, ..., :rows, :cols], batch.peak.item()
         pair = [np.clip(x.cpu().numpy() / peak, 0, 1) for x in (truth, prediction[0])]
         values.append(psnr(pair[0], pair[1], 1.0))
-    finite = [v for v in values if np.isfinite(v)]
-    return float(np.mean(finite)) if finite else float("inf")
+    return finite_mean(values)
 
 
 def _from_exposure(parts: Parts, exposure: Tensor, tile: Tensor) -> Tensor:
@@ -206,18 +203,17 @@ def _from_exposure(parts: Parts, exposure: Tensor, tile: Tensor) -> Tensor:
 def _robustness(parts: Parts, batches: Batches) -> list[dict[str, Any]]:
     """PSNR under a sensor and an exposure that are not those of training."""
     val, hard, seed = batches.val(), parts.encoder.hard(), parts.settings.train.seed
-    rows: list[dict[str, Any]] = []
-
-    def add(name: str, scores: Scores) -> None:
-        rows.append({"change": name, "psnr_db": decibels(scores.psnr_db), "ssim": scores.ssim})
-
+    found: dict[str, Scores] = {}
     for name, factors in _CHANGES:
         values = {key: getattr(parts.model, key) * factor for key, factor in factors.items()}
-        add(name, scored(parts, val, hard, replace(parts.model, **values), seed))
+        found[name] = scored(parts, val, hard, replace(parts.model, **values), seed)
     for exposure in (0.5, 2.0):
-        scores = scored(parts, val, hard, parts.model, seed, exposure)
-        add(f"exposure x {exposure:g}", scores)
-    return rows
+        name = f"exposure x {exposure:g}"
+        found[name] = scored(parts, val, hard, parts.model, seed, exposure)
+    return [
+        {"change": name, "psnr_db": decibels(scores.psnr_db), "ssim": scores.ssim}
+        for name, scores in found.items()
+    ]
 
 
 def _codes_report(parts: Parts) -> dict[str, Any]:

@@ -159,37 +159,20 @@ def _model(
     chosen: SensorSettings, sensor: Sensor, target: Target, protocol: Protocol
 ) -> SensorModel:
     """The sensor's own numbers where a file is named, else the protocol's where it has some."""
-    noise = chosen.noise
-    model = SensorModel.of(sensor, target, noise=noise)
-    if not chosen.file and "full_well_e" in protocol.values:
-        well, bits = float(protocol["full_well_e"]), int(protocol["adc_bits"])
-        model = SensorModel(
-            full_well_e=well,
-            electrons_per_lsb=well / ((1 << bits) - 1),
-            adc_bits=bits,
-            adc_noise_lsb=float(protocol["read_noise_lsb"]) if noise else 0.0,
-            shot_noise=noise,
-        )
-    return SensorModel(**{**vars(model), "slope": chosen.slope})
+    fixed = not chosen.file and "full_well_e" in protocol.values
+    model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
+    return replace(model if chosen.noise else model.noiseless(), slope=chosen.slope)
 
 
-def _loss(name: str) -> Loss:
-    parts = [_one_loss(part.strip()) for part in name.split("+")]
+def _loss(names: str) -> Loss:
+    parts: list[Loss] = []
+    for name in map(str.strip, names.split("+")):
+        if not is_import_path(name) and name not in LOSSES:
+            raise _wrong("loss.name", f"'{name[:60]}' is none of {', '.join(LOSSES)}")
+        parts.append(_own_loss(name) if is_import_path(name) else LOSSES[name])
     if len(parts) == 1:
         return parts[0]
-
-    def total(prediction: Tensor, truth: Tensor) -> Tensor:
-        return torch.stack([part(prediction, truth) for part in parts]).sum()
-
-    return total
-
-
-def _one_loss(name: str) -> Loss:
-    if is_import_path(name):
-        return _own_loss(name)
-    if name not in LOSSES:
-        raise _wrong("loss.name", f"'{name[:60]}' is none of {', '.join(LOSSES)}")
-    return LOSSES[name]
+    return lambda prediction, truth: torch.stack([part(prediction, truth) for part in parts]).sum()
 
 
 def _own_loss(name: str) -> Loss:

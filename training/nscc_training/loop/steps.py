@@ -131,6 +131,4 @@ def scored(
             pair = [np.clip((x / peak).cpu().numpy(), 0, 1) for x in (truth, made)]
             values.append(metrics.psnr(pair[0], pair[1], 1.0))
             similar.append(metrics.ssim(pair[0], pair[1], 1.0))
-    finite = [v for v in values if math.isfinite(v)]
-    mean = float(np.mean(finite)) if finite else math.inf
-    return Scores(float(np.mean(losses)), mean, float(np.mean(similar)))
+    return Scores(float(np.mean(losses)), metrics.finite_mean(values), float(np.mean(similar)))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -13,6 +13,8 @@ import torch
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_together
+from nscc_runtime.progress import Progress as Track
+from nscc_runtime.progress import unseen
 from nscc_training.config import config_toml
 from nscc_training.data import Ahead, Batch, Batches, Scenes, load_scenes
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
@@ -34,9 +36,6 @@ from nscc_training.settings import Settings
 COLUMNS = ("step", "split", "loss", "psnr_db", "ssim", "words_per_slot", "dead_share")
 METRICS = "metrics.csv"
 
-Track = Callable[[Iterable[int], str, int], Iterable[int]]
-"""Passes steps on, given a label and how many there are, and may draw a bar."""
-
 
 @dataclass
 class Run:
@@ -51,16 +50,12 @@ class Run:
     rows: list[str] = field(default_factory=lambda: [",".join(COLUMNS)])
 
 
-def _untracked(steps: Iterable[int], _label: str, _total: int) -> Iterable[int]:
-    return steps
-
-
 def train(
     settings: Settings,
     out: Path,
     *,
     resume: str = "auto",
-    track: Track = _untracked,
+    track: Track = unseen,
     report: Callable[[str], None] = lambda _text: None,
     stop_after: int | None = None,
 ) -> None:
@@ -83,7 +78,7 @@ def train(
         run = _start(settings, out, resume, ranks)
         if ranks.first:
             _write_heads(run, out)
-        _steps(run, out, track if ranks.first else _untracked, report, stop_after)
+        _steps(run, out, track if ranks.first else unseen, report, stop_after)
         if ranks.first and run.progress.step >= settings.train.steps:
             _finish(run, out)
             chip = "" if run.parts.chip.file is None else f" --target {out / TARGET_FILE}"

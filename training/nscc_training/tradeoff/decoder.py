@@ -14,13 +14,12 @@ import torch
 from nscc.tradeoff.points import Point
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.evaluation import hdr, video
-from nscc_training.evaluation.hdr_baselines import sensor_of
 from nscc_training.evaluation.runs import check_unseen
 from nscc_training.measures import number
+from nscc_training.metrics import finite_mean
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
-from nscc_training.sensor_model import SensorModel, exposed, laid, read_out
+from nscc_training.sensor_model import SensorModel, frame_of, laid
 from nscc_training.tradeoff.scenes import (
     KINDS,
     Kind,
@@ -57,7 +56,6 @@ class Case:
     """Captures with one code, and the decoders that they are for."""
 
     name: str
-    protocol: Protocol
     taken: tuple[Taken, ...]
     ways: tuple[Way, ...]
 
@@ -129,15 +127,8 @@ def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:
 
     Scenes without any error count for SSIM alone, unless there are no others.
     """
-    found = []
-    for taken, light in zip(case.taken, lights, strict=True):
-        if isinstance(taken.scene, video.Window):
-            found.append(video.scores(taken.scene, light))
-        else:
-            found.append(hdr.scores(taken.scene.light_e, light, case.protocol))
-    values = [number(scores["psnr_db"]) for scores in found]
-    finite = [value for value in values if np.isfinite(value)]
-    psnr_db = float(np.mean(finite)) if finite else float("inf")
+    found = [taken.scene.scores(made) for taken, made in zip(case.taken, lights, strict=True)]
+    psnr_db = finite_mean(number(scores["psnr_db"]) for scores in found)
     return psnr_db, float(np.mean([scores["ssim"] for scores in found]))
 
 
@@ -149,8 +140,8 @@ def _fixed(kind: Kind, settings: Settings) -> Case:
     else:
         name = "stills, 2 x 2 stops"
         encoder = make_encoder(ShutterSpec("b", _STOPS, (2, 2)), "quad", settings.seed)
-    taken = _captured(kind, protocol, encoder.hard(), sensor_of(protocol), settings)
-    return Case(name, protocol, taken, tuple(baselines(kind)))
+    taken = _captured(kind, protocol, encoder.hard(), SensorModel.of_protocol(protocol), settings)
+    return Case(name, taken, tuple(baselines(kind)))
 
 
 def _learned(runs: Sequence[RunFolder], name: str, settings: Settings) -> Case:
@@ -163,7 +154,7 @@ def _learned(runs: Sequence[RunFolder], name: str, settings: Settings) -> Case:
     taken = _captured(kind, protocol, parts.encoder.hard().cpu(), parts.model, settings)
     apart = names_of(runs)
     ways = [way for run, tail in zip(runs, apart, strict=True) for way in networks(run, tail)]
-    return Case(f"{kind}, code of {name}", protocol, taken, (*baselines(kind), *ways))
+    return Case(f"{kind}, code of {name}", taken, (*baselines(kind), *ways))
 
 
 def _captured(
@@ -173,12 +164,9 @@ def _captured(
     found = []
     chosen: list[Scene] = scenes(kind, protocol, settings.data, settings.count, settings.seed)
     for index, scene in enumerate(chosen):
-        light = torch.as_tensor(scene.light_e, dtype=torch.float32)
-        shutters = laid(tile, *light.shape[-2:])
-        generator = torch.Generator().manual_seed(1000 * settings.seed + index)
-        codes = read_out(exposed(light[None], shutters), model, generator)[0]
-        frame = (codes - model.adc_offset_lsb).float().numpy()
-        found.append(Taken(scene, frame, shutters.numpy().astype(np.float32), model))
+        frame = frame_of(scene.light_e, tile, model, 1000 * settings.seed + index).numpy()
+        mask = laid(tile, *frame.shape).numpy().astype(np.float32)
+        found.append(Taken(scene, frame, mask, model))
     return tuple(found)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from nscc.diagnostics.rejection import rejected
 from nscc_training import made_scenes
 from nscc_training.evaluation import hdr, video
+from nscc_training.evaluation.results import Unusable
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.scene_files import CLIPS
 
@@ -95,24 +96,20 @@ def scenes(
 
 
 def _of_file(path: Path, protocol: Protocol) -> Iterator[Scene]:
-    taken: Iterator[object] = (
-        video.windows([path], protocol)
-        if protocol.name == "video-v1"
-        else hdr.crops([path], protocol)
-    )
-    return (scene for scene in taken if isinstance(scene, video.Window | hdr.Crop))
+    cut = video.windows if protocol.name == "video-v1" else hdr.crops
+    return (scene for scene in cut([path], protocol) if not isinstance(scene, Unusable))
 
 
 def _made(kind: Kind, protocol: Protocol, count: int, seed: int) -> Iterator[Scene]:
     for index in range(count):
         generator = np.random.default_rng([seed, _MADE, index])
         name = Path(f"made-{index}")
-        scene: object
+        scene: Scene | Unusable
         if kind == "clips":
             clip = made_scenes.clip(generator, protocol["frames"], protocol["size"])
             scene = video.exposed_window(name, 0, clip.astype(np.float64), False, protocol)
         else:
             still = made_scenes.still(generator, protocol["crop_size"])
             scene = hdr.exposed_crop(name, (0, 0), still.astype(np.float64), protocol)
-        if isinstance(scene, video.Window | hdr.Crop):
+        if not isinstance(scene, Unusable):
             yield scene

@@ -28,10 +28,9 @@ from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.baselines.sci import gap_tv
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.base import Encoder
-from nscc_training.evaluation import hdr, video
+from nscc_training.evaluation import hdr
 from nscc_training.measures import number
 from nscc_training.programs import Chip, program_of
-from nscc_training.protocols import Protocol
 from nscc_training.sensor_model import SensorModel, laid
 from nscc_training.tradeoff.scenes import Kind, Scene, kinds_in, protocol_of, scenes
 from nscc_training.tradeoff.ways import Taken, clip_light, merged_still
@@ -181,7 +180,6 @@ def _encoder(each: Configuration, seed: int) -> Encoder:
 class _Bench:
     """Scenes of one kind in front of one sensor; `known` are scores of captures seen before."""
 
-    protocol: Protocol
     shown: tuple[Scene, ...]
     sensor: Sensor
     model: SensorModel
@@ -189,32 +187,21 @@ class _Bench:
 
     def psnr_db(self, container: Container, encoder: Encoder, settings: Settings) -> float:
         """The mean over the scenes, by a decoder that needs no training."""
-        return float(
-            np.mean(
-                [
-                    self._scored(self._taken(scene, container, encoder, settings, index))
-                    for index, scene in enumerate(self.shown)
-                ]
-            )
-        )
-
-    def _taken(
-        self, scene: Scene, container: Container, encoder: Encoder, settings: Settings, index: int
-    ) -> Taken:
-        shot = capture(
-            _light(scene, encoder.spec.slots), container, self.sensor, effects=settings.effects,
-            seed=1000 * settings.seed + index, device_seed=settings.seed,
-        )  # fmt: skip
-        frame = (shot.frame[0] - self.model.adc_offset_lsb).astype(np.float32)
-        mask = laid(encoder.hard(), *frame.shape).numpy().astype(np.float32)
-        return Taken(scene, frame, mask, self.model)
-
-    def _scored(self, taken: Taken) -> float:
-        # The words of open and of fixed codes often give the same frame.
-        digest = sha256(taken.frame.tobytes() + taken.mask.tobytes()).digest()
-        if digest not in self.known:
-            self.known[digest] = self._decoded(taken)
-        return self.known[digest]
+        scores = []
+        for index, scene in enumerate(self.shown):
+            shot = capture(
+                _light(scene, encoder.spec.slots), container, self.sensor,
+                effects=settings.effects, seed=1000 * settings.seed + index,
+                device_seed=settings.seed,
+            )  # fmt: skip
+            frame = (shot.frame[0] - self.model.adc_offset_lsb).astype(np.float32)
+            mask = laid(encoder.hard(), *frame.shape).numpy().astype(np.float32)
+            # The words of open and of fixed codes often give the same frame.
+            digest = sha256(frame.tobytes() + mask.tobytes()).digest()
+            if digest not in self.known:
+                self.known[digest] = self._decoded(Taken(scene, frame, mask, self.model))
+            scores.append(self.known[digest])
+        return float(np.mean(scores))
 
     def _decoded(self, taken: Taken) -> float:
         scene = taken.scene
@@ -222,10 +209,10 @@ class _Bench:
             # Charge is compressed above the knee, long before the code is the largest.
             knee_e = self.sensor.register_knee_fraction * self.sensor.full_well_e
             made = merged_still(taken, knee_e / self.model.electrons_per_lsb)
-            return number(hdr.scores(scene.light_e, made, self.protocol)["psnr_db"])
+            return number(scene.scores(made)["psnr_db"])
         made = clip_light(partial(gap_tv, iterations=_ITERATIONS), taken)
         each = len(scene.light_e) // len(made)
-        return number(video.scores(scene, np.repeat(made / each, each, axis=0))["psnr_db"])
+        return number(scene.scores(np.repeat(made / each, each, axis=0))["psnr_db"])
 
 
 def _bench(kind: Kind, target: Target, settings: Settings) -> _Bench:
@@ -236,7 +223,7 @@ def _bench(kind: Kind, target: Target, settings: Settings) -> _Bench:
         replace(scene, light_e=scene.light_e[..., : target.rows, : target.cols])
         for scene in scenes(kind, protocol, settings.data, settings.count, settings.seed)
     )
-    return _Bench(protocol, shown, sensor, SensorModel.of(sensor, target))
+    return _Bench(shown, sensor, SensorModel.of(sensor, target))
 
 
 def _light(scene: Scene, slots: int) -> Light:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from copy import copy
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 import torch
@@ -20,6 +21,8 @@ from nscc_training.sensor_model import SensorModel
 from nscc_training.tradeoff.scenes import Kind, Scene
 
 Light = NDArray[np.float64]
+Loop = Callable[..., NDArray[np.float32]]
+"""Makes a clip of a measurement and a mask."""
 TV_ITERATIONS = (5, 10, 20, 40, 80)
 SPARSE_ITERATIONS = (15, 60)
 _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
@@ -54,11 +57,14 @@ class Way:
 def baselines(kind: Kind) -> list[Way]:
     """What needs no training."""
     if kind == "clips":
-        found = [Way("adjoint", "S^T E", _scaled(adjoint))]
+        loops: list[tuple[str, str, Loop]] = [("adjoint", "S^T E", adjoint)]
         for name, loop in (("gap-tv", gap_tv), ("admm-tv", admm_tv)):
-            found += [Way(name, f"{n}", _scaled(_with(loop, n))) for n in TV_ITERATIONS]
-        return [*found, Way("dictionary", "learned", _scaled(from_dictionary))]
-    sparse = [Way("sparse-coding", f"{n}", _sparse(n)) for n in SPARSE_ITERATIONS]
+            loops += [(name, f"{n}", partial(loop, iterations=n)) for n in TV_ITERATIONS]
+        loops.append(("dictionary", "learned", from_dictionary))
+        return [Way(name, setting, partial(clip_light, loop)) for name, setting, loop in loops]
+    sparse = [
+        Way("sparse-coding", f"{n}", partial(_sparse, iterations=n)) for n in SPARSE_ITERATIONS
+    ]
     return [Way("merged", "neighbours", merged_still), *sparse]
 
 
@@ -81,7 +87,7 @@ def networks(folder: RunFolder, name: str) -> list[Way]:
     return found
 
 
-def clip_light(loop: Callable[..., NDArray[np.float32]], taken: Taken) -> Light:
+def clip_light(loop: Loop, taken: Taken) -> Light:
     """Electrons a slot by a decoder of clips, in whose unit 1 is the source's white a slot."""
     assert not isinstance(taken.scene, Crop)
     slots, frames = len(taken.mask), len(taken.scene.light_e)
@@ -111,25 +117,12 @@ def _share(taken: Taken) -> Light:
     return np.asarray(taken.mask.mean(axis=0, dtype=np.float64))
 
 
-def _scaled(loop: Callable[..., NDArray[np.float32]]) -> Callable[[Taken], Light]:
-    return lambda taken: clip_light(loop, taken)
-
-
-def _with(
-    loop: Callable[..., NDArray[np.float32]], iterations: int
-) -> Callable[..., NDArray[np.float32]]:
-    return lambda measurement, mask: loop(measurement, mask, iterations)
-
-
-def _sparse(iterations: int) -> Callable[[Taken], Light]:
-    def run(taken: Taken) -> Light:
-        model = taken.model
-        return coded_still(
-            taken.frame, _share(taken), merged_still(taken), model.electrons_per_lsb,
-            _top(model), model.full_well_e, iterations,
-        )  # fmt: skip
-
-    return run
+def _sparse(taken: Taken, iterations: int) -> Light:
+    model = taken.model
+    return coded_still(
+        taken.frame, _share(taken), merged_still(taken), model.electrons_per_lsb,
+        _top(model), model.full_well_e, iterations,
+    )  # fmt: skip
 
 
 def _network(folder: RunFolder, net: torch.nn.Module, dtype: str) -> Callable[[Taken], Light]:

@@ -1,0 +1,119 @@
+"""The options that several commands have, each declared once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, TypeVar
+
+import click
+from click import Choice, IntRange, argument, option
+
+from nscc_cli.support import NumberRange
+
+Command = TypeVar("Command", bound=Callable[..., Any])
+
+PATH = click.Path(path_type=Path)
+LEVEL = IntRange(0, 3)
+SEED = IntRange(0, 2**63 - 1)
+COUNT = IntRange(1, 1000)
+"""How many scenes, or how often something is timed."""
+
+DEFAULT_BAUD = 3_000_000
+DEFAULT_PATIENCE_S = 10.0
+
+
+def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
+    """Several options as one decorator; `--help` lists them in this order."""
+
+    def add(function: Command) -> Command:
+        for each in reversed(options):
+            function = each(function)
+        return function
+
+    return add
+
+
+def some(names: Sequence[str]) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
+    """Reads an option's value: some of the names, separated by commas; in the order given here."""
+
+    def chosen(context: click.Context, option: click.Parameter, value: str) -> tuple[str, ...]:
+        given = {part.strip() for part in value.split(",")}
+        for name in sorted(given.difference(names)):
+            raise click.BadParameter(f"{name!r} is none of {', '.join(names)}", context, option)
+        return tuple(name for name in names if name in given)
+
+    return chosen
+
+
+def some_option(name: str, names: Sequence[str], metavar: str, text: str) -> Callable[..., Any]:
+    """An option that takes some of the names, by default all."""
+    return option(name, callback=some(names), metavar=metavar, default=",".join(names),
+                  show_default=True, help=text)  # fmt: skip
+
+
+program_argument = argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)
+pixels_option = option("--pixels", type=PATH, help="The pixels' codes (.npz).")
+
+build_options = together(
+    option("-O", "level", type=LEVEL,
+           help="How long to search for fewer words (default: 2; check: 1)."),
+    option("--codes", type=Choice(["fixed", "open"]),
+           help="Compile for the codes in use, or for every legal one (default: fixed)."),
+    option("--lowering", type=Choice(["auto", "accumulate", "latch", "edges"]),
+           help="How exposure is gathered (default: auto, the cheapest)."),
+    option("--target", metavar="NAME|FILE.toml", help="The chip, instead of the program's own."),
+    option("--cache/--no-cache", default=True,
+           help="Keep search results of -O2 and -O3 and reuse them (default), or search anew."),
+    option("--max-words-per-slot", metavar="W", type=IntRange(min=1),
+           help="Reject what executes more words than this in any slot."),
+)  # fmt: skip
+"""How a program is compiled; `nscc_cli.programs` takes them."""
+
+link_options = together(
+    option("--baud", type=IntRange(1200, 12_000_000), default=DEFAULT_BAUD, show_default=True,
+           help="Speed of the device's port."),
+    option("--patience", type=NumberRange(0.1, 3600), default=DEFAULT_PATIENCE_S,
+           show_default=True, help="Seconds of silence after which a device is given up."),
+)  # fmt: skip
+"""Of what opens a port."""
+
+scene_options = together(
+    option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P (99)."),
+    option("--transfer", type=Choice(["linear", "srgb"]), help="The scene's curve."),
+    option("--fps", type=float, help="The clip's frames a second, seen in the slots' own time."),
+    option("--crop", metavar="R,C", help="Top left corner of the array in the scene."),
+    option("--frames-are", type=Choice(["integrals", "samples"]), default="integrals",
+           help="Whether a clip's frames hold all the light of their time, or an instant of it."),
+)  # fmt: skip
+"""Of what lays a scene on the array."""
+
+sensor_options = together(
+    option("--sensor", type=PATH, help="The sensor's numbers (nscc effects --toml)."),
+    option("--sensor-set", multiple=True, metavar="K=V", help="Change one of them."),
+)
+
+csv_options = together(
+    option("--csv", "csv_path", type=PATH, help="Write the CSV file here."),
+    option("--png", "png_path", type=PATH, help="Write the diagram here."),
+)
+tradeoff_options = together(
+    option("-o", "out", type=PATH, metavar="OUT", help="Write OUT.csv and OUT.png."), csv_options
+)
+"""Where a tradeoff's products go."""
+
+
+def repeats_option(default: int) -> Callable[..., Any]:
+    """How often everything is timed."""
+    return option("--repeats", type=COUNT, default=default, show_default=True,
+                  help="How often everything is timed, in turn: the median counts.")  # fmt: skip
+
+
+made_scenes_option = option(
+    "--data", type=PATH, metavar="DIR",
+    help="A folder of clips, panoramas or both, instead of made scenes.",
+)  # fmt: skip
+made_seed_option = option(
+    "--seed", type=IntRange(0, 2**31 - 1), default=0,
+    help="Of made scenes, random codes and noise.",
+)  # fmt: skip

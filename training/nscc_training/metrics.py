@@ -1,0 +1,152 @@
+"""How far a reconstruction is from the truth. Data ranges are always given, never guessed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training.curves import MU, PU21_HIGH, PU21_LOW, mu_law, pu21
+
+WINDOW = 11
+SIGMA = 1.5
+"""The Gaussian windows of SSIM (Wang et al. 2004)."""
+K1, K2 = 0.01, 0.03
+
+Array = NDArray[Any]
+
+
+def mean_square_error(truth: Array, result: Array) -> float:
+    """Mean of squared differences, in float64 whatever the arrays are."""
+    if truth.shape != result.shape:
+        raise ValueError(f"{truth.shape} and {result.shape}")
+    difference = truth.astype(np.float64) - result.astype(np.float64)
+    return float(np.mean(np.square(difference)))
+
+
+def psnr_of_mse(mse: float, data_range: float) -> float:
+    """10 log10(data_range^2 / mse) in dB; +inf where nothing differs."""
+    if not data_range > 0:
+        raise ValueError(f"data range {data_range}")
+    return math.inf if mse == 0 else 20 * math.log10(data_range) - 10 * math.log10(mse)
+
+
+def psnr(truth: Array, result: Array, data_range: float) -> float:
+    """PSNR of two arrays of one shape, in dB."""
+    return psnr_of_mse(mean_square_error(truth, result), data_range)
+
+
+def mu_psnr(truth: Array, result: Array, data_range: float, mu: float = MU) -> float:
+    """PSNR after mu-law of both, clipped to 0..data_range; the curve's range is 1."""
+    there = [np.clip(x.astype(np.float64) / data_range, 0.0, 1.0) for x in (truth, result)]
+    return psnr(mu_law(there[0], mu), mu_law(there[1], mu), 1.0)
+
+
+def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> float:
+    """PSNR in perceptually uniform units, where `data_range` is a luminance of `nits` cd/m2.
+
+    Both are clipped to 0..data_range first; the peak is the encoding of `nits`.
+    """
+    if not PU21_LOW < nits <= PU21_HIGH:
+        raise ValueError(f"{nits} cd/m2")
+    encoded = [
+        pu21(np.clip(x.astype(np.float64) * (nits / data_range), PU21_LOW, nits))
+        for x in (truth, result)
+    ]
+    return psnr(encoded[0], encoded[1], float(pu21(np.float64(nits))))
+
+
+def finite_mean(values: Iterable[float], otherwise: float = math.inf) -> float:
+    """The mean of those values that are finite; `otherwise` where none is."""
+    finite = [value for value in values if math.isfinite(value)]
+    return float(np.mean(finite)) if finite else otherwise
+
+
+@dataclass(frozen=True)
+class FrameScores:
+    """Per-frame dB as one score.
+
+    `mean` and `sd` leave out frames of infinite dB (identical ones), which `infinite` counts; with
+    no other frame the mean is +inf. `of_mean_mse` is the dB of the mean error of all frames.
+    """
+
+    mean: float
+    sd: float
+    infinite: int
+    of_mean_mse: float
+
+
+def frame_scores(mses: Iterable[float], data_range: float) -> FrameScores:
+    """The scores of frames with these mean square errors."""
+    errors = [float(mse) for mse in mses]
+    if not errors:
+        raise ValueError("no frames")
+    finite = [psnr_of_mse(mse, data_range) for mse in errors if mse > 0]
+    return FrameScores(
+        mean=finite_mean(finite),
+        sd=float(np.std(finite, ddof=1)) if len(finite) > 1 else 0.0,
+        infinite=len(errors) - len(finite),
+        of_mean_mse=psnr_of_mse(math.fsum(errors) / len(errors), data_range),
+    )
+
+
+def ssim(truth: Array, result: Array, data_range: float) -> float:
+    """Mean SSIM of two pictures (rows, cols) or of the frames of two clips (T, rows, cols).
+
+    Only windows that lie inside count, so both sides are at least `WINDOW`. Always within -1..1,
+    and 1 for equal pictures, flat ones too.
+    """
+    if truth.shape != result.shape or truth.ndim not in (2, 3):
+        raise ValueError(f"{truth.shape} and {result.shape}")
+    if min(truth.shape[-2:]) < WINDOW:
+        raise ValueError(f"smaller than a window: {truth.shape}")
+    if not data_range > 0:
+        raise ValueError(f"data range {data_range}")
+    if truth.ndim == 3:
+        return float(np.mean([ssim(a, b, data_range) for a, b in zip(truth, result, strict=True)]))
+    return float(np.mean(similarity(truth, result, data_range)))
+
+
+def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.float64]:
+    """The SSIM of every window, (rows - 10, cols - 10), in float64."""
+    x, y = truth.astype(np.float64), result.astype(np.float64)
+    # Variances do not depend on a common pedestal, but their rounding errors do: take it away.
+    base = 0.5 * (float(x.mean()) + float(y.mean()))
+    x, y = x - base, y - base
+    mean_x, mean_y = _blur(x), _blur(y)
+    var_x = np.maximum(_blur(x * x) - mean_x * mean_x, 0.0)
+    var_y = np.maximum(_blur(y * y) - mean_y * mean_y, 0.0)
+    most = np.sqrt(var_x * var_y)
+    covariance = np.clip(_blur(x * y) - mean_x * mean_y, -most, most)
+    mean_x, mean_y = mean_x + base, mean_y + base
+    c1, c2 = (K1 * data_range) ** 2, (K2 * data_range) ** 2
+    light = (2 * mean_x * mean_y + c1) / (mean_x * mean_x + mean_y * mean_y + c1)
+    structure = (2 * covariance + c2) / (var_x + var_y + c2)
+    return np.asarray(np.clip(light * structure, -1.0, 1.0))
+
+
+def _blur(picture: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Gaussian means of all whole windows."""
+    offsets = np.arange(WINDOW) - WINDOW // 2
+    weights = np.exp(-0.5 * (offsets / SIGMA) ** 2)
+    weights /= weights.sum()
+    rows, cols = (side - WINDOW + 1 for side in picture.shape)
+    across = sum(w * picture[:, k : k + cols] for k, w in enumerate(weights))
+    return np.asarray(sum(w * across[k : k + rows] for k, w in enumerate(weights)))
+
+
+def temporal_error(truth: Array, result: Array, data_range: float) -> float:
+    """Root mean square of the error in the changes from frame to frame, over the data range.
+
+    Clips (T, rows, cols) with T >= 2. An error that stands still does not count; flicker does.
+    """
+    if truth.shape != result.shape or truth.ndim != 3 or len(truth) < 2:
+        raise ValueError(f"{truth.shape} and {result.shape}")
+    if not data_range > 0:
+        raise ValueError(f"data range {data_range}")
+    error = result.astype(np.float64) - truth.astype(np.float64)
+    return float(np.sqrt(np.mean(np.square(np.diff(error, axis=0))))) / data_range
