@@ -30,7 +30,8 @@ def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
     ]
     for slot, group in groupby(limits, key=lambda limit: limit.slot):
         rows = list(group)
-        blocks.append(f"slots of {slot}\n" + columns([_HEAD, *map(_row, rows)]))
+        table = columns([_HEAD, *map(_row, rows)], indent="  ")
+        blocks.append(f"slots of {slot}\n{table}")
         blocks.append("\n".join(line for limit in rows for line in _reasons(limit)))
     return "\n\n".join(blocks)
 

@@ -119,8 +119,10 @@ def stacked(frames: Sequence[Frame]) -> Frame:
 def repeated(frame: Frame, count: int) -> Frame:
     """The same frame K times, as an axis in front: with all effects off frames do not differ."""
 
-    arrays = (frame.frame, frame.exposure_e, frame.valid)
-    return Frame(*(np.broadcast_to(values, (count, *values.shape)) for values in arrays))
+    def stack(values: NDArray[Any]) -> NDArray[Any]:
+        return np.broadcast_to(values, (count, *values.shape))
+
+    return Frame(stack(frame.frame), stack(frame.exposure_e), stack(frame.valid))
 
 
 def frame_lines(container: Container, frame: Frame) -> list[str]:

@@ -119,9 +119,8 @@ class Loop(Generic[_P]):
     """A loop as machine code: read from its module's object file, or compiled on first use."""
 
     def __init__(self, function: FunctionType) -> None:
-        self.function = function
+        self.function, self.__doc__ = function, function.__doc__
         self.name, self.module = function.__name__, function.__module__
-        self.__doc__ = function.__doc__
         object_file(self.module).loops.append(self)
 
     def __call__(self, *args: _P.args, **values: _P.kwargs) -> None:
@@ -258,10 +257,9 @@ class Parameter:
         if self.written and not flags.writeable:
             raise TypeError(f"{self.name} is to be written, and is read-only")
         if self.axes is not None:
-            shape = value.shape
-            if len(shape) != len(self.axes):
-                raise TypeError(f"{self.name} has {len(shape)} axes, not {len(self.axes)}")
-            for length, (axis, more) in zip(shape, self.axes, strict=True):
+            if value.ndim != len(self.axes):
+                raise TypeError(f"{self.name} has {value.ndim} axes, not {len(self.axes)}")
+            for length, (axis, more) in zip(value.shape, self.axes, strict=True):
                 if axes.setdefault(axis, length - more) != length - more:
                     raise self._unequal(axis, length - more, axes)
         capsule = value.__array_struct__
