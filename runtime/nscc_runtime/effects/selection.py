@@ -12,6 +12,7 @@ from nscc.diagnostics.suggest import closest
 from nscc_runtime.effects.effect import RESERVED, Effect
 from nscc_runtime.effects.parts import Errors, Part
 from nscc_runtime.effects.registry import always_on, by_name, optional, registered
+from nscc_runtime.remembered import remembered
 
 P = TypeVar("P", bound=Part)
 
@@ -44,15 +45,10 @@ class Selection:
         """What they do in the reference at a stage."""
         return [each.reference[stage] for each in self.effects if stage in each.reference]
 
+    @remembered
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
-        """Those that have a part of that kind in sums over slots, with the part; kept."""
-        if kind not in self._having:
-            self._having[kind] = [(e, part) for e in self.effects for part in e.parts(kind)]
-        return self._having[kind]
-
-    @cached_property
-    def _having(self) -> dict[type[Part], list[Any]]:
-        return {}
+        """Those that have a part of that kind in sums over slots, with the part."""
+        return [(effect, part) for effect in self.effects for part in effect.parts(kind)]
 
     def part(self, kind: type[P]) -> P | None:
         """The part of that kind; None where nothing that is on has one."""

@@ -3,7 +3,7 @@ slots, and as words run over them."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects.field import OnDevice, Places, Values
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
+from nscc_runtime.remembered import remembered
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,13 +33,11 @@ class Where:
     device_seed: int
     frame: int
     places: Places
-    _made: dict[OnDevice, Values] = field(default_factory=dict)
 
+    @remembered
     def fixed(self, make: OnDevice) -> Values:
         """What is fixed on the chip (pixels,), made once."""
-        if make not in self._made:
-            self._made[make] = make(self.sensor, self.device_seed, self.places)
-        return self._made[make]
+        return make(self.sensor, self.device_seed, self.places)
 
 
 class Word(Protocol):
