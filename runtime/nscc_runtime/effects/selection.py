@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any, TypeVar
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
 from nscc_runtime.effects.effect import RESERVED, Effect
 from nscc_runtime.effects.parts import Errors, Part
@@ -120,16 +121,13 @@ def named(name: str) -> Effect:
 
 
 def _wrong(what: str, help_text: str) -> Rejected:
-    return Rejected(
-        Diagnostic(
-            "NS0756",
-            what,
-            notes=(
-                "--effects takes auto, all, none or names separated by commas; +NAME adds one, "
-                "-NAME leaves one out",
-                f"the effects are {', '.join(by_name())}",
-            ),
-            helps=(help_text,),
+    return rejected(
+        "NS0756",
+        what,
+        notes=(
+            "--effects takes auto, all, none or names separated by commas; +NAME adds one, "
+            "-NAME leaves one out",
+            f"the effects are {', '.join(by_name())}",
         ),
-        status=2,
+        helps=(help_text,),
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc_runtime.effects.sensor import Sensor
 
 _TOLERANCE = re.compile(r"\s*([0-9.]+(?:[eE][+-]?[0-9]+)?)\s*(e|lsb)\s*")
@@ -28,13 +28,10 @@ def tolerance_e(text: str | float, sensor: Sensor) -> float:
         value = float(text)
     if not (0 < value < math.inf):
         shown = f"'{text[:40]}'" if isinstance(text, str) else str(text)
-        raise Rejected(
-            Diagnostic(
-                "NS0746",
-                f"a tolerance is a number above 0 with its unit, not {shown}",
-                notes=("e: electrons before the ADC; lsb: codes of the ADC",),
-                helps=("write --tolerance 5e, or --tolerance 0.1lsb",),
-            ),
-            status=2,
+        raise rejected(
+            "NS0746",
+            f"a tolerance is a number above 0 with its unit, not {shown}",
+            notes=("e: electrons before the ADC; lsb: codes of the ADC",),
+            helps=("write --tolerance 5e, or --tolerance 0.1lsb",),
         )
     return value

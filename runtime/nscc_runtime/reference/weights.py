@@ -15,9 +15,8 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.words.container import Container
-from nscc_runtime.reference.trace import AnalogWord
+from nscc_runtime.reference.trace import AnalogWord, opens_no_shutters
 
 Weights = NDArray[np.float64]
 Name = TypeVar("Name", int, tuple[int, int])
@@ -42,13 +41,9 @@ class Backward:
         """The shutters (N, lanes, buckets); NS0442 where a weight is neither 0 nor 1."""
         found = self.slots > 0.5
         if not np.allclose(self.slots, found, rtol=0, atol=1e-9):
-            raise Rejected(
-                Diagnostic(
-                    "NS0442",
-                    "the words of this program open no shutters: some slot's light counts neither "
-                    "once nor not at all, and sensor effects are defined by shutters",
-                    helps=("use --effects none: the words are executed exactly",),
-                )
+            raise opens_no_shutters(
+                "the words of this program open no shutters: some slot's light counts neither "
+                "once nor not at all"
             )
         return found
 
