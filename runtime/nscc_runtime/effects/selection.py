@@ -51,6 +51,10 @@ class Selection:
         """Those that have a part of that kind in sums over slots, with the part."""
         return [(effect, part) for effect in self.effects for part in effect.parts(kind)]
 
+    def names(self, kind: type[Part]) -> frozenset[str]:
+        """The names of those that have a part of that kind."""
+        return frozenset(effect.name for effect, _ in self.having(kind))
+
     def part(self, kind: type[P]) -> P | None:
         """The part of that kind; None where nothing that is on has one."""
         return next((part for _, part in self.having(kind)), None)

@@ -3,6 +3,7 @@ slots, and as words run over them."""
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -25,19 +26,25 @@ class Scene:
 
 
 @dataclass(eq=False, kw_only=True)
-class Where:
-    """Some pixels of a frame: `places` int64 (pixels,) are row * cols + col."""
+class Device:
+    """Some pixels of a chip: `places` int64 (pixels,) are row * cols + col."""
 
     sensor: Sensor
-    seed: int
     device_seed: int
-    frame: int
     places: Places
 
     @remembered
     def fixed(self, make: OnDevice) -> Values:
         """What is fixed on the chip (pixels,), made once."""
         return make(self.sensor, self.device_seed, self.places)
+
+
+@dataclass(eq=False, kw_only=True)
+class Where(Device):
+    """Some pixels of a frame."""
+
+    seed: int
+    frame: int
 
 
 class Word(Protocol):
@@ -49,33 +56,24 @@ class Word(Protocol):
     def after_us(self) -> float: ...
 
 
-class Slots(Protocol):
-    """Whole rows of pixels; arrays are (N, rows, cols)."""
+@dataclass(eq=False, kw_only=True)
+class Slots(Where, ABC):
+    """Whole rows of pixels; arrays are (N, rows, cols), those of `fixed` (rows, cols)."""
 
-    sensor: Sensor
     scene: Scene
 
-    def fixed(self, make: OnDevice) -> Values:
-        """As `Where.fixed`, of (rows, cols)."""
-
+    @abstractmethod
     def electrons(self, light: Light) -> Values:
         """The light of every slot."""
 
+    @abstractmethod
     def counted(self, stream: int, source: int, rates: Values) -> Values:
         """Counts of Poisson processes of these rates; `nscc_runtime.effects.counts` has sources."""
 
 
-class Pixels(Protocol):
-    """Pixels under their words, as `Where`; arrays are (pixels,)."""
+class Pixels(Where, ABC):
+    """Pixels under their words; arrays are (pixels,)."""
 
-    sensor: Sensor
-    seed: int
-    device_seed: int
-    frame: int
-    places: Places
-
-    def fixed(self, make: OnDevice) -> Values:
-        """As `Where.fixed`."""
-
+    @abstractmethod
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
         """The unit normal error that an effect's `Errors` have at a word."""

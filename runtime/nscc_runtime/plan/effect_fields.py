@@ -22,7 +22,7 @@ from nscc_runtime.effects import (
     Selection,
     registered,
 )
-from nscc_runtime.effects.parts import Exchange, Part, Saturates, Soft, Well
+from nscc_runtime.effects.parts import Exchange, Soft, Well
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
 from nscc_runtime.plan.program import Program
@@ -130,8 +130,8 @@ class _Near:
         near = self.scene.sample.near
         every = everything()
         every = every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))
-        exchanges = _named(Exchange)
-        (well,), (register,) = _named(Well), _named(Soft)
+        exchanges = every.names(Exchange)
+        (well,), (register,) = every.names(Well), every.names(Soft)
         held = {
             names: self._held(every.without(*names, *exchanges))
             for names in ((), (well,), (register,), (well, register))
@@ -190,13 +190,3 @@ class _Near:
             kept,
             device_seed=self.device_seed,
         )
-
-
-def _named(kind: type[Part]) -> list[str]:
-    """The names of the effects that have a part of that kind."""
-    return [effect.name for effect, _ in everything().having(kind)]
-
-
-def saturation() -> frozenset[str]:
-    """Effects that need single pixels to run through their words."""
-    return frozenset(_named(Saturates))

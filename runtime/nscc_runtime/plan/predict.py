@@ -7,6 +7,7 @@ add; random ones, and the short cuts of running a plan, in quadrature.
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,12 +23,13 @@ from nscc_runtime.effects.parts import (
     Exchange,
     Leak,
     Part,
+    Saturates,
     SlowWords,
     Soft,
 )
 from nscc_runtime.light import Light
 from nscc_runtime.plan import leak_nodes
-from nscc_runtime.plan.effect_fields import BOTH, FORCED, Fields, fields_of, saturation
+from nscc_runtime.plan.effect_fields import BOTH, FORCED, Fields, fields_of
 from nscc_runtime.plan.plan import Decision, Plan
 from nscc_runtime.plan.prepared import Prepared
 from nscc_runtime.plan.program import Program
@@ -46,15 +48,18 @@ _NOTHING = np.zeros(1)
 
 
 @dataclass(frozen=True, eq=False)
-class Forecast:
+class Forecast(ABC):
     """What a scene makes of a program's effects; `tolerance_e` decides on short cuts only."""
 
     program: Program
     light: Light
     tolerance_e: float
     device_seed: int
-    forced_off: frozenset[str] = frozenset()
-    """Effects that not even pixels running through their words have."""
+
+    @property
+    @abstractmethod
+    def forced_off(self) -> frozenset[str]:
+        """Effects that not even pixels running through their words have."""
 
     @cached_property
     def fields(self) -> Fields:
@@ -69,7 +74,7 @@ class Forecast:
     @cached_property
     def saturation(self) -> frozenset[str]:
         """Effects that need single pixels to run through their words."""
-        return saturation()
+        return everything().names(Saturates)
 
     @cached_property
     def slow(self) -> frozenset[str]:
@@ -78,16 +83,12 @@ class Forecast:
 
     def _dropped(self, kind: type[Part], dropped: frozenset[str]) -> bool:
         """Whether all effects that have a part of a kind are left out."""
-        return self._having(kind) <= dropped
-
-    @remembered
-    def _having(self, kind: type[Part]) -> frozenset[str]:
-        """The names of the effects that have a part of a kind."""
-        return frozenset(effect.name for effect, _ in everything().having(kind))
+        return everything().names(kind) <= dropped
 
     def _stays(self, kind: type[Part], dropped: frozenset[str]) -> bool:
         """Whether an effect that has a part of a kind, and does something here, is not."""
-        return any(e.name in self._having(kind) and e.name not in dropped for e in self.present)
+        having = everything().names(kind) - dropped
+        return any(effect.name in having for effect in self.present)
 
     @cached_property
     def near(self) -> NDArray[np.int64]:
@@ -178,8 +179,8 @@ class Forecast:
         """The field (buckets, pixels) of a fixed effect as far as a state does not simulate it."""
         fixed, clipped = self.fields.fixed, self.fields.clipped
         if name == _CLIP:
-            names = [effect.name for effect, _ in everything().having(SlowWords)]
-            field = sum((fixed[name] for name in names), np.zeros(clipped.shape))
+            slow = everything().names(SlowWords)
+            field = sum((fixed[name] for name in sorted(slow)), np.zeros(clipped.shape))
             return np.where(clipped, field, 0.0) if state == "clip" else np.zeros_like(field)
         field = fixed[name]
         if name in {*self.saturation, BOTH}:

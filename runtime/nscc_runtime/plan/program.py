@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.field import OnDevice
 from nscc_runtime.effects.parts import Exchange, Fading, Leak, SlowWords, WordGain
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Device
 from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.plan.masks import Masks
 from nscc_runtime.plan.overlap import Overlap
@@ -23,20 +23,6 @@ from nscc_runtime.reference.capture import Reference
 from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
-
-
-@dataclass(frozen=True, eq=False)
-class Device:
-    """What is fixed on a chip: numbers of each pixel, made when they are asked for."""
-
-    sensor: Sensor
-    seed: int
-    places: NDArray[np.int64]
-
-    @remembered
-    def fixed(self, make: OnDevice) -> Values:
-        """What an effect makes of the device; kept."""
-        return make(self.sensor, self.seed, self.places)
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,7 +104,9 @@ class Program:
         if device_seed not in self._devices:
             self._devices.clear()
             places = np.arange(len(self.lanes), dtype=np.int64)
-            self._devices[device_seed] = Device(self.sensor, device_seed, places)
+            self._devices[device_seed] = Device(
+                sensor=self.sensor, device_seed=device_seed, places=places
+            )
         return self._devices[device_seed]
 
     @cached_property

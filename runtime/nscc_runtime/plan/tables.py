@@ -99,11 +99,8 @@ class Tables:
     @remembered
     def pattern(self, full: Model) -> Weights:
         """The sum (lanes, buckets) of the signed coefficients of the analog words' errors."""
-        shape = len(self.container.encoding), len(self.container.buckets)
-        total = np.zeros(shape)
-        for weight in self.weights(full).errors.values():
-            total += weight
-        return total
+        none = np.zeros((len(self.container.encoding), len(self.container.buckets)))
+        return sum(self.weights(full).errors.values(), none)
 
     @remembered
     def seen(self) -> NDArray[np.bool_]:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from math import exp
 from typing import TypeVar
 
@@ -71,7 +72,8 @@ def backward(
     start_s = np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6
     later = container.slots
     after_the_last = np.zeros((lanes, buckets))
-    for boundary, executed in reversed(_by_boundary(words)):
+    by_boundary = groupby(words, key=lambda word: word.boundary)
+    for boundary, executed in reversed([(n, [*group]) for n, group in by_boundary]):
         result.slots[boundary:later] = weight["PIX"]
         kept = exp(-leak_per_s * (start_s[later] - start_s[boundary]))
         if kept != 1.0:
@@ -91,14 +93,6 @@ def backward(
     result.slots[:later] = weight["PIX"]
     result.slots[-1] += after_the_last
     return result
-
-
-def _by_boundary(words: Sequence[AnalogWord]) -> list[tuple[int, list[AnalogWord]]]:
-    """The words of each boundary that has some, in order."""
-    found: dict[int, list[AnalogWord]] = {}
-    for word in words:
-        found.setdefault(word.boundary, []).append(word)
-    return list(found.items())
 
 
 def _ends(executed: Sequence[AnalogWord], slot_us: float, after_the_last: bool) -> list[float]:
