@@ -169,12 +169,8 @@ class Chooser(Forecast):
         """The plan of these decisions."""
         path = self._path(dropped)
         square, most = self.squares(dropped, path != "sums")
-        cuts: list[Approximation] = []
-        if path == "sums":
-            for name, part in self.short_cuts(dropped):
-                error = math.sqrt(float(np.max(part)))
-                if error > 0:
-                    cuts.append(Approximation(name, error))
+        taken = self.short_cuts(dropped) if path == "sums" else ()
+        cuts = [Approximation(name, math.sqrt(float(np.max(part)))) for name, part in taken]
         reasons = [*self._reasons(dropped)]
         loop: Loop = "some" if reasons else "none"
         if path != "sums":
@@ -186,7 +182,7 @@ class Chooser(Forecast):
             loop,
             tuple(reasons),
             len(self.fields.sample.places) / len(self.program.lanes),
-            tuple(cuts),
+            tuple(cut for cut in cuts if cut.error_e > 0),
             tuple(self._decision(each, dropped, forced_reason) for each in registered()),
             self.leak_nodes,
             self.closed,

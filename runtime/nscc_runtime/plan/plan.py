@@ -114,7 +114,7 @@ class Plan:
         """The plan that `as_json` wrote; KeyError, TypeError or ValueError for anything else."""
         names = {"slot_loop": "slot_loop_pixels", "closed": "closed_slots_counted"}
         names |= {"decisions": "effects"}
-        plan = _read(cls, {**values, **{ours: values[its] for ours, its in names.items()}})
+        plan: Plan = _read(cls, {**values, **{ours: values[its] for ours, its in names.items()}})
         named = [(each.name, each.kind) for each in plan.decisions]
         if named != [(effect.name, effect.kind) for effect in registered()]:
             raise ValueError("its effects are not those of this version")
@@ -128,7 +128,7 @@ class Plan:
 def _read(kind: Any, value: Any) -> Any:
     """A value of JSON as what an annotation names. Numbers are finite: JSON's own have no end."""
     origin, parts = get_origin(kind), get_args(kind)
-    if is_dataclass(kind):
+    if isinstance(kind, type) and is_dataclass(kind):
         return kind(**{name: _read(of, value[name]) for name, of in get_type_hints(kind).items()})
     if origin is tuple and isinstance(value, list):
         return tuple(_read(parts[0], each) for each in value)

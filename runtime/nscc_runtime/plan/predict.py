@@ -225,13 +225,15 @@ class Forecast(ABC):
     @cached_property
     def leak_nodes(self) -> int:
         """At how many rates of leakage sums are made."""
-        age_s, leak = float(self.program.slot_s.sum()), everything().the(Leak)
         size = math.sqrt(float(np.max(self.fields.sample.mean(self.fields.expected**2))))
-        for count in range(1, leak_nodes.MOST):
-            error = leak_nodes.error(leak, self.program.sensor, count, age_s) * size
-            if error <= _LEAK_PART * self.tolerance_e:
-                return count
-        return leak_nodes.MOST
+        most = _LEAK_PART * self.tolerance_e
+        enough = (n for n in range(1, leak_nodes.MOST) if self._leak_error(n) * size <= most)
+        return next(enough, leak_nodes.MOST)
+
+    def _leak_error(self, count: int) -> float:
+        """The relative error of sums at so many rates of leakage."""
+        age_s = float(self.program.slot_s.sum())
+        return leak_nodes.error(everything().the(Leak), self.program.sensor, count, age_s)
 
     def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
         """The short cuts of a plan by sums, with their mean squares (buckets,)."""
@@ -240,10 +242,7 @@ class Forecast(ABC):
             yield "counts are not spread over the slots of a group", means["thinning"]
             yield "counts from a rate of 10 on by formula", np.full(1, _FORMULA_E**2)
             if self._stays(Exchange, dropped):
-                yield (
-                    "neighbours' counts are taken as even over their slots",
-                    means["neighbours"],
-                )
+                yield "neighbours' counts are taken as even over their slots", means["neighbours"]
         if not self._dropped(Errors, dropped):
             yield "the noise of words as at the mean leakage", means["noise"]
         if self._stays(Leak, dropped):
@@ -254,15 +253,12 @@ class Forecast(ABC):
     def _means(self, state: str) -> dict[str, NDArray[np.float64]]:
         """The mean squares of the short cuts."""
         fields, mean, where = self.fields, self.fields.sample.mean, self._where(state)
-        age_s, leak = float(self.program.slot_s.sum()), everything().the(Leak)
-        sensor = self.program.sensor
-        relative = leak_nodes.error(leak, sensor, self.leak_nodes, age_s)
         after = np.ones(1) if state == "clip" else where
         return {
             "thinning": mean(fields.thinning[self.closed] * where),
             "neighbours": mean(fields.neighbours[self.closed] * where),
             "noise": mean(fields.noise_cut * after),
-            "leak": relative**2 * mean(fields.expected**2 * after),
+            "leak": self._leak_error(self.leak_nodes) ** 2 * mean(fields.expected**2 * after),
         }
 
     def contribution(self, effect: Effect) -> tuple[float, float]:

@@ -13,7 +13,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.reference.capture import Reference, numbered_errors
 from nscc_runtime.reference.trace import AnalogWord, analog_words
 from nscc_runtime.reference.weights import Backward, backward
@@ -43,7 +42,6 @@ class Tables:
     """
 
     program: Reference
-    sensor: Sensor
     fresh: tuple[AnalogWord, ...]
     decayed: tuple[AnalogWord, ...]
 
@@ -54,7 +52,7 @@ class Tables:
         alike = all(
             np.array_equal(a.lanes, b.lanes) for a, b in zip(fresh, program.words, strict=True)
         )
-        return cls(program, program.sensor, fresh, fresh if alike else program.words)
+        return cls(program, fresh, fresh if alike else program.words)
 
     @property
     def container(self) -> Container:
