@@ -96,7 +96,7 @@ def fields_of(
     )
     if not sample.near.any():
         return fields
-    return _Near(scene, device_seed, forced_off).added(fields, found)
+    return _Near(scene, forced_off).added(fields, found)
 
 
 def _field(effect: Effect, scene: SampledScene) -> Field:
@@ -122,7 +122,6 @@ class _Near:
     """The pixels of a sample that may saturate, run through their words."""
 
     scene: SampledScene
-    device_seed: int
     forced_off: frozenset[str]
 
     def added(self, fields: Fields, found: Mapping[str, Field]) -> Fields:
@@ -188,5 +187,5 @@ class _Near:
             program.slot_s,
             self.scene.places[self.scene.sample.near],
             kept,
-            device_seed=self.device_seed,
+            device_seed=self.scene.device.device_seed,
         )
