@@ -7,8 +7,8 @@ import numpy as np
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
 from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
 from nscc_runtime.effects.field import Field, Places, Sampled, Values
-from nscc_runtime.effects.parameters import parameter
-from nscc_runtime.effects.parts import Errors, WordGain
+from nscc_runtime.effects.parameters import Parameter, parameter
+from nscc_runtime.effects.parts import Errors, OfSensor, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Word
 from nscc_runtime.noise import key, normals
@@ -31,16 +31,11 @@ BIAS = parameter(
 )  # fmt: skip
 
 
-def _noise(sensor: Sensor) -> float:
-    return NOISE(sensor) * ELECTRONS_PER_LSB(sensor)
+def _in_electrons(codes: Parameter) -> OfSensor:
+    return lambda sensor: codes(sensor) * ELECTRONS_PER_LSB(sensor)
 
 
-def _spread(sensor: Sensor) -> float:
-    return PATTERN(sensor) * ELECTRONS_PER_LSB(sensor)
-
-
-def _bias(sensor: Sensor) -> float:
-    return BIAS(sensor) * ELECTRONS_PER_LSB(sensor)
+_noise, _spread, _bias = map(_in_electrons, (NOISE, PATTERN, BIAS))
 
 
 def pattern_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:

@@ -55,7 +55,6 @@ CROSSTALK = Effect(
     "is lost: a pixel without a neighbour keeps that part.",
     cost="five reads a sample; a halo of one pixel around each tile",
     applied="to the charge of every slot, drawn, before it falls on PIX",
-    absent="exactly nothing with this sensor, scene and program",
     parameters=(FRACTION,),
     reference={"neighbours": _smear},
     field=_field,

@@ -28,7 +28,6 @@ DEAD_TIME = Effect(
     "reset loses it. After the last slot the light goes on as in that slot.",
     cost="a factor for each code; a slot loop in the reference",
     applied="between the words of a boundary",
-    absent="exactly nothing with this sensor, scene and program",
     reference={"time": _ends},
     field=_field,
     sums=(SlowWords(),),

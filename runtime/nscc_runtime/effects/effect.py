@@ -114,12 +114,12 @@ class Effect:
     model: str
     cost: str
     applied: str
-    absent: str
     reference: Mapping[str, Callable[..., Any]]
     field: Callable[[Sampled], Field] | ByWords | AfterExposure
     sums: tuple[Part, ...] | CannotHave
     fused: ByParts | CannotHave
     words: InLoop | CannotHave
+    absent: str = "exactly nothing with this sensor, scene and program"
     parameters: tuple[Parameter, ...] = ()
     cost_ns: float = 0.0
     always: bool = False

@@ -33,7 +33,6 @@ LAG = Effect(
     "The previous frame is the same scene unless another is given.",
     cost="none for the same scene; else one more sum over the slots",
     applied="to the light of every slot",
-    absent="exactly nothing with this sensor, scene and program",
     parameters=(FRACTION,),
     reference={"light": _again},
     field=_field,

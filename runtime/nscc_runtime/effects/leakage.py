@@ -50,7 +50,6 @@ LEAKAGE = Effect(
     "readouts after the frame.",
     cost="weights of age for each code; none a slot",
     applied="to every analog register at the end of each slot and before its readout",
-    absent="exactly nothing with this sensor, scene and program",
     parameters=(TAU, SPREAD),
     reference={"hold": _kept},
     field=_field,

@@ -43,7 +43,6 @@ PRNU = Effect(
     "standard normal number of the device.",
     cost="one product a pixel",
     applied="to the light of every slot, before it is counted",
-    absent="exactly nothing with this sensor, scene and program",
     parameters=(SPREAD,),
     reference={"response": _uneven},
     field=_field,

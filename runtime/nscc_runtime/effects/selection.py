@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from functools import cache, cached_property
 from typing import Any, TypeVar
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
 from nscc_runtime.effects.effect import RESERVED, Effect
 from nscc_runtime.effects.parts import Errors, Part
 from nscc_runtime.effects.registry import always_on, by_name, optional, registered
+from nscc_runtime.remembered import remembered
 
 P = TypeVar("P", bound=Part)
 
@@ -44,15 +46,14 @@ class Selection:
         """What they do in the reference at a stage."""
         return [each.reference[stage] for each in self.effects if stage in each.reference]
 
+    @remembered
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
-        """Those that have a part of that kind in sums over slots, with the part; kept."""
-        if kind not in self._having:
-            self._having[kind] = [(e, part) for e in self.effects for part in e.parts(kind)]
-        return self._having[kind]
+        """Those that have a part of that kind in sums over slots, with the part."""
+        return [(effect, part) for effect in self.effects for part in effect.parts(kind)]
 
-    @cached_property
-    def _having(self) -> dict[type[Part], list[Any]]:
-        return {}
+    def names(self, kind: type[Part]) -> frozenset[str]:
+        """The names of those that have a part of that kind."""
+        return frozenset(effect.name for effect, _ in self.having(kind))
 
     def part(self, kind: type[P]) -> P | None:
         """The part of that kind; None where nothing that is on has one."""
@@ -124,16 +125,13 @@ def named(name: str) -> Effect:
 
 
 def _wrong(what: str, help_text: str) -> Rejected:
-    return Rejected(
-        Diagnostic(
-            "NS0756",
-            what,
-            notes=(
-                "--effects takes auto, all, none or names separated by commas; +NAME adds one, "
-                "-NAME leaves one out",
-                f"the effects are {', '.join(by_name())}",
-            ),
-            helps=(help_text,),
+    return rejected(
+        "NS0756",
+        what,
+        notes=(
+            "--effects takes auto, all, none or names separated by commas; +NAME adds one, "
+            "-NAME leaves one out",
+            f"the effects are {', '.join(by_name())}",
         ),
-        status=2,
+        helps=(help_text,),
     )

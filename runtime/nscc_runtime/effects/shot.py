@@ -28,7 +28,6 @@ SHOT = Effect(
     "buckets), Poisson(sum of rates), is spread over the group's slots by binomial thinning.",
     cost="one Poisson number a pixel and group of slots; the reference adds one binomial a slot",
     applied="when the charge of the slots is drawn, before it falls on PIX",
-    absent="exactly nothing with this sensor, scene and program",
     reference={"count": _count},
     field=_field,
     sums=(CountedLight(),),

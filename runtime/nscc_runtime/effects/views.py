@@ -3,7 +3,8 @@ slots, and as words run over them."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -12,6 +13,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects.field import OnDevice, Places, Values
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
+from nscc_runtime.remembered import remembered
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,21 +26,25 @@ class Scene:
 
 
 @dataclass(eq=False, kw_only=True)
-class Where:
-    """Some pixels of a frame: `places` int64 (pixels,) are row * cols + col."""
+class Device:
+    """Some pixels of a chip: `places` int64 (pixels,) are row * cols + col."""
 
     sensor: Sensor
-    seed: int
     device_seed: int
-    frame: int
     places: Places
-    _made: dict[OnDevice, Values] = field(default_factory=dict)
 
+    @remembered
     def fixed(self, make: OnDevice) -> Values:
         """What is fixed on the chip (pixels,), made once."""
-        if make not in self._made:
-            self._made[make] = make(self.sensor, self.device_seed, self.places)
-        return self._made[make]
+        return make(self.sensor, self.device_seed, self.places)
+
+
+@dataclass(eq=False, kw_only=True)
+class Where(Device):
+    """Some pixels of a frame."""
+
+    seed: int
+    frame: int
 
 
 class Word(Protocol):
@@ -50,33 +56,24 @@ class Word(Protocol):
     def after_us(self) -> float: ...
 
 
-class Slots(Protocol):
-    """Whole rows of pixels; arrays are (N, rows, cols)."""
+@dataclass(eq=False, kw_only=True)
+class Slots(Where, ABC):
+    """Whole rows of pixels; arrays are (N, rows, cols), those of `fixed` (rows, cols)."""
 
-    sensor: Sensor
     scene: Scene
 
-    def fixed(self, make: OnDevice) -> Values:
-        """As `Where.fixed`, of (rows, cols)."""
-
+    @abstractmethod
     def electrons(self, light: Light) -> Values:
         """The light of every slot."""
 
+    @abstractmethod
     def counted(self, stream: int, source: int, rates: Values) -> Values:
         """Counts of Poisson processes of these rates; `nscc_runtime.effects.counts` has sources."""
 
 
-class Pixels(Protocol):
-    """Pixels under their words, as `Where`; arrays are (pixels,)."""
+class Pixels(Where, ABC):
+    """Pixels under their words; arrays are (pixels,)."""
 
-    sensor: Sensor
-    seed: int
-    device_seed: int
-    frame: int
-    places: Places
-
-    def fixed(self, make: OnDevice) -> Values:
-        """As `Where.fixed`."""
-
+    @abstractmethod
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
         """The unit normal error that an effect's `Errors` have at a word."""

@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.words.soundness import faults
 from nscc_runtime.emulator.steps import Layout, steps_of
 from nscc_runtime.interface import Exposure
@@ -96,20 +96,19 @@ def expose(
         exposure=exposure,
     )
     for first in range(0, pixels, block):
-        run(
-            block=Block(
-                slots=container.slots,
-                pixels=pixels,
-                first=first,
-                length=min(block, pixels - first),
-                frames=len(frames),
-                code_registers=len(codes),
-                buckets=len(ordered),
-                seed=np.uint64(device_seed & 2**64 - 1),
-                flag_plane=layout.planes["FLAG"],
-                pix_row=layout.rows["PIX"],
-            )
+        sizes = Block(
+            slots=container.slots,
+            pixels=pixels,
+            first=first,
+            length=min(block, pixels - first),
+            frames=len(frames),
+            code_registers=len(codes),
+            buckets=len(ordered),
+            seed=np.uint64(device_seed & 2**64 - 1),
+            flag_plane=layout.planes["FLAG"],
+            pix_row=layout.rows["PIX"],
         )
+        run(block=sizes)
     shaped = exposure.reshape(len(ordered), *light.shape)
     return Exposure(shaped, np.isfinite(shaped))
 
@@ -132,12 +131,11 @@ def check(container: Container, light: Light) -> None:
 def check_program(container: Container) -> None:
     """Refuse a program without pixel codes (NS0741), and a container that contradicts itself."""
     if container.pixel_codes is None:
-        raise Rejected(
-            Diagnostic(
-                "NS0741",
-                "the program does not say which code each pixel has",
-                helps=("give it a `pixels` statement, or codes in a file: --pixels CODES.npz",),
-            )
+        raise rejected(
+            "NS0741",
+            "the program does not say which code each pixel has",
+            helps=("give it a `pixels` statement, or codes in a file: --pixels CODES.npz",),
+            status=1,
         )
     unsound = faults(container)
     if unsound:
@@ -148,18 +146,14 @@ def check_size(container: Container, light: Light) -> None:
     """Refuse light of another array or of other slots (NS0734)."""
     shape = light.shape if container.pixel_codes is None else container.pixel_codes.shape
     if light.shape != shape or light.slots != container.slots:
-        raise Rejected(
-            Diagnostic(
-                "NS0734",
-                f"the light is {_size(light.shape)} pixels in {light.slots} slots, the array "
-                f"is {_size(shape)} pixels in {container.slots} slots",
-                helps=("lay the scene on the array and the slots of this program",),
-            )
+        there, here = (" x ".join(map(str, each)) for each in (light.shape, shape))
+        raise rejected(
+            "NS0734",
+            f"the light is {there} pixels in {light.slots} slots, the array "
+            f"is {here} pixels in {container.slots} slots",
+            helps=("lay the scene on the array and the slots of this program",),
+            status=1,
         )
-
-
-def _size(shape: tuple[int, ...]) -> str:
-    return " x ".join(str(length) for length in shape)
 
 
 def _packed(planes: Iterable[NDArray[np.bool_]], pixels: int) -> NDArray[np.uint64]:

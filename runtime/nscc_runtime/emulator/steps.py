@@ -155,21 +155,16 @@ class _Translator:
             case Effect.FLAG_ANALOG:
                 masked = self.target.where_obeys_flag
                 compare = Step.COMPARE_MASKED if masked else Step.COMPARE
-                return [(compare, planes["FLAG"], *self._listed(op.sources))]
+                return [(compare, planes["FLAG"], *self._listed(op.sources, rows))]
             case Effect.FLAG_DIGITAL:
                 return self._digital(op, ("FLAG",))
             case Effect.DIGITAL:
                 return self._digital(op, op.destinations)
 
-    def _four(self, sources: tuple[str, ...]) -> list[int]:
-        """Rows of up to four analog sources, filled up with the row of zeros."""
-        rows = self.layout.rows
-        return [rows[name] for name in (*sources, *("IN",) * (4 - len(sources)))]
-
-    def _listed(self, sources: tuple[str, ...]) -> tuple[int, int]:
-        """Where the rows of sources stand among the operands, and how many they are."""
+    def _listed(self, sources: tuple[str, ...], places: dict[str, int]) -> tuple[int, int]:
+        """Where the places of sources stand among the operands, and how many they are."""
         first = len(self.operands)
-        self.operands.extend(self.layout.rows[name] for name in sources)
+        self.operands.extend(places[name] for name in sources)
         return first, len(sources)
 
     def _bus(self, op: Op) -> list[tuple[int, ...]]:
@@ -177,13 +172,14 @@ class _Translator:
         divisor = op.operation.divisor
         direct = divisor == 1 and len(op.destinations) == 1
         out = rows[op.destinations[0] if direct else "sum"]
-        four, count = self._four(op.sources[:4]), len(op.sources)
+        # Up to four sources, filled up with the row of zeros.
+        four, count = [rows[name] for name in (*op.sources, *("IN",) * 4)[:4]], len(op.sources)
         steps: list[tuple[int, ...]] = [
             (Step.BUS2, out, *four[:2])
             if count <= 2
             else (Step.BUS4, out, *four)
             if count <= 4
-            else (Step.BUS, out, *self._listed(op.sources))
+            else (Step.BUS, out, *self._listed(op.sources, rows))
         ]
         if not direct:
             steps += [(Step.DIVIDE, rows[d], rows["sum"], divisor) for d in op.destinations]
@@ -212,6 +208,4 @@ class _Translator:
         self, destination: str, sources: tuple[str, ...], *, inverted: bool
     ) -> tuple[int, ...]:
         planes = self.layout.planes
-        first = len(self.operands)
-        self.operands.extend(planes[name] for name in sources)
-        return (Step.COMBINE, planes[destination], first, len(sources), inverted)
+        return (Step.COMBINE, planes[destination], *self._listed(sources, planes), inverted)

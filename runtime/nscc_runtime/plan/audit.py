@@ -70,18 +70,16 @@ def audit(
     reference = Reference.of(program.container, program.sensor, effects or everything())
     scene = scene_of(program.container, light)
     weight = _weights(rows, light.shape[0])
-    errors, plans, fulls = [], [], []
+    plans, fulls = [], []
     for frame in range(count):
-        whole = planned.expose(seed, frame).exposure_e[:, rows]
+        plans.append(planned.expose(seed, frame).exposure_e[:, rows])
         parts = [
             reference.expose_rows(scene, band, seed, planned.device_seed, frame).exposure_e
             for band in _bands(rows)
         ]
-        full = np.concatenate(parts, axis=1)
-        errors.append(whole - full)
-        plans.append(whole)
-        fulls.append(full)
-    error = np.stack(errors)
+        fulls.append(np.concatenate(parts, axis=1))
+    plan, full = np.stack(plans), np.stack(fulls)
+    error = plan - full
     square = (np.nanmean(error**2, axis=3) * weight).sum(axis=2)
     per_frame = square.reshape(-1, min(pooled, 64), square.shape[1]).mean(axis=1)
     worst = math.sqrt(float(per_frame.max()))
@@ -89,7 +87,7 @@ def audit(
     by_row = np.nanmean(error**2, axis=3).reshape(-1, len(rows))
     spread = float(by_row.std() / math.sqrt(by_row.size))
     means = np.nanmean(error, axis=3).reshape(-1, len(rows))
-    ratio, ratio_error = _std_ratio(np.stack(plans), np.stack(fulls))
+    ratio, ratio_error = _std_ratio(plan, full)
     return Audit(
         worst,
         spread / (2 * worst) if worst > 0 else 0.0,

@@ -17,8 +17,6 @@ from nscc_runtime.plan.layout import Keys, Numbers, Sizes
 
 SITES = 5
 """A pixel and its four neighbours."""
-_LIGHT, _DARK = 0, 1
-"""Where charge comes from."""
 
 
 @compiled
@@ -41,7 +39,7 @@ def _share(
 
 @compiled
 def _split(
-    heap: Floats, stamps: Ints, stamp: int, top: int, parent: int, slots: int, whole: int,
+    heap: Floats, stamps: Ints, top: int, parent: int, slots: int, whole: int,
     rates: Floats, at: int, groups: Ints32, lane: int, group: int, stream: np.uint64, place: int,
 ) -> None:  # fmt: skip
     """Halve the count of a node."""
@@ -59,18 +57,18 @@ def _split(
         drawn = halved(stream, place, parent, count, left, right)
     heap[top + 2 * parent] = drawn
     heap[top + 2 * parent + 1] = count - drawn
-    stamps[top + 2 * parent] = stamp
-    stamps[top + 2 * parent + 1] = stamp
+    stamps[top + 2 * parent] = place
+    stamps[top + 2 * parent + 1] = place
 
 
 @compiled
 def _counted(
-    heap: Floats, stamps: Ints, stamp: int, top: int, first: int, stop: int, slots: int, whole: int,
+    heap: Floats, stamps: Ints, top: int, first: int, stop: int, slots: int, whole: int,
     rates: Floats, at: int, groups: Ints32, lane: int, group: int, stream: np.uint64, place: int,
 ) -> float:  # fmt: skip
     """The count of a group in the slots `first` .. `stop` - 1.
 
-    `heap` from `top` on keeps the counts of the nodes that were found for this stamp.
+    `heap` from `top` on keeps the counts of the nodes that were found for this pixel.
     """
     total = 0.0
     low, high = first + whole, stop + whole
@@ -85,11 +83,11 @@ def _counted(
                 node = high
             if node > 0:
                 depth = 0
-                while stamps[top + (node >> depth)] != stamp:
+                while stamps[top + (node >> depth)] != place:
                     depth += 1
                 while depth > 0:
                     _split(
-                        heap, stamps, stamp, top, node >> depth, slots, whole,
+                        heap, stamps, top, node >> depth, slots, whole,
                         rates, at, groups, lane, group, stream, place,
                     )  # fmt: skip
                     depth -= 1
@@ -101,9 +99,9 @@ def _counted(
 
 @compiled
 def _prepared(
-    sizes: Sizes, numbers: Numbers, keys: Keys, source: int, place: int, stamp: int,
-    rates: Floats, at: int, groups: Ints32, present: Bytes, lane: int, group_ids: Words,
-    heap: Floats, stamps: Ints, first: int,
+    sizes: Sizes, numbers: Numbers, of_count: np.uint64, place: int, rates: Floats, at: int,
+    groups: Ints32, present: Bytes, lane: int, group_ids: Words, heap: Floats, stamps: Ints,
+    first: int,
 ) -> None:  # fmt: skip
     """Draw the counts of a site's groups and put them at the tops of their heaps."""
     slots, whole, count = sizes.slots, sizes.whole, sizes.groups
@@ -111,17 +109,16 @@ def _prepared(
         if present[lane * count + group]:
             rate = _share(rates, at, groups, lane * slots, group, 0, slots)
             rate = rate if rate < numbers.rate_cap else numbers.rate_cap
-            counted = keys.count_light if source == _LIGHT else keys.count_dark
-            stream = stream_key(counted, sizes.frame, group_ids[group])
+            stream = stream_key(of_count, sizes.frame, group_ids[group])
             top = first + 2 * whole * group + 1
             heap[top] = poisson_exact(uniform(stream, place), rate)
-            stamps[top] = stamp
+            stamps[top] = place
 
 
 @compiled
 def _between(
-    sizes: Sizes, keys: Keys, source: int, counted: bool, place: int, stamp: int, begin: int,
-    stop: int, rates: Floats, at: int, groups: Ints32, present: Bytes, lane: int, group_ids: Words,
+    sizes: Sizes, of_thin: np.uint64, counted: bool, place: int, begin: int, stop: int,
+    rates: Floats, at: int, groups: Ints32, present: Bytes, lane: int, group_ids: Words,
     heap: Floats, stamps: Ints, first: int,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 at a site, of one source."""
@@ -133,10 +130,9 @@ def _between(
         return total
     for group in range(count):
         if present[lane * count + group]:
-            thinned = keys.thin_light if source == _LIGHT else keys.thin_dark
-            stream = stream_key(thinned, sizes.frame, group_ids[group])
+            stream = stream_key(of_thin, sizes.frame, group_ids[group])
             total += _counted(
-                heap, stamps, stamp, first + 2 * whole * group, begin, stop, slots, whole,
+                heap, stamps, first + 2 * whole * group, begin, stop, slots, whole,
                 rates, at, groups, lane * slots, group, stream, place,
             )  # fmt: skip
     return total
@@ -169,12 +165,12 @@ def charge(
             continue
         kept = 2 * kept_at(sizes, place)
         total = _between(
-            sizes, keys, _LIGHT, sizes.counts_light == 1, place, place, begin, stop, rates,
+            sizes, keys.thin_light, sizes.counts_light == 1, place, begin, stop, rates,
             kept * slots, groups, present, lanes[place], group_ids, heap, stamps, kept * room,
         )  # fmt: skip
         if sizes.counts_dark:
             total += _between(
-                sizes, keys, _DARK, True, place, place, begin, stop, rates,
+                sizes, keys.thin_dark, True, place, begin, stop, rates,
                 (kept + 1) * slots, groups, present, lanes[place], group_ids, heap, stamps,
                 (kept + 1) * room,
             )  # fmt: skip
@@ -211,7 +207,7 @@ def lit(
         rates[at + n] = rate if rate < numbers.rate_cap else numbers.rate_cap
     if sizes.counts_light:
         _prepared(
-            sizes, numbers, keys, _LIGHT, place, place, rates, at, groups, present, lanes[place],
+            sizes, numbers, keys.count_light, place, rates, at, groups, present, lanes[place],
             group_ids, heap, stamps, kept * room,
         )  # fmt: skip
     if sizes.counts_dark:
@@ -221,6 +217,6 @@ def lit(
         for n in range(slots):
             rates[at + n] = slot_s[n] * current
         _prepared(
-            sizes, numbers, keys, _DARK, place, place, rates, at, groups, present, lanes[place],
+            sizes, numbers, keys.count_dark, place, rates, at, groups, present, lanes[place],
             group_ids, heap, stamps, (kept + 1) * room,
         )  # fmt: skip

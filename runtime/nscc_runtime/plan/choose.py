@@ -51,14 +51,14 @@ def plan_for(
     `effects`, by default `auto`, decides on what it names; without `auto` on everything. Errors are
     against the reference with all effects, those that were forced off included.
     """
-    return Chooser(program, light, tolerance_e, effects or selected("auto"), device_seed).plan()
+    return Chooser(program, light, tolerance_e, device_seed, effects or selected("auto")).plan()
 
 
 def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int = 0) -> Plan:
     """The same decisions for another scene: what they make wrong there."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
     chosen = Selection(always_on() | on, frozenset(optional()))
-    chooser = Chooser(program, light, plan.tolerance_e, chosen, device_seed)
+    chooser = Chooser(program, light, plan.tolerance_e, device_seed, chosen)
     made = chooser.plan("taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
@@ -66,24 +66,22 @@ def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int =
 
 
 @dataclass(frozen=True, eq=False)
-class Chooser:
+class Chooser(Forecast):
     """One search; see `plan_for`."""
 
-    program: Program
-    light: Light
-    tolerance_e: float
     effects: Selection
-    device_seed: int
 
     @cached_property
-    def forecast(self) -> Forecast:
-        """What the scene makes of the effects."""
-        off = frozenset(self._forced_off())
-        return Forecast(self.program, self.light, self.tolerance_e, self.device_seed, off)
+    def forced_off(self) -> frozenset[str]:
+        """Of the exposure, what the user wants off."""
+        return frozenset(
+            effect.name for effect in registered()
+            if effect.kind != "after" and self._forced(effect) and effect not in self.effects
+        )  # fmt: skip
 
     def plan(self, forced_reason: str = "named in --effects") -> Plan:
         """The plan."""
-        dropped = frozenset(self._forced_off())
+        dropped = self.forced_off
         limit = (MARGIN * self.tolerance_e) ** 2
         forced = self._square(dropped)
         if forced > limit:
@@ -105,46 +103,41 @@ class Chooser:
     def _moves(self, dropped: frozenset[str]) -> Iterable[frozenset[str]]:
         """What may be left out next: an effect, saturation, or all that only the reference has."""
         free = {
-            effect.name for effect in self.forecast.present
+            effect.name for effect in self.present
             if effect.name not in dropped and not self._forced(effect)
         }  # fmt: skip
         yield from (frozenset({name}) for name in sorted(free))
-        if free >= self.forecast.saturation:
-            yield self.forecast.saturation
-        slow = frozenset(free & self.forecast.slow)
+        if free >= self.saturation:
+            yield self.saturation
+        slow = frozenset(free & self.slow)
         if len(slow) > 1:
             yield slow
 
     def _square(self, dropped: frozenset[str]) -> float:
         """The predicted mean square error of the worst bucket, in square electrons."""
-        return self.forecast.square(dropped, self._path(dropped) != "sums")
+        return self.square(dropped, self._path(dropped) != "sums")
 
     def _path(self, dropped: frozenset[str]) -> Literal["sums", "words", "reference"]:
         """What has all effects that are left: sums over slots, the loop over the words of single
         pixels for all of them, or the reference alone.
         """
-        left = [effect for effect in self.forecast.present if effect.name not in dropped]
+        left = [effect for effect in self.present if effect.name not in dropped]
         summed = not (self._everywhere or any(isinstance(e.sums, CannotHave) for e in left))
-        if summed and self.forecast.state(dropped) != "words":
+        if summed and self.state(dropped) != "words":
             return "sums"
-        if any(effect.name in self.forecast.slow for effect in left):
+        if any(effect.name in self.slow for effect in left):
             return "reference"
         return "sums" if summed else "words"
 
     @cached_property
     def _everywhere(self) -> bool:
         """Whether short cuts would cost too much, so that all pixels run through their words."""
-        cuts = self.forecast.short_cuts(frozenset(self._forced_off()))
+        cuts = self.short_cuts(self.forced_off)
         total = sum((square for _, square in cuts), _NOTHING)
         return math.sqrt(float(np.max(total))) > _SHORT_CUTS * self.tolerance_e
 
     def _forced(self, effect: Effect) -> bool:
         return not self.effects.auto or effect.name in self.effects.forced
-
-    def _forced_off(self) -> Iterable[str]:
-        for effect in registered():
-            if effect.kind != "after" and self._forced(effect) and effect not in self.effects:
-                yield effect.name
 
     def _words_ns(self, pixels: int) -> float:
         """Nanoseconds that so many pixels running through their words cost, shared over all."""
@@ -157,7 +150,7 @@ class Chooser:
         """Nanoseconds a pixel that the way of simulating what is left costs."""
         path = self._path(dropped)
         if path == "sums":
-            near = self.forecast.near if self.forecast.state(dropped) == "words" else ()
+            near = self.near if self.state(dropped) == "words" else ()
             return self._words_ns(len(near))
         return self._words_ns(len(self.program.lanes)) * (_REFERENCE if path == "reference" else 1)
 
@@ -165,7 +158,7 @@ class Chooser:
         """Nanoseconds a pixel that leaving effects out saves, beside those in `dropped`."""
         path = self._path(dropped)
         saved = self._path_ns(dropped - names) - self._path_ns(dropped | names)
-        effects = [effect for effect in self.forecast.present if effect.name in names]
+        effects = [effect for effect in self.present if effect.name in names]
         if path == "sums":
             return saved + sum(effect.cost_ns for effect in effects)
         # The words are run in any case.
@@ -175,13 +168,9 @@ class Chooser:
     def _made(self, dropped: frozenset[str], forced_reason: str) -> Plan:
         """The plan of these decisions."""
         path = self._path(dropped)
-        square, most = self.forecast.squares(dropped, path != "sums")
-        cuts: list[Approximation] = []
-        if path == "sums":
-            for name, part in self.forecast.short_cuts(dropped):
-                error = math.sqrt(float(np.max(part)))
-                if error > 0:
-                    cuts.append(Approximation(name, error))
+        square, most = self.squares(dropped, path != "sums")
+        taken = self.short_cuts(dropped) if path == "sums" else ()
+        cuts = [Approximation(name, math.sqrt(float(np.max(part)))) for name, part in taken]
         reasons = [*self._reasons(dropped)]
         loop: Loop = "some" if reasons else "none"
         if path != "sums":
@@ -192,17 +181,17 @@ class Chooser:
             math.sqrt(float(np.max(most))),
             loop,
             tuple(reasons),
-            len(self.forecast.fields.sample.places) / len(self.program.lanes),
-            tuple(cuts),
+            len(self.fields.sample.places) / len(self.program.lanes),
+            tuple(cut for cut in cuts if cut.error_e > 0),
             tuple(self._decision(each, dropped, forced_reason) for each in registered()),
-            self.forecast.leak_nodes,
-            self.forecast.closed,
+            self.leak_nodes,
+            self.closed,
         )
 
     def _reasons(self, dropped: frozenset[str]) -> Iterable[str]:
         """Why pixels run through their words one by one, or why the reference runs."""
         path = self._path(dropped)
-        for effect in self.forecast.present:
+        for effect in self.present:
             if effect.name in dropped:
                 continue
             if path == "reference" and isinstance(effect.words, CannotHave):
@@ -216,18 +205,18 @@ class Chooser:
                 "counts would have to be spread over the slots of most pixels: the weights of a "
                 "code's slots differ too much for this tolerance"
             )
-        if self.forecast.state(dropped) == "words":
-            yield f"{len(self.forecast.near)} pixels may saturate"
+        if self.state(dropped) == "words":
+            yield f"{len(self.near)} pixels may saturate"
 
     def _decision(self, effect: Effect, dropped: frozenset[str], forced_reason: str) -> Decision:
         forced = self._forced(effect)
         if effect.kind == "after":
             return self._after(effect, forced_reason)
-        rms, bias = self.forecast.contribution(effect)
+        rms, bias = self.contribution(effect)
         then = math.sqrt(self._square(dropped | {effect.name}))
         cost = self._saved_ns(frozenset({effect.name}), dropped)
         choice: Choice = "kept"
-        if effect not in self.forecast.present:
+        if effect not in self.present:
             choice, reason, cost = "absent", effect.absent, 0.0
         elif effect.name in dropped:
             choice, reason = "dropped", f"{rms:.3g} e fits into the tolerance"

@@ -22,7 +22,7 @@ from nscc_runtime.effects import (
     Selection,
     registered,
 )
-from nscc_runtime.effects.parts import Exchange, Part, Saturates, Soft, Well
+from nscc_runtime.effects.parts import Exchange, Soft, Well
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
 from nscc_runtime.plan.program import Program
@@ -96,7 +96,7 @@ def fields_of(
     )
     if not sample.near.any():
         return fields
-    return _Near(scene, device_seed, forced_off).added(fields, found)
+    return _Near(scene, forced_off).added(fields, found)
 
 
 def _field(effect: Effect, scene: SampledScene) -> Field:
@@ -122,7 +122,6 @@ class _Near:
     """The pixels of a sample that may saturate, run through their words."""
 
     scene: SampledScene
-    device_seed: int
     forced_off: frozenset[str]
 
     def added(self, fields: Fields, found: Mapping[str, Field]) -> Fields:
@@ -130,8 +129,8 @@ class _Near:
         near = self.scene.sample.near
         every = everything()
         every = every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))
-        exchanges = _named(Exchange)
-        (well,), (register,) = _named(Well), _named(Soft)
+        exchanges = every.names(Exchange)
+        (well,), (register,) = every.names(Well), every.names(Soft)
         held = {
             names: self._held(every.without(*names, *exchanges))
             for names in ((), (well,), (register,), (well, register))
@@ -188,15 +187,5 @@ class _Near:
             program.slot_s,
             self.scene.places[self.scene.sample.near],
             kept,
-            device_seed=self.device_seed,
+            device_seed=self.scene.device.device_seed,
         )
-
-
-def _named(kind: type[Part]) -> list[str]:
-    """The names of the effects that have a part of that kind."""
-    return [effect.name for effect, _ in everything().having(kind)]
-
-
-def saturation() -> frozenset[str]:
-    """Effects that need single pixels to run through their words."""
-    return frozenset(_named(Saturates))

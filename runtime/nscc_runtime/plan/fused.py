@@ -111,49 +111,33 @@ class Fused:
 
     def expose(self, seed: int, frame: int, *, read_out: bool) -> Frame:
         """Frame number `frame`; without `read_out` its codes are left 0."""
-
         shape = (len(self.buckets), *self.scene.light.shape)
-        exposure = np.empty(shape)
-        codes, valid = np.zeros(shape, np.uint8), np.ones(shape, np.bool_)
+        found = Frame(np.zeros(shape, np.uint8), np.empty(shape), np.ones(shape, np.bool_))
         for bucket in range(len(self.buckets)):
-            self._fill(
-                bucket, seed, frame, read_out, (exposure[bucket], codes[bucket], valid[bucket])
-            )
-        return Frame(codes, exposure, valid)
+            self._fill(found, bucket, seed, frame, read_out)
+        return found
 
-    def _fill(
-        self,
-        bucket: int,
-        seed: int,
-        frame: int,
-        read_out: bool,
-        out: tuple[NDArray[np.float64], NDArray[np.uint8], NDArray[np.bool_]],
-    ) -> None:
-        """Expose one bucket into `out`: exposures, codes, and whether they are numbers."""
-        loop = self.buckets[bucket]
+    def _fill(self, found: Frame, bucket: int, seed: int, frame: int, read_out: bool) -> None:
+        """Expose one bucket."""
         noise_keys = [key(seed, stream, SUM, frame, draw) for stream, draw in self.sources]
-        counted = readout = np.uint64(0)
-        if self.counter:
-            counted = count_key(seed, self.counter, LIGHT, frame, 1 << bucket)
-        if self.converter:
-            readout = key(seed, self.converter, frame=frame, group=bucket)
-        pixels = out[0].size
+        pixels = found.exposure_e[bucket].size
         given: dict[str, Any] = {
             **self.given,
             "pixels": pixels,
             "read_out": read_out,
-            "count_key": counted,
-            "readout_key": readout,
+            # Without what counts, and without noise of the converter, nobody asks for these.
+            "count_key": count_key(seed, self.counter, LIGHT, frame, 1 << bucket),
+            "readout_key": key(seed, self.converter, frame=frame, group=bucket),
         }
-        exposure, codes, valid = out
         filled = {
             "noise_keys": np.array(noise_keys, np.uint64),
-            "exposure": exposure.reshape(-1),
-            "frame": codes.reshape(-1),
-            "valid": valid.view(np.uint8).reshape(-1),
+            "exposure": found.exposure_e[bucket].reshape(-1),
+            "frame": found.frame[bucket].reshape(-1),
+            "valid": found.valid[bucket].view(np.uint8).reshape(-1),
         }
 
         def run(begin: int, end: int) -> None:
+            loop = self.buckets[bucket]
             loop(plan=Simple(**given, begin=begin, end=end), **_scratch(), **filled)
 
         drawn = bool(noise_keys or self.counter or self.converter)

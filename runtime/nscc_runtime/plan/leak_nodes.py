@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects.parts import Leak
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.spread import log_normal
 
 MOST = 8
 _SIGMAS = 4.0
@@ -45,8 +46,7 @@ def error(leak: Leak, sensor: Sensor, count: int, age_s: float) -> float:
     """The relative RMS error over the pixels of exp(-rate age) found so, by normal numbers."""
     z = np.linspace(-_SIGMAS, _SIGMAS, 161)
     density = np.exp(-z * z / 2)
-    variance = math.log1p(leak.spread(sensor) ** 2)
-    per_s = np.exp(math.sqrt(variance) * z - variance / 2) / leak.tau_s(sensor)
+    per_s = log_normal(leak.spread(sensor), z) / leak.tau_s(sensor)
     nodes = rates(leak, sensor, count)
     near = between(nodes, per_s).T @ np.exp(-nodes * age_s)
     return float(np.sqrt(np.average((near - np.exp(-per_s * age_s)) ** 2, weights=density)))

@@ -18,7 +18,12 @@ Weights = NDArray[np.float32]
 _MOST_PAIRS = 1 << 20
 """Pairs of lanes up to which a table of all pairs is made; else each pixel's pair is computed."""
 _CHUNK = 4096
-_DIRECTIONS = ((-1, 0), (1, 0), (0, -1), (0, 1))
+_ALL, _FIRST, _LAST = slice(None), slice(None, -1), slice(1, None)
+_NEIGHBOURS = (
+    ((_LAST, _ALL), (_FIRST, _ALL)), ((_FIRST, _ALL), (_LAST, _ALL)),
+    ((_ALL, _LAST), (_ALL, _FIRST)), ((_ALL, _FIRST), (_ALL, _LAST)),
+)  # fmt: skip
+"""Above, below, left and right: the pixels (rows, cols) that have such a neighbour, and those."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +56,7 @@ class Overlap:
             time = slot_s @ members
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
             own[group] = means.T[:, lanes.reshape(-1)].reshape(-1, rows, cols).astype(np.float32)
-            neighbours[group] = tuple(_pairs(seconds, parts, lanes, step) for step in _DIRECTIONS)
+            neighbours[group] = tuple(_pairs(seconds, parts, lanes, *each) for each in _NEIGHBOURS)
         return cls(fraction, (rows, cols), own, neighbours)
 
     def smeared(self, away: dict[int, Values]) -> Values:
@@ -61,8 +66,7 @@ class Overlap:
             each = flat.reshape(self.shape)
             own = self.own[group] * each
             total = total + own
-            for shift, weight in zip(_DIRECTIONS, self.neighbours[group], strict=True):
-                to, source = _slices(shift)
+            for (to, source), weight in zip(_NEIGHBOURS, self.neighbours[group], strict=True):
                 total[(..., *to)] += self.fraction * (
                     weight[(..., *to)] * each[source] - own[(..., *to)]
                 )
@@ -70,15 +74,18 @@ class Overlap:
 
 
 def _pairs(
-    weights: Values, parts: Values, lanes: NDArray[np.int32], shift: tuple[int, int]
+    weights: Values,
+    parts: Values,
+    lanes: NDArray[np.int32],
+    to: tuple[slice, slice],
+    source: tuple[slice, slice],
 ) -> Weights:
-    """The weight (buckets, rows, cols) of the neighbour at `shift`; 0 where there is none.
+    """The weight (buckets, rows, cols) of the neighbours `source` of `to`; 0 where there is none.
 
     `weights` (N, lanes, buckets) times the slots' seconds, `parts` (N, lanes).
     """
     buckets = weights.shape[2]
     found = np.zeros((buckets, *lanes.shape), np.float32)
-    to, source = _slices(shift)
     mine, other = lanes[to].reshape(-1), lanes[source].reshape(-1)
     values = np.empty((buckets, mine.size), np.float32)
     if weights.shape[1] ** 2 <= _MOST_PAIRS:
@@ -90,15 +97,3 @@ def _pairs(
             values[:, part] = np.einsum("npb,np->bp", weights[:, mine[part]], parts[:, other[part]])
     found[(..., *to)] = values.reshape(buckets, *lanes[to].shape)
     return found
-
-
-def _slices(shift: tuple[int, int]) -> tuple[tuple[slice, slice], tuple[slice, slice]]:
-    """The pixels that have a neighbour at `shift`, and those neighbours."""
-
-    def along(step: int) -> tuple[slice, slice]:
-        if step == 0:
-            return slice(None), slice(None)
-        return (slice(1, None), slice(None, -1)) if step < 0 else (slice(None, -1), slice(1, None))
-
-    (row_to, row_from), (col_to, col_from) = along(shift[0]), along(shift[1])
-    return (row_to, col_to), (row_from, col_from)

@@ -43,35 +43,21 @@ Entries = Annotated[NDArray[Any], Entry]
 
 
 @compiled
-def _sum_key(keys: Keys, kind: int) -> np.uint64:
-    if kind == _READS:
-        return keys.sum_reads
-    return keys.sum_resets if kind == _RESETS else keys.sum_words
-
-
-@compiled
-def _part_key(keys: Keys, kind: int) -> np.uint64:
-    if kind == _READS:
-        return keys.part_reads
-    return keys.part_resets if kind == _RESETS else keys.part_words
-
-
-@compiled
 def _missing(
-    sizes: Sizes, keys: Keys, place: int, first: int, stop: int, entries: Entries, weights: Floats,
-    kind: int, missing: Floats,
+    sizes: Sizes, of_sum: np.uint64, of_part: np.uint64, place: int, first: int, stop: int,
+    entries: Entries, weights: Floats, kind: int, missing: Floats,
 ) -> None:  # fmt: skip
-    """What the draws of the words lack of the draws of the buckets: z - Q^T x."""
+    """What the draws of the words lack of the draws of the buckets: z - Q^T x, by their keys."""
     buckets = sizes.buckets
     for bucket in range(buckets):
-        stream = stream_key(_sum_key(keys, kind), sizes.frame, np.uint64(bucket))
+        stream = stream_key(of_sum, sizes.frame, np.uint64(bucket))
         missing[kind * buckets + bucket] = normal(uniform(stream, place))
     for e in range(first, stop):
         for draw in range(sizes.draws):
             if not _draws(entries[e], kind, draw):
                 continue
             number = _drawn_number(sizes, entries[e], kind, draw)
-            stream = stream_key(_part_key(keys, kind), sizes.frame, number)
+            stream = stream_key(of_part, sizes.frame, number)
             x = normal(uniform(stream, place))
             for bucket in range(buckets):
                 at = (e * sizes.draws + draw) * buckets + bucket
@@ -97,13 +83,13 @@ def _drawn_number(sizes: Sizes, entry: Entry, kind: int, draw: int) -> np.uint64
 
 @compiled
 def _error(
-    sizes: Sizes, keys: Keys, place: int, e: int, entries: Entries, weights: Floats, kind: int,
-    draw: int, missing: Floats,
+    sizes: Sizes, of_part: np.uint64, place: int, e: int, entries: Entries, weights: Floats,
+    kind: int, draw: int, missing: Floats,
 ) -> float:  # fmt: skip
     """The unit normal error of one draw of a word."""
     buckets = sizes.buckets
     number = _drawn_number(sizes, entries[e], kind, draw)
-    stream = stream_key(_part_key(keys, kind), sizes.frame, number)
+    stream = stream_key(of_part, sizes.frame, number)
     found = normal(uniform(stream, place))
     for bucket in range(buckets):
         at = (e * sizes.draws + draw) * buckets + bucket
@@ -122,7 +108,7 @@ def _execute(
     if entry.resets:
         registers[pix] = 0.0
         if sizes.reset_errors:
-            z = _error(sizes, keys, place, e, entries, weights, _RESETS, 0, missing)
+            z = _error(sizes, keys.part_resets, place, e, entries, weights, _RESETS, 0, missing)
             registers[pix + 1] = numbers.reset_error * z
         return
     total = 0.0
@@ -132,14 +118,14 @@ def _execute(
         if source == pix:
             total += registers[pix + 1]
             if sizes.read_errors:
-                z = _error(sizes, keys, place, e, entries, weights, _READS, 0, missing)
+                z = _error(sizes, keys.part_reads, place, e, entries, weights, _READS, 0, missing)
                 total += numbers.read_error * z
     result = total / -entry.divisor
     for i in range(entry.destinations):
         register = operands[entry.operands + entry.sources + i]
         value = result
         if sizes.word_errors:
-            z = _error(sizes, keys, place, e, entries, weights, _WORDS, i + 1, missing)
+            z = _error(sizes, keys.part_words, place, e, entries, weights, _WORDS, i + 1, missing)
             error = pattern + numbers.word_error * z
             value = numbers.gain * value + signs[register] * error
         if sizes.bends:
@@ -287,12 +273,21 @@ def run_pixels(
                 tags[site_at] = places[site]
         first, stop = entry_start[lane], entry_start[lane + 1]
         if sizes.read_errors:
-            _missing(sizes, keys, place, first, stop, entries, weights, _READS, missing)
+            _missing(
+                sizes, keys.sum_reads, keys.part_reads, place, first, stop, entries, weights,
+                _READS, missing,
+            )  # fmt: skip
         if sizes.reset_errors:
-            _missing(sizes, keys, place, first, stop, entries, weights, _RESETS, missing)
+            _missing(
+                sizes, keys.sum_resets, keys.part_resets, place, first, stop, entries, weights,
+                _RESETS, missing,
+            )  # fmt: skip
         leak = 0.0
         if sizes.word_errors:
-            _missing(sizes, keys, place, first, stop, entries, weights, _WORDS, missing)
+            _missing(
+                sizes, keys.sum_words, keys.part_words, place, first, stop, entries, weights,
+                _WORDS, missing,
+            )  # fmt: skip
         if sizes.leaks:
             z = normal(uniform(keys.leak, place))
             leak = numbers.leak * log_normal_in_loop(numbers.leak_variance, z)

@@ -6,7 +6,7 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -133,16 +133,13 @@ class Pixels:
             readout_wait_s=np.array([order[b] * waited_s for b in container.buckets], np.float64),
         )
 
-        def run(part: NDArray[np.int64]) -> NDArray[np.float64]:
-            sizes = self._sizes(len(part), light, frame, effects)
-            out = np.empty((len(container.buckets), len(part)))
-            bound(sizes=sizes, chosen=part, out=out, **_scratch(sizes))
-            return out
-
         out = np.empty((len(container.buckets), len(chosen)))
 
         def fill(begin: int, end: int) -> None:
-            out[:, begin:end] = run(chosen[begin:end])
+            sizes = self._sizes(end - begin, light, frame, effects)
+            part = np.empty((len(container.buckets), end - begin))
+            bound(sizes=sizes, chosen=chosen[begin:end], out=part, **_scratch(sizes))
+            out[:, begin:end] = part
 
         in_parts(fill, len(chosen), threads, _FEWEST)
         return out
@@ -154,8 +151,7 @@ class Pixels:
         whole = 1 << (container.slots - 1).bit_length()
         # What the charge of one site takes: rates, counts and their stamps, of light and dark.
         each = 16 * (container.slots + 2 * 2 * whole * groups)
-        loops = _in_loop(registered())
-        switches = {loop.switch: effect in effects for effect, loop in loops if loop.switch}
+        switches = {loop.switch: effect in effects for effect, loop in _in_loop() if loop.switch}
         return Sizes(
             pixels=count,
             slots=container.slots,
@@ -206,7 +202,7 @@ def _numbers(sensor: Sensor, effects: Selection) -> Numbers:
     """The figures of the effects; 0 of those that are off."""
     figures = {
         name: figure(sensor) if effect in effects else 0.0
-        for effect, loop in _in_loop(registered())
+        for effect, loop in _in_loop()
         for name, figure in loop.numbers.items()
     }
     return Numbers(
@@ -220,7 +216,7 @@ def _numbers(sensor: Sensor, effects: Selection) -> Numbers:
 def _keys(seed: int, device_seed: int) -> Keys:
     """Keys of the device, and those that a frame's follow from, whether effects are on or not."""
     found = {"start": base(device_seed, START)}
-    for effect, loop in _in_loop(registered()):
+    for effect, loop in _in_loop():
         if loop.device_key is not None:
             found[loop.device_key] = key(device_seed, effect.stream)
         for kind, source, name in (
@@ -235,9 +231,9 @@ def _keys(seed: int, device_seed: int) -> Keys:
     return Keys(**found)
 
 
-def _in_loop(effects: Iterable[Effect]) -> Iterator[tuple[Effect, InLoop]]:
-    """Those that the loop has."""
-    for effect in effects:
+def _in_loop() -> Iterator[tuple[Effect, InLoop]]:
+    """The effects that the loop has."""
+    for effect in registered():
         if isinstance(effect.words, InLoop):
             yield effect, effect.words
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, is_dataclass
 from functools import cached_property
-from typing import Any, Literal, get_args
+from types import UnionType
+from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from nscc_runtime.effects import CannotHave, Selection, registered
 from nscc_runtime.effects.parts import Saturates
@@ -111,73 +112,32 @@ class Plan:
     @classmethod
     def from_json(cls, values: Mapping[str, Any]) -> Plan:
         """The plan that `as_json` wrote; KeyError, TypeError or ValueError for anything else."""
-        loop = values["slot_loop_pixels"]
-        if loop not in get_args(Loop):
-            raise ValueError(f"slot_loop_pixels is {loop!r:.40}")
-        decisions = tuple(map(_decision, _list(values["effects"])))
-        if [(each.name, each.kind) for each in decisions] != [
-            (e.name, e.kind) for e in registered()
-        ]:
+        names = {"slot_loop": "slot_loop_pixels", "closed": "closed_slots_counted"}
+        names |= {"decisions": "effects"}
+        plan: Plan = _read(cls, {**values, **{ours: values[its] for ours, its in names.items()}})
+        named = [(each.name, each.kind) for each in plan.decisions]
+        if named != [(effect.name, effect.kind) for effect in registered()]:
             raise ValueError("its effects are not those of this version")
-        tolerance, nodes = _number(values["tolerance_e"]), values["leak_nodes"]
-        if not tolerance > 0:
-            raise ValueError(f"tolerance_e is {tolerance}")
-        if type(nodes) is not int or not 1 <= nodes <= leak_nodes.MOST:
-            raise ValueError(f"leak_nodes is {nodes!r:.40}")
-        return cls(
-            tolerance,
-            _number(values["predicted_e"]),
-            _number(values["bound_e"]),
-            loop,
-            tuple(map(_text, _list(values["slot_loop_reasons"]))),
-            _number(values["sampled_fraction"]),
-            tuple(
-                Approximation(_text(each["name"]), _number(each["error_e"]))
-                for each in _list(values["approximations"])
-            ),
-            decisions,
-            nodes,
-            _flag(values["closed_slots_counted"]),
-        )
+        if not plan.tolerance_e > 0:
+            raise ValueError(f"tolerance_e is {plan.tolerance_e}")
+        if not 1 <= plan.leak_nodes <= leak_nodes.MOST:
+            raise ValueError(f"leak_nodes is {plan.leak_nodes}")
+        return plan
 
 
-def _decision(values: Mapping[str, Any]) -> Decision:
-    """One of `effects` as a plan's JSON has it."""
-    choice = values["decision"]
-    if choice not in ("kept", "dropped", "absent"):
-        raise ValueError(f"a decision is {choice!r:.40}")
-    rms, bias, then = (
-        None if values[name] is None else _number(values[name])
-        for name in ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e")
-    )
-    return Decision(
-        values["name"], values["kind"], choice, _flag(values["forced"]), _text(values["reason"]),
-        rms, bias, then, _number(values["cost_ms_model"]),
-    )  # fmt: skip
-
-
-def _number(value: object) -> float:
-    """A finite number; JSON's whole numbers have no end."""
-    if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) < 1e300:
-        # A whole number may have too many digits to be written out.
-        shown = type(value).__name__ if isinstance(value, int) else f"{value!r:.40}"
-        raise ValueError(f"no number: {shown}")
-    return float(value)
-
-
-def _text(value: object) -> str:
-    if not isinstance(value, str):
-        raise TypeError(f"no text: {value!r:.40}")
-    return value
-
-
-def _flag(value: object) -> bool:
-    if not isinstance(value, bool):
-        raise TypeError(f"neither true nor false: {value!r:.40}")
-    return value
-
-
-def _list(value: object) -> list[Any]:
-    if not isinstance(value, list):
-        raise TypeError(f"no list: {value!r:.40}")
-    return value
+def _read(kind: Any, value: Any) -> Any:
+    """A value of JSON as what an annotation names. Numbers are finite: JSON's own have no end."""
+    origin, parts = get_origin(kind), get_args(kind)
+    if isinstance(kind, type) and is_dataclass(kind):
+        return kind(**{name: _read(of, value[name]) for name, of in get_type_hints(kind).items()})
+    if origin is tuple and isinstance(value, list):
+        return tuple(_read(parts[0], each) for each in value)
+    if origin is UnionType:
+        return None if value is None else _read(parts[0], value)
+    if kind is float and type(value) in (int, float) and abs(value) < 1e300:
+        return float(value)
+    if (origin is Literal and value in parts) or (kind in (int, str, bool) and type(value) is kind):
+        return value
+    # A whole number may have too many digits to be written out.
+    shown = type(value).__name__ if isinstance(value, int) else f"{value!r:.40}"
+    raise ValueError(f"{shown} is no {getattr(kind, '__name__', kind)}")

@@ -7,6 +7,7 @@ add; random ones, and the short cuts of running a plan, in quadrature.
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,16 +23,18 @@ from nscc_runtime.effects.parts import (
     Exchange,
     Leak,
     Part,
+    Saturates,
     SlowWords,
     Soft,
 )
 from nscc_runtime.light import Light
 from nscc_runtime.plan import leak_nodes
-from nscc_runtime.plan.effect_fields import BOTH, FORCED, Fields, fields_of, saturation
+from nscc_runtime.plan.effect_fields import BOTH, FORCED, Fields, fields_of
 from nscc_runtime.plan.plan import Decision, Plan
 from nscc_runtime.plan.prepared import Prepared
 from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.sample import sample_of
+from nscc_runtime.remembered import remembered
 
 _CLIP = "clip"
 """Sums that are clipped know nothing of light that falls before the level of a reset is read; that
@@ -45,15 +48,18 @@ _NOTHING = np.zeros(1)
 
 
 @dataclass(frozen=True, eq=False)
-class Forecast:
+class Forecast(ABC):
     """What a scene makes of a program's effects; `tolerance_e` decides on short cuts only."""
 
     program: Program
     light: Light
     tolerance_e: float
     device_seed: int
-    forced_off: frozenset[str] = frozenset()
-    """Effects that not even pixels running through their words have."""
+
+    @property
+    @abstractmethod
+    def forced_off(self) -> frozenset[str]:
+        """Effects that not even pixels running through their words have."""
 
     @cached_property
     def fields(self) -> Fields:
@@ -68,7 +74,7 @@ class Forecast:
     @cached_property
     def saturation(self) -> frozenset[str]:
         """Effects that need single pixels to run through their words."""
-        return saturation()
+        return everything().names(Saturates)
 
     @cached_property
     def slow(self) -> frozenset[str]:
@@ -77,21 +83,12 @@ class Forecast:
 
     def _dropped(self, kind: type[Part], dropped: frozenset[str]) -> bool:
         """Whether all effects that have a part of a kind are left out."""
-        return self._having(kind) <= dropped
-
-    def _having(self, kind: type[Part]) -> frozenset[str]:
-        """The names of the effects that have a part of a kind; kept."""
-        if kind not in self._names:
-            self._names[kind] = frozenset(effect.name for effect, _ in everything().having(kind))
-        return self._names[kind]
-
-    @cached_property
-    def _names(self) -> dict[type[Part], frozenset[str]]:
-        return {}
+        return everything().names(kind) <= dropped
 
     def _stays(self, kind: type[Part], dropped: frozenset[str]) -> bool:
         """Whether an effect that has a part of a kind, and does something here, is not."""
-        return any(e.name in self._having(kind) and e.name not in dropped for e in self.present)
+        having = everything().names(kind) - dropped
+        return any(effect.name in having for effect in self.present)
 
     @cached_property
     def near(self) -> NDArray[np.int64]:
@@ -121,20 +118,13 @@ class Forecast:
             or (effect.name in self.saturation and len(self.near))
         ]  # fmt: skip
 
+    @remembered
     def square(self, dropped: frozenset[str], everywhere: bool) -> float:
         """The predicted mean square error of the worst bucket, in square electrons.
 
         `everywhere`: all pixels run through their words.
         """
-        found = self._memory.get((dropped, everywhere))
-        if found is None:
-            found = float(np.max(self.squares(dropped, everywhere)[0]))
-            self._memory[dropped, everywhere] = found
-        return found
-
-    @cached_property
-    def _memory(self) -> dict[tuple[frozenset[str], bool], float]:
-        return {}
+        return float(np.max(self.squares(dropped, everywhere)[0]))
 
     def squares(
         self, dropped: frozenset[str], everywhere: bool
@@ -177,23 +167,20 @@ class Forecast:
             return np.where(fields.clipped, 0.0, 1.0)
         return np.broadcast_to(np.where(fields.sample.near, 0.0, 1.0), fields.expected.shape)
 
+    @remembered
     def _products(self, state: str) -> tuple[list[str], NDArray[np.float64]]:
         """Names of the fixed fields, and the means (buckets, ., .) of their products."""
-        found = self._kept_products.get(state)
-        if found is None:
-            names = [*self.fields.fixed, _CLIP]
-            stack = np.stack([self._left(name, state) for name in names], axis=1)
-            weight = self.fields.sample.weight
-            products = (stack * (weight / weight.sum())) @ stack.transpose(0, 2, 1)
-            found = self._kept_products[state] = names, products
-        return found
+        names = [*self.fields.fixed, _CLIP]
+        stack = np.stack([self._left(name, state) for name in names], axis=1)
+        weight = self.fields.sample.weight
+        return names, (stack * (weight / weight.sum())) @ stack.transpose(0, 2, 1)
 
     def _left(self, name: str, state: str) -> NDArray[np.float64]:
         """The field (buckets, pixels) of a fixed effect as far as a state does not simulate it."""
         fixed, clipped = self.fields.fixed, self.fields.clipped
         if name == _CLIP:
-            names = [effect.name for effect, _ in everything().having(SlowWords)]
-            field = sum((fixed[name] for name in names), np.zeros(clipped.shape))
+            slow = everything().names(SlowWords)
+            field = sum((fixed[name] for name in sorted(slow)), np.zeros(clipped.shape))
             return np.where(clipped, field, 0.0) if state == "clip" else np.zeros_like(field)
         field = fixed[name]
         if name in {*self.saturation, BOTH}:
@@ -204,42 +191,27 @@ class Forecast:
             return field * (state == "words")
         return field * self._where(state, name)
 
+    @remembered
     def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
-        found = self._kept_variances.get(state)
-        if found is None:
-            found = self._kept_variances[state] = {
-                name: self.fields.sample.mean(
-                    v
-                    if state == "clip" and name in self.fields.after
-                    else v * self._where(state, name)
-                )
-                for name, v in self.fields.variance.items()
-            }
-        return found
-
-    @cached_property
-    def _kept_products(self) -> dict[str, tuple[list[str], NDArray[np.float64]]]:
-        return {}
-
-    @cached_property
-    def _kept_variances(self) -> dict[str, dict[str, NDArray[np.float64]]]:
-        return {}
+        behind = self.fields.after if state == "clip" else ()
+        return {
+            name: self.fields.sample.mean(
+                variance if name in behind else variance * self._where(state, name)
+            )
+            for name, variance in self.fields.variance.items()
+        }
 
     def _rounding(self, dropped: frozenset[str]) -> NDArray[np.float64]:
         """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""
         shifting = frozenset(dropped & set(self.fields.shifts))
         if not shifting or self._dropped(CountedLight, dropped):
             return _NOTHING
-        kept = self._rounded.get(shifting)
-        if kept is None:
-            shift = sum((self.fields.shifts[name] for name in shifting), _NOTHING)
-            part = np.abs(shift) % 1.0
-            kept = self._rounded[shifting] = self.fields.sample.mean(part * (1.0 - part))
-        return kept
+        return self._rounded(shifting)
 
-    @cached_property
-    def _rounded(self) -> dict[frozenset[str], NDArray[np.float64]]:
-        return {}
+    @remembered
+    def _rounded(self, shifting: frozenset[str]) -> NDArray[np.float64]:
+        part = np.abs(sum((self.fields.shifts[name] for name in shifting), _NOTHING)) % 1.0
+        return self.fields.sample.mean(part * (1.0 - part))
 
     @cached_property
     def closed(self) -> bool:
@@ -253,13 +225,15 @@ class Forecast:
     @cached_property
     def leak_nodes(self) -> int:
         """At how many rates of leakage sums are made."""
-        age_s, leak = float(self.program.slot_s.sum()), everything().the(Leak)
         size = math.sqrt(float(np.max(self.fields.sample.mean(self.fields.expected**2))))
-        for count in range(1, leak_nodes.MOST):
-            error = leak_nodes.error(leak, self.program.sensor, count, age_s) * size
-            if error <= _LEAK_PART * self.tolerance_e:
-                return count
-        return leak_nodes.MOST
+        most = _LEAK_PART * self.tolerance_e
+        enough = (n for n in range(1, leak_nodes.MOST) if self._leak_error(n) * size <= most)
+        return next(enough, leak_nodes.MOST)
+
+    def _leak_error(self, count: int) -> float:
+        """The relative error of sums at so many rates of leakage."""
+        age_s = float(self.program.slot_s.sum())
+        return leak_nodes.error(everything().the(Leak), self.program.sensor, count, age_s)
 
     def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
         """The short cuts of a plan by sums, with their mean squares (buckets,)."""
@@ -268,37 +242,24 @@ class Forecast:
             yield "counts are not spread over the slots of a group", means["thinning"]
             yield "counts from a rate of 10 on by formula", np.full(1, _FORMULA_E**2)
             if self._stays(Exchange, dropped):
-                yield (
-                    "neighbours' counts are taken as even over their slots",
-                    means["neighbours"],
-                )
+                yield "neighbours' counts are taken as even over their slots", means["neighbours"]
         if not self._dropped(Errors, dropped):
             yield "the noise of words as at the mean leakage", means["noise"]
         if self._stays(Leak, dropped):
             many = "s" * (self.leak_nodes > 1)
             yield f"leakage from sums at {self.leak_nodes} rate{many}", means["leak"]
 
+    @remembered
     def _means(self, state: str) -> dict[str, NDArray[np.float64]]:
         """The mean squares of the short cuts."""
-        found = self._kept_means.get(state)
-        if found is not None:
-            return found
         fields, mean, where = self.fields, self.fields.sample.mean, self._where(state)
-        age_s, leak = float(self.program.slot_s.sum()), everything().the(Leak)
-        sensor = self.program.sensor
-        relative = leak_nodes.error(leak, sensor, self.leak_nodes, age_s)
         after = np.ones(1) if state == "clip" else where
-        found = self._kept_means[state] = {
+        return {
             "thinning": mean(fields.thinning[self.closed] * where),
             "neighbours": mean(fields.neighbours[self.closed] * where),
             "noise": mean(fields.noise_cut * after),
-            "leak": relative**2 * mean(fields.expected**2 * after),
+            "leak": self._leak_error(self.leak_nodes) ** 2 * mean(fields.expected**2 * after),
         }
-        return found
-
-    @cached_property
-    def _kept_means(self) -> dict[str, dict[str, NDArray[np.float64]]]:
-        return {}
 
     def contribution(self, effect: Effect) -> tuple[float, float]:
         """RMS and mean of what an effect does, in the bucket where it does most."""

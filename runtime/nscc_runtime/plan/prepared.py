@@ -26,10 +26,11 @@ from nscc_runtime.effects.parts import (
     WordGain,
 )
 from nscc_runtime.effects.selection import Selection
+from nscc_runtime.effects.views import Device
 from nscc_runtime.light import Light
 from nscc_runtime.plan import leak_nodes
 from nscc_runtime.plan.plan import Plan
-from nscc_runtime.plan.program import Device, Program
+from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.sums import smeared_frames, sums_by_slot, weighted_sums
 from nscc_runtime.plan.tables import Model
 

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.field import OnDevice
 from nscc_runtime.effects.parts import Exchange, Fading, Leak, SlowWords, WordGain
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Device
 from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.plan.masks import Masks
 from nscc_runtime.plan.overlap import Overlap
@@ -20,27 +20,9 @@ from nscc_runtime.plan.pixels import Pixels
 from nscc_runtime.plan.reach import Reach, reach_of
 from nscc_runtime.plan.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
+from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
-
-
-@dataclass(frozen=True, eq=False)
-class Device:
-    """What is fixed on a chip: numbers of each pixel, made when they are asked for."""
-
-    sensor: Sensor
-    seed: int
-    places: NDArray[np.int64]
-
-    def fixed(self, make: OnDevice) -> Values:
-        """What an effect makes of the device; kept."""
-        if make not in self._made:
-            self._made[make] = make(self.sensor, self.seed, self.places)
-        return self._made[make]
-
-    @cached_property
-    def _made(self) -> dict[OnDevice, Values]:
-        return {}
 
 
 @dataclass(frozen=True, eq=False)
@@ -122,58 +104,45 @@ class Program:
         if device_seed not in self._devices:
             self._devices.clear()
             places = np.arange(len(self.lanes), dtype=np.int64)
-            self._devices[device_seed] = Device(self.sensor, device_seed, places)
+            self._devices[device_seed] = Device(
+                sensor=self.sensor, device_seed=device_seed, places=places
+            )
         return self._devices[device_seed]
 
     @cached_property
     def _devices(self) -> dict[int, Device]:
         return {}
 
+    @remembered
     def overlap(self, model: Model, exchange: Exchange) -> Overlap:
         """How much of the neighbours' groups falls on a pixel's open slots; kept."""
-        found = self._overlaps.get(model)
-        if found is None:
-            means = self.mean_weights(model)
-            found = self._overlaps[model] = Overlap.of(
-                exchange.fraction(self.sensor),
-                self.lanes.reshape(self.reference.groups.lane.shape),
-                self.slot_s,
-                self.tables.weights(model).slots,
-                {group: (self.members(group), means[group]) for group in means},
-            )
-        return found
+        means = self.mean_weights(model)
+        return Overlap.of(
+            exchange.fraction(self.sensor),
+            self.lanes.reshape(self.reference.groups.lane.shape),
+            self.slot_s,
+            self.tables.weights(model).slots,
+            {group: (self.members(group), means[group]) for group in means},
+        )
 
-    @cached_property
-    def _overlaps(self) -> dict[Model, Overlap]:
-        return {}
-
+    @remembered
     def masks(self, group: int) -> Masks | None:
         """Where each slot belongs to a group, pixel by pixel; kept. None: too large."""
-        if group not in self._masks:
-            members = np.ascontiguousarray((self.reference.groups.of_slot == group).T)
-            self._masks[group] = Masks.of(members, self.lanes)
-        return self._masks[group]
-
-    @cached_property
-    def _masks(self) -> dict[int, Masks | None]:
-        return {}
+        members = np.ascontiguousarray((self.reference.groups.of_slot == group).T)
+        return Masks.of(members, self.lanes)
 
     def members(self, group: int) -> Values:
         """1 where a slot (N, lanes) belongs to a group."""
         return np.ascontiguousarray((self.reference.groups.of_slot == group).T, np.float64)
 
+    @remembered
     def mean_weights(self, model: Model) -> dict[int, Values]:
         """The mean weight (lanes, buckets) over the time of each group's slots; kept."""
         weights = self.tables.weights(model).slots
-        found = self._mean_weights.get(model, {})
-        for group in self.group_ids.tolist() if not found else ():
+        found = {}
+        for group in self.group_ids.tolist():
             time = self.members(group) * self.slot_s[:, None]
             total = time.sum(axis=0)[:, None]
             part = np.einsum("nl,nlb->lb", time, weights)
             found[group] = np.divide(part, total, out=np.zeros_like(part), where=total > 0)
-        self._mean_weights[model] = found
         return found
-
-    @cached_property
-    def _mean_weights(self) -> dict[Model, dict[int, Values]]:
-        return {}

@@ -61,7 +61,7 @@ def _peak(
     """The largest value (lanes,) of any register and 0: of one electron in a random slot without
     `kept`; else mean and standard deviation of noise and offsets, where they reach farthest.
     """
-    container, sensor = tables.container, tables.sensor
+    container, sensor = tables.container, tables.program.sensor
     shape = len(some), _COPIES
     registers = {name: np.zeros(shape) for name in (*container.target.analog_registers, "IN")}
     pix, level = np.zeros(shape), np.zeros(shape)

@@ -65,13 +65,9 @@ def sample_of(total_e: NDArray[np.float64], frames: int, near: NDArray[np.int64]
 def _chances(total_e: NDArray[np.float64]) -> NDArray[np.float64]:
     """How likely each pixel (flat) is to be drawn, up to a factor."""
     score = total_e.copy()
-    for axis in (0, 1):
-        step = np.abs(np.diff(total_e, axis=axis))
-        if axis == 0:
-            score[1:] += step
-            score[:-1] += step
-        else:
-            score[:, 1:] += step
-            score[:, :-1] += step
+    for rows, values in ((score, total_e), (score.T, total_e.T)):
+        step = np.abs(np.diff(values, axis=0))
+        rows[1:] += step
+        rows[:-1] += step
     mean = score.mean()
     return np.asarray(score + (mean if mean > 0 else 1.0)).reshape(-1)

@@ -117,11 +117,13 @@ class SampledScene:
         """Weights (N, lanes, buckets) of each bucket."""
         return [slots[:, :, bucket] for bucket in self.buckets]
 
+    def _weighed(self, light: Light, frames: Frames) -> Values:
+        return self.sum(light, self.by_bucket(self.slots), frames) * self.echo
+
     @cached_property
     def _light(self) -> dict[Model, Values]:
         """`light` by every model of the words that an effect may ask for, summed in one go."""
-        models = {self.program.full, self._faster}
-        models |= {*self.program.less.values()}
+        models = {self.program.full, self._faster, *self.program.less.values()}
         known = list({self.program.tables.same(model): None for model in models})
         weights = [
             each
@@ -153,17 +155,15 @@ class SampledScene:
 
     @cached_property
     def alone(self) -> Values:
-        return self.sum(self.moving, self.by_bucket(self.slots), self._own) * self.echo
+        return self._weighed(self.moving, self._own)
 
     @cached_property
     def alike(self) -> Values:
-        return self.sum(self.moving, self.by_bucket(self.slots), self._seen[1]) * self.echo
+        return self._weighed(self.moving, self._seen[1])
 
     @cached_property
     def still(self) -> Values | None:
-        if self.scene.motion is None:
-            return None
-        return self.sum(self.scene, self.by_bucket(self.slots), self._seen[0]) * self.echo
+        return None if self.scene.motion is None else self._weighed(self.scene, self._seen[0])
 
     @cached_property
     def pattern(self) -> Values:
@@ -182,12 +182,14 @@ class SampledScene:
 
     @cached_property
     def dark_s(self) -> Values:
-        return np.asarray(np.einsum("n,nlb->bl", self.program.slot_s, self.slots)[:, self.lanes])
+        return self._seconds(self.slots)
 
     @cached_property
     def dark_2_s(self) -> Values:
-        squared = np.einsum("n,nlb->bl", self.program.slot_s, self.slots**2)
-        return np.asarray(squared[:, self.lanes])
+        return self._seconds(self.slots**2)
+
+    def _seconds(self, weights: Values) -> Values:
+        return np.asarray(np.einsum("n,nlb->bl", self.program.slot_s, weights)[:, self.lanes])
 
     def counted(self, moved: bool = False) -> Values:
         c = np.float32(self.exchanged)

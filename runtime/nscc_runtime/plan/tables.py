@@ -7,21 +7,18 @@ gain of the words, on leakage, dead time and decay.
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, field, replace
-from typing import Any, TypeVar
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.reference.capture import Reference, numbered_errors
 from nscc_runtime.reference.trace import AnalogWord, analog_words
 from nscc_runtime.reference.weights import Backward, backward
+from nscc_runtime.remembered import remembered
 
 Weights = NDArray[np.float64]
-T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -45,11 +42,8 @@ class Tables:
     """
 
     program: Reference
-    sensor: Sensor
     fresh: tuple[AnalogWord, ...]
     decayed: tuple[AnalogWord, ...]
-    _found: dict[Model, Backward] = field(default_factory=dict)
-    _derived: dict[tuple[str, Model | None], Any] = field(default_factory=dict)
 
     @classmethod
     def of(cls, program: Reference) -> Tables:
@@ -58,7 +52,7 @@ class Tables:
         alike = all(
             np.array_equal(a.lanes, b.lanes) for a, b in zip(fresh, program.words, strict=True)
         )
-        return cls(program, program.sensor, fresh, fresh if alike else program.words)
+        return cls(program, fresh, fresh if alike else program.words)
 
     @property
     def container(self) -> Container:
@@ -76,29 +70,19 @@ class Tables:
 
     def weights(self, model: Model) -> Backward:
         """The weights under a model, kept."""
-        model = self.same(model)
-        found = self._found.get(model)
-        if found is None:
-            words = self.decayed if model.decay else self.fresh
-            found = backward(self.container, words, model.gain, model.leak_per_s, model.dead_time)
-            self._found[model] = found
-        return found
+        return self._backward(self.same(model))
 
-    def _kept(self, name: str, model: Model | None, make: Callable[[], T]) -> T:
-        """What `make` gives, made once."""
-        if (name, model) not in self._derived:
-            self._derived[name, model] = make()
-        found: T = self._derived[name, model]
-        return found
+    @remembered
+    def _backward(self, model: Model) -> Backward:
+        words = self.decayed if model.decay else self.fresh
+        return backward(self.container, words, model.gain, model.leak_per_s, model.dead_time)
 
+    @remembered
     def noise(self, at: str, full: Model) -> tuple[Weights, Weights]:
         """Coefficients L (lanes, buckets, draws) of the keyed draws of small errors at `reads`,
         `resets` or `words`, and the variance (lanes, buckets) of what they leave out, for unit
         errors.
         """
-        return self._kept(f"noise at {at}", full, lambda: self._noise(at, full))
-
-    def _noise(self, at: str, full: Model) -> tuple[Weights, Weights]:
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
         found = numbered_errors(self.container.target, self.weights(full))[at]
         drawn = self.program.draws[at]
@@ -110,22 +94,15 @@ class Tables:
                 factor += weight[:, :, None] * drawn[number][:, None, :]
         return factor, np.maximum(square - (factor * factor).sum(axis=2), 0.0)
 
+    @remembered
     def pattern(self, full: Model) -> Weights:
         """The sum (lanes, buckets) of the signed coefficients of the analog words' errors."""
-        return self._kept("pattern", full, lambda: self._pattern(full))
+        none = np.zeros((len(self.container.encoding), len(self.container.buckets)))
+        return sum(self.weights(full).errors.values(), none)
 
-    def _pattern(self, full: Model) -> Weights:
-        shape = len(self.container.encoding), len(self.container.buckets)
-        total = np.zeros(shape)
-        for weight in self.weights(full).errors.values():
-            total += weight
-        return total
-
+    @remembered
     def seen(self) -> NDArray[np.bool_]:
         """The slots (N, lanes) whose charge is on PIX at some read: no register holds more."""
-        return self._kept("seen", None, self._seen)
-
-    def _seen(self) -> NDArray[np.bool_]:
         container = self.container
         found = np.zeros((container.slots, len(container.encoding)), np.bool_)
         live = np.zeros(len(container.encoding), np.bool_)
@@ -141,13 +118,11 @@ class Tables:
         found[:later] = live
         return found
 
+    @remembered
     def single(self, full: Model) -> Weights:
         """The coefficient (lanes, buckets) of the one read through which all charge reaches the
         bucket; NaN where there are several such reads.
         """
-        return self._kept("single", full, lambda: self._single(full))
-
-    def _single(self, full: Model) -> Weights:
         container = self.container
         shape = len(container.encoding), len(container.buckets)
         reset_at = np.zeros(shape[0], np.int64)

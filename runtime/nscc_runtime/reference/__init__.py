@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from nscc_runtime.effects.views import Scene
-from nscc_runtime.reference.capture import Reference, expose
-from nscc_runtime.reference.frames import frames
+from nscc_runtime.reference.capture import Reference, expose, frames
 
 __all__ = ["Reference", "Scene", "expose", "frames"]

@@ -8,7 +8,7 @@ of rows nor the other effects change a draw.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -21,8 +21,9 @@ from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Errors, Leak, WordGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Scene, Where, Word
+from nscc_runtime.effects.views import Pixels, Scene, Word
 from nscc_runtime.emulator.capture import check
+from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, uniforms
@@ -140,6 +141,33 @@ def expose(
     return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame)
 
 
+def frames(
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    effects: Selection,
+    *,
+    seed: int = 0,
+    device_seed: int = 0,
+    count: int = 1,
+    previous: Light | None = None,
+) -> Iterator[Frame]:
+    """Frames 0 .. `count` - 1 of `light`, as `nscc_runtime.reference.expose` exposes them.
+
+    What can be refused is refused before the first frame.
+    """
+    check(container, light)
+    reference = Reference.of(container, sensor, effects)
+    scene = scene_of(container, light, previous)
+    return (
+        converted(
+            reference.expose(scene, seed, device_seed, number), container.target, sensor, effects,
+            (seed, device_seed), number,
+        )
+        for number in range(count)
+    )  # fmt: skip
+
+
 def scene_of(container: Container, light: Light, previous: Light | None = None) -> Scene:
     """The light of a frame, the one before it (the same unless given), the slots of a program."""
     if previous is not None:
@@ -156,10 +184,8 @@ def numbered_errors(target: Target, weights: Backward) -> dict[str, dict[int, We
 
 
 @dataclass(eq=False, kw_only=True)
-class _Pixels(Where):
-    """Some pixels while the words of one frame run, as `nscc_runtime.effects.views.Pixels`. All
-    arrays are (pixels,).
-    """
+class _Pixels(Pixels):
+    """Some pixels while the words of one frame run. All arrays are (pixels,)."""
 
     program: Reference
 

@@ -11,7 +11,7 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.counts import count_key, thinning_key
 from nscc_runtime.effects.field import OnDevice
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Scene, Where
+from nscc_runtime.effects.views import Scene, Slots
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, poisson, thin
 
@@ -64,12 +64,9 @@ def charge_of_rows(
 
 
 @dataclass(eq=False, kw_only=True)
-class _Slots(Where):
-    """Whole rows of pixels, as `nscc_runtime.effects.views.Slots`; `valid` (pixels,) is cleared
-    where a rate is no number.
-    """
+class _Slots(Slots):
+    """`valid` (pixels,) is cleared where a rate is no number."""
 
-    scene: Scene
     rows: slice
     of_slot: NDArray[np.int64]
     lanes: NDArray[np.intp]

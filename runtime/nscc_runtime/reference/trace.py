@@ -13,13 +13,24 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
 
 Bits = NDArray[np.bool_]
+
+
+def opens_no_shutters(what: str) -> Rejected:
+    """NS0442, for what the reference cannot simulate effects of."""
+    return rejected(
+        "NS0442",
+        f"{what}, and sensor effects are defined by shutters",
+        helps=("use --effects none: the words are executed exactly",),
+        status=1,
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,13 +113,8 @@ class _Digital:
             case Effect.FLAG_ALL:
                 self._write("FLAG", everywhere, everywhere)
             case Effect.FLAG_ANALOG:
-                raise Rejected(
-                    Diagnostic(
-                        "NS0442",
-                        f"`{op}` makes FLAG hang on the light: this program opens no shutters, "
-                        "and sensor effects are defined by shutters",
-                        helps=("use --effects none: the words are executed exactly",),
-                    )
+                raise opens_no_shutters(
+                    f"`{op}` makes FLAG hang on the light: this program opens no shutters"
                 )
             case Effect.FLAG_DIGITAL:
                 self._write("FLAG", self._some(op), everywhere)

@@ -9,15 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import groupby
 from math import exp
 from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.words.container import Container
-from nscc_runtime.reference.trace import AnalogWord
+from nscc_runtime.reference.trace import AnalogWord, opens_no_shutters
 
 Weights = NDArray[np.float64]
 Name = TypeVar("Name", int, tuple[int, int])
@@ -42,13 +42,9 @@ class Backward:
         """The shutters (N, lanes, buckets); NS0442 where a weight is neither 0 nor 1."""
         found = self.slots > 0.5
         if not np.allclose(self.slots, found, rtol=0, atol=1e-9):
-            raise Rejected(
-                Diagnostic(
-                    "NS0442",
-                    "the words of this program open no shutters: some slot's light counts neither "
-                    "once nor not at all, and sensor effects are defined by shutters",
-                    helps=("use --effects none: the words are executed exactly",),
-                )
+            raise opens_no_shutters(
+                "the words of this program open no shutters: some slot's light counts neither "
+                "once nor not at all"
             )
         return found
 
@@ -76,7 +72,8 @@ def backward(
     start_s = np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6
     later = container.slots
     after_the_last = np.zeros((lanes, buckets))
-    for boundary, executed in reversed(_by_boundary(words)):
+    by_boundary = groupby(words, key=lambda word: word.boundary)
+    for boundary, executed in reversed([(n, [*group]) for n, group in by_boundary]):
         result.slots[boundary:later] = weight["PIX"]
         kept = exp(-leak_per_s * (start_s[later] - start_s[boundary]))
         if kept != 1.0:
@@ -96,14 +93,6 @@ def backward(
     result.slots[:later] = weight["PIX"]
     result.slots[-1] += after_the_last
     return result
-
-
-def _by_boundary(words: Sequence[AnalogWord]) -> list[tuple[int, list[AnalogWord]]]:
-    """The words of each boundary that has some, in order."""
-    found: dict[int, list[AnalogWord]] = {}
-    for word in words:
-        found.setdefault(word.boundary, []).append(word)
-    return list(found.items())
 
 
 def _ends(executed: Sequence[AnalogWord], slot_us: float, after_the_last: bool) -> list[float]:

@@ -1,0 +1,28 @@
+"""Methods whose results an object keeps for as long as it lives, by their arguments."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, Concatenate, ParamSpec, TypeVar
+
+S = TypeVar("S")
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S, P], R]:
+    """A method that is run once for all equal arguments, which are given by place and hashable.
+
+    Results lie in the object's `__dict__`, as those of `functools.cached_property` do.
+    """
+    name = f"remembered {method.__name__}"
+
+    @wraps(method)
+    def found(self: S, /, *given: P.args, **named: P.kwargs) -> R:
+        results: dict[Any, R] = vars(self).setdefault(name, {})
+        if given not in results:
+            results[given] = method(self, *given, **named)
+        return results[given]
+
+    return found
