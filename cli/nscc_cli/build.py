@@ -42,7 +42,7 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
     if out is not None or not wanted:
         wanted.setdefault("icw", False)
     for kind, to_terminal in wanted.items():
-        (name, data), *beside = emitted(kind, compiled, container.with_suffix("").name).items()
+        (name, data), *beside = emitted(kind, compiled, container.stem).items()
         if not to_terminal:
             products.update((container.with_name(each), image) for each, image in beside)
             products[container if kind == "icw" else container.with_name(name)] = data

@@ -29,7 +29,7 @@ FLOORS = {
 """From the ground up: each may import those before it."""
 
 ROOMS = (
-    ("npy", "operations", "requirements", "source", "truth"),
+    ("columns", "npy", "operations", "requirements", "source", "truth"),
     ("diagnostics", "macros"),
     ("files", "plugins", "toml"),
     ("target",),
