@@ -32,23 +32,18 @@ class Loaded(Protocol):
     @property
     def busy(self) -> bool:
         """Whether `poll` has something to do without new bytes."""
-        ...
 
     def receive(self, data: bytes, now_us: int) -> None:
         """Take bytes from the line."""
-        ...
 
     def poll(self, now_us: int, room: int) -> bytes:
         """Bytes for the line."""
-        ...
 
     def announce(self) -> None:
         """Start anew."""
-        ...
 
     def watched(self) -> list[int]:
         """File descriptors whose bytes give `poll` something to do."""
-        ...
 
 
 class Terminal:

@@ -10,16 +10,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from nscc.operations import (
-    ANALOG_SOURCES,
-    DIGITAL_SOURCES,
-    OPERATIONS,
-    Effect,
-    Op,
-    Phase,
-    op,
-    pair,
-)
+from nscc.operations import ANALOG_SOURCES, DIGITAL_SOURCES, OPERATIONS, Effect, Op, Phase, op, pair
 from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc.words.container import Word

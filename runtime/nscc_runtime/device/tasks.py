@@ -7,20 +7,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from hashlib import sha256
 
+from nscc_runtime.device import messages
 from nscc_runtime.device.host import LONGEST_WAIT_S, Host, Refused, Task, checked, raise_failure
-from nscc_runtime.device.messages import (
-    DATA,
-    FRAME,
-    MOST_ENTRIES,
-    Capture,
-    Captured,
-    Declare,
-    Failure,
-    Fault,
-    Progress,
-    Read,
-    State,
-)
+from nscc_runtime.device.messages import DATA, FRAME, Captured, Failure, Fault, Progress, State
 from nscc_runtime.device.objects import Upload
 from nscc_runtime.device.packets import OVERHEAD, REPLY, Kind
 
@@ -51,8 +40,8 @@ def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[N
     """Bring a program to the loader, from where it was when the link was lost; then it is ready."""
     progress = yield from _begun(host, program)
     while progress.declared < len(program.objects) and progress.state == State.RECEIVING:
-        some = program.objects[progress.declared : progress.declared + MOST_ENTRIES]
-        declare = Declare(progress.declared, tuple(each.entry for each in some))
+        some = program.objects[progress.declared : progress.declared + messages.MOST_ENTRIES]
+        declare = messages.Declare(progress.declared, tuple(each.entry for each in some))
         reply = yield from host.ask(Kind.DECLARE, declare.pack())
         progress = checked(Progress.unpack, reply)
         host.moved()
@@ -199,7 +188,7 @@ class _Sender:
 
 def capture(host: Host, number: int, channels: int) -> Task[Taken]:
     """Expose a frame and fetch it. The same `number` never exposes twice."""
-    body = Capture(number, channels).pack()
+    body = messages.Capture(number, channels).pack()
     poll, extra = _POLL_S, 0.0
     while True:
         try:
@@ -297,7 +286,7 @@ class _Fetcher:
             end = len(pending) if end < 0 else end
             end = min(end, begin + _READ_CHUNKS * self.chunk.size // _SMALLEST_CHUNK)
             start, stop = begin * _SMALLEST_CHUNK, min(end * _SMALLEST_CHUNK, len(self.data))
-            read = Read(self.number, start, stop - start, self.chunk.size)
+            read = messages.Read(self.number, start, stop - start, self.chunk.size)
             alone = not self.asked
             sequence = self.host.send(Kind.READ, read.pack())
             self.asked[sequence] = _Range(start, stop, self.host.now, alone)
