@@ -188,10 +188,8 @@ class Loader:
         program = self.intake.program
         if program is None:
             return messages.Progress(self._shown_state, 0, 0, 0).pack()
-        failures = min(program.failures, 255)
-        return messages.Progress(
-            self._shown_state, failures, len(program.entries), program.position
-        ).pack()
+        declared, failures = len(program.entries), min(program.failures, 255)
+        return messages.Progress(self._shown_state, failures, declared, program.position).pack()
 
     def _begin(self, packet: Packet) -> bytes:
         if self.intake.begin(messages.Begin.unpack(packet.body), self.exposing):

@@ -27,13 +27,12 @@ from nscc_runtime.device.objects import COUNT, MOST_LAUNCHES, READOUT, ROW, RUN,
 _LONGEST_SLOT_US = 1e15
 
 
+@dataclass(eq=False)
 class Refusal(Exception):
     """An object is not accepted: why, and where in it."""
 
-    def __init__(self, fault: Fault, detail: int = 0) -> None:
-        super().__init__(f"{fault.name} {detail}")
-        self.fault = fault
-        self.detail = detail
+    fault: Fault
+    detail: int = 0
 
 
 @dataclass(frozen=True)
@@ -248,8 +247,7 @@ def _kernels(data: bytes, target: Target, most: Limits) -> tuple[tuple[Word, ...
         raise Refusal(Fault.TOO_LARGE, sum(lengths))
     kernels, number = [], 0
     for length in lengths:
-        ops = []
-        words = []
+        ops, words = [], []
         for word in reader.rows(WORD, length):
             operation = matching(word, target.words)
             if operation is None or target_fault(operation, target) is not None:

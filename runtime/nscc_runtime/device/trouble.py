@@ -106,7 +106,11 @@ def _refused(port: str, refused: Refused) -> Rejected:
                 "a chip wants to be switched off and on",
             )
         case Fault.TARGET:
-            return wrong_target(port, None, None)
+            return rejected(
+                "NS0764",
+                f"{at} is another chip than the program is for",
+                "build it for the device's: `nscc device info PORT` names it",
+            )
         case Fault.NO_PROGRAM:
             return no_program(port)
     name = {fault.value: fault.name for fault in Fault}.get(failure.fault, str(failure.fault))
@@ -129,20 +133,15 @@ def no_program(port: str) -> Rejected:
     )
 
 
-def wrong_target(port: str, target: Target | None, info: Info | None) -> Rejected:
+def wrong_target(port: str, target: Target, info: Info) -> Rejected:
     """NS0764: the program is for another chip than the loader's."""
     at = f"the device at '{port[:200]}'"
-    if target is None or info is None:
-        return rejected(
-            "NS0764",
-            f"{at} is another chip than the program is for",
-            "build it for the device's: `nscc device info PORT` names it",
-        )
     theirs, ours = info.target_name, target.name
     if theirs != ours:
-        message = f"the program is for {ours}, and {at} is {theirs}"
         return rejected(
-            "NS0764", message, f"build it for the device: `--target {theirs}`, or a file for it"
+            "NS0764",
+            f"the program is for {ours}, and {at} is {theirs}",
+            f"build it for the device: `--target {theirs}`, or a file for it",
         )
     return rejected(
         "NS0764",
