@@ -320,11 +320,7 @@ class _Fetcher:
         self.wait = self.host.wait_s
         if sequence not in self.asked:
             return
-        self._lose([number for number in self.asked if _before(number, sequence)])
+        # Older requests: numbers wrap at 2^16.
+        self._lose([n for n in self.asked if 0 < (sequence - n & 0xFFFF) < 0x8000])
         if end >= request.stop:
             del self.asked[sequence]
-
-
-def _before(one: int, other: int) -> bool:
-    """Whether a request's number is older than another's; numbers wrap at 2^16."""
-    return 0 < (other - one & 0xFFFF) < 0x8000
