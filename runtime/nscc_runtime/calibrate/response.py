@@ -9,7 +9,7 @@ from math import sqrt
 import numpy as np
 
 from nscc_runtime.calibrate.dark import Dark
-from nscc_runtime.calibrate.fit import SURFACE_TERMS, shared_variance, surface
+from nscc_runtime.calibrate.fit import SURFACE_TERMS, line, shared_variance, surface
 from nscc_runtime.calibrate.levels import Level, Map, Mask, Moments
 
 _RANGE = (0.05, 0.95)
@@ -80,11 +80,8 @@ def linearity(seen: Sequence[Moments], dark: Dark | None, full: float) -> Linear
         same = signal[time == t]
         if np.ptp(same) > _SAME * same.mean():
             return "flats of the same time differ: the light was not constant"
-    weight = 1.0 / signal**2
-    centre = float((weight * time).sum() / weight.sum())
-    slope = float((weight * (time - centre) * signal).sum() / (weight * (time - centre) ** 2).sum())
-    start = float((weight * signal).sum() / weight.sum()) - slope * centre
-    fitted = start + slope * time
+    found = line(time, signal, lambda _: signal)
+    fitted = found.start + found.slope * time
     apart = np.abs(signal - fitted) / fitted
     errors = np.array([level.mean_se for level in inside]) / fitted
     count = len(inside)
