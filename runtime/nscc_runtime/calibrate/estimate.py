@@ -210,7 +210,7 @@ def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]
         remark = f"of darks of {times}"
     else:
         remark = f"darks of {len(dark.times_s)} times, extrapolated to no time"
-    pattern, pattern_se = root(*shared_variance(*dark.offsets, good))
+    pattern, pattern_se = root(*shared_variance(dark.offsets, good))
     gain_share = curve.gain_se / curve.gain
     in_electrons = pattern / curve.gain
     electrons_se = sqrt((pattern_se / curve.gain) ** 2 + (in_electrons * gain_share) ** 2)
@@ -229,7 +229,7 @@ def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]
     found |= _found(slope, dark_current=(current, current_se))
     if dark.current < _SURE * dark.current_se:
         return found | _unknown("the dark current is too small to see its spread", "dark_spread")
-    sigma, sigma_se = root(*_unsmeared(shared_variance(*dark.currents, good), curve))
+    sigma, sigma_se = root(*_unsmeared(shared_variance(dark.currents, good), curve))
     spread = sigma / dark.current
     spread_se = sqrt(
         (sigma_se / dark.current) ** 2 + (spread * dark.current_se / dark.current) ** 2

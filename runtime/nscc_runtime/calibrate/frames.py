@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
 from math import isfinite
@@ -118,13 +119,11 @@ def _timed(given: str) -> tuple[Path, float | None]:
 
 
 def _time_of_key(name: str, value: NDArray[Any]) -> float:
-    try:
+    with suppress(ValueError, TypeError):
         seconds = float(np.asarray(value, np.float64).reshape(())) * 1e-6
-    except (ValueError, TypeError):
-        raise _wrong_time(name, f"`{TIME_KEY}`") from None
-    if not (isfinite(seconds) and seconds >= 0):
-        raise _wrong_time(name, f"`{TIME_KEY}`")
-    return seconds
+        if isfinite(seconds) and seconds >= 0:
+            return seconds
+    raise _wrong_time(name, f"`{TIME_KEY}`")
 
 
 def _wrong_time(name: str, what: str) -> Rejected:

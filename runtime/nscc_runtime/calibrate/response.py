@@ -26,9 +26,9 @@ def response_variance(
     With darks it goes through them; without, it has a start of its own in each pixel. A smooth
     surface, the fall of the light, does not count.
     """
-    halves = [_response(levels, seen, dark, good, half) for half in (0, 1)]
+    halves = np.stack([_response(levels, seen, dark, good, half) for half in (0, 1)])
     smooth = surface((halves[0] + halves[1]) / 2, good)
-    return shared_variance(halves[0] - smooth, halves[1] - smooth, good, SURFACE_TERMS)
+    return shared_variance(halves - smooth, good, SURFACE_TERMS)
 
 
 def _response(

@@ -110,10 +110,7 @@ class Server:
     """
 
     def __init__(
-        self,
-        loader: Loaded,
-        faults: Faults,
-        moved: Callable[[str], None] = lambda _: None,
+        self, loader: Loaded, faults: Faults, moved: Callable[[str], None] = lambda _: None
     ) -> None:
         self.loader, self.faults, self.moved = loader, faults, moved
         self.terminal = Terminal()

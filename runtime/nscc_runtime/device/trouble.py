@@ -62,7 +62,17 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
     try:
         yield
     except Silent as silent:
-        raise _silent(port, patience_s, silent) from None
+        if silent.ever:
+            raise port_lost(port, patience_s) from None
+        what = "sends bytes that are no packets" if silent.noise else "says nothing"
+        raise rejected(
+            "NS0762",
+            f"no loader of nscc answers at '{port[:200]}': what is there {what}",
+            "put the loader on the device (runtime/firmware/README.md says how), or name another "
+            "port",
+            "if the loader is there, it may run at another speed: --baud",
+            _LIST,
+        ) from None
     except Stalled:
         raise rejected(
             "NS0766",
@@ -72,19 +82,6 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
         ) from None
     except Refused as refused:
         raise _refused(port, refused) from None
-
-
-def _silent(port: str, patience_s: float, silent: Silent) -> Rejected:
-    if silent.ever:
-        return port_lost(port, patience_s)
-    what = "sends bytes that are no packets" if silent.noise else "says nothing"
-    return rejected(
-        "NS0762",
-        f"no loader of nscc answers at '{port[:200]}': what is there {what}",
-        "put the loader on the device (runtime/firmware/README.md says how), or name another port",
-        "if the loader is there, it may run at another speed: --baud",
-        _LIST,
-    )
 
 
 def _refused(port: str, refused: Refused) -> Rejected:
