@@ -90,8 +90,8 @@ def propagated(
 def shared_variance(maps: Map, good: Mask, taken: int = 1) -> tuple[float, float]:
     """The variance over the good pixels of what two maps have in common, and its standard error.
 
-    `maps` is (2, rows, cols). Their own noise is independent and cancels in the mean. `taken` is how
-    many parameters of their shape were fitted and subtracted before, their mean included.
+    `maps` is (2, rows, cols). Their own noise is independent and cancels in the mean. `taken` is
+    how many parameters of their shape were fitted and subtracted before, their mean included.
     """
     one, other = (each[good] - each[good].mean() for each in maps)
     product = one * other

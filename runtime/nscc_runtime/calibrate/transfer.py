@@ -176,9 +176,7 @@ def _crosstalk(own: float, across: float) -> float:
 def _too_few(judged: Sequence[tuple[Moments, str]], limit: float) -> Rejected:
     used = [level for level, reason in judged if not reason]
     count = len({round(level.mean) for level in used})
-    notes = [
-        f"'{level.name}' (mean {level.mean:.4g}): {reason}" for level, reason in judged if reason
-    ]
+    notes = [f"'{level.name}' (mean {level.mean:.4g}): {why}" for level, why in judged if why]
     if len(used) > count:
         notes.append(f"{len(used)} flats have the same mean, {used[0].mean:.4g}: that is one level")
     return rejected(

@@ -127,14 +127,13 @@ def _sequences(target: Target) -> Iterator[str]:
         yield f"    // {name}"
         yield f"    {{{len(ops)}, {{{_table(ops)}}}}},"
     yield "};\n"
-    mask = target.mask_register
-    ops = [op("SET", [mask])] if mask else [op("nop")]
     yield "// Sets a register to 0 in all pixels (the masked one where the mask is 1)."
     yield "constexpr uint32_t clear[][1][5] = {"
     for name in target.digital_registers:
         yield f"    {{{_table([op('CLR', [name])])}}},  // {name}"
     yield "};\n"
     yield f"constexpr uint32_t flag_all[1][5] = {{{_table([op('all')])}}};"
+    ops = [op("SET", [target.mask_register])] if target.mask_register else [op("nop")]
     yield "// Before the masked register is loaded."
     yield f"constexpr uint32_t set_mask[1][5] = {{{_table(ops)}}};"
 

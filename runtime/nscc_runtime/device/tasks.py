@@ -287,9 +287,8 @@ class _Fetcher:
             end = min(end, begin + _READ_CHUNKS * self.chunk.size // _SMALLEST_CHUNK)
             start, stop = begin * _SMALLEST_CHUNK, min(end * _SMALLEST_CHUNK, len(self.data))
             read = messages.Read(self.number, start, stop - start, self.chunk.size)
-            alone = not self.asked
-            sequence = self.host.send(Kind.READ, read.pack())
-            self.asked[sequence] = _Range(start, stop, self.host.now, alone)
+            request = _Range(start, stop, self.host.now, alone=not self.asked)
+            self.asked[self.host.send(Kind.READ, read.pack())] = request
 
     def _lose(self, sequences: list[int]) -> None:
         for sequence in sequences:
