@@ -19,27 +19,23 @@ class Dark:
     of it, `offset_spread_se` with the pixels' own spread: of a chip's mean, and of the mean of all
     such pixels. `current` in codes a second, its error as the latter; None where all times are the
     same or unknown: then `offset` includes the dark charge of these frames. `offsets` and
-    `currents` are maps from the even and from the odd frames.
+    `currents` (2, rows, cols) are maps from the even and from the odd frames.
     """
 
     offset: float
     offset_se: float
     offset_spread_se: float
-    offsets: tuple[Map, Map]
+    offsets: Map
     current: float | None
     current_se: float | None
-    currents: tuple[Map, Map] | None
+    currents: Map | None
     times_s: tuple[float, ...]
 
-    def at(self, exposure_s: float | None) -> tuple[Map, Map]:
+    def at(self, exposure_s: float | None) -> Map:
         """The codes of a frame without light, from the even and from the odd frames."""
         if self.currents is None or exposure_s is None:
             return self.offsets
-        one, other = (
-            offset + current * exposure_s
-            for offset, current in zip(self.offsets, self.currents, strict=True)
-        )
-        return one, other
+        return self.offsets + self.currents * exposure_s
 
     def mean_at(self, exposure_s: float | None) -> float:
         """Their mean over the good pixels."""
@@ -94,19 +90,13 @@ def _size(parts: np.ndarray) -> float:
     return sqrt(float((parts**2).sum()))
 
 
-def _combined(levels: Sequence[Level], weights: np.ndarray) -> tuple[Map, Map]:
+def _combined(levels: Sequence[Level], weights: np.ndarray) -> Map:
     """The weighted sums of the levels' halves."""
-    one, other = (
-        sum(
-            (weight * level.halves[half] for level, weight in zip(levels, weights, strict=True)),
-            start=np.zeros_like(levels[0].variance),
-        )
-        for half in (0, 1)
-    )
-    return one, other
+    parts = (weight * level.halves for level, weight in zip(levels, weights, strict=True))
+    return sum(parts, start=np.zeros_like(levels[0].halves))
 
 
-def _mean(halves: tuple[Map, Map], good: Mask) -> tuple[float, float]:
+def _mean(halves: Map, good: Mask) -> tuple[float, float]:
     """Mean over the good pixels, and how much these differ."""
     both = (halves[0][good] + halves[1][good]) / 2
     return float(both.mean()), float(both.std())

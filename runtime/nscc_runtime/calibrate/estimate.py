@@ -64,10 +64,12 @@ _FIGURES = {
 }
 
 
-def _quantity(
-    name: str, value: tuple[float, float | None], remark: str, known: Known = "measured"
-) -> Quantity:
-    return Quantity(*_FIGURES[name], *value, known, remark)
+def _found(
+    remark: str, known: Known = "measured", **values: tuple[float, float | None]
+) -> dict[str, Quantity]:
+    return {
+        name: Quantity(*_FIGURES[name], *value, known, remark) for name, value in values.items()
+    }
 
 
 def _unknown(why: str, *names: str) -> dict[str, Quantity]:
@@ -140,7 +142,7 @@ def calibrated(
         **_gain(curve, crosstalk),
         **_noise(curve, dark_moments, dark),
         **_dark(curve, dark, good),
-        "prnu": _prnu(spread, curve, _fits(dark, flat_moments)),
+        **_prnu(spread, curve, _fits(dark, flat_moments)),
         **_range(curve, flat_moments, top_code),
         **_linear(flat_moments, dark, full),
     }
@@ -152,14 +154,13 @@ def calibrated(
 
 
 def _refuse_exchanged(flats: Sequence[Moments], darks: Sequence[Moments]) -> None:
-    if max(level.mean for level in flats) > min(level.mean for level in darks):
-        return
-    raise rejected(
-        "NS0759",
-        f"the darks (mean {min(level.mean for level in darks):.4g}) are no darker than the flats "
-        f"(mean {max(level.mean for level in flats):.4g})",
-        helps=("flats come first, darks after --dark",),
-    )
+    light, dim = max(level.mean for level in flats), min(level.mean for level in darks)
+    if light <= dim:
+        raise rejected(
+            "NS0759",
+            f"the darks (mean {dim:.4g}) are no darker than the flats (mean {light:.4g})",
+            helps=("flats come first, darks after --dark",),
+        )
 
 
 def _gain(curve: Transfer, given: float | None) -> dict[str, Quantity]:
@@ -169,24 +170,18 @@ def _gain(curve: Transfer, given: float | None) -> dict[str, Quantity]:
         else f"crosstalk {given:g} taken as known"
     )
     inverse = propagated(lambda v: 1 / v[0], [curve.gain], curve.covariance[:1, :1])
+    found = _found(remark, system_gain=(curve.gain, curve.gain_se), conversion_gain=inverse)
     crosstalk, crosstalk_se = max(curve.crosstalk, 0.0), sqrt(float(curve.covariance[2, 2]))
-    return {
-        "system_gain": _quantity("system_gain", (curve.gain, curve.gain_se), remark),
-        "conversion_gain": _quantity("conversion_gain", inverse, remark),
-        "crosstalk": _quantity(
-            "crosstalk", (crosstalk, crosstalk_se), "covariance of the shot noise of neighbours"
-        )
-        if given is None
-        else _quantity("crosstalk", (crosstalk, None), "--crosstalk", "given"),
-    }
+    if given is not None:
+        return found | _found("--crosstalk", "given", crosstalk=(crosstalk, None))
+    why = "covariance of the shot noise of neighbours"
+    return found | _found(why, crosstalk=(crosstalk, crosstalk_se))
 
 
 def _noise(curve: Transfer, darks: Sequence[Moments], dark: Dark | None) -> dict[str, Quantity]:
     def at_most(most: float, why: str) -> dict[str, Quantity]:
-        return {
-            "dark_noise_lsb": _quantity("dark_noise_lsb", (most, None), why, "at most"),
-            "dark_noise_e": _quantity("dark_noise_e", (most / curve.gain, None), why, "at most"),
-        }
+        in_electrons = (most / curve.gain, None)
+        return _found(why, "at most", dark_noise_lsb=(most, None), dark_noise_e=in_electrons)
 
     if dark is None:
         return _unknown(_CUT_OFF, "dark_noise_lsb", "dark_noise_e")
@@ -203,10 +198,7 @@ def _noise(curve: Transfer, darks: Sequence[Moments], dark: Dark | None) -> dict
     errors, values = curve.covariance[:2, :2], [curve.gain, curve.noise]
     in_codes = propagated(lambda v: sqrt(max(v[1] - ROUNDING, 0.0)), values, errors)
     in_electrons = propagated(lambda v: sqrt(max(v[1] - ROUNDING, 0.0)) / v[0], values, errors)
-    return {
-        "dark_noise_lsb": _quantity("dark_noise_lsb", in_codes, remark),
-        "dark_noise_e": _quantity("dark_noise_e", in_electrons, remark),
-    }
+    return _found(remark, dark_noise_lsb=in_codes, dark_noise_e=in_electrons)
 
 
 def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]:
@@ -218,31 +210,31 @@ def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]
         remark = f"of darks of {times}"
     else:
         remark = f"darks of {len(dark.times_s)} times, extrapolated to no time"
-    pattern, pattern_se = root(*shared_variance(*dark.offsets, good))
+    pattern, pattern_se = root(*shared_variance(dark.offsets, good))
     gain_share = curve.gain_se / curve.gain
     in_electrons = pattern / curve.gain
     electrons_se = sqrt((pattern_se / curve.gain) ** 2 + (in_electrons * gain_share) ** 2)
-    found = {
-        "offset": _quantity("offset", (dark.offset, dark.offset_spread_se), remark),
-        "dsnu_lsb": _quantity("dsnu_lsb", (pattern, pattern_se), remark),
-        "dsnu_e": _quantity("dsnu_e", (in_electrons, electrons_se), remark),
-    }
+    found = _found(
+        remark,
+        offset=(dark.offset, dark.offset_spread_se),
+        dsnu_lsb=(pattern, pattern_se),
+        dsnu_e=(in_electrons, electrons_se),
+    )
     if dark.currents is None or dark.current is None or dark.current_se is None:
         why = "it takes darks of two exposure times or more, times given"
         return found | _unknown(why, "dark_current", "dark_spread")
     current = max(dark.current, 0.0) / curve.gain
     current_se = sqrt((dark.current_se / curve.gain) ** 2 + (current * gain_share) ** 2)
     slope = f"slope of the darks of {len(dark.times_s)} times"
-    found["dark_current"] = _quantity("dark_current", (current, current_se), slope)
+    found |= _found(slope, dark_current=(current, current_se))
     if dark.current < _SURE * dark.current_se:
         return found | _unknown("the dark current is too small to see its spread", "dark_spread")
-    sigma, sigma_se = root(*_unsmeared(shared_variance(*dark.currents, good), curve))
+    sigma, sigma_se = root(*_unsmeared(shared_variance(dark.currents, good), curve))
     spread = sigma / dark.current
     spread_se = sqrt(
         (sigma_se / dark.current) ** 2 + (spread * dark.current_se / dark.current) ** 2
     )
-    found["dark_spread"] = _quantity("dark_spread", (spread, spread_se), "relative to the mean")
-    return found
+    return found | _found("relative to the mean", dark_spread=(spread, spread_se))
 
 
 def _unsmeared(variance: tuple[float, float], curve: Transfer) -> tuple[float, float]:
@@ -260,7 +252,7 @@ def _fits(dark: Dark | None, flats: Sequence[Moments]) -> bool:
     return bool(dark.times_s) and all(level.exposure_s == dark.times_s[0] for level in flats)
 
 
-def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> Quantity:
+def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> dict[str, Quantity]:
     """`freed`: of the spread of the dark charge, which otherwise counts in it."""
     value, error = root(*_unsmeared(spread, curve))
     if value > _MOST_PRNU:
@@ -272,8 +264,8 @@ def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> Quantity
         )
     if not freed:
         why = "no darks of the flats' times: the spread of their dark charge counts in it"
-        return _quantity("prnu", (value, None), why, "at most")
-    return _quantity("prnu", (value, error), "about a smooth surface")
+        return _found(why, "at most", prnu=(value, None))
+    return _found("about a smooth surface", prnu=(value, error))
 
 
 def _range(curve: Transfer, flats: Sequence[Moments], top_code: int) -> dict[str, Quantity]:
@@ -287,10 +279,7 @@ def _range(curve: Transfer, flats: Sequence[Moments], top_code: int) -> dict[str
         height, height_se = limit.mean - zero, sqrt(limit.mean_se**2 + curve.offset_se**2)
         errors = np.diag([curve.gain_se**2, height_se**2])
         electrons = propagated(lambda v: v[1] / v[0], [curve.gain, height], errors)
-        return {
-            "saturation_lsb": _quantity("saturation_lsb", (height, height_se), remark),
-            "full_well": _quantity("full_well", electrons, remark),
-        }
+        return _found(remark, saturation_lsb=(height, height_se), full_well=electrons)
     highest = max(level.mean for level in flats) - zero
     if limit is None:
         remark = "no flat saturates"
@@ -298,10 +287,8 @@ def _range(curve: Transfer, flats: Sequence[Moments], top_code: int) -> dict[str
         remark = f"the ADC ends (code {top_code}) before the pixels do"
     else:
         remark = "the brightest flat saturates in part"
-    return {
-        "saturation_lsb": _quantity("saturation_lsb", (highest, None), remark, "at least"),
-        "full_well": _quantity("full_well", (highest / curve.gain, None), remark, "at least"),
-    }
+    in_electrons = (highest / curve.gain, None)
+    return _found(remark, "at least", saturation_lsb=(highest, None), full_well=in_electrons)
 
 
 def _linear(flats: Sequence[Moments], dark: Dark | None, full: float) -> dict[str, Quantity]:
@@ -309,5 +296,4 @@ def _linear(flats: Sequence[Moments], dark: Dark | None, full: float) -> dict[st
     if isinstance(line, str):
         return _unknown(line, "linearity_error")
     remark = f"mean absolute deviation of {line.levels} levels from the line over time"
-    error = line.error_percent, line.error_se
-    return {"linearity_error": _quantity("linearity_error", error, remark)}
+    return _found(remark, linearity_error=(line.error_percent, line.error_se))

@@ -87,17 +87,16 @@ def propagated(
     return float(function(at)), sqrt(max(float(gradient @ covariance @ gradient), 0.0))
 
 
-def shared_variance(one: Map, other: Map, good: Mask, taken: int = 1) -> tuple[float, float]:
+def shared_variance(maps: Map, good: Mask, taken: int = 1) -> tuple[float, float]:
     """The variance over the good pixels of what two maps have in common, and its standard error.
 
-    The maps' own noise is independent and cancels in the mean. `taken` is how many parameters of
-    the maps' shape were fitted and subtracted before, their mean included.
+    `maps` is (2, rows, cols). Their own noise is independent and cancels in the mean. `taken` is
+    how many parameters of their shape were fitted and subtracted before, their mean included.
     """
-    a, b = one[good] - one[good].mean(), other[good] - other[good].mean()
-    product = a * b
+    one, other = (each[good] - each[good].mean() for each in maps)
+    product = one * other
     count = len(product)
-    value = float(product.sum() / (count - taken))
-    return value, float(product.std() / sqrt(count))
+    return float(product.sum() / (count - taken)), float(product.std() / sqrt(count))
 
 
 def root(variance: float, error: float) -> tuple[float, float]:
@@ -120,8 +119,7 @@ def robust_scale(values: Vector) -> tuple[float, float]:
 def surface(values: Map, good: Mask) -> Map:
     """The quadratic surface (rows, cols) through the good pixels: six parameters."""
     rows, cols = values.shape
-    y = np.linspace(-1, 1, rows)[:, None] + np.zeros((1, cols))
-    x = np.linspace(-1, 1, cols)[None, :] + np.zeros((rows, 1))
+    x, y = np.meshgrid(np.linspace(-1, 1, cols), np.linspace(-1, 1, rows))
     terms = np.stack([np.ones_like(x), x, y, x * y, x * x, y * y], axis=-1)
     solved = np.linalg.lstsq(terms[good], values[good], rcond=None)[0]
     fitted: Map = terms @ solved

@@ -10,7 +10,9 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -29,6 +31,7 @@ TIME_KEY = "exposure_us"
 KEYS = ("frame", "frames")
 _SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 _TIMED = re.compile(r"(.+)@([0-9.]+(?:e[+-]?[0-9]+)?)(s|ms|us)")
+_no_frames = partial(rejected, "NS0757")
 _SAME_PROGRAM = ("program_sha256", "scene_sha256", "sensor_sha256", "device_seed")
 
 
@@ -57,8 +60,7 @@ def load_stack(given: str, top_code: int) -> Stack:
     path, time_s = _timed(given)
     name = str(path)
     if not path.exists():
-        raise rejected(
-            "NS0757",
+        raise _no_frames(
             f"the frames '{name[:200]}' cannot be read: there is no such file",
             helps=(
                 "name a frame file, an array (.npz, .npy, .mat), a picture or a folder of them",
@@ -117,18 +119,15 @@ def _timed(given: str) -> tuple[Path, float | None]:
 
 
 def _time_of_key(name: str, value: NDArray[Any]) -> float:
-    try:
+    with suppress(ValueError, TypeError):
         seconds = float(np.asarray(value, np.float64).reshape(())) * 1e-6
-    except (ValueError, TypeError):
-        raise _wrong_time(name, f"`{TIME_KEY}`") from None
-    if not (isfinite(seconds) and seconds >= 0):
-        raise _wrong_time(name, f"`{TIME_KEY}`")
-    return seconds
+        if isfinite(seconds) and seconds >= 0:
+            return seconds
+    raise _wrong_time(name, f"`{TIME_KEY}`")
 
 
 def _wrong_time(name: str, what: str) -> Rejected:
-    return rejected(
-        "NS0757",
+    return _no_frames(
         f"the exposure time of '{name[:200]}' is no time: {what}",
         helps=("write PATH@TIME with TIME such as 2ms, 500us or 0.1s",),
     )
@@ -150,8 +149,7 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
                 names &= {KEYS[0], "valid", "meta", TIME_KEY}
             return {key: archive[key] for key in sorted(names)}
     except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
-        raise rejected(
-            "NS0757",
+        raise _no_frames(
             f"the frames '{path}' cannot be read: {' '.join(str(error).split())[:200]}",
             helps=("check that the file is whole and that its ending says what it is",),
         ) from error
@@ -165,8 +163,7 @@ def _chosen(name: str, found: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[
     if len(others) == 1:
         return others[0], found[others[0]]
     shown = ", ".join(repr(key[:40]) for key in others[:12]) or "nothing"
-    raise rejected(
-        "NS0757",
+    raise _no_frames(
         f"'{name}' has no array 'frame'",
         notes=(f"it holds {shown}",),
         helps=("save the codes under that name: np.savez(file, frame=a), (K, rows, cols)",),
@@ -190,8 +187,7 @@ def _ours(
     """(K, rows, cols) of a frame file, and how long its pixels were open."""
     shaped = values[None] if values.ndim == 3 else values
     if shaped.ndim != 4 or shaped.shape[1] != 1:
-        raise rejected(
-            "NS0757",
+        raise _no_frames(
             f"the frame file '{name}' has {size(values.shape)} codes: more than one bucket",
             helps=("expose flats and darks with a program of one bucket: `open when n < N`",),
         )
@@ -199,8 +195,7 @@ def _ours(
         return shaped[:, 0], None
     times = meta["open_us"]
     if not isinstance(times, list) or len(times) != 1 or not isinstance(times[0], int | float):
-        raise rejected(
-            "NS0757",
+        raise _no_frames(
             f"the pixels of '{name}' were not open for the same time",
             notes=("photon transfer compares pixels of one light and one exposure time",),
             helps=("expose flats and darks with a program without codes: `open when n < N`",),
@@ -220,23 +215,19 @@ def _pictures(path: Path) -> NDArray[Any]:
     """(K, rows, cols) of a picture or a folder of pictures, grey, as stored."""
     from nscc_runtime.scenes import picture_files
 
-    suffix = path.suffix.lower()
     if path.is_dir():
-        files = picture_files.files_of(path)
-        found = list(picture_files.read_folder(files))
-    elif suffix in picture_files.PICTURES:
+        found = list(picture_files.read_folder(picture_files.files_of(path)))
+    elif path.suffix.lower() in picture_files.PICTURES:
         found = [picture_files.read_picture(path)]
     else:
-        raise rejected(
-            "NS0757",
+        raise _no_frames(
             f"'{path}' does not end like frames",
             notes=(f"frames end in .npz, .npy, .mat, {', '.join(picture_files.PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
     for picture in found:
         if picture.ndim == 3 and np.any(picture != picture[..., :1]):
-            raise rejected(
-                "NS0757",
+            raise _no_frames(
                 f"'{path}' is in colour",
                 notes=("photon transfer takes the codes of the ADC, one a pixel",),
                 helps=("save the frames as grey pictures or arrays",),
@@ -249,15 +240,13 @@ def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
     if values.ndim == 2:
         values = values[None]
     if values.ndim != 3 or 0 in values.shape or min(values.shape[1:]) < 2:
-        raise rejected(
-            "NS0757",
+        raise _no_frames(
             f"'{key}' in '{name}' is {size(values.shape)}, not frames",
             notes=("a frame is (rows, cols), frames of one level (K, rows, cols)",),
             helps=("in a .mat file frames are (rows, cols, K)",),
         )
     if values.dtype.kind not in "uif":
-        raise rejected(
-            "NS0757",
+        raise _no_frames(
             f"'{key}' in '{name}' is of type {values.dtype}, not codes of the ADC",
             helps=("save the codes as integers: a.astype(np.uint8)",),
         )
@@ -265,8 +254,7 @@ def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
     whole = values.dtype.kind in "ui" or bool(np.all(values == np.rint(values)))
     if not (whole and low >= 0 and high <= top_code):
         what = f"values from {low:g} to {high:g}" if whole else "values that are not whole"
-        raise rejected(
-            "NS0757",
+        raise _no_frames(
             f"'{key}' in '{name}' has {what}: no codes of an ADC that ends at {top_code}",
             notes=("averages and electrons have lost what photon transfer measures: the noise",),
             helps=(

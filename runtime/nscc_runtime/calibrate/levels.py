@@ -29,16 +29,17 @@ CLIPPED = 1e-4
 class Level:
     """The moments of `frames` frames of one light and exposure time, in codes.
 
-    Maps are (rows, cols). `halves`: the means of the even and of the odd frames; `variance`: over
-    time; `beside` (rows, cols - 1) and `below` (rows - 1, cols): the covariance over time of a
-    pixel and its neighbour; `at_zero` and `at_top`: how many of the frames had that code there.
+    Maps are (rows, cols). `halves` (2, rows, cols): the means of the even and of the odd frames;
+    `variance`: over time; `beside` (rows, cols - 1) and `below` (rows - 1, cols): the covariance
+    over time of a pixel and its neighbour; `at_zero` and `at_top`: how many of the frames had that
+    code there.
     """
 
     name: str
     exposure_s: float | None
     frames: int
     valid: Mask
-    halves: tuple[Map, Map]
+    halves: Map
     variance: Map
     beside: Map
     below: Map
@@ -95,13 +96,9 @@ def level_of(stack: Stack, top_code: int) -> Level:
             data={"required": 2, "available": count},
         )
     codes = stack.codes
-    halves = (codes[0::2].mean(axis=0, dtype=np.float64), codes[1::2].mean(axis=0))
+    halves = np.stack([codes[half::2].mean(axis=0, dtype=np.float64) for half in (0, 1)])
     mean = codes.mean(axis=0, dtype=np.float64)
-    squares, beside, below = (
-        np.zeros_like(mean),
-        np.zeros_like(mean[:, 1:]),
-        np.zeros_like(mean[1:]),
-    )
+    squares, beside, below = (np.zeros_like(part) for part in (mean, mean[:, 1:], mean[1:]))
     for frame in codes:
         rest = frame - mean
         rest -= rest.mean()

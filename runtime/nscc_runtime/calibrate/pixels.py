@@ -40,16 +40,15 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
                 helps=("give frames of one array, all of the same size",),
             )
     good = valid_pixels((*flats, *darks))
-    if np.count_nonzero(good) < LEAST_PIXELS:
+    start = int(np.count_nonzero(good))
+    if start < LEAST_PIXELS:
         raise rejected(
             "NS0757",
-            f"{np.count_nonzero(good)} pixels are valid in all frames, photon transfer needs "
-            f"{LEAST_PIXELS} or more",
+            f"{start} pixels are valid in all frames, photon transfer needs {LEAST_PIXELS} or more",
             notes=(f"the frames are {size(first.variance.shape)}",),
             helps=("give frames of the whole array; `valid` in frame files says which count",),
-            data={"required": LEAST_PIXELS, "available": int(np.count_nonzero(good))},
+            data={"required": LEAST_PIXELS, "available": start},
         )
-    start = int(np.count_nonzero(good))
     for level in darks:
         good &= ~_outliers(level, good, flat=False)
     for level in flats:

@@ -9,7 +9,7 @@ from math import sqrt
 import numpy as np
 
 from nscc_runtime.calibrate.dark import Dark
-from nscc_runtime.calibrate.fit import SURFACE_TERMS, shared_variance, surface
+from nscc_runtime.calibrate.fit import SURFACE_TERMS, line, shared_variance, surface
 from nscc_runtime.calibrate.levels import Level, Map, Mask, Moments
 
 _RANGE = (0.05, 0.95)
@@ -26,9 +26,9 @@ def response_variance(
     With darks it goes through them; without, it has a start of its own in each pixel. A smooth
     surface, the fall of the light, does not count.
     """
-    halves = [_response(levels, seen, dark, good, half) for half in (0, 1)]
+    halves = np.stack([_response(levels, seen, dark, good, half) for half in (0, 1)])
     smooth = surface((halves[0] + halves[1]) / 2, good)
-    return shared_variance(halves[0] - smooth, halves[1] - smooth, good, SURFACE_TERMS)
+    return shared_variance(halves - smooth, good, SURFACE_TERMS)
 
 
 def _response(
@@ -80,11 +80,8 @@ def linearity(seen: Sequence[Moments], dark: Dark | None, full: float) -> Linear
         same = signal[time == t]
         if np.ptp(same) > _SAME * same.mean():
             return "flats of the same time differ: the light was not constant"
-    weight = 1.0 / signal**2
-    centre = float((weight * time).sum() / weight.sum())
-    slope = float((weight * (time - centre) * signal).sum() / (weight * (time - centre) ** 2).sum())
-    start = float((weight * signal).sum() / weight.sum()) - slope * centre
-    fitted = start + slope * time
+    found = line(time, signal, lambda _: signal)
+    fitted = found.start + found.slope * time
     apart = np.abs(signal - fitted) / fitted
     errors = np.array([level.mean_se for level in inside]) / fitted
     count = len(inside)

@@ -20,17 +20,16 @@ from nscc_runtime.sensor import Sensor, completed, schema
 Status = Literal["measured", "bound", "given", "contained", "default"]
 _NO_PART = 1e-9
 
-_TAKEN = (
-    "electrons_per_lsb", "crosstalk_fraction", "prnu_fraction", "dark_current_e_per_s",
-    "dark_spread_fraction",
-)  # fmt: skip
-"""Parameters that are a figure as it was found."""
-_SOURCES = {
+_TAKEN = {
     "electrons_per_lsb": "conversion_gain", "crosstalk_fraction": "crosstalk",
     "prnu_fraction": "prnu", "dark_current_e_per_s": "dark_current",
-    "dark_spread_fraction": "dark_spread", "read_noise_e": "dark_noise_e",
-    "analog_pattern_lsb": "dsnu_lsb", "analog_bias_lsb": "offset", "adc_offset_lsb": "offset",
-    "analog_noise_lsb": "dark_noise_e", "adc_noise_lsb": "dark_noise_e", "full_well_e": "full_well",
+    "dark_spread_fraction": "dark_spread",
+}  # fmt: skip
+"""Parameters that are a figure as it was found."""
+_SOURCES = _TAKEN | {
+    "read_noise_e": "dark_noise_e", "analog_pattern_lsb": "dsnu_lsb", "analog_bias_lsb": "offset",
+    "adc_offset_lsb": "offset", "analog_noise_lsb": "dark_noise_e", "adc_noise_lsb": "dark_noise_e",
+    "full_well_e": "full_well",
 }  # fmt: skip
 """The figure that tells of a parameter."""
 
@@ -51,8 +50,8 @@ def parameters(found: Calibration, target: Target, chain: Chain) -> dict[str, Ch
     quantity = found.quantities
     chosen: dict[str, Choice] = {}
     _contain(chosen, "analog_gain", 1.0, "electrons_per_lsb")
-    for name in _TAKEN:
-        _take(chosen, name, quantity[_SOURCES[name]])
+    for name, source in _TAKEN.items():
+        _take(chosen, name, quantity[source])
     _noise(chosen, quantity["dark_noise_e"], chain)
     _pattern(chosen, quantity, chain)
     _range(chosen, quantity["full_well"], target)
@@ -135,14 +134,11 @@ def _range(chosen: dict[str, Choice], full: Quantity, target: Target) -> None:
     elif full.value > target.full_well_e:
         remark = f"at least: {full.remark}"
         chosen["full_well_e"] = Choice(full.value, None, "bound", remark)
-    for name, limit in (
-        ("register_max_e", target.register_max_e),
-        ("register_min_e", -target.register_min_e),
-    ):
-        if full.value > limit:
-            sign = -1.0 if name == "register_min_e" else 1.0
-            remark = "at least: frames hold as much"
-            chosen[name] = Choice(sign * full.value, None, "bound", remark)
+    remark = "at least: frames hold as much"
+    if full.value > target.register_max_e:
+        chosen["register_max_e"] = Choice(full.value, None, "bound", remark)
+    if full.value > -target.register_min_e:
+        chosen["register_min_e"] = Choice(-full.value, None, "bound", remark)
 
 
 def _unknown(name: str, found: Mapping[str, Quantity]) -> str:

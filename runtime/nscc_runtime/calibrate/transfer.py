@@ -75,30 +75,19 @@ def transfer(
     where it is given. NS0758 where fewer than two levels of light can be used, NS0759 where
     variance does not rise with the mean.
     """
-    zero, zero_se = offset or (0.0, 0.0)
+    zero = offset[0] if offset else 0.0
     peak = max(flats, key=lambda level: level.variance)
     highest = max(flats, key=lambda level: level.mean)
     fallen = highest.mean > peak.mean and highest.variance < (1 - _DROP) * peak.variance
     full = highest.mean if fallen or highest.cut_at_top else float(top_code)
     limit = zero + LINEAR_PART * (full - zero)
-    used: list[Moments] = []
-    left_out: list[tuple[Moments, str]] = []
-
-    def judge(levels: Sequence[Moments]) -> None:
-        for level in levels:
-            reason = _unfit(level, limit)
-            if reason is None:
-                used.append(level)
-            else:
-                left_out.append((level, reason))
-
-    judge(flats)
-    if len({round(level.mean) for level in used}) < 2:
-        raise _too_few(used, left_out, limit)
+    judged = [(level, _unfit(level, limit)) for level in flats]
+    if len({round(level.mean) for level, reason in judged if not reason}) < 2:
+        raise _too_few(judged, limit)
     if offset is not None:
-        judge(darks)
-    result = _fitted(used, offset, zero, zero_se, crosstalk)
-    found = replace(result, left_out=tuple(left_out))
+        judged += [(level, _unfit(level, limit)) for level in darks]
+    found = _fitted([level for level, reason in judged if not reason], offset, crosstalk)
+    found = replace(found, left_out=tuple(each for each in judged if each[1]))
     if not (fallen or highest.cut_at_top):
         return found
     excess = highest.variance - found.noise
@@ -107,8 +96,8 @@ def transfer(
     return replace(found, saturation=Saturation(highest.mean, highest.mean_se, of_pixel))
 
 
-def _unfit(level: Moments, limit: float) -> str | None:
-    """Why a level cannot be part of the fit; None if it can."""
+def _unfit(level: Moments, limit: float) -> str:
+    """Why a level cannot be part of the fit; empty if it can."""
     if level.cut_at_top:
         return f"{100 * level.share_at_top:.3g} % of its codes are at the top"
     if level.cut_at_zero:
@@ -117,16 +106,13 @@ def _unfit(level: Moments, limit: float) -> str | None:
         return f"its noise is below half a code (variance {level.variance:.2g})"
     if level.mean > limit:
         return f"its mean is above {LINEAR_PART:.0%} of saturation (code {limit:.4g})"
-    return None
+    return ""
 
 
 def _fitted(
-    used: Sequence[Moments],
-    offset: tuple[float, float] | None,
-    zero: float,
-    zero_se: float,
-    known: float | None,
+    used: Sequence[Moments], offset: tuple[float, float] | None, known: float | None
 ) -> Transfer:
+    zero, zero_se = offset or (0.0, 0.0)
     x = np.array([level.mean - zero for level in used])
     variance = np.array([level.variance for level in used])
     neighbours = np.array([level.neighbours for level in used])
@@ -187,11 +173,10 @@ def _crosstalk(own: float, across: float) -> float:
     return float((half_b - np.sqrt(max(half_b**2 - a * ratio, 0.0))) / a)
 
 
-def _too_few(
-    used: Sequence[Moments], left_out: Sequence[tuple[Moments, str]], limit: float
-) -> Rejected:
+def _too_few(judged: Sequence[tuple[Moments, str]], limit: float) -> Rejected:
+    used = [level for level, reason in judged if not reason]
     count = len({round(level.mean) for level in used})
-    notes = [f"'{level.name}' (mean {level.mean:.4g}): {reason}" for level, reason in left_out]
+    notes = [f"'{level.name}' (mean {level.mean:.4g}): {why}" for level, why in judged if why]
     if len(used) > count:
         notes.append(f"{len(used)} flats have the same mean, {used[0].mean:.4g}: that is one level")
     return rejected(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from threading import Thread
 from typing import TYPE_CHECKING
 
@@ -33,9 +33,7 @@ class EmulatedChip:
     sensor: Sensor | None = None
     device_seed: int = 0
     report: Callable[[Exception], None] = lambda _: None
-
-    def __post_init__(self) -> None:
-        self._light: tuple[tuple[float, ...], Light] | None = None
+    _light: tuple[tuple[float, ...], Light] | None = field(default=None, init=False)
 
     def exposure(self, container: Container, channels: int) -> bytes:
         """One frame of a container as a loader sends it: all codes, then all exposures."""

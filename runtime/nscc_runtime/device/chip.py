@@ -14,14 +14,7 @@ from nscc.words.file import to_bytes
 from nscc_runtime.device import tasks
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.link import Link
-from nscc_runtime.device.messages import (
-    Capability,
-    Captured,
-    Channel,
-    Info,
-    State,
-    bytes_a_pixel,
-)
+from nscc_runtime.device.messages import Capability, Captured, Channel, Info, State, bytes_a_pixel
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.trouble import check_fits, no_program, rejected
 from nscc_runtime.frame_file import Frame

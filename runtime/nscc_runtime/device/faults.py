@@ -35,10 +35,9 @@ class Faults:
 
     def __str__(self) -> str:
         parts = [f"corrupt={self.corrupt:g}", f"drop={self.drop:g}", f"delay={self.delay_s:g}s"]
-        if self.disconnect_after is not None:
-            parts.append(f"disconnect=after:{self.disconnect_after}")
-        if self.reboot_after is not None:
-            parts.append(f"reboot=after:{self.reboot_after}")
+        for name, after in (("disconnect", self.disconnect_after), ("reboot", self.reboot_after)):
+            if after is not None:
+                parts.append(f"{name}=after:{after}")
         return ",".join([*parts, f"outage={self.outage_s:g}s", f"seed={self.seed}"])
 
 

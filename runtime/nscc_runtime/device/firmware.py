@@ -270,6 +270,6 @@ def container_of_job(job: bytes, target: Target) -> tuple[Container, int]:
         readouts=readouts,
         kernels=kernels,
         launches=launches,
-        slot_us=[us for count, us in runs for _ in range(count)],
+        runs=runs,
         planes={reader.count(): reader.take(plane_bytes) for _ in range(reader.count())},
     ), channels

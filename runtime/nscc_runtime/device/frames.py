@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from datetime import UTC, datetime
-from itertools import count
+from itertools import count, islice
 from pathlib import Path
 from time import monotonic, sleep
 from typing import Any
@@ -87,18 +87,12 @@ def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) 
             f"cannot write into '{folder}': {error.strerror}",
             helps=("name a folder that you may write",),
         ) from None
-    taken = {path.name for path in folder.glob("frame-*.npz")}
+    taken = set(folder.glob("frame-*.npz"))
+    named = (folder / f"frame-{number:06d}.npz" for number in count(1))
     begin = monotonic()
-    written = 0
-    for number in count(1):
-        if written == most:
-            return
-        name = f"frame-{number:06d}.npz"
-        if name in taken:
-            continue
+    for written, path in enumerate(islice((path for path in named if path not in taken), most)):
         sleep(max(0.0, begin + written * every_s - monotonic()))
-        yield folder / name
-        written += 1
+        yield path
 
 
 def capture_to(

@@ -8,6 +8,7 @@ has an end: a task finishes, or it raises one of this module's exceptions.
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
+from dataclasses import dataclass
 from typing import TypeVar
 
 from nscc_runtime.device.messages import Failure, Fault, Hello, Info, Status
@@ -25,25 +26,23 @@ _MOST_RESTARTS = 40
 _STALL_FACTOR = 6
 
 
+@dataclass(eq=False)
 class Silent(Exception):
     """Nothing was heard for as long as the host is willing to wait; `ever` whether before."""
 
-    def __init__(self, ever: bool, noise: int) -> None:
-        super().__init__("no answer")
-        self.ever = ever
-        self.noise = noise
+    ever: bool
+    noise: int
 
 
 class Stalled(Exception):
     """The loader answers, and nothing gets done."""
 
 
+@dataclass(eq=False)
 class Refused(Exception):
     """The loader said why it will not do what it was asked."""
 
-    def __init__(self, failure: Failure) -> None:
-        super().__init__(f"request {failure.request}: fault {failure.fault}, {failure.detail}")
-        self.failure = failure
+    failure: Failure
 
     @property
     def fault(self) -> int:
@@ -81,7 +80,8 @@ class Host:
         self._moved = 0.0
         self._ever_heard = False
         self._task: Generator[float, Packet | None, object] | None = None
-        self._until = 0.0
+        self.deadline = 0.0
+        """When `poll` must be called if nothing arrives before."""
         self.result: object = None
 
     def start(self, task: Generator[float, Packet | None, object], now: float) -> None:
@@ -96,16 +96,6 @@ class Host:
     def running(self) -> bool:
         """Whether the task still has something to do."""
         return self._task is not None
-
-    @property
-    def deadline(self) -> float:
-        """When `poll` must be called if nothing arrives before."""
-        return self._until
-
-    @property
-    def noise(self) -> int:
-        """How many pieces arrived that were no packets."""
-        return self._unpacker.damaged
 
     def receive(self, data: bytes, now: float) -> None:
         """Take bytes from the line; may raise what the task raises."""
@@ -124,7 +114,7 @@ class Host:
     def poll(self, now: float) -> bytes:
         """Go on where a wait has ended; the bytes to send now."""
         self.now = now
-        if self._task is not None and now >= self._until:
+        if self._task is not None and now >= self.deadline:
             self._step(None)
         out = bytes(self._out)
         self._out.clear()
@@ -141,7 +131,7 @@ class Host:
     def _step(self, packet: Packet | None, thrown: Exception | None = None) -> None:
         assert self._task is not None
         try:
-            self._until = self._task.throw(thrown) if thrown else self._task.send(packet)
+            self.deadline = self._task.throw(thrown) if thrown else self._task.send(packet)
         except StopIteration as done:
             self._task = None
             self.result = done.value
@@ -162,7 +152,7 @@ class Host:
     def check_patience(self, extra_s: float = 0.0) -> None:
         """Raise Silent or Stalled where it has taken too long; `extra_s` is expected silence."""
         if self.now - self._heard > self.patience_s + extra_s:
-            raise Silent(self._ever_heard, self.noise)
+            raise Silent(self._ever_heard, self._unpacker.damaged)
         if self.now - self._moved > _STALL_FACTOR * self.patience_s + extra_s:
             raise Stalled
 

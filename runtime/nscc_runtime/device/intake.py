@@ -71,10 +71,9 @@ class Intake:
         program = self.announced()
         known = len(program.entries)
         repeated = program.entries[declare.first : declare.first + len(declare.entries)]
-        if declare.first > known or repeated != list(declare.entries[: len(repeated)]):
-            raise Refusal(Fault.WRONG_STATE, known)
-        fresh = declare.entries[len(repeated) :]
-        if known + len(fresh) > program.begin.objects:
+        said, fresh = declare.entries[: len(repeated)], declare.entries[len(repeated) :]
+        too_many = known + len(fresh) > program.begin.objects
+        if declare.first > known or repeated != list(said) or too_many:
             raise Refusal(Fault.WRONG_STATE, known)
         for entry in fresh:
             Held.check_room(entry.kind, entry.length, self.target, self.limits)

@@ -98,8 +98,7 @@ class Link:
         if not self.host.running:
             return
         left = min(max(self.host.deadline - monotonic(), 0.0), _LONGEST_SLEEP_S)
-        readable, _, _ = select.select([port], [port] if self._waiting else [], [], left)
-        if readable:
+        if select.select([port], [port] if self._waiting else [], [], left)[0]:
             self.host.receive(port.read(), monotonic())
 
     def _reopen(self) -> None:

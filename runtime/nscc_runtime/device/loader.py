@@ -12,34 +12,10 @@ from hashlib import sha256
 from typing import Protocol
 
 from nscc.target.target import Target
+from nscc_runtime.device import messages, packets
 from nscc_runtime.device.intake import Intake
-from nscc_runtime.device.messages import (
-    FRAME,
-    Begin,
-    Capability,
-    Capture,
-    Captured,
-    Channel,
-    Declare,
-    Failure,
-    Fault,
-    Hello,
-    Info,
-    Progress,
-    Read,
-    State,
-    Status,
-    bytes_a_pixel,
-)
-from nscc_runtime.device.packets import (
-    LONGEST_WIRE,
-    MOST_DATA,
-    REPLY,
-    VERSION,
-    Kind,
-    Packet,
-    Unpacker,
-)
+from nscc_runtime.device.messages import FRAME, Capability, Channel, Fault, State, bytes_a_pixel
+from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet
 from nscc_runtime.device.parsing import Held, Limits, Refusal
 
 MOST_OUT = 8192
@@ -54,14 +30,12 @@ class Board(Protocol):
 
     def expose(self, held: Held, channels: int) -> None:
         """Begin to expose a frame of a checked program."""
-        ...
 
     def exposed(self) -> bytes | None:
         """The frame's channels once it is exposed, None before.
 
         Raises RuntimeError where it cannot be exposed.
         """
-        ...
 
 
 @dataclass
@@ -95,9 +69,9 @@ class Loader:
         self.exposing = False
         self.session = self.boot = 0
         self.packets = 0
-        self._unpacker = Unpacker()
+        self._unpacker = packets.Unpacker()
         self._out = bytearray(Packet(Kind.BOOTED, 0, 0).wire())
-        self._reads: deque[tuple[int, Read]] = deque()
+        self._reads: deque[tuple[int, messages.Read]] = deque()
         self._now_us = self._started_us = 0
 
     def receive(self, data: bytes, now_us: int) -> None:
@@ -149,7 +123,7 @@ class Loader:
             except ValueError:
                 raise Refusal(Fault.MALFORMED) from None
         except Refusal as refusal:
-            failure = Failure(packet.kind, refusal.fault, refusal.detail & 0xFFFFFFFF)
+            failure = messages.Failure(packet.kind, refusal.fault, refusal.detail & 0xFFFFFFFF)
             self._send(Packet(Kind.ERROR, packet.sequence, packet.session, failure.pack()))
             return
         if reply is not None:
@@ -161,10 +135,10 @@ class Loader:
 
     @property
     def _has_room(self) -> bool:
-        return len(self._out) + LONGEST_WIRE + 2 <= MOST_OUT
+        return len(self._out) + packets.LONGEST_WIRE + 2 <= MOST_OUT
 
     def _hello(self, packet: Packet) -> bytes:
-        hello = Hello.unpack(packet.body)
+        hello = messages.Hello.unpack(packet.body)
         if not packet.session:
             raise Refusal(Fault.MALFORMED)
         if not hello.first <= VERSION <= hello.last:
@@ -174,7 +148,7 @@ class Loader:
         self._reads.clear()
         program = None if self.intake.refusal else self.intake.program
         begin = program.begin if program else None
-        return Info(
+        return messages.Info(
             version=VERSION,
             state=self._shown_state,
             most_data=MOST_DATA,
@@ -201,7 +175,7 @@ class Loader:
 
     def _status(self, packet: Packet) -> bytes:
         _need_length(packet.body, 0)
-        return Status(
+        return messages.Status(
             self._shown_state,
             self.boot,
             (self._now_us - self._started_us) // 1000 & 0xFFFFFFFF,
@@ -213,18 +187,18 @@ class Loader:
     def _progress(self) -> bytes:
         program = self.intake.program
         if program is None:
-            return Progress(self._shown_state, 0, 0, 0).pack()
-        failures = min(program.failures, 255)
-        return Progress(self._shown_state, failures, len(program.entries), program.position).pack()
+            return messages.Progress(self._shown_state, 0, 0, 0).pack()
+        declared, failures = len(program.entries), min(program.failures, 255)
+        return messages.Progress(self._shown_state, failures, declared, program.position).pack()
 
     def _begin(self, packet: Packet) -> bytes:
-        if self.intake.begin(Begin.unpack(packet.body), self.exposing):
+        if self.intake.begin(messages.Begin.unpack(packet.body), self.exposing):
             self.frame = None
             self._reads.clear()
         return self._progress()
 
     def _declare(self, packet: Packet) -> bytes:
-        self.intake.declare(Declare.unpack(packet.body))
+        self.intake.declare(messages.Declare.unpack(packet.body))
         return self._progress()
 
     def _data(self, packet: Packet) -> bytes:
@@ -237,7 +211,7 @@ class Loader:
         return self._progress()
 
     def _capture(self, packet: Packet) -> bytes:
-        capture = Capture.unpack(packet.body)
+        capture = messages.Capture.unpack(packet.body)
         program = self.intake.announced()
         if self.intake.state != State.READY:
             raise Refusal(Fault.NO_PROGRAM)
@@ -266,7 +240,7 @@ class Loader:
     def _captured(self, frame: Frame, held: Held) -> bytes:
         us = sum(count * us for count, us in held.runs or ())
         us += len(held.readouts or ()) * self.target.readout_us
-        return Captured(
+        return messages.Captured(
             number=frame.number,
             ready=frame.data is not None,
             channels=frame.channels,
@@ -292,7 +266,7 @@ class Loader:
                 self.frame.data, self.frame.digest = data, sha256(data).digest()
 
     def _read(self, packet: Packet) -> None:
-        read = Read.unpack(packet.body)
+        read = messages.Read.unpack(packet.body)
         frame = self.frame
         if frame is None or frame.data is None or frame.number != read.number:
             raise Refusal(Fault.NO_FRAME)
@@ -313,7 +287,7 @@ class Loader:
         body = FRAME.pack(read.number, read.offset) + data
         self._send(Packet(Kind.READ | REPLY, sequence, self.session, body))
         if size < read.length:
-            rest = Read(read.number, read.offset + size, read.length - size, read.chunk)
+            rest = messages.Read(read.number, read.offset + size, read.length - size, read.chunk)
             self._reads.appendleft((sequence, rest))
 
     def _cancel(self, packet: Packet) -> bytes:

@@ -13,7 +13,7 @@ light of `advance` slots falls, then the kernel runs. Slots left after the last 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from functools import cached_property
@@ -119,24 +119,16 @@ def upload_of(container: Container, label: bytes) -> Upload:
     target = container.target
     rows = list(_rows(container))
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
+    schedule = COUNT.pack(container.slots) + _counted(RUN, runs) + _counted(ROW, rows)
     objects = [
         Object(ObjectKind.READOUTS, 0, _readouts(container)),
         Object(ObjectKind.KERNELS, 0, _kernels(container)),
-        Object(
-            ObjectKind.SCHEDULE,
-            0,
-            COUNT.pack(container.slots)
-            + COUNT.pack(len(runs))
-            + b"".join(RUN.pack(*run) for run in runs)
-            + COUNT.pack(len(rows))
-            + b"".join(ROW.pack(*row) for row in rows),
-        ),
+        Object(ObjectKind.SCHEDULE, 0, schedule),
     ]
     planes = container.planes()
     # It takes a write only where the mask is 1, so it comes before the mask's own code.
     for register in sorted(planes, key=lambda name: name != target.masked_register):
-        plane = planes[register]
-        bits = np.packbits(plane, axis=None, bitorder="little").tobytes()
+        bits = np.packbits(planes[register], axis=None, bitorder="little").tobytes()
         number = target.digital_registers.index(register)
         objects.append(Object(ObjectKind.PLANE, number, bits))
     return Upload(
@@ -156,9 +148,11 @@ def _readouts(container: Container) -> bytes:
     by_bucket = {readout.bucket: readout for readout in container.readouts}
     ordered = [by_bucket[bucket] for bucket in container.buckets]
     registers = container.target.analog_registers
-    return COUNT.pack(len(ordered)) + b"".join(
-        READOUT.pack(registers.index(readout.register), readout.gain) for readout in ordered
-    )
+    return _counted(READOUT, [(registers.index(each.register), each.gain) for each in ordered])
+
+
+def _counted(layout: Struct, rows: Sequence[tuple[float, ...]]) -> bytes:
+    return COUNT.pack(len(rows)) + b"".join(layout.pack(*row) for row in rows)
 
 
 def _kernels(container: Container) -> bytes:
@@ -180,7 +174,5 @@ def _rows(container: Container) -> Iterator[tuple[int, int, int]]:
         at = launch.instant
     for (advance, kernel), same in groupby(steps):
         times = len(list(same))
-        while times:
-            some = min(times, MOST_TIMES)
-            yield advance, kernel, some
-            times -= some
+        for done in range(0, times, MOST_TIMES):
+            yield advance, kernel, min(times - done, MOST_TIMES)

@@ -57,8 +57,7 @@ class Packet:
 
         The first one ends whatever noise came before.
         """
-        head = _HEADER.pack(self.kind, 0, self.sequence, self.session)
-        plain = head + self.body
+        plain = _HEADER.pack(self.kind, 0, self.sequence, self.session) + self.body
         return b"\0" + stuffed(plain + _CRC.pack(crc32(plain))) + b"\0"
 
 
@@ -108,11 +107,9 @@ def stuffed(data: bytes) -> bytes:
     out = bytearray()
     for piece in data.split(b"\0"):
         while len(piece) >= _BLOCK:
-            out.append(0xFF)
-            out += piece[:_BLOCK]
+            out += b"\xff" + piece[:_BLOCK]
             piece = piece[_BLOCK:]
-        out.append(len(piece) + 1)
-        out += piece
+        out += bytes([len(piece) + 1]) + piece
     return bytes(out)
 
 

@@ -27,13 +27,12 @@ from nscc_runtime.device.objects import COUNT, MOST_LAUNCHES, READOUT, ROW, RUN,
 _LONGEST_SLOT_US = 1e15
 
 
+@dataclass(eq=False)
 class Refusal(Exception):
     """An object is not accepted: why, and where in it."""
 
-    def __init__(self, fault: Fault, detail: int = 0) -> None:
-        super().__init__(f"{fault.name} {detail}")
-        self.fault = fault
-        self.detail = detail
+    fault: Fault
+    detail: int = 0
 
 
 @dataclass(frozen=True)
@@ -147,7 +146,7 @@ class Held:
             readouts=self.readouts,
             kernels=self.kernels,
             launches=list(self.launches()),
-            slot_us=[us for count, us in self.runs for _ in range(count)],
+            runs=self.runs,
             planes=self.planes or {},
         )
 
@@ -158,25 +157,23 @@ def container_of(
     readouts: Sequence[tuple[int, float]],
     kernels: Sequence[tuple[Word, ...]],
     launches: Sequence[tuple[int, int]],
-    slot_us: Sequence[float],
+    runs: Sequence[tuple[int, float]],
     planes: dict[int, bytes],
 ) -> Container:
     """What a chip was told to do, as a container that the emulator runs."""
     shape = (target.rows, target.cols)
-    bits: dict[str, NDArray[np.bool_]] = {
-        target.digital_registers[number]: np.unpackbits(
-            np.frombuffer(data, np.uint8), count=shape[0] * shape[1], bitorder="little"
-        )
-        .astype(bool)
-        .reshape(shape)
-        for number, data in planes.items()
-    }
+    slot_us = tuple(us for count, us in runs for _ in range(count))
+    bits: dict[str, NDArray[np.bool_]] = {}
+    for number, data in planes.items():
+        packed = np.frombuffer(data, np.uint8)
+        flat = np.unpackbits(packed, count=shape[0] * shape[1], bitorder="little")
+        bits[target.digital_registers[number]] = flat.astype(bool).reshape(shape)
     encoding, codes = codes_of_planes(bits, target)
     names = tuple(f"bucket{number}" for number in range(len(readouts)))
     count = len(encoding)
     return Container(
         target=target,
-        slot_us=tuple(slot_us),
+        slot_us=slot_us,
         buckets=names,
         table=DecodeTable(
             (),
@@ -248,8 +245,7 @@ def _kernels(data: bytes, target: Target, most: Limits) -> tuple[tuple[Word, ...
         raise Refusal(Fault.TOO_LARGE, sum(lengths))
     kernels, number = [], 0
     for length in lengths:
-        ops = []
-        words = []
+        ops, words = [], []
         for word in reader.rows(WORD, length):
             operation = matching(word, target.words)
             if operation is None or target_fault(operation, target) is not None:

@@ -13,13 +13,12 @@ DEFAULT_BAUD = 3_000_000
 _MOST_READ = 1 << 16
 
 
+@dataclass(eq=False)
 class PortTrouble(Exception):
     """A port cannot be opened. `kind`: missing, forbidden, busy, unsuited, baud or other."""
 
-    def __init__(self, kind: str, reason: str) -> None:
-        super().__init__(reason)
-        self.kind = kind
-        self.reason = reason
+    kind: str
+    reason: str
 
 
 class PortGone(Exception):
@@ -84,7 +83,6 @@ def open_port(path: str, baud: int = DEFAULT_BAUD) -> Port:
 
 def _trouble(error: OSError) -> PortTrouble:
     number = error.errno
-    reason = os.strerror(number) if number else str(error)
     if number in (errno.ENOENT, errno.ENXIO, errno.ENODEV, errno.ENOTDIR):
         return PortTrouble("missing", "there is no such port")
     if number in (errno.EACCES, errno.EPERM):
@@ -94,7 +92,7 @@ def _trouble(error: OSError) -> PortTrouble:
     # pyserial wraps what termios says, for a file that is no terminal, without its number.
     if number in (errno.ENOTTY, errno.EINVAL, errno.EISDIR) or "configure port" in str(error):
         return PortTrouble("unsuited", "it is no serial port")
-    return PortTrouble("other", reason)
+    return PortTrouble("other", os.strerror(number) if number else str(error))
 
 
 def list_ports(found: Callable[[], Any] | None = None) -> list[tuple[str, str]]:

@@ -32,23 +32,18 @@ class Loaded(Protocol):
     @property
     def busy(self) -> bool:
         """Whether `poll` has something to do without new bytes."""
-        ...
 
     def receive(self, data: bytes, now_us: int) -> None:
         """Take bytes from the line."""
-        ...
 
     def poll(self, now_us: int, room: int) -> bytes:
         """Bytes for the line."""
-        ...
 
     def announce(self) -> None:
         """Start anew."""
-        ...
 
     def watched(self) -> list[int]:
         """File descriptors whose bytes give `poll` something to do."""
-        ...
 
 
 class Terminal:
@@ -115,10 +110,7 @@ class Server:
     """
 
     def __init__(
-        self,
-        loader: Loaded,
-        faults: Faults,
-        moved: Callable[[str], None] = lambda _: None,
+        self, loader: Loaded, faults: Faults, moved: Callable[[str], None] = lambda _: None
     ) -> None:
         self.loader, self.faults, self.moved = loader, faults, moved
         self.terminal = Terminal()
@@ -141,11 +133,10 @@ class Server:
                     return
                 self._turn(None)
                 sleep(_NOBODY_S)
-                continue
-            self._connected = True
-            data = self.terminal.read()
-            self._turn(data)
-            self._wait()
+            else:
+                self._connected = True
+                self._turn(self.terminal.read())
+                self._wait()
 
     def _over(self) -> bool:
         return self._until is not None and monotonic() >= self._until
@@ -208,13 +199,12 @@ class Server:
     def _wait(self) -> None:
         """Until a byte arrives, or there is something to do without one."""
         now = monotonic()
+        readers = [self.terminal.fd, *self.loader.watched()]
+        if self._leaving and self._leaving[0][0] <= now:
+            select.select(readers, [self.terminal.fd], [], _IDLE_S)
+            return
         due = [queue[0][0] for queue in (self._arriving, self._leaving) if queue]
         waits = [_IDLE_S, *(max(time - now, 0.0) for time in due)]
         if self.loader.busy or self._boots_until > now:
-            waits.append(_BUSY_S)
-        if self.loader.busy and not (self._leaving and self._leaving[0][0] <= now):
-            waits.append(_PAUSE_S)
-        blocked = bool(self._leaving and self._leaving[0][0] <= now)
-        writers = [self.terminal.fd] if blocked else []
-        readers = [self.terminal.fd, *self.loader.watched()]
-        select.select(readers, writers, [], _IDLE_S if blocked else min(waits))
+            waits.append(_PAUSE_S if self.loader.busy else _BUSY_S)
+        select.select(readers, [], [], min(waits))

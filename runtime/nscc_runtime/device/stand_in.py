@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Literal
@@ -15,7 +15,6 @@ from nscc_runtime.device.board import BackgroundChip, EmulatedChip
 from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.serving import Loaded, Server
-from nscc_runtime.light import Light
 from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import Sensor
 
@@ -38,11 +37,9 @@ def emulated_chip(
     """
     if scene.name.startswith("builtin:") or not Path(scene.name).exists():
         scene.light((1000.0,), target)
-
-    def light(slot_us: Sequence[float]) -> Light:
-        return scene.light(slot_us, target, warn)
-
-    return EmulatedChip(light, target, sensor, device_seed, failed)
+    return EmulatedChip(
+        lambda slot_us: scene.light(slot_us, target, warn), target, sensor, device_seed, failed
+    )
 
 
 def serve(

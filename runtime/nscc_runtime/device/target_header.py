@@ -10,16 +10,7 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from nscc.operations import (
-    ANALOG_SOURCES,
-    DIGITAL_SOURCES,
-    OPERATIONS,
-    Effect,
-    Op,
-    Phase,
-    op,
-    pair,
-)
+from nscc.operations import ANALOG_SOURCES, DIGITAL_SOURCES, OPERATIONS, Effect, Op, Phase, op, pair
 from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc.words.container import Word
@@ -94,8 +85,7 @@ def _word(word: Word) -> str:
 def _operations() -> Iterator[str]:
     found = masks()
     yield f"constexpr Word kind_analog = {_word(found.kind_analog)};"
-    yield f"constexpr Word kind_digital = {_word(found.kind_digital)};"
-    yield ""
+    yield f"constexpr Word kind_digital = {_word(found.kind_digital)};\n"
     yield "constexpr Operation operations[] = {"
     for row in OPERATIONS:
         kind = row.name.partition(".")[0]
@@ -120,9 +110,7 @@ def _registers(target: Target) -> Iterator[str]:
     for analog, names in ((True, ANALOG_SOURCES), (False, DIGITAL_SOURCES)):
         for name in names:
             written = (of.get(name, _NOTHING) for of in (found.write, found.written))
-            flags = ", ".join(
-                str(is_so).lower() for is_so in (analog, name in known, name == "FLAG")
-            )
+            flags = f"{analog}, {name in known}, {name == 'FLAG'}".lower()
             words = map(_word, (found.read[name], *written))
             yield f"    // {name}"
             yield "    {" + ",\n     ".join([*words, flags]) + "},"
@@ -131,25 +119,21 @@ def _registers(target: Target) -> Iterator[str]:
 
 def _sequences(target: Target) -> Iterator[str]:
     """The words that write a register back, and that open the masked register to writing."""
-    yield f"struct Refresh {{ uint32_t count; uint32_t word[{_LONGEST_REFRESH}][5]; }};"
-    yield ""
+    yield f"struct Refresh {{ uint32_t count; uint32_t word[{_LONGEST_REFRESH}][5]; }};\n"
     yield "// Writes a register back to itself; the masked one where the mask's code waits in FLAG."
     yield "constexpr Refresh refresh[] = {"
     for name in target.digital_registers:
         ops = refresh_words(target, name)
         yield f"    // {name}"
         yield f"    {{{len(ops)}, {{{_table(ops)}}}}},"
-    yield "};"
-    yield ""
-    mask = target.mask_register
-    ops = [op("SET", [mask])] if mask else [op("nop")]
+    yield "};\n"
     yield "// Sets a register to 0 in all pixels (the masked one where the mask is 1)."
     yield "constexpr uint32_t clear[][1][5] = {"
     for name in target.digital_registers:
         yield f"    {{{_table([op('CLR', [name])])}}},  // {name}"
-    yield "};"
-    yield ""
+    yield "};\n"
     yield f"constexpr uint32_t flag_all[1][5] = {{{_table([op('all')])}}};"
+    ops = [op("SET", [target.mask_register])] if target.mask_register else [op("nop")]
     yield "// Before the masked register is loaded."
     yield f"constexpr uint32_t set_mask[1][5] = {{{_table(ops)}}};"
 

@@ -7,20 +7,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from hashlib import sha256
 
+from nscc_runtime.device import messages
 from nscc_runtime.device.host import LONGEST_WAIT_S, Host, Refused, Task, checked, raise_failure
-from nscc_runtime.device.messages import (
-    DATA,
-    FRAME,
-    MOST_ENTRIES,
-    Capture,
-    Captured,
-    Declare,
-    Failure,
-    Fault,
-    Progress,
-    Read,
-    State,
-)
+from nscc_runtime.device.messages import DATA, FRAME, Captured, Failure, Fault, Progress, State
 from nscc_runtime.device.objects import Upload
 from nscc_runtime.device.packets import OVERHEAD, REPLY, Kind
 
@@ -51,8 +40,8 @@ def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[N
     """Bring a program to the loader, from where it was when the link was lost; then it is ready."""
     progress = yield from _begun(host, program)
     while progress.declared < len(program.objects) and progress.state == State.RECEIVING:
-        some = program.objects[progress.declared : progress.declared + MOST_ENTRIES]
-        declare = Declare(progress.declared, tuple(each.entry for each in some))
+        some = program.objects[progress.declared : progress.declared + messages.MOST_ENTRIES]
+        declare = messages.Declare(progress.declared, tuple(each.entry for each in some))
         reply = yield from host.ask(Kind.DECLARE, declare.pack())
         progress = checked(Progress.unpack, reply)
         host.moved()
@@ -199,7 +188,7 @@ class _Sender:
 
 def capture(host: Host, number: int, channels: int) -> Task[Taken]:
     """Expose a frame and fetch it. The same `number` never exposes twice."""
-    body = Capture(number, channels).pack()
+    body = messages.Capture(number, channels).pack()
     poll, extra = _POLL_S, 0.0
     while True:
         try:
@@ -297,10 +286,9 @@ class _Fetcher:
             end = len(pending) if end < 0 else end
             end = min(end, begin + _READ_CHUNKS * self.chunk.size // _SMALLEST_CHUNK)
             start, stop = begin * _SMALLEST_CHUNK, min(end * _SMALLEST_CHUNK, len(self.data))
-            read = Read(self.number, start, stop - start, self.chunk.size)
-            alone = not self.asked
-            sequence = self.host.send(Kind.READ, read.pack())
-            self.asked[sequence] = _Range(start, stop, self.host.now, alone)
+            read = messages.Read(self.number, start, stop - start, self.chunk.size)
+            request = _Range(start, stop, self.host.now, alone=not self.asked)
+            self.asked[self.host.send(Kind.READ, read.pack())] = request
 
     def _lose(self, sequences: list[int]) -> None:
         for sequence in sequences:
@@ -331,11 +319,7 @@ class _Fetcher:
         self.wait = self.host.wait_s
         if sequence not in self.asked:
             return
-        self._lose([number for number in self.asked if _before(number, sequence)])
+        # Older requests: numbers wrap at 2^16.
+        self._lose([n for n in self.asked if 0 < (sequence - n & 0xFFFF) < 0x8000])
         if end >= request.stop:
             del self.asked[sequence]
-
-
-def _before(one: int, other: int) -> bool:
-    """Whether a request's number is older than another's; numbers wrap at 2^16."""
-    return 0 < (other - one & 0xFFFF) < 0x8000

@@ -62,7 +62,17 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
     try:
         yield
     except Silent as silent:
-        raise _silent(port, patience_s, silent) from None
+        if silent.ever:
+            raise port_lost(port, patience_s) from None
+        what = "sends bytes that are no packets" if silent.noise else "says nothing"
+        raise rejected(
+            "NS0762",
+            f"no loader of nscc answers at '{port[:200]}': what is there {what}",
+            "put the loader on the device (runtime/firmware/README.md says how), or name another "
+            "port",
+            "if the loader is there, it may run at another speed: --baud",
+            _LIST,
+        ) from None
     except Stalled:
         raise rejected(
             "NS0766",
@@ -72,19 +82,6 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
         ) from None
     except Refused as refused:
         raise _refused(port, refused) from None
-
-
-def _silent(port: str, patience_s: float, silent: Silent) -> Rejected:
-    if silent.ever:
-        return port_lost(port, patience_s)
-    what = "sends bytes that are no packets" if silent.noise else "says nothing"
-    return rejected(
-        "NS0762",
-        f"no loader of nscc answers at '{port[:200]}': what is there {what}",
-        "put the loader on the device (runtime/firmware/README.md says how), or name another port",
-        "if the loader is there, it may run at another speed: --baud",
-        _LIST,
-    )
 
 
 def _refused(port: str, refused: Refused) -> Rejected:
@@ -106,7 +103,11 @@ def _refused(port: str, refused: Refused) -> Rejected:
                 "a chip wants to be switched off and on",
             )
         case Fault.TARGET:
-            return wrong_target(port, None, None)
+            return rejected(
+                "NS0764",
+                f"{at} is another chip than the program is for",
+                "build it for the device's: `nscc device info PORT` names it",
+            )
         case Fault.NO_PROGRAM:
             return no_program(port)
     name = {fault.value: fault.name for fault in Fault}.get(failure.fault, str(failure.fault))
@@ -129,20 +130,15 @@ def no_program(port: str) -> Rejected:
     )
 
 
-def wrong_target(port: str, target: Target | None, info: Info | None) -> Rejected:
+def wrong_target(port: str, target: Target, info: Info) -> Rejected:
     """NS0764: the program is for another chip than the loader's."""
     at = f"the device at '{port[:200]}'"
-    if target is None or info is None:
-        return rejected(
-            "NS0764",
-            f"{at} is another chip than the program is for",
-            "build it for the device's: `nscc device info PORT` names it",
-        )
     theirs, ours = info.target_name, target.name
     if theirs != ours:
-        message = f"the program is for {ours}, and {at} is {theirs}"
         return rejected(
-            "NS0764", message, f"build it for the device: `--target {theirs}`, or a file for it"
+            "NS0764",
+            f"the program is for {ours}, and {at} is {theirs}",
+            f"build it for the device: `--target {theirs}`, or a file for it",
         )
     return rejected(
         "NS0764",
