@@ -128,7 +128,9 @@ def _tokens(text: str, begin: int, faults: Faults) -> list[Token]:
             return []
         match = _TOKEN.match(text, at)
         quoted = text[at] == '"'
-        value = read_string(match[0]) if match and quoted else match and match[0]
+        value = match[0] if match else None
+        if match and quoted:
+            value = read_string(match[0])
         if match is None or value is None:
             span = Span(begin + at, begin + len(text))
             faults.add("NS0714", f"malformed text in quotation marks: {shown(text[at:])}", span)

@@ -96,25 +96,27 @@ def _wait(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
     return None
 
 
-def _names(of: str, what: str, usage: str) -> Directive:
-    """The directive that adds its tokens, one at least, to the list `of` the draft."""
+def _names(of: Callable[[Draft], list[Token]], what: str, usage: str) -> Directive:
+    """The directive that adds its tokens, one at least, to a list of the draft."""
 
     def add(tokens: list[Token], draft: Draft, faults: Faults) -> None:
         if len(tokens) == 1:
             _wrong(faults, tokens[0], f"{tokens[0].text} needs {what}", f"write `{usage}`")
-        getattr(draft, of).extend(tokens[1:])
+        of(draft).extend(tokens[1:])
 
     return add
 
 
-def _row(of: str, least: int, what: str, usage: str) -> Directive:
-    """The directive that adds its tokens, at least so many, as a row to the list `of` the draft."""
+def _row(
+    of: Callable[[Draft], list[tuple[Token, ...]]], least: int, what: str, usage: str
+) -> Directive:
+    """The directive that adds its tokens, at least so many, as a row to a list of the draft."""
 
     def add(tokens: list[Token], draft: Draft, faults: Faults) -> None:
         if len(tokens) <= least:
             _wrong(faults, tokens[0], f"{tokens[0].text} needs {what}", f"write {usage}")
         else:
-            getattr(draft, of).append(tuple(tokens[1:]))
+            of(draft).append(tuple(tokens[1:]))
 
     return add
 
@@ -195,13 +197,13 @@ DIRECTIVES: dict[str, Directive] = {
     ".kernel": _kernel,
     ".word": _word,
     ".slot": _slot,
-    ".bucket": _names("buckets", "a name", ".bucket early late"),
+    ".bucket": _names(lambda draft: draft.buckets, "a name", ".bucket early late"),
     ".readout": _readout,
     ".plane": _plane,
-    ".load": _names("load", "registers", ".load R1 R2"),
-    ".fields": _names("fields", "names", ".fields start stop"),
-    ".shutter": _row("shutters", 2, "contents and slots", _SHUTTER),
-    ".code": _row("codes", 1, "a shutter", "`.code 3 16`"),
+    ".load": _names(lambda draft: draft.load, "registers", ".load R1 R2"),
+    ".fields": _names(lambda draft: draft.fields, "names", ".fields start stop"),
+    ".shutter": _row(lambda draft: draft.shutters, 2, "contents and slots", _SHUTTER),
+    ".code": _row(lambda draft: draft.codes, 1, "a shutter", "`.code 3 16`"),
     ".pixels": _pixels,
 }
 """By name. A directive that takes lines behind bars hands back the block they go to."""

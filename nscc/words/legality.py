@@ -64,9 +64,9 @@ def target_fault(operation: Op, target: Target) -> str | None:
     if limit is not None and count > limit:
         most = f"{kind} word of {target.name} reads at most {limit} sources"
         return f"{most}, and this one reads {count}"
-    if row.effect is Effect.FLAG_DIGITAL and "FLAG" in operation.sources:
-        reads = f"WHERE writes FLAG, and on {target.name} it cannot read it as well"
-        return None if target.where_reads_flag else reads
+    reads_flag = row.effect is Effect.FLAG_DIGITAL and "FLAG" in operation.sources
+    if reads_flag and not target.where_reads_flag:
+        return f"WHERE writes FLAG, and on {target.name} it cannot read it as well"
     return None
 
 
