@@ -8,7 +8,7 @@ from __future__ import annotations
 from nscc.logic.problem import Machine
 from nscc.logic.replay import fault
 from nscc.lower.gates import Gated
-from nscc.lower.lowered import Choice, Lowered
+from nscc.lower.lowered import Choice
 from nscc.lower.plan import ExposurePlan, Planned
 from nscc.program.program import Program
 from nscc.prove.proof import Proof
@@ -87,21 +87,17 @@ def check_gates(gated: Gated) -> None:
 def check_schedule(choice: Choice) -> None:
     """Every layout launches its kernels in time and names registers that the chip has."""
     for lowered in choice.tried:
-        _check_layout(lowered)
-
-
-def _check_layout(lowered: Lowered) -> None:
-    schedule, target = lowered.schedule, lowered.program.target
-    places = schedule.allocation.places
-    _require(len(set(places.values())) == len(places), "two holders of one register")
-    boundaries = [boundary for boundary, _ in schedule.launches]
-    _require(boundaries == sorted(boundaries), "launches out of their order")
-    _require(boundaries[0] == 0 and boundaries[-1] <= lowered.plan.slots, "a launch out of time")
-    used = {kernel for _, kernel in schedule.launches}
-    _require(used == set(range(len(schedule.kernels))), "a kernel that is never launched")
-    own = {*target.digital_registers, *target.analog_registers, "FLAG", "PIX"}
-    for word in {word for kernel in schedule.kernels for word in kernel}:
-        _require(own.issuperset(word.destinations), f"a word that the chip has not: {word}")
+        schedule, target, slots = lowered.schedule, lowered.program.target, lowered.plan.slots
+        places = schedule.allocation.places
+        _require(len(set(places.values())) == len(places), "two holders of one register")
+        boundaries = [boundary for boundary, _ in schedule.launches]
+        _require(boundaries == sorted(boundaries), "launches out of their order")
+        _require(boundaries[0] == 0 and boundaries[-1] <= slots, "a launch out of time")
+        used = {kernel for _, kernel in schedule.launches}
+        _require(used == set(range(len(schedule.kernels))), "a kernel that is never launched")
+        own = {*target.digital_registers, *target.analog_registers, "FLAG", "PIX"}
+        for word in {word for kernel in schedule.kernels for word in kernel}:
+            _require(own.issuperset(word.destinations), f"a word that the chip has not: {word}")
 
 
 def check_words(container: Container) -> None:

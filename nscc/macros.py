@@ -74,16 +74,12 @@ def expand(name: str, operands: Sequence[str], own: tuple[Operation, ...] = ()) 
         if register not in READ_LINES:
             raise OperandError(f"{register!r} is no register", index)
     if count < mnemonic.least or (mnemonic.most is not None and count > mnemonic.most):
-        raise OperandError(
-            f"{name} takes {_count(mnemonic)}, not {count}: write `{mnemonic.usage}`"
-        )
+        takes = f"{name} takes {_count(mnemonic)}, not {count}"
+        raise OperandError(f"{takes}: write `{mnemonic.usage}`")
     for index, register in enumerate(operands):
         if register in mnemonic.scratch:
-            raise OperandError(
-                f"{name} overwrites {' and '.join(mnemonic.scratch)} on its way, so {register} "
-                "cannot be its operand",
-                index,
-            )
+            why = f"{name} overwrites {' and '.join(mnemonic.scratch)} on its way"
+            raise OperandError(f"{why}, so {register} cannot be its operand", index)
     try:
         return mnemonic.write(operands)
     except OperandError as error:
@@ -109,27 +105,20 @@ def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -
     kind = "analog" if analog else "digital"
     for index, register in enumerate(destinations):
         if register not in writable:
-            raise OperandError(
-                f"{row.name} writes a{'n' if analog else ''} {kind} register "
-                f"({_listed(writable)}), and {register} is none",
-                index,
-            )
+            register_of = f"a{'n' if analog else ''} {kind} register ({_listed(writable)})"
+            raise OperandError(f"{row.name} writes {register_of}, and {register} is none", index)
         if register in destinations[:index]:
             raise OperandError(f"{row.name} names {register} twice as a destination", index)
     for index, register in enumerate(sources, start=len(destinations)):
         if register not in readable:
-            raise OperandError(
-                f"{row.name} reads {kind} sources ({_listed(readable)}), and {register} is none",
-                index,
-            )
+            reads = f"{row.name} reads {kind} sources ({_listed(readable)})"
+            raise OperandError(f"{reads}, and {register} is none", index)
         if register in sources[: index - len(destinations)]:
-            raise OperandError(
-                f"{row.name} names {register} twice: a word reads a register once", index
-            )
+            message = f"{row.name} names {register} twice: a word reads a register once"
+            raise OperandError(message, index)
         if register in destinations:
-            raise OperandError(
-                f"{row.name} cannot write {register} and read it in the same word", index
-            )
+            message = f"{row.name} cannot write {register} and read it in the same word"
+            raise OperandError(message, index)
     return made(row, destinations, sources)
 
 
@@ -163,11 +152,8 @@ def _in_place(kind: str, operands: Sequence[str]) -> Ops:
     for index, register in enumerate(operands):
         allowed = DIGITAL_SOURCES if index else DIGITAL_WRITE
         if register not in allowed:
-            raise OperandError(
-                f"{kind} in place takes digital registers ({_listed(allowed)}), and "
-                f"{register} is none",
-                index,
-            )
+            takes = f"{kind} in place takes digital registers ({_listed(allowed)})"
+            raise OperandError(f"{takes}, and {register} is none", index)
     return pair(kind, operands[0], operands)
 
 

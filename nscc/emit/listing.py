@@ -112,16 +112,13 @@ def proof_text(proof: Proof) -> str:
 
 def text_after(name: str, value: Any) -> str:
     """What pass `name` of `nscc.pipeline.PASSES` made, as text."""
-    match name:
-        case "parse":
-            return print_tree(value.tree, value.source)
-        case "words":
-            return disassemble(value)
     texts: dict[str, Callable[[Any], str]] = {
+        "parse": lambda parsed: print_tree(parsed.tree, parsed.source),
         "program": print_program,
         "plan": planned_text,
         "gates": gated_text,
         "schedule": choice_text,
+        "words": disassemble,
         "prove": proof_text,
     }
     return texts[name](value)

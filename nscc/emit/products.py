@@ -48,37 +48,30 @@ def _complete(compiled: Compiled) -> tuple[Choice, Container, Proof]:
 
 
 def _text_or_words(kind: str, compiled: Compiled) -> bytes:
-    from nscc.emit import listing
+    from nscc.emit.listing import gates_text, schedule_text, text_after
+    from nscc.emit.report import report, report_bytes
+    from nscc.syntax.printing import print_tree
+    from nscc.words.file import to_bytes
 
     choice, container, proof = _complete(compiled)
     lowered = choice.best
     match kind:
         case "ast":
-            from nscc.syntax.printing import print_tree
-
             return print_tree(compiled.tree, compiled.program.source).encode()
         case "ir":
-            from nscc.program.printing import print_program
-
-            return print_program(compiled.program).encode()
+            return text_after("program", compiled.program).encode()
         case "gates":
-            return listing.gates_text(lowered.decoding, lowered.program.target).encode()
+            return gates_text(lowered.decoding, lowered.program.target).encode()
         case "schedule":
-            return listing.schedule_text(lowered).encode()
+            return schedule_text(lowered).encode()
         case "dot" | "graphml":
             from nscc.emit.network import dot_text, gate_network, graphml_bytes
 
             network = gate_network(lowered)
             return graphml_bytes(network) if kind == "graphml" else dot_text(network).encode()
         case "asm":
-            from nscc.words.disassembly import disassemble
-
-            return disassemble(container).encode()
+            return text_after("words", container).encode()
         case "report":
-            from nscc.emit.report import report, report_bytes
-
             return report_bytes(report(choice, proof))
         case _:
-            from nscc.words.file import to_bytes
-
             return to_bytes(container)

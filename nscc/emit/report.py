@@ -21,6 +21,10 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
     table = program.table
     slots = len(program.frame.slot_us)
     launches = Counter(kernel for _, kernel in schedule.launches)
+    misfits = [
+        {"lowering": name, "fits": False, "reason": misfit.reason}
+        for name, misfit in choice.misfits.items()
+    ]
     return {
         "class": program.class_name,
         "class_reason": program.class_reason,
@@ -57,13 +61,7 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
         "refreshed": list(schedule.refreshed),
         "analog_writes": _range(lowered),
         "headroom_e": lowered.headroom_e,
-        "alternatives": [
-            *(_priced(other) for other in choice.tried[1:]),
-            *(
-                {"lowering": name, "fits": False, "reason": misfit.reason}
-                for name, misfit in choice.misfits.items()
-            ),
-        ],
+        "alternatives": [*map(_priced, choice.tried[1:]), *misfits],
         "proof": {
             "codes": proof.codes,
             "slots": proof.slots,
@@ -104,17 +102,14 @@ def _logic(lowered: Lowered) -> dict[str, Any]:
     per_kernel = [_digital(kernel) for kernel in schedule.kernels]
     slots = len(program.frame.slot_us)
     at = [0] * (slots + 1)
-    words = pairs = 0
+    pairs = sum(per_kernel[kernel][1] for _, kernel in schedule.launches)
     for boundary, kernel in schedule.launches:
-        words += per_kernel[kernel][0]
-        pairs += per_kernel[kernel][1]
         at[boundary] += per_kernel[kernel][0]
+    words = sum(at)
     bound = None
     if lowered.plan.lowering == "accumulate" and len(program.table.codes) == program.legal_codes:
-        bound = level_bound(
-            program.class_name, len(program.table.shutters), slots,
-            len(program.target.digital_registers),
-        )  # fmt: skip
+        shutters, registers = len(program.table.shutters), len(program.target.digital_registers)
+        bound = level_bound(program.class_name, shutters, slots, registers)
     return {
         "ops": words - pairs,
         "words": words,

@@ -6,10 +6,10 @@ from collections.abc import Generator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.limits.families import Family, families
 from nscc.limits.search import Trial, candidates, explore
-from nscc.pipeline import Compiled, Options, run_passes
+from nscc.pipeline import Options, run_passes
 from nscc.program.capacity import bits_needed, impossible_from
 from nscc.program.limits import MOST_SLOTS
 from nscc.source import Source
@@ -72,7 +72,11 @@ def _limit(
     proved = [t for t in tried if t.proved] if family.nested else []
     impossible, reason = capacity, ""
     if capacity is not None:
-        reason = _capacity_reason(family, capacity, target)
+        shutters = family.shutters(capacity)
+        reason = (
+            f"{family.counted_as}: {shutters} shutters need {bits_needed(shutters)} digital "
+            f"registers whatever the encoding, {target.name} has {len(target.digital_registers)}"
+        )
     if proved:
         impossible, reason = proved[0].size, proved[0].reason
     limit = Limit(family, slot, tried, built, impossible, reason, "")
@@ -84,18 +88,10 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> Trial:
         source = Source("limits.nsl", family.text(size, slot))
         compiled = run_passes(source, Path(), options)
     except Rejected as rejected:
-        return _failed(size, rejected.diagnostics)
-    return _fits(size, compiled)
-
-
-def _failed(size: int, found: tuple[Diagnostic, ...]) -> Trial:
-    errors = [d for d in found if d.severity is Severity.ERROR]
-    worst = next((d for d in errors if d.data.get("proved")), errors[0])
-    proved = worst.data.get("proved") is True
-    return Trial(size, False, {}, worst.code, worst.message, proved)
-
-
-def _fits(size: int, compiled: Compiled) -> Trial:
+        errors = [d for d in rejected.diagnostics if d.severity is Severity.ERROR]
+        worst = next((d for d in errors if d.data.get("proved")), errors[0])
+        proved = worst.data.get("proved") is True
+        return Trial(size, False, {}, worst.code, worst.message, proved)
     lowered, proof = compiled.lowered, compiled.proof
     assert lowered is not None
     assert proof is not None
@@ -112,14 +108,6 @@ def _fits(size: int, compiled: Compiled) -> Trial:
         "shortest_slot_us": round(lowered.shortest_slot_us, 6),
     }
     return Trial(size, True, figures)
-
-
-def _capacity_reason(family: Family, size: int, target: Target) -> str:
-    shutters = family.shutters(size)
-    return (
-        f"{family.counted_as}: {shutters} shutters need {bits_needed(shutters)} digital registers "
-        f"whatever the encoding, {target.name} has {len(target.digital_registers)}"
-    )
 
 
 def _unknown(limit: Limit) -> str:

@@ -59,10 +59,8 @@ def _reasons(limit: Limit) -> list[str]:
     if limit.impossible is not None:
         lines.append(f"    impossible  from {limit.impossible}: {limit.impossible_reason}")
     if limit.unknown_reason:
-        first = limit.unknown_from
-        sizes = (
-            f"from {first} on" if limit.impossible is None else f"{first}..{limit.impossible - 1}"
-        )
+        first, end = limit.unknown_from, limit.impossible
+        sizes = f"from {first} on" if end is None else f"{first}..{end - 1}"
         lines.append(f"    unknown     {sizes}: {limit.unknown_reason}")
     elif limit.impossible is None:
         lines.append(f"    no more     {family.ceiling_reason}")
@@ -110,12 +108,5 @@ def _limit_values(limit: Limit) -> dict[str, Any]:
 
 
 def _trial_values(trial: Trial) -> dict[str, Any]:
-    if trial.fits:
-        return {"size": trial.size, "fits": True, **trial.figures}
-    return {
-        "size": trial.size,
-        "fits": False,
-        "code": trial.code,
-        "reason": trial.reason,
-        "proved": trial.proved,
-    }
+    why = {"code": trial.code, "reason": trial.reason, "proved": trial.proved}
+    return {"size": trial.size, "fits": trial.fits, **(trial.figures if trial.fits else why)}

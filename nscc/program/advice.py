@@ -32,22 +32,13 @@ def judge_rules(
         shutters = table.shutters[:, k, :]
         who = f"the bucket `{rule.name.text}`" if isinstance(rule, Bucket) else "the shutter"
         if not shutters.any():
-            problems.warning(
-                "NS0350",
-                f"{who} never opens",
-                rule.rule.span,
-                f"false in every slot, {basis}" if has_fields else "false in every slot",
-            )
+            when = f"false in every slot, {basis}" if has_fields else "false in every slot"
+            problems.warning("NS0350", f"{who} never opens", rule.rule.span, when)
         elif has_fields and survey.shutters[:, k, :].all():
-            problems.warning(
-                "NS0351",
-                f"{who} is always open, whatever the code",
-                rule.rule.span,
-                "true in every slot",
-                helps=()
-                if isinstance(rule, Bucket)
-                else ("`open when true` without fields is the ordinary camera",),
-            )
+            message = f"{who} is always open, whatever the code"
+            camera = ("`open when true` without fields is the ordinary camera",)
+            helps = () if isinstance(rule, Bucket) else camera
+            problems.warning("NS0351", message, rule.rule.span, "true in every slot", helps=helps)
 
 
 def judge_names(
@@ -65,12 +56,9 @@ def judge_names(
     in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
     for field in fields:
         if field.name not in in_rules:
-            problems.warning(
-                "NS0352",
-                f"no rule reads the field `{field.name}`",
-                declared.codes[field.name].name.span,
-                "every value of it gives the same shutter",
-            )
+            place = declared.codes[field.name].name.span
+            why = "every value of it gives the same shutter"
+            problems.warning("NS0352", f"no rule reads the field `{field.name}`", place, why)
     for name, let in declared.lets.items():
         if name not in read:
             problems.note("NS0355", f"nothing reads `{name}`", let.name.span, "not used")

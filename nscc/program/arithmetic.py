@@ -152,13 +152,8 @@ def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
     if not b.low <= 0 <= b.high:
         return b.data, faults
     what = "division by zero" if node.op == "/" else "remainder of a division by zero"
-    return guard(
-        b.data == 0,
-        b.data,
-        1,
-        lambda: Fault("NS0302", what, node.right.span, "this is 0"),
-        faults,
-    )
+    fault = Fault("NS0302", what, node.right.span, "this is 0")
+    return guard(b.data == 0, b.data, 1, lambda: fault, faults)
 
 
 def _quotient(node: Binary, a: Value, b: Value) -> Value:
@@ -183,10 +178,9 @@ def _shift(node: Binary, a: Value, b: Value) -> Value:
     if b.low < 0 or b.high > MOST_SHIFT:
 
         def fault() -> Fault:
-            text = f"the count is {clipped(b.data)}"
-            return Fault(
-                "NS0304", f"a shift by {clipped(b.data)} is not possible", node.right.span, text
-            )
+            count, place = clipped(b.data), node.right.span
+            message = f"a shift by {count} is not possible"
+            return Fault("NS0304", message, place, f"the count is {count}")
 
         wrong = (b.data < 0) | (b.data > MOST_SHIFT)
         data, faults = guard(wrong, b.data, 0, fault, faults)

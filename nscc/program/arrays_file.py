@@ -55,18 +55,12 @@ class ArraysFile:
     def require_sha256(self, wanted: str) -> None:
         """Raises Rejected (NS0315) unless the file has the digest that the program states."""
         if len(wanted) != 64 or not all(c in "0123456789abcdefABCDEF" for c in wanted):
-            raise rejected(
-                "NS0315",
-                f'"{clipped(wanted)}" is no SHA-256: that has 64 hexadecimal digits',
-                helps=(f'the file has sha256 "{self.sha256}"',),
-            )
+            message = f'"{clipped(wanted)}" is no SHA-256: that has 64 hexadecimal digits'
+            raise rejected("NS0315", message, helps=(f'the file has sha256 "{self.sha256}"',))
         if wanted.lower() != self.sha256:
-            raise rejected(
-                "NS0315",
-                f'"{self.shown}" is not the file that the program was written for: '
-                "its SHA-256 differs",
-                notes=(f"expected {wanted.lower()}", f"found    {self.sha256}"),
-            )
+            message = f'"{self.shown}" is not the file that the program was written for'
+            notes = (f"expected {wanted.lower()}", f"found    {self.sha256}")
+            raise rejected("NS0315", f"{message}: its SHA-256 differs", notes=notes)
 
     def integers(self, key: str, *, most: int, bools: bool = False) -> NDArray[Any]:
         """The array `key`, of an integer dtype (or bool, with `bools`), of at most `most` values.
@@ -140,12 +134,11 @@ class ArraysFile:
 
     def _missing(self, key: str) -> Rejected:
         listed = ", ".join(f"`{clipped(k, 30)}`" for k in self.keys[:12]) or "no arrays"
-        return rejected(
-            "NS0314",
+        message, notes = (
             f'"{self.shown}" has no array `{clipped(key)}`',
-            notes=(f"the file has {listed}",),
-            helps=meant(key, self.keys),
+            (f"the file has {listed}",),
         )
+        return rejected("NS0314", message, notes=notes, helps=meant(key, self.keys))
 
     def _not_integers(self, key: str, dtype: np.dtype[Any]) -> Rejected:
         kind = "Python objects" if dtype.hasobject else f"of type {dtype}"

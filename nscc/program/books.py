@@ -43,11 +43,9 @@ def _make(book: Book, slots: Meaning, base: Path, problems: Problems) -> Digits 
 def _inline(book: BookInline, slots: Meaning, problems: Problems) -> Digits | None:
     bad = _wrong_digit(book, problems) or _wrong_length(book, slots, problems)
     if not book.rows:
-        bad = True
-        problems.error(
-            "NS0310", f"the codebook `{book.name.text}` has no rows", book.span, "no rows"
-        )
-    if bad or slots.kind != "constant":
+        message = f"the codebook `{book.name.text}` has no rows"
+        problems.error("NS0310", message, book.span, "no rows")
+    if bad or not book.rows or slots.kind != "constant":
         return None
     text = "".join(row.digits for row in book.rows).encode("ascii")
     digits: Digits = np.frombuffer(text, dtype=np.uint8) == ord("1")
@@ -58,12 +56,8 @@ def _wrong_digit(book: BookInline, problems: Problems) -> bool:
     for row in book.rows:
         other = next((d for d in row.digits if d not in "01"), None)
         if other is not None:
-            problems.error(
-                "NS0310",
-                f"a row of a codebook holds 0 and 1, and this one holds `{clipped(other)}`",
-                row.span,
-                "1 is open, 0 is closed",
-            )
+            message = f"a row of a codebook holds 0 and 1, and this one holds `{clipped(other)}`"
+            problems.error("NS0310", message, row.span, "1 is open, 0 is closed")
             return True
     return False
 
@@ -75,17 +69,12 @@ def _wrong_length(book: BookInline, slots: Meaning, problems: Problems) -> bool:
     wrong = [row for row in book.rows if len(row.digits) != slots.value]
     if not wrong:
         return False
-    have = len(wrong[0].digits)
-    problems.error(
-        "NS0310",
-        f"this row has {counted(have, 'digit')}, and the frame has {counted(slots.value, 'slot')}",
-        wrong[0].span,
-        counted(have, "digit"),
-        notes=(f"{len(wrong)} of {counted(len(book.rows), 'row')} have another length",)
-        if len(wrong) > 1
-        else (),
-        helps=("give every row a digit for each slot, the first for slot 0",),
-    )
+    have = counted(len(wrong[0].digits), "digit")
+    message = f"this row has {have}, and the frame has {counted(slots.value, 'slot')}"
+    many = f"{len(wrong)} of {counted(len(book.rows), 'row')} have another length"
+    notes = (many,) if len(wrong) > 1 else ()
+    helps = ("give every row a digit for each slot, the first for slot 0",)
+    problems.error("NS0310", message, wrong[0].span, have, notes=notes, helps=helps)
     return True
 
 
@@ -99,20 +88,15 @@ def _from_file(book: BookFromFile, slots: Meaning, base: Path) -> Digits | None:
     if slots.kind != "constant":
         return None
     if rows.ndim != 2 or rows.shape[0] < 1 or rows.shape[1] != slots.value:
-        raise rejected(
-            "NS0314",
-            f"{where} has shape {rows.shape}; a codebook for this frame has shape "
-            f"(K, {slots.value})",
-            helps=("one row for each shutter, one column for each slot",),
-        )
+        wanted = f"a codebook for this frame has shape (K, {slots.value})"
+        helps = ("one row for each shutter, one column for each slot",)
+        raise rejected("NS0314", f"{where} has shape {rows.shape}; {wanted}", helps=helps)
     wrong = (rows != 0) & (rows != 1)
     if wrong.any():
         row, slot = (int(k) for k in np.unravel_index(int(wrong.argmax()), rows.shape))
-        raise rejected(
-            "NS0310",
-            f"{where} holds {rows[row, slot]} in row {row}, slot {slot}; a codebook holds 0 and 1",
-            helps=(f"{counted(int(wrong.sum()), 'value is', 'values are')} neither",),
-        )
+        found = f"{where} holds {rows[row, slot]} in row {row}, slot {slot}"
+        helps = (f"{counted(int(wrong.sum()), 'value is', 'values are')} neither",)
+        raise rejected("NS0310", f"{found}; a codebook holds 0 and 1", helps=helps)
     digits: Digits = rows.astype(np.bool_)
     return digits
 

@@ -104,11 +104,10 @@ class Completion:
         y, x = first_place(breaking)
         count = int(breaking.sum())
         code = in_use[at_pixel[y, x]]
+        conditions = zip(self.declared.requires, self.rules.requires, strict=True)
         broken = next(
             statement
-            for statement, condition in zip(
-                self.declared.requires, self.rules.requires, strict=True
-            )
+            for statement, condition in conditions
             if not allowed(replace(self.rules, requires=[condition]), code[None, :])[0]
         )
         self.problems.error(
@@ -136,14 +135,13 @@ class Completion:
         except (NoValue, TooMuch) as problem:
             raise self._refused(problem, self._limit_span(), "open") from problem
         if len(legal) == 0:
-            self.problems.error(
-                "NS0317",
-                "no code is possible: `require` forbids every one",
-                self.declared.requires[0].condition.span,
-                f"false for {counted(self.rules.combinations, 'combination')} of field values"
-                if len(self.declared.requires) == 1
-                else "together with the other conditions",
-            )
+            conditions = self.declared.requires
+            text = "together with the other conditions"
+            if len(conditions) == 1:
+                tried = counted(self.rules.combinations, "combination")
+                text = f"false for {tried} of field values"
+            message = "no code is possible: `require` forbids every one"
+            self.problems.error("NS0317", message, conditions[0].condition.span, text)
             self.problems.stop_on_errors()
         table = self._decode(legal, "open")
         if self.declared.has_pixels and self.rules.fields:
@@ -240,9 +238,7 @@ class Completion:
 
 
 def _bucket(rule: Rule) -> BucketRule:
-    if isinstance(rule, tree.Bucket):
-        return BucketRule(rule.name.text, rule.span)
-    return BucketRule("frame", rule.span)
+    return BucketRule(rule.name.text if isinstance(rule, tree.Bucket) else "frame", rule.span)
 
 
 def _names_read(declared: Declarations) -> set[str]:

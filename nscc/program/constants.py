@@ -96,11 +96,10 @@ class _Resolver:
 
     def _released(self, names: list[str]) -> list[str]:
         free = []
-        for name in names:
-            for user in self.needed_by[name]:
-                self.missing[user] -= 1
-                if self.missing[user] == 0 and user not in self.done:
-                    free.append(user)
+        for user in (user for name in names for user in self.needed_by[name]):
+            self.missing[user] -= 1
+            if self.missing[user] == 0 and user not in self.done:
+                free.append(user)
         return free
 
     def _resolve(self, name: str) -> None:
@@ -119,12 +118,8 @@ class _Resolver:
             self._learn("N", Meaning("constant", count))
             return
         self._learn("N", FAILED)
-        self.problems.error(
-            "NS0308",
-            f"a frame of {clipped(count)} slots is not possible",
-            place,
-            f"a frame has 1 to {MOST_SLOTS} slots",
-        )
+        message = f"a frame of {clipped(count)} slots is not possible"
+        self.problems.error("NS0308", message, place, f"a frame has 1 to {MOST_SLOTS} slots")
 
     def _learn(self, name: str, meaning: Meaning) -> None:
         self.known[name] = meaning

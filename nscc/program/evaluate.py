@@ -143,12 +143,8 @@ def _extreme(name: str, given: list[Value]) -> Value:
     for b in given[1:]:
         plain = isinstance(result.data, int) and isinstance(b.data, int)
         data = (pick if plain else of_arrays)(result.data, b.data)
-        result = Value(
-            data,
-            pick(result.low, b.low),
-            pick(result.high, b.high),
-            either(result.faults, b.faults),
-        )
+        low, high = pick(result.low, b.low), pick(result.high, b.high)
+        result = Value(data, low, high, either(result.faults, b.faults))
     return result
 
 

@@ -127,12 +127,8 @@ class _Checker:
             types.append(self._type(node, given))
         found = types[0]
         if found is not None and found != wanted:
-            self._mismatch(
-                expr.span,
-                f"{what} must be {_a(wanted)}, and this is {_a(found)}",
-                f"{_a(found)}",
-                _CONVERT[wanted],
-            )
+            message = f"{what} must be {_a(wanted)}, and this is {_a(found)}"
+            self._mismatch(expr.span, message, _a(found), _CONVERT[wanted])
         if not self.sound or found is None:
             return None
         return Checked(
@@ -143,12 +139,8 @@ class _Checker:
         match node:
             case tree.Int():
                 if node.value > LIMIT:
-                    self._error(
-                        "NS0305",
-                        f"the number {clipped(node.value)} is too large",
-                        node.span,
-                        "numbers go up to 2^62 - 1",
-                    )
+                    message = f"the number {clipped(node.value)} is too large"
+                    self._error("NS0305", message, node.span, "numbers go up to 2^62 - 1")
                 return "integer"
             case tree.Bool():
                 return "boolean"
@@ -195,13 +187,9 @@ class _Checker:
                 self._misplaced(node, meaning)
                 return None
             case "book":
-                self._error(
-                    "NS0209",
-                    f"`{node.text}` is a codebook: it cannot stand alone in an expression",
-                    node.span,
-                    "a whole codebook",
-                    helps=(f"`{node.text}[id]` is digit n of row id, a boolean",),
-                )
+                message = f"`{node.text}` is a codebook: it cannot stand alone in an expression"
+                helps = (f"`{node.text}[id]` is digit n of row id, a boolean",)
+                self._error("NS0209", message, node.span, "a whole codebook", helps=helps)
                 return None
         assert_never(meaning.kind)
 
@@ -220,16 +208,13 @@ class _Checker:
         elif meaning.kind == "misplaced":
             self._misplaced(base, meaning)
         else:
-            self._error(
-                "NS0209",
-                f"`{base.text}` has no digits to index",
-                base.span,
-                "neither a bit field nor a codebook",
-                helps=(
-                    "`NAME[i]` is for fields declared `code NAME : bit[K]`",
-                    "`BOOK[id]` is for codebooks declared with `shutters`",
-                ),
+            message = f"`{base.text}` has no digits to index"
+            label = "neither a bit field nor a codebook"
+            helps = (
+                "`NAME[i]` is for fields declared `code NAME : bit[K]`",
+                "`BOOK[id]` is for codebooks declared with `shutters`",
             )
+            self._error("NS0209", message, base.span, label, helps=helps)
 
     def _compare(self, node: tree.Compare, given: list[Type | None]) -> None:
         parts = [node.first, *node.rest]
@@ -251,11 +236,8 @@ class _Checker:
         if then is None or other is None:
             return then or other
         if then != other:
-            self._mismatch(
-                node.span,
-                f"`if else` gives {_a(then)} or {_a(other)}, and must give one type",
-                "integers and booleans do not mix",
-            )
+            message = f"`if else` gives {_a(then)} or {_a(other)}, and must give one type"
+            self._mismatch(node.span, message, "integers and booleans do not mix")
             return None
         return then
 
@@ -272,20 +254,15 @@ class _Checker:
     ) -> None:
         for found, node in zip(given, nodes, strict=True):
             if found is not None and found != wanted:
-                self._mismatch(
-                    node.span,
-                    f"{who} needs {_a(wanted)}, and this is {_a(found)}",
-                    _a(found),
-                    _CONVERT[wanted],
-                )
+                message = f"{who} needs {_a(wanted)}, and this is {_a(found)}"
+                self._mismatch(node.span, message, _a(found), _CONVERT[wanted])
 
     def _mismatch(self, span: Span, message: str, label: str, helps: tuple[str, ...] = ()) -> None:
         self._error("NS0301", message, span, label, helps=helps)
 
     def _misplaced(self, node: tree.Name, meaning: Meaning) -> None:
-        self._error(
-            "NS0208", f"`{node.text}` cannot stand here", node.span, "", notes=(meaning.note,)
-        )
+        message = f"`{node.text}` cannot stand here"
+        self._error("NS0208", message, node.span, "", notes=(meaning.note,))
 
     def _unknown(self, node: tree.Name, what: str, known: Iterable[str]) -> None:
         self.sound = False

@@ -16,7 +16,7 @@ from nscc.program.names import Declarations
 from nscc.program.problems import Problems
 from nscc.program.program import Field
 from nscc.source import Span
-from nscc.syntax.tree import CodeBits, CodeRange, CodeRow
+from nscc.syntax.tree import CodeBits, CodeRange, CodeRow, Name
 
 
 def make_fields(
@@ -58,14 +58,10 @@ class _Maker:
             return None
         span = statement.low.span.to(statement.high.span)
         if low > high:
+            message = f"the range {low}..{high} is empty"
+            why = "the first value is larger than the last"
             helps = (f"write `{high}..{low}`",) if low - high > 1 else ()
-            self.problems.error(
-                "NS0306",
-                f"the range {low}..{high} is empty",
-                span,
-                "the first value is larger than the last",
-                helps=helps,
-            )
+            self.problems.error("NS0306", message, span, why, helps=helps)
             return None
         return Field(statement.name.text, "range", low, high, span)
 
@@ -74,19 +70,14 @@ class _Maker:
         if count is None:
             return None
         if not 1 <= count <= MOST_BITS:
-            self.problems.error(
-                "NS0307",
-                f"a field of {count} bits is not possible",
-                statement.count.span,
-                f"a bit field has 1 to {MOST_BITS} bits",
-                helps=("a codebook names shutters of any length: `code id : row of BOOK`",)
-                if count > MOST_BITS
-                else (),
-            )
+            message = f"a field of {count} bits is not possible"
+            text = f"a bit field has 1 to {MOST_BITS} bits"
+            longer = ("a codebook names shutters of any length: `code id : row of BOOK`",)
+            helps = longer if count > MOST_BITS else ()
+            self.problems.error("NS0307", message, statement.count.span, text, helps=helps)
             return None
-        return Field(
-            statement.name.text, "bits", 0, 2**count - 1, self._bits_place(statement), bits=count
-        )
+        place = self._bits_place(statement)
+        return Field(statement.name.text, "bits", 0, 2**count - 1, place, bits=count)
 
     def _bits_place(self, statement: CodeBits) -> Span:
         """The place of `bit[K]`: the tree has K alone."""
@@ -98,29 +89,22 @@ class _Maker:
     def _row(self, statement: CodeRow) -> Field | None:
         book = statement.book.text
         if book not in self.declared.books:
-            self._no_book(statement)
+            self._no_book(statement.book)
             return None
         digits = self.books[book]
         if digits is None:
             return None
-        return Field(
-            statement.name.text, "row", 0, digits.shape[0] - 1, statement.book.span, book=book
-        )
+        place = statement.book.span
+        return Field(statement.name.text, "row", 0, digits.shape[0] - 1, place, book=book)
 
-    def _no_book(self, statement: CodeRow) -> None:
-        name = statement.book.text
+    def _no_book(self, book: Name) -> None:
+        name = book.text
         if name in self.declared.refused:
             return
         what = dict(self.declared.declared()).get(name)
         if what is None:
-            self.problems.unknown(
-                "a codebook", name, statement.book.span, list(self.declared.books)
-            )
+            self.problems.unknown("a codebook", name, book.span, self.declared.books)
             return
-        self.problems.error(
-            "NS0209",
-            f"`{name}` is {what}, not a codebook",
-            statement.book.span,
-            f"{what}",
-            helps=("declare the shutters first: `shutters BOOK [ 1100, 0011 ]`",),
-        )
+        helps = ("declare the shutters first: `shutters BOOK [ 1100, 0011 ]`",)
+        message = f"`{name}` is {what}, not a codebook"
+        self.problems.error("NS0209", message, book.span, what, helps=helps)

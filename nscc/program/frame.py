@@ -8,7 +8,7 @@ from nscc.program.expressions import Meaning
 from nscc.program.problems import Problems
 from nscc.program.program import Frame
 from nscc.source import Span
-from nscc.syntax.tree import EqualSlots, ListedSlots, Time
+from nscc.syntax.tree import EqualSlots, ListedSlots
 
 SHORTEST_US = Fraction(1, 10**6)
 LONGEST_US = Fraction(10**12)
@@ -24,7 +24,9 @@ def make_frame(
     times = (statement.length,) if isinstance(statement, EqualSlots) else statement.lengths
     bad = [time for time in times if not SHORTEST_US <= time.us <= LONGEST_US]
     for time in bad[:8]:
-        _report(time, problems)
+        text = "zero or negative" if time.us <= 0 else "too short" if time.us < 1 else "too long"
+        notes = ("a slot lasts from 1 ps to 10^6 s",)
+        problems.error("NS0309", "a slot cannot have this length", time.span, text, notes=notes)
     if bad or slots.kind != "constant":
         return None
     if isinstance(statement, EqualSlots):
@@ -34,13 +36,3 @@ def make_frame(
         lengths = tuple(float(time.us) for time in times)
         count_span = Span(times[0].span.start, times[-1].span.end)
     return Frame(lengths, len(set(lengths)) == 1, statement.span, count_span)
-
-
-def _report(time: Time, problems: Problems) -> None:
-    problems.error(
-        "NS0309",
-        "a slot cannot have this length",
-        time.span,
-        "zero or negative" if time.us <= 0 else "too short" if time.us < 1 else "too long",
-        notes=("a slot lasts from 1 ps to 10^6 s",),
-    )

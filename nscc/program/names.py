@@ -117,53 +117,35 @@ class _Gatherer:
         """Reports what must be there and is not, at the first statement."""
         place = file.statements[0].span if file.statements else Span(0, 0)
         if self.found.frame is None:
-            self.problems.error(
-                "NS0204",
-                "the program has no `frame` statement",
-                place,
-                "the time grid is missing",
-                helps=("say how many slots there are, and how long: `frame 256 slots of 125us`",),
-            )
+            message = "the program has no `frame` statement"
+            helps = ("say how many slots there are, and how long: `frame 256 slots of 125us`",)
+            self.problems.error("NS0204", message, place, "the time grid is missing", helps=helps)
         if not self.found.rules:
-            self.problems.error(
-                "NS0204",
-                "the program has no rule: no `open when`, and no `bucket`",
-                place,
-                "the rule is missing",
-                helps=("say when a pixel's shutter is open: `open when n < stop`",),
-            )
-        if len(self.found.codes) > MOST_FIELDS:
-            self.problems.error(
-                "NS0450",
-                f"the pixel code has {len(self.found.codes)} fields; the most is {MOST_FIELDS}",
-                list(self.found.codes.values())[MOST_FIELDS].name.span,
-                f"field number {MOST_FIELDS + 1}",
-                helps=("put single bits together in one field: `code bits : bit[K]`",),
-            )
+            message = "the program has no rule: no `open when`, and no `bucket`"
+            helps = ("say when a pixel's shutter is open: `open when n < stop`",)
+            self.problems.error("NS0204", message, place, "the rule is missing", helps=helps)
+        fields = list(self.found.codes.values())
+        if len(fields) > MOST_FIELDS:
+            place, text = fields[MOST_FIELDS].name.span, f"field number {MOST_FIELDS + 1}"
+            message = f"the pixel code has {len(fields)} fields; the most is {MOST_FIELDS}"
+            helps = ("put single bits together in one field: `code bits : bit[K]`",)
+            self.problems.error("NS0450", message, place, text, helps=helps)
 
     def _once(self, word: str, first: tree.Statement | None, second: tree.Statement) -> bool:
         if first is None:
             return True
-        self.problems.error(
-            "NS0205",
-            f"`{word}` is given twice; a program has one",
-            second.span,
-            "the second",
-            related=(Label(first.span, "the first"),),
-        )
+        message = f"`{word}` is given twice; a program has one"
+        related = (Label(first.span, "the first"),)
+        self.problems.error("NS0205", message, second.span, "the second", related=related)
         return False
 
     def _new(self, name: tree.Name) -> bool:
         meaning = PREDEFINED.get(name.text)
         if meaning is not None:
             self.found.refused.add(name.text)
-            self.problems.error(
-                "NS0202",
-                f"`{name.text}` is predefined and cannot be declared",
-                name.span,
-                f"`{name.text}` is {meaning}",
-                helps=("choose another name",),
-            )
+            message = f"`{name.text}` is predefined and cannot be declared"
+            text = f"`{name.text}` is {meaning}"
+            self.problems.error("NS0202", message, name.span, text, helps=("choose another name",))
             return False
         if self._unused(name, f"`{name.text}` is declared twice", name.text):
             return True
@@ -211,10 +193,6 @@ class _Gatherer:
         name = statement.field.text
         first = self.found.pixels.setdefault(name, statement)
         if first is not statement:
-            self.problems.error(
-                "NS0211",
-                f"the pixels of `{name}` are given twice",
-                statement.field.span,
-                "the second",
-                related=(Label(first.field.span, "the first"),),
-            )
+            message, place = f"the pixels of `{name}` are given twice", statement.field.span
+            related = (Label(first.field.span, "the first"),)
+            self.problems.error("NS0211", message, place, "the second", related=related)

@@ -23,7 +23,7 @@ from nscc.program.problems import Problems, clipped, counted
 from nscc.program.program import Field
 from nscc.program.scopes import constants_scope, pixels_scope
 from nscc.source import Span
-from nscc.syntax.tree import Int, PixelsExpr, PixelsFromFile, PixelsTile
+from nscc.syntax.tree import Expr, Int, PixelsExpr, PixelsFromFile, PixelsTile
 from nscc.target.target import Target
 
 Plane = NDArray[np.int64]
@@ -89,13 +89,9 @@ class _Maker:
         if what is None:
             self.problems.unknown("a field", name, statement.field.span, list(self.fields))
         else:
-            self.problems.error(
-                "NS0209",
-                f"`{name}` is {what}, not a field: pixels hold fields",
-                statement.field.span,
-                what,
-                helps=(f"declare it with `code {name} : LO..HI`",),
-            )
+            message = f"`{name}` is {what}, not a field: pixels hold fields"
+            helps = (f"declare it with `code {name} : LO..HI`",)
+            self.problems.error("NS0209", message, statement.field.span, what, helps=helps)
 
     def _not_given(self, missing: list[str]) -> None:
         shown = ", ".join(f"`{name}`" for name in missing)
@@ -121,13 +117,10 @@ class _Maker:
         rows, cols = self.target.rows, self.target.cols
         cost = work(checked, {"y": (0, rows), "x": (1, cols)})
         if cost > WORK_LIMIT:
-            self.problems.error(
-                "NS0450",
-                f"this expression takes {cost} operations over the array of {rows} x {cols}; "
-                f"the limit is {WORK_LIMIT}",
-                value.span,
-                helps=('data belongs in a file: `pixels from "codes.npz"`',),
-            )
+            takes = f"this expression takes {cost} operations over the array of {rows} x {cols}"
+            helps = ('data belongs in a file: `pixels from "codes.npz"`',)
+            message = f"{takes}; the limit is {WORK_LIMIT}"
+            self.problems.error("NS0450", message, value.span, helps=helps)
             return None
         bindings = {
             "y": array(np.arange(rows, dtype=np.int64).reshape(rows, 1)),
@@ -148,68 +141,50 @@ class _Maker:
         y, x = first_place(places)
         fault = fault_at(checked, bindings, {}, shape, (y, x))
         count = int(places.sum())
-        self.problems.error(
-            *fault,
-            notes=(f"at {pixel_text(x, y)}, and at {counted(count, 'pixel')} in all",),
-            data={"x": x, "y": y, "pixels": count},
-        )
+        notes = (f"at {pixel_text(x, y)}, and at {counted(count, 'pixel')} in all",)
+        self.problems.error(*fault, notes=notes, data={"x": x, "y": y, "pixels": count})
 
     def _tile(self, statement: PixelsTile) -> Plane | None:
-        rows = statement.rows
-        widths = {len(row.values) for row in rows}
+        lines = statement.rows
+        widths = {len(row.values) for row in lines}
         if len(widths) != 1 or 0 in widths:
-            odd = next((row for row in rows if len(row.values) != len(rows[0].values)), None)
-            self.problems.error(
-                "NS0316",
-                "the rows of a tile must have the same number of values, and at least one",
-                odd.span if odd else statement.span,
-                f"{counted(len(odd.values), 'value')}, the first row has {len(rows[0].values)}"
-                if odd
-                else "an empty tile",
-            )
+            odd = next((row for row in lines if len(row.values) != len(lines[0].values)), None)
+            place, text = statement.span, "an empty tile"
+            if odd:
+                have = counted(len(odd.values), "value")
+                place, text = odd.span, f"{have}, the first row has {len(lines[0].values)}"
+            message = "the rows of a tile must have the same number of values, and at least one"
+            self.problems.error("NS0316", message, place, text)
             return None
-        values: list[list[int]] = []
-        sound = True
-        for row in rows:
-            line = []
-            for expr in row.values:
-                small = isinstance(expr, Int) and expr.value < 2**31
-                value = (
-                    expr.value
-                    if small and isinstance(expr, Int)
-                    else constant(expr, self.tile_scope, self.problems, "a value of a tile")
-                )
-                sound = sound and value is not None
-                line.append(value or 0)
-            values.append(line)
-        if not sound or self.target is None:
+        values = [[self._tile_value(expr) for expr in row.values] for row in lines]
+        if self.target is None or any(None in line for line in values):
             return None
         tile = np.array(values, dtype=np.int64)
-        self._warn_of_a_large_tile(tile, statement, self.target)
-        y = np.arange(self.target.rows) % tile.shape[0]
-        x = np.arange(self.target.cols) % tile.shape[1]
-        return np.asarray(tile[y[:, None], x[None, :]], dtype=np.int64)
-
-    def _warn_of_a_large_tile(self, tile: Plane, statement: PixelsTile, target: Target) -> None:
-        if tile.shape[0] > target.rows or tile.shape[1] > target.cols:
+        height, width = tile.shape
+        rows, cols = self.target.rows, self.target.cols
+        if height > rows or width > cols:
             self.problems.warning(
                 "NS0357",
-                f"this tile of {tile.shape[0]} x {tile.shape[1]} values is larger than the "
-                f"array of {target.name}, {target.rows} x {target.cols}",
+                f"this tile of {height} x {width} values is larger than the array of "
+                f"{self.target.name}, {rows} x {cols}",
                 statement.field.span,
                 "the values beyond the array are not used",
             )
+        y, x = np.arange(rows) % height, np.arange(cols) % width
+        return np.asarray(tile[y[:, None], x[None, :]], dtype=np.int64)
+
+    def _tile_value(self, expr: Expr) -> int | None:
+        if isinstance(expr, Int) and expr.value < 2**31:
+            return expr.value
+        return constant(expr, self.tile_scope, self.problems, "a value of a tile")
 
     def _file(self, planes: dict[str, Plane], missing: list[str]) -> None:
         statement = self.declared.pixels_file
         assert statement is not None
         if not missing:
-            self.problems.warning(
-                "NS0356",
-                f'nothing is taken from "{clipped(statement.path.value)}"',
-                statement.span,
-                "every field is given otherwise" if self.fields else "there are no fields",
-            )
+            message = f'nothing is taken from "{clipped(statement.path.value)}"'
+            why = "every field is given otherwise" if self.fields else "there are no fields"
+            self.problems.warning("NS0356", message, statement.span, why)
             return
         try:
             file = ArraysFile(self.base / statement.path.value, statement.path.value)
@@ -276,12 +251,10 @@ def stored_plane(
     """The array `name` as int64, and where it held what int64 cannot."""
     stored = file.integers(name, most=max(rows * cols, 2**20))
     if stored.shape != (rows, cols):
-        raise rejected(
-            "NS0314",
-            f'the array `{clipped(name)}` of "{file.shown}" has shape {stored.shape}; '
-            f"the array of pixels is {rows} rows x {cols} columns",
-            helps=(f"save an array of shape ({rows}, {cols}): [row, column]",),
-        )
+        found = f'the array `{clipped(name)}` of "{file.shown}" has shape {stored.shape}'
+        message = f"{found}; the array of pixels is {rows} rows x {cols} columns"
+        helps = (f"save an array of shape ({rows}, {cols}): [row, column]",)
+        raise rejected("NS0314", message, helps=helps)
     beyond = np.zeros(stored.shape, dtype=bool)
     if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:
         beyond = np.asarray(stored > np.uint64(2**63 - 1), dtype=bool)

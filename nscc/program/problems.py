@@ -46,21 +46,13 @@ class Problems:
             known = ()
         candidates = sorted(set(known))
         near = closest(name, candidates)
-        if near is not None:
-            helps: tuple[str, ...] = (f"did you mean `{near}`?",)
-            fixes: tuple[Fix, ...] = (Fix(f"write `{near}`", span, near),)
-        else:
-            shown = ", ".join(f"`{c}`" for c in candidates[:12])
-            helps = (f"names that can stand here: {shown}",) if shown else ()
-            fixes = ()
-        self.error(
-            "NS0214",
-            f"`{clipped(name)}` is not the name of {what}",
-            span,
-            "not known",
-            helps=helps,
-            fixes=fixes,
-        )
+        shown = ", ".join(f"`{c}`" for c in candidates[:12])
+        others = f"names that can stand here: {shown}" if shown else ""
+        help_text = f"did you mean `{near}`?" if near else others
+        helps = (help_text,) if help_text else ()
+        fixes = (Fix(f"write `{near}`", span, near),) if near else ()
+        message = f"`{clipped(name)}` is not the name of {what}"
+        self.error("NS0214", message, span, "not known", helps=helps, fixes=fixes)
 
     def adopt(self, rejected: Rejected, span: Span) -> None:
         """Takes over the diagnostics of a part that knows no source, placing them at `span`."""

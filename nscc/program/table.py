@@ -117,12 +117,9 @@ def legal_codes(rules: Rules) -> CodeArray:
     if not rules.requires:
         _limit_codes(rules, total)
     elif total > COMBINATION_LIMIT:
-        raise TooMuch(
-            f"the fields name {total} combinations, and at most {COMBINATION_LIMIT} are tried "
-            "against `require`",
-            total,
-            COMBINATION_LIMIT,
-        )
+        tried = f"at most {COMBINATION_LIMIT} are tried against `require`"
+        message = f"the fields name {total} combinations, and {tried}"
+        raise TooMuch(message, total, COMBINATION_LIMIT)
     _limit_work(rules.requires, rules, total, 1)
     kept: list[CodeArray] = []
     count = 0
@@ -225,22 +222,15 @@ def _limit_codes(rules: Rules, codes: int) -> None:
     buckets = len(rules.rules)
     needed = codes * buckets * rules.slots
     if needed > PROOF_LIMIT:
-        parts = [counted(codes, "code")]
-        if buckets != 1:
-            parts.append(counted(buckets, "bucket"))
-        parts.append(counted(rules.slots, "slot"))
-        raise TooMuch(
-            f"{' x '.join(parts)} are {needed} values to prove, and the limit is {PROOF_LIMIT}",
-            needed,
-            PROOF_LIMIT,
-        )
-    if codes * len(rules.fields) > TABLE_LIMIT:
-        raise TooMuch(
-            f"{counted(codes, 'code')} of {counted(len(rules.fields), 'field')} are "
-            f"{codes * len(rules.fields)} values to keep, and the limit is {TABLE_LIMIT}",
-            codes * len(rules.fields),
-            TABLE_LIMIT,
-        )
+        in_buckets = f"{counted(buckets, 'bucket')} x " if buckets != 1 else ""
+        size = f"{counted(codes, 'code')} x {in_buckets}{counted(rules.slots, 'slot')}"
+        message = f"{size} are {needed} values to prove, and the limit is {PROOF_LIMIT}"
+        raise TooMuch(message, needed, PROOF_LIMIT)
+    kept = codes * len(rules.fields)
+    if kept > TABLE_LIMIT:
+        size = f"{counted(codes, 'code')} of {counted(len(rules.fields), 'field')}"
+        message = f"{size} are {kept} values to keep, and the limit is {TABLE_LIMIT}"
+        raise TooMuch(message, kept, TABLE_LIMIT)
 
 
 def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) -> None:
@@ -248,12 +238,9 @@ def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) 
     sizes["n"] = (1, slots)
     needed = total_work(exprs, sizes)
     if needed > WORK_LIMIT:
-        raise TooMuch(
-            f"evaluating them takes {needed} operations, and the limit is {WORK_LIMIT} "
-            f"({counted(codes, 'code')}, {counted(slots, 'slot')})",
-            needed,
-            WORK_LIMIT,
-        )
+        takes = f"evaluating them takes {needed} operations, and the limit is {WORK_LIMIT}"
+        message = f"{takes} ({counted(codes, 'code')}, {counted(slots, 'slot')})"
+        raise TooMuch(message, needed, WORK_LIMIT)
 
 
 def distinct_rows(packed: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.int32]]:

@@ -65,14 +65,6 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
         return _Part(make(span, *[part.value for part in parts]), depth, first, last)
 
 
-def _integer(span: Span, text: str) -> tree.Int:
-    return tree.Int(span, _whole_number(text, span))
-
-
-def _time(span: Span, text: str) -> tree.Time:
-    return tree.Time(span, _microseconds(text, span))
-
-
 def _compare(span: Span, first: tree.Expr, *rest: Any) -> tree.Compare:
     return tree.Compare(span, first, rest[::2], rest[1::2])
 
@@ -86,11 +78,11 @@ def _book_from_file(
 
 
 _OF_ALL: dict[str, Callable[..., Any]] = {
-    "integer": _integer,
+    "integer": lambda span, text: tree.Int(span, _whole_number(text, span)),
     "name": tree.Name,
     "text": lambda span, text: tree.Text(span, text[1:-1]),
     "row": lambda span, text: tree.BookRow(span, text.replace("_", "")),
-    "time": _time,
+    "time": lambda span, text: tree.Time(span, _microseconds(text, span)),
     "true": lambda span, _word: tree.Bool(span, True),
     "false": lambda span, _word: tree.Bool(span, False),
     "unary": tree.Unary,
@@ -143,9 +135,8 @@ def _microseconds(text: str, span: Span) -> Fraction:
     if len(decimals) > _MOST_DECIMALS:
         help_text = f"at most {_MOST_DECIMALS} decimals are read"
         raise _refused("NS0111", f"this time has {len(decimals)} decimals", span, help_text)
-    us = (_whole_number(whole, span) + Fraction(f"0.{decimals or 0}")) * _UNIT_US[
-        text[len(number) :]
-    ]
+    unit_us = _UNIT_US[text[len(number) :]]
+    us = (_whole_number(whole, span) + Fraction(f"0.{decimals or 0}")) * unit_us
     if us == 0:
         raise _refused("NS0112", "this slot takes no time", span, "give it a time above zero")
     return us

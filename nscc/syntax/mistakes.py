@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
+from nscc.diagnostics.suggest import closest
 from nscc.source import Span
 from nscc.syntax.grammar import END, spellings
 from nscc.syntax.lexer import Tokens
@@ -44,7 +45,9 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
     if stuck.token < last:
         kind = tokens.kinds[stuck.token]
         if kind == "UNCLOSED":
-            return _unclosed(tokens, stuck.token)
+            place, helps = Label(tokens.span(stuck.token)), ("close the quotes on the same line",)
+            message = "these quotes are never closed"
+            return Diagnostic("NS0114", message, source=tokens.source, label=place, helps=helps)
         if kind == "STRAY":
             return _stray(tokens, stuck.token)
         if END in stuck.expected and kind == "NAME":
@@ -63,8 +66,6 @@ def misspelt_statement(
     It stands where a statement may begin, or first on its line; the statement before may have taken
     it for an operand, and have got stuck on what follows.
     """
-    from nscc.diagnostics.suggest import closest
-
     for index in (stuck.token, stuck.token - 1):
         if not first < index < last or tokens.kinds[index] != "NAME":
             continue
@@ -82,8 +83,6 @@ def _first_on_line(tokens: Tokens, index: int) -> bool:
 
 def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
     """NS0109: a word stands where a statement should begin."""
-    from nscc.diagnostics.suggest import closest
-
     word = tokens.text(token)
     near = closest(word, STATEMENT_WORDS)
     span = tokens.span(token)
@@ -99,16 +98,6 @@ def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
 
 def _is_word(kind: str) -> bool:
     return kind in spellings().values() and kind.isalnum()
-
-
-def _unclosed(tokens: Tokens, token: int) -> Diagnostic:
-    return Diagnostic(
-        "NS0114",
-        "these quotes are never closed",
-        source=tokens.source,
-        label=Label(tokens.span(token)),
-        helps=("close the quotes on the same line",),
-    )
 
 
 def _stray(tokens: Tokens, token: int) -> Diagnostic:
@@ -234,14 +223,9 @@ def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]
     if kind == "=" and "COMPARISON" in stuck.expected:
         yield Fix("equality is written `==`", span, "==")
     elif kind == "INTEGER" and "TIME" in stuck.expected and after in _UNITS:
-        yield Fix(
-            f"no blank before the unit: `{text}{after}`",
-            span.to(tokens.span(stuck.token + 1)),
-            text + after,
-        )
+        whole = span.to(tokens.span(stuck.token + 1))
+        yield Fix(f"no blank before the unit: `{text}{after}`", whole, text + after)
     elif kind == "NAME":
-        from nscc.diagnostics.suggest import closest
-
         near = closest(text, (word for word in stuck.expected if _is_word(word)))
         if near is not None:
             yield Fix(f"did you mean `{near}`?", span, near)

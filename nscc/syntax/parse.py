@@ -83,11 +83,8 @@ class _Errors:
         found = sorted(self._first, key=lambda d: d.label.span.start if d.label else 0)
         if self._more:
             errors = "error" if self._more == 1 else "errors"
-            found.append(
-                Diagnostic(
-                    "NS0190", f"and {self._more} more {errors} in the text", source=self._source
-                )
-            )
+            message = f"and {self._more} more {errors} in the text"
+            found.append(Diagnostic("NS0190", message, source=self._source))
         return tuple(found)
 
 
@@ -144,8 +141,7 @@ def _statements(tokens: Tokens, starts: list[int], errors: _Errors) -> Iterator[
 
 def _misspelt(tokens: Tokens, first: int, last: int, stuck: Stuck, errors: _Errors) -> int | None:
     """The token from which to go on, as the word that it was meant to be, or None."""
-    found = misspelt_statement(tokens, first, last, stuck)
-    if found is None:
+    if (found := misspelt_statement(tokens, first, last, stuck)) is None:
         return None
     index, word = found
     errors.add(partial(unknown_statement, tokens, index))
@@ -157,12 +153,8 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
     """NS0104, at the first token, which is not `nsl`."""
     source = tokens.source
     if not tokens.kinds:
-        return Diagnostic(
-            "NS0104",
-            "this file is empty; a shutter program begins with `nsl 1`",
-            source=source,
-            label=Label(Span(0, 0)),
-        )
+        message = "this file is empty; a shutter program begins with `nsl 1`"
+        return Diagnostic("NS0104", message, source=source, label=Label(Span(0, 0)))
     place = tokens.span(0)
     word = tokens.text(0)
     later = next((index for index in starts if tokens.kinds[index] == "nsl"), None)

@@ -31,9 +31,9 @@ def read_source(path: Path) -> Source:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         place = f"byte {error.start} (0x{data[error.start]:02x})"
-        raise Rejected(_not_text(name, f"{place} is not UTF-8")) from None
+        raise _not_text(name, f"{place} is not UTF-8") from None
     if "\0" in text:
-        raise Rejected(_not_text(name, f"byte {data.index(0)} is zero"))
+        raise _not_text(name, f"byte {data.index(0)} is zero")
     return Source(name, text)
 
 
@@ -46,9 +46,7 @@ def too_large(name: str) -> Diagnostic:
     )
 
 
-def _not_text(name: str, reason: str) -> Diagnostic:
-    return Diagnostic(
-        "NS0102",
-        f"'{name}' is not a text in UTF-8: {reason}",
-        helps=("save the program as UTF-8 text; a compiled program ends in .icw",),
-    )
+def _not_text(name: str, reason: str) -> Rejected:
+    message = f"'{name}' is not a text in UTF-8: {reason}"
+    helps = ("save the program as UTF-8 text; a compiled program ends in .icw",)
+    return rejected("NS0102", message, helps=helps, status=1)

@@ -83,18 +83,10 @@ def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = 
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(COLUMNS)
     for point, beaten in zip(points, dominated(points), strict=True):
-        writer.writerow(
-            (
-                f"{point.case}, {point.method}",
-                point.setting,
-                f"{point.error:.10g}",
-                point.error_unit,
-                _csv_ms(point.time_ms),
-                _csv_ms(point.spread_ms),
-                point.device or device,
-                "yes" if beaten else "no",
-            )
-        )
+        name, error = f"{point.case}, {point.method}", f"{point.error:.10g}"
+        times = _csv_ms(point.time_ms), _csv_ms(point.spread_ms)
+        made_on, flag = point.device or device, "yes" if beaten else "no"
+        writer.writerow((name, point.setting, error, point.error_unit, *times, made_on, flag))
     for each in refused:
         name = f"{each.case}, {each.method}"
         writer.writerow((name, each.setting, "", each.code, "", "", device, ""))

@@ -109,19 +109,11 @@ def _block_line(text: str, begin: int, block: Block | None, faults: Faults) -> N
     span = Span(begin, begin + len(text))
     content = read_block_line(text)
     if block is None:
-        faults.add(
-            "NS0713",
-            "a line behind a bar belongs to no directive",
-            span,
-            helps=(".target, .source and .pixels take lines that begin with `| `",),
-        )
+        helps = (".target, .source and .pixels take lines that begin with `| `",)
+        faults.add("NS0713", "a line behind a bar belongs to no directive", span, helps=helps)
     elif content is None:
-        faults.add(
-            "NS0714",
-            f"malformed line behind a bar: {shown(text)}",
-            span,
-            helps=('write `| text`, or `|= "text"` with a JSON string',),
-        )
+        helps = ('write `| text`, or `|= "text"` with a JSON string',)
+        faults.add("NS0714", f"malformed line behind a bar: {shown(text)}", span, helps=helps)
     else:
         block.lines.append((content, span))
 
@@ -214,13 +206,11 @@ def _known_registers(name: str, operands: list[Token], faults: Faults) -> bool:
         if operand.text in READ_LINES:
             continue
         known = False
-        if " " in operand.text and all(part in READ_LINES for part in operand.text.split()):
-            faults.add(
-                "NS0711",
-                f"operands of {name} are separated by commas, not by blanks",
-                operand.span,
-                helps=(f"write `{name} {', '.join(operand.text.split())}`",),
-            )
+        parts = operand.text.split()
+        if " " in operand.text and all(part in READ_LINES for part in parts):
+            message = f"operands of {name} are separated by commas, not by blanks"
+            helps: tuple[str, ...] = (f"write `{name} {', '.join(parts)}`",)
+            faults.add("NS0711", message, operand.span, helps=helps)
             continue
         message = f"an operand of {name} is empty"
         if operand.text:

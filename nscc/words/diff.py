@@ -96,16 +96,17 @@ def _cut(text: str) -> str:
 def _kernels(first: Container, second: Container) -> Iterator[str]:
     old = {kernel.name: kernel for kernel in first.kernels}
     new = {kernel.name: kernel for kernel in second.kernels}
-    for name in [*old, *(name for name in new if name not in old)]:
+    for name in {**old, **new}:
         before, after = old.get(name), new.get(name)
         if before is None or after is None:
             change = "added" if before is None else "removed"
             count = sum(len(kernel.words) for kernel in (before, after) if kernel)
             yield f"{change} {name}: {count} word{'s' if count != 1 else ''}"
-            yield from _listing_change(before, first, after, second)
         elif before.words != after.words:
             yield f"changed {name}: {len(before.words)} -> {len(after.words)} words"
-            yield from _listing_change(before, first, after, second)
+        else:
+            continue
+        yield from _listing_change(before, first, after, second)
     if list(old) != list(new) and sorted(old) == sorted(new):
         yield "the kernels stand in another order"
 
@@ -188,7 +189,7 @@ def _pixels(first: Container, second: Container) -> Iterator[str]:
 def _readouts(first: Container, second: Container) -> Iterator[str]:
     old = {r.bucket: f"{r.register} x {number_text(r.gain)}" for r in first.readouts}
     new = {r.bucket: f"{r.register} x {number_text(r.gain)}" for r in second.readouts}
-    for bucket in [*old, *(bucket for bucket in new if bucket not in old)]:
+    for bucket in {**old, **new}:
         if old.get(bucket) != new.get(bucket):
             yield _change(bucket, old.get(bucket, "none"), new.get(bucket, "none"))
     if list(old) != list(new) and sorted(old) == sorted(new):

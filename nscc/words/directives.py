@@ -96,15 +96,29 @@ def _wait(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
     return None
 
 
-def _bucket(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
-    draft.buckets.extend(_some(tokens, faults, "a name", ".bucket early late"))
-    return None
+def _names(of: Callable[[Draft], list[Token]], what: str, usage: str) -> Directive:
+    """The directive that adds its tokens, one at least, to a list of the draft."""
+
+    def add(tokens: list[Token], draft: Draft, faults: Faults) -> None:
+        if len(tokens) == 1:
+            _wrong(faults, tokens[0], f"{tokens[0].text} needs {what}", f"write `{usage}`")
+        of(draft).extend(tokens[1:])
+
+    return add
 
 
-def _some(tokens: list[Token], faults: Faults, what: str, usage: str) -> list[Token]:
-    if len(tokens) == 1:
-        _wrong(faults, tokens[0], f"{tokens[0].text} needs {what}", f"write `{usage}`")
-    return tokens[1:]
+def _row(
+    of: Callable[[Draft], list[tuple[Token, ...]]], least: int, what: str, usage: str
+) -> Directive:
+    """The directive that adds its tokens, at least so many, as a row to a list of the draft."""
+
+    def add(tokens: list[Token], draft: Draft, faults: Faults) -> None:
+        if len(tokens) <= least:
+            _wrong(faults, tokens[0], f"{tokens[0].text} needs {what}", f"write {usage}")
+        else:
+            of(draft).append(tuple(tokens[1:]))
+
+    return add
 
 
 def _kernel(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
@@ -124,9 +138,8 @@ def _word(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
         return None
     integers = []
     for token in tokens[1:]:
-        value = int(token.text, 0 if token.text[:2] in ("0x", "0X") else 10) if (
-            _WORD.fullmatch(token.text)
-        ) else -1  # fmt: skip
+        base = 16 if token.text[:2] in ("0x", "0X") else 10
+        value = int(token.text, base) if _WORD.fullmatch(token.text) else -1
         if not 0 <= value <= _LARGEST:
             _wrong(faults, token, f"{shown(token.text)} is no 32-bit integer", usage)
             return None
@@ -174,32 +187,7 @@ def _plane(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
     return None
 
 
-def _load(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
-    draft.load.extend(_some(tokens, faults, "registers", ".load R1 R2"))
-    return None
-
-
-def _fields(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
-    draft.fields.extend(_some(tokens, faults, "names", ".fields start stop"))
-    return None
-
-
-def _shutter(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
-    if len(tokens) < 3:
-        usage = "write `.shutter 0110 0..15`: contents of the registers, open slots of each bucket"
-        _wrong(faults, tokens[0], ".shutter needs contents and slots", usage)
-    else:
-        draft.shutters.append(tuple(tokens[1:]))
-    return None
-
-
-def _code(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
-    if len(tokens) < 2:
-        _wrong(faults, tokens[0], ".code needs a shutter", "write `.code 3 16`")
-    else:
-        draft.codes.append(tuple(tokens[1:]))
-    return None
-
+_SHUTTER = "`.shutter 0110 0..15`: contents of the registers, open slots of each bucket"
 
 DIRECTIVES: dict[str, Directive] = {
     ".target": _target,
@@ -209,13 +197,13 @@ DIRECTIVES: dict[str, Directive] = {
     ".kernel": _kernel,
     ".word": _word,
     ".slot": _slot,
-    ".bucket": _bucket,
+    ".bucket": _names(lambda draft: draft.buckets, "a name", ".bucket early late"),
     ".readout": _readout,
     ".plane": _plane,
-    ".load": _load,
-    ".fields": _fields,
-    ".shutter": _shutter,
-    ".code": _code,
+    ".load": _names(lambda draft: draft.load, "registers", ".load R1 R2"),
+    ".fields": _names(lambda draft: draft.fields, "names", ".fields start stop"),
+    ".shutter": _row(lambda draft: draft.shutters, 2, "contents and slots", _SHUTTER),
+    ".code": _row(lambda draft: draft.codes, 1, "a shutter", "`.code 3 16`"),
     ".pixels": _pixels,
 }
 """By name. A directive that takes lines behind bars hands back the block they go to."""

@@ -57,21 +57,19 @@ def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, 
     while at < len(words):
         operation = ops[at]
         following = ops[at + 1] if at + 1 < len(words) else None
+        text, comment, count = f".word {word_text(words[at])}", "", 1
         if operation is None:
-            lines.append((at, f".word {word_text(words[at])}", "matches no operation"))
+            comment = "matches no operation"
         elif faults[operation] is not None:
             comment = f"{operation}: {faults[operation]}"
-            lines.append((at, f".word {word_text(words[at])}", comment))
         elif operation.operation.phase is Phase.WHOLE:
-            lines.append((at, str(operation), ""))
+            text = str(operation)
+        elif in_place := _pair(operation, following):
+            text, count = in_place, 2
         else:
-            text = _pair(operation, following)
-            if text is not None:
-                lines.append((at, text, ""))
-                at += 1
-            else:
-                lines.append((at, f".word {word_text(words[at])}", f"half of a pair: {operation}"))
-        at += 1
+            comment = f"half of a pair: {operation}"
+        lines.append((at, text, comment))
+        at += count
     return lines
 
 

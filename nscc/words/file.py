@@ -82,19 +82,13 @@ def to_bytes(container: Container) -> bytes:
     wrong = faults(container)
     if wrong:
         raise ValueError(f"unsound container: {wrong[0]}")
-    header = _header(container)
-    arrays = _arrays(container)
-    parts = [_spelled(header)]
-    for array in _layout(header):
-        parts.append(_packed(array, arrays[array.name]))
+    header, arrays = _header(container), _arrays(container)
+    text = json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False)
+    parts = [text.encode("ascii")]
+    parts += [_packed(array, arrays[array.name]) for array in _layout(header)]
     length = _PREAMBLE.size + sum(map(len, parts)) + _DIGEST
     body = b"".join([_PREAMBLE.pack(MAGIC, VERSION, len(parts[0]), length), *parts])
     return body + sha256(body).digest()
-
-
-def _spelled(header: dict[str, Any]) -> bytes:
-    text = json.dumps(header, sort_keys=True, separators=(",", ":"), allow_nan=False)
-    return text.encode("ascii")
 
 
 def _header(container: Container) -> dict[str, Any]:
@@ -207,11 +201,9 @@ def _check_frame(data: bytes, name: str) -> int:
         what = f"it has version {version} of the format, this nscc reads version {VERSION}"
         raise _rejected("NS0704", name, what)
     if len(data) != length:
-        what = (
-            f"it was cut short: it has {len(data)} bytes of {length}"
-            if len(data) < length
-            else f"it has {len(data)} bytes, {length} belong to the container"
-        )
+        what = f"it has {len(data)} bytes, {length} belong to the container"
+        if len(data) < length:
+            what = f"it was cut short: it has {len(data)} bytes of {length}"
         raise _rejected("NS0705", name, what)
     if sha256(memoryview(data)[:-_DIGEST]).digest() != data[-_DIGEST:]:
         what = "it was damaged: its checksum does not fit its contents"
@@ -276,16 +268,12 @@ def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
     for name, count in header["kernels"]:
         kernels.append(Kernel(name, tuple(words[first : first + count])))
         first += count
+    fields, meaning = tuple(header["fields"]), ("codes", "shutter_of_code", "shutters")
     return Container(
         target=target,
         slot_us=tuple(arrays["slot_us"].tolist()),
         buckets=tuple(header["buckets"]),
-        table=DecodeTable(
-            tuple(header["fields"]),
-            arrays["codes"],
-            arrays["shutter_of_code"],
-            arrays["shutters"],
-        ),
+        table=DecodeTable(fields, *(arrays[name] for name in meaning)),
         kernels=tuple(kernels),
         launches=tuple(Launch(instant, kernel) for instant, kernel in arrays["launches"].tolist()),
         code_registers=tuple(header["code_registers"]),

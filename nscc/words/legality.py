@@ -58,20 +58,15 @@ def target_fault(operation: Op, target: Target) -> str | None:
             return f"{target.name} has no register {register}"
     count, row = len(operation.sources), operation.operation
     if row.effect is Effect.FLAG_DIGITAL:
-        if target.where_sources is not None and count > target.where_sources:
-            return (
-                f"a WHERE word of {target.name} reads at most {target.where_sources} sources, "
-                f"and this one reads {count}"
-            )
-        if "FLAG" in operation.sources and not target.where_reads_flag:
-            return f"WHERE writes FLAG, and on {target.name} it cannot read it as well"
-        return None
-    limit = target.or_sources if row.effect is Effect.DIGITAL else None
+        kind, limit = "a WHERE", target.where_sources
+    else:
+        kind, limit = "an OR or NOR", target.or_sources if row.effect is Effect.DIGITAL else None
     if limit is not None and count > limit:
-        return (
-            f"an OR or NOR word of {target.name} reads at most {limit} sources, and this one "
-            f"reads {count}"
-        )
+        most = f"{kind} word of {target.name} reads at most {limit} sources"
+        return f"{most}, and this one reads {count}"
+    reads_flag = row.effect is Effect.FLAG_DIGITAL and "FLAG" in operation.sources
+    if reads_flag and not target.where_reads_flag:
+        return f"WHERE writes FLAG, and on {target.name} it cannot read it as well"
     return None
 
 
@@ -85,17 +80,15 @@ def split_pairs(kernel: str, ops: Sequence[Op]) -> list[Diagnostic]:
     """A diagnostic NS0703 for every half-word whose other half is not beside it."""
     found = []
     for index, operation in enumerate(ops):
-        phase = operation.operation.phase
-        if phase is Phase.READ:
-            following = ops[index + 1] if index + 1 < len(ops) else None
-            if following is None or pair_kind(operation, following) is None:
-                seen = f"is followed by `{following}`" if following else "ends the kernel"
-                found.append(_split(kernel, index, operation, seen))
-        elif phase is Phase.WRITE:
-            before = ops[index - 1] if index else None
-            if before is None or pair_kind(before, operation) is None:
-                seen = f"comes after `{before}`" if before else "begins the kernel"
-                found.append(_split(kernel, index, operation, seen))
+        before, phase = ops[index - 1] if index else None, operation.operation.phase
+        following = ops[index + 1] if index + 1 < len(ops) else None
+        seen = ""
+        if phase is Phase.READ and not (following and pair_kind(operation, following)):
+            seen = f"is followed by `{following}`" if following else "ends the kernel"
+        elif phase is Phase.WRITE and not (before and pair_kind(before, operation)):
+            seen = f"comes after `{before}`" if before else "begins the kernel"
+        if seen:
+            found.append(_split(kernel, index, operation, seen))
     return found
 
 

@@ -38,7 +38,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         faults.stop()
         raise AssertionError("a target was refused without a fault")
     check_instructions(draft, target, faults)
-    _check_complete(draft, target, faults)
+    _check_complete(draft, faults)
     buckets = _buckets(draft, faults)
     launches = _launches(draft, faults)
     readouts = _readouts(draft, target, buckets, faults)
@@ -49,12 +49,9 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     if draft.shutters or draft.codes:
         table, encoding = _table(draft, target, buckets, faults)
         pixels = _pixels(draft, target, len(table.codes), faults)
+        message = ".plane and .shutter both say what pixels hold: a text has one or the other"
         for plane in draft.planes:
-            faults.add(
-                "NS0719",
-                ".plane and .shutter both say what pixels hold: a text has one or the other",
-                plane.register.span,
-            )
+            faults.add("NS0719", message, plane.register.span)
     else:
         planes = read_planes(draft.planes, target, base, faults)
         faults.stop()
@@ -121,37 +118,24 @@ def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
             for operation in line.ops:
                 fault = target_fault(operation, target)
                 if fault is not None:
-                    faults.add(
-                        "NS0708",
-                        f"{target.name} cannot run this: {fault}",
-                        line.span,
-                        helps=(f"`nscc targets {target.name}` lists what the chip has",),
-                    )
+                    helps = (f"`nscc targets {target.name}` lists what the chip has",)
+                    message = f"{target.name} cannot run this: {fault}"
+                    faults.add("NS0708", message, line.span, helps=helps)
                     break
     if target.tables_count_against_store and stored > target.store_words:
-        faults.add(
-            "NS0718",
-            f"these kernels have {stored} words, and {target.name} stores {target.store_words}",
-            draft.kernels[-1].name.span,
-            helps=("words that repeat belong in one kernel that is launched several times",),
-        )
+        have = f"these kernels have {stored} words"
+        message = f"{have}, and {target.name} stores {target.store_words}"
+        helps = ("words that repeat belong in one kernel that is launched several times",)
+        faults.add("NS0718", message, draft.kernels[-1].name.span, helps=helps)
 
 
-def _check_complete(draft: Draft, target: Target, faults: Faults) -> None:
+def _check_complete(draft: Draft, faults: Faults) -> None:
     if not draft.slot_us:
-        faults.add(
-            "NS0715",
-            "the lengths of the slots are missing",
-            _START,
-            helps=("write `.wait 125us x64`: 64 slots of 125 us each",),
-        )
+        helps = ("write `.wait 125us x64`: 64 slots of 125 us each",)
+        faults.add("NS0715", "the lengths of the slots are missing", _START, helps=helps)
     if not draft.readouts:
-        faults.add(
-            "NS0715",
-            "nothing is read out",
-            _START,
-            helps=("write `.readout A frame`: register A holds the exposure",),
-        )
+        helps = ("write `.readout A frame`: register A holds the exposure",)
+        faults.add("NS0715", "nothing is read out", _START, helps=helps)
 
 
 def _find(token: Token, names: dict[str, int], what: str, faults: Faults) -> int:
@@ -189,12 +173,9 @@ def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
     for line in draft.slots:
         sequence = [_find(name, kernels, "kernel", faults) for name in line.kernels]
         if slots and any(part[-1] > slots for part in line.instants):
-            faults.add(
-                "NS0714",
-                f"{shown(line.place.text)} reaches beyond instant {slots}, the frame's end",
-                line.place.span,
-                helps=(f".wait gives {slots} slots, so kernels run at instants 0 to {slots}",),
-            )
+            message = f"{shown(line.place.text)} reaches beyond instant {slots}, the frame's end"
+            helps = (f".wait gives {slots} slots, so kernels run at instants 0 to {slots}",)
+            faults.add("NS0714", message, line.place.span, helps=helps)
             continue
         for part in line.instants:
             for instant in part:
@@ -293,12 +274,9 @@ def _table(
         for bucket, token in enumerate(parts):
             found = read_slots(token.text, slots)
             if found is None:
-                faults.add(
-                    "NS0714",
-                    f"{shown(token.text)} are no slots of 0..{slots - 1}",
-                    token.span,
-                    helps=("write `0..15,20`, `1..63/2`, `never`, or `x` and hexadecimal",),
-                )
+                message = f"{shown(token.text)} are no slots of 0..{slots - 1}"
+                helps = ("write `0..15,20`, `1..63/2`, `never`, or `x` and hexadecimal",)
+                faults.add("NS0714", message, token.span, helps=helps)
             else:
                 opened[row, bucket] = found
     codes = np.zeros((len(draft.codes), len(fields)), dtype=np.int64)

@@ -34,12 +34,9 @@ def read_planes(
     for draft in drafts:
         register = draft.register.text
         if register not in target.digital_registers:
-            faults.add(
-                "NS0712",
-                f"{target.name} has no digital register {shown(register)}",
-                draft.register.span,
-                helps=meant(register, target.digital_registers),
-            )
+            message = f"{target.name} has no digital register {shown(register)}"
+            helps = meant(register, target.digital_registers)
+            faults.add("NS0712", message, draft.register.span, helps=helps)
         elif register in planes:
             faults.add("NS0719", f"{register} is given two planes", draft.register.span)
         try:
@@ -80,9 +77,8 @@ def _plane(
         with open(path, "rb") as file:
             data = file.read(_LARGEST_FILE + 1)
     except (OSError, ValueError) as error:
-        raise _BadPlaneError(
-            getattr(error, "strerror", None) or "no such path is possible"
-        ) from None
+        reason = getattr(error, "strerror", None) or "no such path is possible"
+        raise _BadPlaneError(reason) from None
     if len(data) > _LARGEST_FILE:
         raise _BadPlaneError(f"it has more than {_LARGEST_FILE} bytes")
     found = sha256(data).hexdigest()
@@ -105,9 +101,8 @@ def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
             members = [name for name in archive.namelist() if name.endswith(".npy")]
             named = f"{register}.npy"
             if named not in members and len(members) != 1:
-                raise _BadPlaneError(
-                    f"it holds {len(members)} arrays, and none is named {register}"
-                )
+                count = len(members)
+                raise _BadPlaneError(f"it holds {count} arrays, and none is named {register}")
             with archive.open(named if named in members else members[0]) as member:
                 return _array(member, shape)
     except (

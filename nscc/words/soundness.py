@@ -21,12 +21,8 @@ def faults(container: Container) -> list[str]:
     The words themselves are not looked at (see `nscc.words.legality`), except that each must be
     five 32-bit integers and that all must fit the target's store.
     """
-    found = list(_time_faults(container))
-    found += _table_faults(container)
-    found += _kernel_faults(container)
-    found += _register_faults(container)
-    found += _pixel_faults(container)
-    return found
+    parts = (_time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults)
+    return [fault for part in parts for fault in part(container)]
 
 
 def _names(what: str, names: Sequence[str]) -> Iterator[str]:
@@ -54,15 +50,11 @@ def _table_faults(container: Container) -> Iterator[str]:
     yield from _names("field", table.fields)
     codes, shutters = len(table.codes), len(table.shutters)
     registers = len(container.target.digital_registers)
+    opens = shutters, len(container.buckets), container.slots
     for name, array, shape, dtype in (
         ("codes", table.codes, (codes, len(table.fields)), np.int64),
         ("shutter_of_code", table.shutter_of_code, (codes,), np.int32),
-        (
-            "shutters",
-            table.shutters,
-            (shutters, len(container.buckets), container.slots),
-            np.bool_,
-        ),
+        ("shutters", table.shutters, opens, np.bool_),
         ("encoding", container.encoding, (shutters, registers), np.bool_),
     ):
         if array.shape != shape or array.dtype != dtype:
