@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import click
 
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import Point, csv_text, table_text
+from nscc.tradeoff.points import csv_text, table_text
 from nscc_cli.options import (
     COUNT,
     PATH,
@@ -44,9 +43,11 @@ def command(runs: tuple[Path, ...], **options: Any) -> int:
     with 4, 2 and 1 blocks a pixel. All decode the captures of one code: that of the runs, those
     with other codes apart; without runs random bits, and 2 x 2 stops for stills.
     """
+    from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.loops import denoise
     from nscc_training.run_folder import load_run
     from nscc_training.tradeoff.decoder import Settings, cases, measure, not_measured
+    from nscc_training.tradeoff.diagrams import TITLES, decoder_diagram
 
     files = output_files(options)
     named = ("data", "scenes", "size", "repeats", "budget", "seed")
@@ -55,25 +56,17 @@ def command(runs: tuple[Path, ...], **options: Any) -> int:
     todo = cases(folders, settings)
     say_compiling(denoise, "the loop of total variation")
     points, repeats = measure(todo, settings, lambda turns: progress(turns, "decoding"))
-    click.echo(_tables(points))
-    for line in not_measured(folders):
-        click.echo(line)
-    device = processor_name()
-
-    def png() -> bytes:
-        from nscc_runtime.pictures.sheet import png_of
-        from nscc_training.tradeoff.diagrams import decoder_diagram
-
-        return png_of(decoder_diagram, points, repeats, device)
-
-    write_files(files, {"csv": lambda: csv_text(points, device).encode(), "png": png})
-    return 0
-
-
-def _tables(points: Sequence[Point]) -> str:
-    from nscc_training.tradeoff.diagrams import TITLES
-
-    return "\n\n".join(
+    tables = (
         table_text([p for p in points if p.error_unit == unit], ("decoder", "setting", title))
         for unit, title in TITLES.items()
     )
+    click.echo("\n\n".join(tables))
+    for line in not_measured(folders):
+        click.echo(line)
+    device = processor_name()
+    makers = {
+        "csv": lambda: csv_text(points, device).encode(),
+        "png": lambda: png_of(decoder_diagram, points, repeats, device),
+    }
+    write_files(files, makers)
+    return 0

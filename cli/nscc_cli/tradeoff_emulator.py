@@ -139,20 +139,13 @@ def _scenes(
 
 def _makers(studies: tuple[Study, ...], repeats: int) -> dict[str, Callable[[], Product]]:
     """What makes each product."""
-    device = processor_name()
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 
-    def csv() -> bytes:
-        return csv_text([point for each in studies for point in each.points], device).encode()
-
-    def picture(name: str, *more: Any) -> bytes:
-        from nscc_runtime.pictures import studies as diagrams
-        from nscc_runtime.pictures.sheet import png_of
-
-        return png_of(getattr(diagrams, f"{name}_diagram"), studies, *more)
-
+    points, device = [point for each in studies for point in each.points], processor_name()
     return {
-        "csv": csv,
-        "png": lambda: picture("study", repeats, device),
-        "calibration": lambda: picture("promise"),
-        "budget": lambda: picture("budget"),
+        "csv": lambda: csv_text(points, device).encode(),
+        "png": lambda: png_of(study_diagram, studies, repeats, device),
+        "calibration": lambda: png_of(promise_diagram, studies),
+        "budget": lambda: png_of(budget_diagram, studies),
     }

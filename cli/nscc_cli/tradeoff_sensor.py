@@ -28,23 +28,20 @@ _MOST_SLOTS = 4096
 def _counts(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
     """Numbers of slots, separated by commas, from few to many."""
     parts = [part.strip() for part in value.split(",")]
-    wrong = [p for p in parts if not (p.isdecimal() and 2 <= int(p) <= _MOST_SLOTS)]
-    if wrong:
-        raise click.BadParameter(
-            f"{wrong[0][:40]!r} is no number of slots, 2 to {_MOST_SLOTS}", context, option
-        )
+    for part in parts:
+        if not (part.isdecimal() and 2 <= int(part) <= _MOST_SLOTS):
+            message = f"{part[:40]!r} is no number of slots, 2 to {_MOST_SLOTS}"
+            raise click.BadParameter(message, context, option)
     return tuple(sorted({int(part) for part in parts}))
 
 
 def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
     """The same; each must divide the most, which is the number of a clip's frames."""
     found = _counts(context, option, value)
-    odd = [count for count in found if found[-1] % count]
-    if odd:
-        raise click.BadParameter(
-            f"{odd[0]} does not divide {found[-1]}: all are slots of the same clips",
-            context, option,
-        )  # fmt: skip
+    for count in found:
+        if found[-1] % count:
+            message = f"{count} does not divide {found[-1]}: all are slots of the same clips"
+            raise click.BadParameter(message, context, option)
     return found
 
 
@@ -77,7 +74,9 @@ def command(**options: Any) -> int:
     them. Clips are decoded by GAP-TV, stills by merging neighbours: nothing is trained. What does
     not fit the chip is a row that says so. Ends with status 1 where nothing fits.
     """
+    from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.loops import denoise
+    from nscc_training.tradeoff.diagrams import sensor_diagram
     from nscc_training.tradeoff.sensor import Settings, measure, refusals_text
 
     files = output_files(options)
@@ -90,15 +89,9 @@ def command(**options: Any) -> int:
         click.echo(line)
     if not found.points:
         return 1
-
-    def png() -> bytes:
-        from nscc_runtime.pictures.sheet import png_of
-        from nscc_training.tradeoff.diagrams import sensor_diagram
-
-        return png_of(sensor_diagram, found, settings.slot_us)
-
-    write_files(
-        files,
-        {"csv": lambda: csv_text(found.points, found.target, found.refused).encode(), "png": png},
-    )
+    makers = {
+        "csv": lambda: csv_text(found.points, found.target, found.refused).encode(),
+        "png": lambda: png_of(sensor_diagram, found, settings.slot_us),
+    }
+    write_files(files, makers)
     return 0
