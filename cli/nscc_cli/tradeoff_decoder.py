@@ -9,14 +9,8 @@ import click
 
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import csv_text, table_text
-from nscc_cli.options import (
-    COUNT,
-    PATH,
-    made_scenes_option,
-    made_seed_option,
-    repeats_option,
-    tradeoff_options,
-)
+from nscc_cli import options as shared
+from nscc_cli.options import COUNT, PATH
 from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling
 from nscc_cli.tradeoff_files import output_files, write_files
 
@@ -24,17 +18,17 @@ from nscc_cli.tradeoff_files import output_files, write_files
 @click.command("decoder", cls=CommonCommand)
 @click.option("--run", "runs", multiple=True, type=PATH, metavar="RUN",
               help="A run folder of nscc train; more than once for several.")  # fmt: skip
-@made_scenes_option
+@shared.made_scenes_option
 @click.option("--scenes", type=COUNT, default=2, show_default=True,
               help="How many scenes of a kind.")  # fmt: skip
 @click.option("--size", type=click.IntRange(32, 512), default=128, show_default=True,
               help="Rows and columns of a scene.")  # fmt: skip
-@repeats_option(3)
+@shared.repeats_option(3)
 @click.option("--budget", type=NumberRange(0, 1e6), default=40.0, show_default=True,
               metavar="S", help="Seconds after which repeats end; the first is done in any "
               "case.")  # fmt: skip
-@made_seed_option
-@tradeoff_options
+@shared.made_seed_option
+@shared.tradeoff_options
 def command(runs: tuple[Path, ...], **options: Any) -> int:
     """Measure what decoding time buys: PSNR and SSIM against milliseconds a scene.
 

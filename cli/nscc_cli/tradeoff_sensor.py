@@ -9,14 +9,8 @@ import click
 
 from nscc.lower.plan import LOWERINGS
 from nscc.tradeoff.points import csv_text, table_text
-from nscc_cli.options import (
-    COUNT,
-    LEVEL,
-    made_scenes_option,
-    made_seed_option,
-    some_option,
-    tradeoff_options,
-)
+from nscc_cli import options as shared
+from nscc_cli.options import COUNT, LEVEL, some_option
 from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling
 from nscc_cli.tradeoff_files import output_files, write_files
 
@@ -61,11 +55,11 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
               "this length instead of each configuration's shortest.")  # fmt: skip
 @click.option("--effects", default="auto", show_default=True, metavar="E",
               help="The sensor's effects, as nscc run takes them.")  # fmt: skip
-@made_scenes_option
+@shared.made_scenes_option
 @click.option("--scenes", "count", type=COUNT, default=1, show_default=True,
               help="How many scenes of a kind.")  # fmt: skip
-@made_seed_option
-@tradeoff_options
+@shared.made_seed_option
+@shared.tradeoff_options
 def command(**options: Any) -> int:
     """Measure what slots buy: PSNR against the shortest slot of each shutter, on one chip.
 
