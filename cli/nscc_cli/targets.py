@@ -83,7 +83,7 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
 
 def listing() -> str:
     """One line a target: nscc's own, and those that installed packages add."""
-    rows = [("name", "array", "digital", "analog", "")]
+    rows: list[tuple[str, ...]] = [("name", "array", "digital", "analog", "")]
     for name in target_names():
         chip = load_target(name, Path())
         registers = (str(len(r)) for r in (chip.digital_registers, chip.analog_registers))
