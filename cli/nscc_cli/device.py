@@ -9,28 +9,12 @@ import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc_cli import options as shared
+from nscc_cli import support
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import (
-    PATH,
-    SEED,
-    build_options,
-    link_options,
-    pixels_option,
-    program_argument,
-    scene_options,
-    sensor_options,
-)
+from nscc_cli.options import PATH, SEED
 from nscc_cli.programs import load_program
-from nscc_cli.support import (
-    CommonCommand,
-    NumberRange,
-    Subcommands,
-    done,
-    progress,
-    say,
-    say_compiling,
-    show,
-)
+from nscc_cli.support import CommonCommand, NumberRange, Subcommands, done, progress, say
 
 _LONGEST_S = 1e6
 _MOST_FRAMES = 1_000_000
@@ -58,8 +42,8 @@ def command() -> None:
 @click.option("--loader", type=click.Choice(["auto", "firmware", "python"]), default="auto",
               show_default=True, help="The firmware, compiled for this machine, or its Python "
               "twin. auto: the firmware where there is a C++ compiler.")  # fmt: skip
-@scene_options
-@sensor_options
+@shared.scene_options
+@shared.sensor_options
 @click.option("--device-seed", type=SEED, default=0, help="Which chip.")
 @click.option("--once", is_flag=True, help="End when the first host has closed the port.")
 @click.option("--for", "seconds", type=NumberRange(0, _LONGEST_S), help="End after S seconds.")
@@ -79,9 +63,9 @@ def serve(**options: Any) -> None:
     scene = scene_of(options, "nothing for the stand-in to see: --scene is missing")
     chip = stand_in.emulated_chip(
         scene, target, sensor, options["device_seed"],
-        warn=lambda diagnostic: show([diagnostic]), failed=_report,
+        warn=lambda diagnostic: support.show([diagnostic]), failed=_report,
     )  # fmt: skip
-    say_compiling(expose_block, "the emulator's loops")
+    support.say_compiling(expose_block, "the emulator's loops")
     expose_block.load()
     with stand_in.loaded(options["loader"], target, chip, done) as loader:
         stand_in.serve(
@@ -94,15 +78,16 @@ def serve(**options: Any) -> None:
 def _report(error: Exception) -> None:
     """Say here why there is no frame: the host only learns that there is none."""
     if isinstance(error, Rejected):
-        show(error.diagnostics)
+        support.show(error.diagnostics)
     else:
-        show([Diagnostic("NS0768", f"the stand-in could not expose a frame: {error}"[:500])])
+        message = f"the stand-in could not expose a frame: {error}"[:500]
+        support.show([Diagnostic("NS0768", message)])
 
 
 @command.command("info", cls=CommonCommand)
 @click.argument("port")
 @click.option("--json", "as_json", is_flag=True, help="Print it as JSON.")
-@link_options
+@shared.link_options
 def info(port: str, as_json: bool, baud: int, patience: float) -> None:
     """Say what the loader at PORT is, what it has room for and what it holds."""
     from nscc_runtime.device.chip import Chip
@@ -117,10 +102,10 @@ def info(port: str, as_json: bool, baud: int, patience: float) -> None:
 
 @command.command("upload", cls=CommonCommand)
 @click.argument("port")
-@program_argument
-@pixels_option
-@link_options
-@build_options
+@shared.program_argument
+@shared.pixels_option
+@shared.link_options
+@shared.build_options
 def upload(port: str, program: Path, **options: Any) -> None:
     """Bring a program to the device at PORT; what it has of it already is not sent again."""
     from nscc_runtime.device.chip import Chip
@@ -143,9 +128,9 @@ def upload(port: str, program: Path, **options: Any) -> None:
 @click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,
               help="With --to: seconds from frame to frame (default: 0).")  # fmt: skip
 @click.option("--target", metavar="NAME|FILE.toml", help="The chip, of a program that is there.")
-@pixels_option
-@sensor_options
-@link_options
+@shared.pixels_option
+@shared.sensor_options
+@shared.link_options
 def capture(port: str, program: Path | None, **options: Any) -> None:
     """Expose frames with the program that the device at PORT holds, or with FILE.
 

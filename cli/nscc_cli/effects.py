@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nscc.columns import columns
 from nscc.target.load import DEFAULT_NAME, load_target
 from nscc_cli.frames import sensor_of
 from nscc_cli.options import PATH
@@ -48,14 +49,10 @@ def listing() -> str:
     """One line an effect."""
     from nscc_runtime.effects import registered
 
-    width = max(len(effect.name) for effect in registered())
-    lines = [f"{e.name:<{width}}  {e.kind:<6}  {e.title}" for e in registered()]
-    lines += [
-        "",
-        "fixed: the same in every frame; random: new in every frame; after: in the readout",
-        "`nscc effects NAME` shows one, --toml prints a sensor file",
-    ]
-    return "\n".join(lines)
+    return columns([(each.name, each.kind, each.title) for each in registered()]) + (
+        "\n\nfixed: the same in every frame; random: new in every frame; after: in the readout\n"
+        "`nscc effects NAME` shows one, --toml prints a sensor file"
+    )
 
 
 def details(name: str, sensor: Sensor) -> str:
@@ -64,15 +61,10 @@ def details(name: str, sensor: Sensor) -> str:
 
     effect = named(name)
     lines = [f"{effect.name}: {effect.title} ({effect.kind})"]
-    for heading, text in (
-        ("model", effect.model),
-        ("predicted", effect.predicted),
-        ("cost", effect.cost),
-        ("applied", effect.applied),
-    ):
-        lines += textwrap.wrap(
-            text, _WIDTH, initial_indent=f"  {heading:<11}", subsequent_indent=" " * 13
-        )
+    for heading in ("model", "predicted", "cost", "applied"):
+        first, rest = f"  {heading:<11}", " " * 13
+        text = getattr(effect, heading)
+        lines += textwrap.wrap(text, _WIDTH, initial_indent=first, subsequent_indent=rest)
     for row in effect.parameters:
         value = f"{getattr(sensor, row.name):.10g} {row.kind.unit}"
         lines.append(f"  {row.name} = {value}, {row.kind.range}: {row.meaning} ({row.source})")

@@ -12,8 +12,6 @@ from nscc.plugins import added, unusable
 from nscc_cli.support import show
 from nscc_cli.table import COMMANDS
 
-_OWN = [entry.name for entry in COMMANDS]
-
 
 class LazyGroup(click.Group):
     """Finds commands in the table, then among what other distributions add.
@@ -24,11 +22,11 @@ class LazyGroup(click.Group):
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """The names of all commands, as `--help` and completion show them: nscc's own first."""
-        return [*_OWN, *self._others()]
+        return [*COMMANDS, *self._others()]
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """The command of that name, imported now; None if there is none."""
-        if cmd_name not in _OWN:
+        if cmd_name not in COMMANDS:
             return others().get(cmd_name)
         command: click.Command = import_module(f"nscc_cli.{cmd_name}").command
         return command
@@ -48,7 +46,7 @@ class LazyGroup(click.Group):
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """List the commands from the table, importing none, and those that others add."""
         with formatter.section("Commands"):
-            formatter.write_dl([(entry.name, entry.help) for entry in COMMANDS])
+            formatter.write_dl([*COMMANDS.items()])
         more = [(name, each.get_short_help_str(80)) for name, each in self._others().items()]
         if more:
             with formatter.section("Commands of other packages"):
@@ -68,7 +66,7 @@ def others() -> dict[str, click.Command]:
 
     Raises Rejected (NS0905) for what is no click command or has the name of one of nscc's own.
     """
-    found = added("nscc.commands", _OWN)
+    found = added("nscc.commands", COMMANDS)
     for name, command in found.items():
         if not isinstance(command, click.Command):
             raise unusable("nscc.commands", name, f"a {type(command).__name__} is no click command")

@@ -9,17 +9,9 @@ import click
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc_cli import options as shared
 from nscc_cli.frames import frame_path, parse_keep, scene_of, sensor_of, summary, write_frame
-from nscc_cli.options import (
-    PATH,
-    SEED,
-    build_options,
-    link_options,
-    pixels_option,
-    program_argument,
-    scene_options,
-    sensor_options,
-)
+from nscc_cli.options import PATH, SEED
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, done, progress, say
 
@@ -30,7 +22,7 @@ _MOST_REPEATS = 10000
 
 
 @click.command(name="run", cls=CommonCommand)
-@program_argument
+@shared.program_argument
 @click.option("--scene", help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
               "builtin:flat:E, builtin:dark.")  # fmt: skip
 @click.option(
@@ -43,11 +35,11 @@ _MOST_REPEATS = 10000
 @click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
 @click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames.")
 @click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes.")
-@pixels_option
-@scene_options
+@shared.pixels_option
+@shared.scene_options
 @click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
               help="Where to run: a serial port is a device's.")  # fmt: skip
-@link_options
+@shared.link_options
 @click.option("--fidelity", type=click.Choice(["planned", "reference"]), default="planned",
               help="reference: effects slot by slot, exactly (slow). planned: to a "
               "tolerance.")  # fmt: skip
@@ -55,9 +47,9 @@ _MOST_REPEATS = 10000
               help="RMS error that a plan may make (default: 5e).")  # fmt: skip
 @click.option("--audit", is_flag=True, help="Compare with the reference; exit 1 if it broke.")
 @click.option("--plan", type=PATH, help="Use this plan; if there is none, write it.")
-@sensor_options
+@shared.sensor_options
 @click.option("--timings", type=PATH, help="Write seconds spent, as JSON, to a file.")
-@build_options
+@shared.build_options
 def command(program: Path, **options: Any) -> None:
     """Expose one frame of a scene with a program, and write it as an .npz file.
 

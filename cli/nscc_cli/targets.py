@@ -9,6 +9,7 @@ from pathlib import Path
 
 import click
 
+from nscc.columns import columns
 from nscc.target.load import DEFAULT_NAME, load_target, target_names, target_toml
 from nscc.target.target import SCHEMA, Target
 from nscc.toml.schema import Key
@@ -82,22 +83,12 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
 
 def listing() -> str:
     """One line a target: nscc's own, and those that installed packages add."""
-    rows = [("name", "array", "digital", "analog", "")]
+    rows: list[tuple[str, ...]] = [("name", "array", "digital", "analog", "")]
     for name in target_names():
-        target = load_target(name, Path())
-        rows.append(
-            (
-                name,
-                f"{target.rows} x {target.cols}",
-                str(len(target.digital_registers)),
-                str(len(target.analog_registers)),
-                target.description,
-            )
-        )
-    widths = [max(len(row[i]) for row in rows) for i in range(5)]
-    lines = ["  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True))
-             for row in rows]  # fmt: skip
-    return "\n".join(line.rstrip() for line in lines)
+        chip = load_target(name, Path())
+        registers = (str(len(r)) for r in (chip.digital_registers, chip.analog_registers))
+        rows.append((name, f"{chip.rows} x {chip.cols}", *registers, chip.description))
+    return columns(rows)
 
 
 def details(target: Target) -> str:

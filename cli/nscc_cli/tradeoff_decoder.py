@@ -2,22 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import click
 
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import Point, csv_text, table_text
-from nscc_cli.options import (
-    COUNT,
-    PATH,
-    made_scenes_option,
-    made_seed_option,
-    repeats_option,
-    tradeoff_options,
-)
+from nscc.tradeoff.points import csv_text, table_text
+from nscc_cli import options as shared
+from nscc_cli.options import COUNT, PATH
 from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling
 from nscc_cli.tradeoff_files import output_files, write_files
 
@@ -25,17 +18,17 @@ from nscc_cli.tradeoff_files import output_files, write_files
 @click.command("decoder", cls=CommonCommand)
 @click.option("--run", "runs", multiple=True, type=PATH, metavar="RUN",
               help="A run folder of nscc train; more than once for several.")  # fmt: skip
-@made_scenes_option
+@shared.made_scenes_option
 @click.option("--scenes", type=COUNT, default=2, show_default=True,
               help="How many scenes of a kind.")  # fmt: skip
 @click.option("--size", type=click.IntRange(32, 512), default=128, show_default=True,
               help="Rows and columns of a scene.")  # fmt: skip
-@repeats_option(3)
+@shared.repeats_option(3)
 @click.option("--budget", type=NumberRange(0, 1e6), default=40.0, show_default=True,
               metavar="S", help="Seconds after which repeats end; the first is done in any "
               "case.")  # fmt: skip
-@made_seed_option
-@tradeoff_options
+@shared.made_seed_option
+@shared.tradeoff_options
 def command(runs: tuple[Path, ...], **options: Any) -> int:
     """Measure what decoding time buys: PSNR and SSIM against milliseconds a scene.
 
@@ -44,9 +37,11 @@ def command(runs: tuple[Path, ...], **options: Any) -> int:
     with 4, 2 and 1 blocks a pixel. All decode the captures of one code: that of the runs, those
     with other codes apart; without runs random bits, and 2 x 2 stops for stills.
     """
+    from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.loops import denoise
     from nscc_training.run_folder import load_run
     from nscc_training.tradeoff.decoder import Settings, cases, measure, not_measured
+    from nscc_training.tradeoff.diagrams import TITLES, decoder_diagram
 
     files = output_files(options)
     named = ("data", "scenes", "size", "repeats", "budget", "seed")
@@ -55,25 +50,17 @@ def command(runs: tuple[Path, ...], **options: Any) -> int:
     todo = cases(folders, settings)
     say_compiling(denoise, "the loop of total variation")
     points, repeats = measure(todo, settings, lambda turns: progress(turns, "decoding"))
-    click.echo(_tables(points))
-    for line in not_measured(folders):
-        click.echo(line)
-    device = processor_name()
-
-    def png() -> bytes:
-        from nscc_runtime.pictures.sheet import png_of
-        from nscc_training.tradeoff.diagrams import decoder_diagram
-
-        return png_of(decoder_diagram, points, repeats, device)
-
-    write_files(files, {"csv": lambda: csv_text(points, device).encode(), "png": png})
-    return 0
-
-
-def _tables(points: Sequence[Point]) -> str:
-    from nscc_training.tradeoff.diagrams import TITLES
-
-    return "\n\n".join(
+    tables = (
         table_text([p for p in points if p.error_unit == unit], ("decoder", "setting", title))
         for unit, title in TITLES.items()
     )
+    click.echo("\n\n".join(tables))
+    for line in not_measured(folders):
+        click.echo(line)
+    device = processor_name()
+    makers = {
+        "csv": lambda: csv_text(points, device).encode(),
+        "png": lambda: png_of(decoder_diagram, points, repeats, device),
+    }
+    write_files(files, makers)
+    return 0

@@ -12,24 +12,15 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.files import Product
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import csv_text
+from nscc_cli import options as shared
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import (
-    PATH,
-    SEED,
-    build_options,
-    csv_options,
-    pixels_option,
-    repeats_option,
-    scene_options,
-    sensor_options,
-)
+from nscc_cli.options import PATH, SEED
 from nscc_cli.programs import compile_options, load_program
 from nscc_cli.support import CommonCommand, progress, say
 from nscc_cli.tradeoff_files import output_files, write_files
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
-    from nscc_runtime.light import Light
     from nscc_runtime.sensor import Sensor
     from nscc_runtime.tradeoff.study import Scene, Settings, Study
 
@@ -40,7 +31,7 @@ if TYPE_CHECKING:
               "once for several (default: three builtin ones).")  # fmt: skip
 @click.option("-o", "out", type=PATH, metavar="OUT", help="Write OUT.csv, OUT.png, "
               "OUT_calibration.png and OUT_budget.png.")  # fmt: skip
-@csv_options
+@shared.csv_options
 @click.option("--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e",
               show_default=True,
               help="Tolerances to plan for: electrons (5e) or codes (0.1lsb).")  # fmt: skip
@@ -49,13 +40,13 @@ if TYPE_CHECKING:
 @click.option("--frames", type=click.IntRange(2, 1000), default=2, show_default=True,
               help="Frames of which errors are measured; more where they have few "
               "pixels.")  # fmt: skip
-@repeats_option(5)
+@shared.repeats_option(5)
 @click.option("--seed", type=SEED, default=0, help="Seed of the frames' noise.")
 @click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
-@pixels_option
-@scene_options
-@sensor_options
-@build_options
+@shared.pixels_option
+@shared.scene_options
+@shared.sensor_options
+@shared.build_options
 def command(program: Path | None, **options: Any) -> int:
     """Measure what the emulator's time buys: error against the reference and time of one frame.
 
@@ -123,36 +114,25 @@ def _scenes(
     if len(set(names)) < len(names):
         names = specs
     say(messages)
-
-    def light(options: dict[str, Any]) -> Light:
+    found = []
+    for name, spec in zip(names, specs, strict=True):
         said: list[Diagnostic] = []
-        scene = scene_of(options)
-        found = scene.light(container.slot_us, container.target, said.append, progress)
+        scene = scene_of({**options, "scene": spec})
+        light = scene.light(container.slot_us, container.target, said.append, progress)
         say(said)
-        return found
-
-    return [
-        Scene(name, light({**options, "scene": spec}))
-        for name, spec in zip(names, specs, strict=True)
-    ]
+        found.append(Scene(name, light))
+    return found
 
 
 def _makers(studies: tuple[Study, ...], repeats: int) -> dict[str, Callable[[], Product]]:
     """What makes each product."""
-    device = processor_name()
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 
-    def csv() -> bytes:
-        return csv_text([point for each in studies for point in each.points], device).encode()
-
-    def picture(name: str, *more: Any) -> bytes:
-        from nscc_runtime.pictures import studies as diagrams
-        from nscc_runtime.pictures.sheet import png_of
-
-        return png_of(getattr(diagrams, f"{name}_diagram"), studies, *more)
-
+    points, device = [point for each in studies for point in each.points], processor_name()
     return {
-        "csv": csv,
-        "png": lambda: picture("study", repeats, device),
-        "calibration": lambda: picture("promise"),
-        "budget": lambda: picture("budget"),
+        "csv": lambda: csv_text(points, device).encode(),
+        "png": lambda: png_of(study_diagram, studies, repeats, device),
+        "calibration": lambda: png_of(promise_diagram, studies),
+        "budget": lambda: png_of(budget_diagram, studies),
     }

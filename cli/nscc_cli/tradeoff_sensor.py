@@ -9,14 +9,8 @@ import click
 
 from nscc.lower.plan import LOWERINGS
 from nscc.tradeoff.points import csv_text, table_text
-from nscc_cli.options import (
-    COUNT,
-    LEVEL,
-    made_scenes_option,
-    made_seed_option,
-    some_option,
-    tradeoff_options,
-)
+from nscc_cli import options as shared
+from nscc_cli.options import COUNT, LEVEL, some_option
 from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling
 from nscc_cli.tradeoff_files import output_files, write_files
 
@@ -28,23 +22,20 @@ _MOST_SLOTS = 4096
 def _counts(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
     """Numbers of slots, separated by commas, from few to many."""
     parts = [part.strip() for part in value.split(",")]
-    wrong = [p for p in parts if not (p.isdecimal() and 2 <= int(p) <= _MOST_SLOTS)]
-    if wrong:
-        raise click.BadParameter(
-            f"{wrong[0][:40]!r} is no number of slots, 2 to {_MOST_SLOTS}", context, option
-        )
+    for part in parts:
+        if not (part.isdecimal() and 2 <= int(part) <= _MOST_SLOTS):
+            message = f"{part[:40]!r} is no number of slots, 2 to {_MOST_SLOTS}"
+            raise click.BadParameter(message, context, option)
     return tuple(sorted({int(part) for part in parts}))
 
 
 def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
     """The same; each must divide the most, which is the number of a clip's frames."""
     found = _counts(context, option, value)
-    odd = [count for count in found if found[-1] % count]
-    if odd:
-        raise click.BadParameter(
-            f"{odd[0]} does not divide {found[-1]}: all are slots of the same clips",
-            context, option,
-        )  # fmt: skip
+    for count in found:
+        if found[-1] % count:
+            message = f"{count} does not divide {found[-1]}: all are slots of the same clips"
+            raise click.BadParameter(message, context, option)
     return found
 
 
@@ -64,11 +55,11 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
               "this length instead of each configuration's shortest.")  # fmt: skip
 @click.option("--effects", default="auto", show_default=True, metavar="E",
               help="The sensor's effects, as nscc run takes them.")  # fmt: skip
-@made_scenes_option
+@shared.made_scenes_option
 @click.option("--scenes", "count", type=COUNT, default=1, show_default=True,
               help="How many scenes of a kind.")  # fmt: skip
-@made_seed_option
-@tradeoff_options
+@shared.made_seed_option
+@shared.tradeoff_options
 def command(**options: Any) -> int:
     """Measure what slots buy: PSNR against the shortest slot of each shutter, on one chip.
 
@@ -77,7 +68,9 @@ def command(**options: Any) -> int:
     them. Clips are decoded by GAP-TV, stills by merging neighbours: nothing is trained. What does
     not fit the chip is a row that says so. Ends with status 1 where nothing fits.
     """
+    from nscc_runtime.pictures.sheet import png_of
     from nscc_training.baselines.loops import denoise
+    from nscc_training.tradeoff.diagrams import sensor_diagram
     from nscc_training.tradeoff.sensor import Settings, measure, refusals_text
 
     files = output_files(options)
@@ -90,15 +83,9 @@ def command(**options: Any) -> int:
         click.echo(line)
     if not found.points:
         return 1
-
-    def png() -> bytes:
-        from nscc_runtime.pictures.sheet import png_of
-        from nscc_training.tradeoff.diagrams import sensor_diagram
-
-        return png_of(sensor_diagram, found, settings.slot_us)
-
-    write_files(
-        files,
-        {"csv": lambda: csv_text(found.points, found.target, found.refused).encode(), "png": png},
-    )
+    makers = {
+        "csv": lambda: csv_text(found.points, found.target, found.refused).encode(),
+        "png": lambda: png_of(sensor_diagram, found, settings.slot_us),
+    }
+    write_files(files, makers)
     return 0

@@ -15,6 +15,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from itertools import cycle, islice
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -37,16 +38,13 @@ _programs: WeakKeyDictionary[Container, dict[Sensor, Program]] = WeakKeyDictiona
 
 
 @dataclass(frozen=True, eq=False)
-class Capture:
+class Capture(Frame):
     """One scene captured; with `repeat` the arrays have a leading axis.
 
     `frame` uint8, `exposure_e` float64, `valid` bool, each (buckets, rows, cols) as in a frame
     file; `plan` says what was simulated.
     """
 
-    frame: NDArray[np.uint8]
-    exposure_e: NDArray[np.float64]
-    valid: NDArray[np.bool_]
     plan: Plan
 
 
@@ -105,18 +103,14 @@ def captures(
     for each in (many_programs, many_lights):
         if len(each) not in (1, count):
             raise ValueError(f"{len(many_lights)} scenes for {len(many_programs)} programs")
-    pairs = [
-        (many_lights[i % len(many_lights)], many_programs[i % len(many_programs)])
-        for i in range(count)
-    ]
     for each_program in many_programs:
         made_ready(each_program, sensor or default_sensor(each_program.target))
 
-    def run(pair: tuple[LightLike, Container]) -> Capture:
-        return capture(*pair, sensor, plan, threads=1, **options)  # type: ignore[arg-type]
+    def run(light: LightLike, program: Container) -> Capture:
+        return capture(light, program, sensor, plan, threads=1, **options)  # type: ignore[arg-type]
 
     with ThreadPoolExecutor(threads or processors()) as pool:
-        return list(pool.map(run, pairs))
+        return [*pool.map(run, islice(cycle(many_lights), count), cycle(many_programs))]
 
 
 def planned_frames(

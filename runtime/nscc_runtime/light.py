@@ -9,6 +9,8 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.remembered import remembered
+
 
 @dataclass(frozen=True, eq=False)
 class Light:
@@ -95,15 +97,12 @@ class Light:
             out[n] = self.slot(n)
         return out
 
+    @remembered
     def total_e(self) -> NDArray[np.float64]:
         """The all-open sum of all slots (rows, cols), to 1e-12 of its value; not to be written to.
 
         Slots with equal light are added as a multiple: equal slots of a still are one product.
         """
-        return self._total_e
-
-    @cached_property
-    def _total_e(self) -> NDArray[np.float64]:
         slots: dict[tuple[bytes, bytes], list[int]] = {}
         for n in range(self.slots):
             part = slice(int(self.row_start[n]), int(self.row_start[n + 1]))
@@ -147,11 +146,8 @@ class Light:
         import hashlib
 
         digest = hashlib.sha256(f"light {self.slots} {self.frames.shape} {self.kind}".encode())
-        for values, kind in (
-            (self.row_start, "<i8"),
-            (self.frame_index, "<i4"),
-            (self.weight, "<f8"),
-        ):
+        matrix = ((self.row_start, "<i8"), (self.frame_index, "<i4"), (self.weight, "<f8"))
+        for values, kind in matrix:
             digest.update(np.ascontiguousarray(values, kind).data)
         for frame in self.frames:
             digest.update(np.ascontiguousarray(frame, "<f4").data)

@@ -16,12 +16,8 @@ PLAN_SCHEMA = "nscc-plan-1"
 
 def plan_text(plan: Plan, program_sha256: str, sensor: Sensor) -> str:
     """A plan's file, which says what it was made for."""
-    values = {
-        "schema": PLAN_SCHEMA,
-        "program_sha256": program_sha256,
-        "sensor_sha256": sensor_sha256(sensor),
-        "plan": plan.as_json(),
-    }
+    made_for = {"program_sha256": program_sha256, "sensor_sha256": sensor_sha256(sensor)}
+    values = {"schema": PLAN_SCHEMA, **made_for, "plan": plan.as_json()}
     return json.dumps(values, indent=2) + "\n"
 
 

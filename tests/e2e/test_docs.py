@@ -138,7 +138,7 @@ def test_every_command_is_in_the_readme() -> None:
     from nscc_cli.table import COMMANDS
 
     text = (ROOT / "README.md").read_text()
-    assert [entry.name for entry in COMMANDS if f"`nscc {entry.name}" not in text] == []
+    assert [name for name in COMMANDS if f"`nscc {name}" not in text] == []
 
 
 def test_the_python_of_training_works() -> None:

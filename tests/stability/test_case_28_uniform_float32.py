@@ -5,8 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from nscc_runtime.loop import compiled
-from nscc_runtime.noise.counter import unit32
+from nscc_runtime.loop import compiled, inlined
+
+_SHIFT_23 = np.uint64(9)
+
+
+@inlined
+def unit32(random: np.uint32) -> np.float32:
+    """The odd multiple of 2**-24 inside (0, 1) that the upper 23 of 32 bits pick, in float32."""
+    index = np.float32(np.int32(np.uint64(random) >> _SHIFT_23))
+    return (index + np.float32(0.5)) * np.float32(2.0**-23)
 
 
 @compiled

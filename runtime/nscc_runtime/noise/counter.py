@@ -21,7 +21,6 @@ _WEYL_1 = np.uint64(0xBB67_AE85)
 
 _SHIFT_52 = np.uint64(12)
 _ONE_TO_TWO = np.uint64(0x3FF0_0000_0000_0000)
-_SHIFT_23 = np.uint64(9)
 
 
 @inlined
@@ -48,10 +47,3 @@ def unit(random: np.uint64) -> float:
     # every processor has for vectors.
     fraction = np.uint64((random >> _SHIFT_52) | _ONE_TO_TWO).view(np.float64) - 1.0
     return fraction + 2.0**-53
-
-
-@inlined
-def unit32(random: np.uint32) -> np.float32:
-    """The odd multiple of 2**-24 inside (0, 1) that the upper 23 of 32 bits pick, in float32."""
-    index = np.float32(np.int32(np.uint64(random) >> _SHIFT_23))
-    return (index + np.float32(0.5)) * np.float32(2.0**-23)

@@ -94,17 +94,14 @@ def _box(values: NDArray[Any], window: tuple[int, int]) -> Field:
         sums = np.cumsum(np.pad(total, pad, mode="symmetric"), axis=axis)
         # The pad's first row only serves the difference of the running sums.
         length = total.shape[axis]
-        total = np.take(sums, range(width, width + length), axis) - np.take(
-            sums, range(length), axis
-        )
+        ends = np.take(sums, range(width, width + length), axis)
+        total = ends - np.take(sums, range(length), axis)
     return total
 
 
 def tone_mapped(light: Field, usable: NDArray[np.bool_]) -> NDArray[np.uint8]:
     """Light as 8-bit grey on a logarithmic curve that puts its median at a middle grey."""
-    if not usable.any():
-        return np.zeros(light.shape, np.uint8)
-    white = float(np.percentile(light[usable], 99.8))
+    white = float(np.percentile(light[usable], 99.8)) if usable.any() else 0.0
     if white <= 0:
         return np.zeros(light.shape, np.uint8)
     middle = min(float(np.median(light[usable])) / white, 1.0)
@@ -126,18 +123,7 @@ def frame_sheet(readouts: Sequence[Readout], title: str) -> Figure:
         window = f"{readout.window[0]} x {readout.window[1]}"
         around = "each pixel" if window == "1 x 1" else f"unsaturated pixels in {window}"
         saturated = np.count_nonzero(readout.frame == readout.top) / readout.frame.size
-        rows.append(
-            (
-                Image(
-                    readout.frame,
-                    f"{readout.name}: as read out",
-                    f"8 bit, {saturated:.1%} saturated",
-                ),
-                Image(
-                    tone_mapped(light, usable),
-                    f"{readout.name}: light a second",
-                    f"codes / open time of {around}, log scale",
-                ),
-            )
-        )
+        read = f"{readout.name}: as read out", f"8 bit, {saturated:.1%} saturated"
+        told = f"{readout.name}: light a second", f"codes / open time of {around}, log scale"
+        rows.append((Image(readout.frame, *read), Image(tone_mapped(light, usable), *told)))
     return image_sheet(rows, title)

@@ -141,12 +141,7 @@ def _draw(
             edge = left * (right / left) ** 0.05
             labels.append((False, (edge, bounds[name], f"{bounds[name]:g}", colour)))
     for guide in panel.guides:
-        look: dict[str, Any] = {
-            "color": sheet.INK,
-            "linewidth": 1.1,
-            "linestyle": guide.dashes,
-            "zorder": 1,
-        }
+        look: dict[str, Any] = {"color": sheet.INK, "lw": 1.1, "ls": guide.dashes, "zorder": 1}
         if guide.time_ms:
             axes.axvline(guide.time_ms * reading.per_ms, **look)
         elif guide.error:

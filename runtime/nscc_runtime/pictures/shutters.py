@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nscc.words.container import Container
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.frames import tile_of
+from nscc_runtime.scenes.shapes import Field
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -48,10 +49,8 @@ class Shutters:
 def shutters_of(container: Container) -> Shutters:
     """The distinct shutters in use (all of a program without pixels), by opening and length."""
     table = container.table
-    if container.pixel_codes is None:
-        used_codes = np.arange(len(table.codes))
-    else:
-        used_codes = np.unique(container.pixel_codes)
+    codes = container.pixel_codes
+    used_codes = np.arange(len(table.codes)) if codes is None else np.unique(codes)
     used = np.unique(table.shutter_of_code[used_codes])
     patterns = table.shutters[used]
     slots = patterns.shape[2]
@@ -63,7 +62,7 @@ def shutters_of(container: Container) -> Shutters:
     codes_by_rank: list[list[int]] = [[] for _ in used]
     for code in used_codes:
         codes_by_rank[rank[table.shutter_of_code[code]]].append(int(code))
-    labels = tuple(_label(container, codes) for codes in codes_by_rank)
+    labels = tuple(_label(container, alike) for alike in codes_by_rank)
     return Shutters(patterns[order], labels, rank)
 
 
@@ -72,10 +71,8 @@ def _label(container: Container, codes: list[int]) -> str:
     fields = container.table.fields
     if not fields:
         return "all pixels"
-    text = ", ".join(
-        f"{name} {value}"
-        for name, value in zip(fields, container.table.codes[codes[0]], strict=True)
-    )
+    values = container.table.codes[codes[0]]
+    text = ", ".join(f"{name} {value}" for name, value in zip(fields, values, strict=True))
     text = text if len(text) <= 30 else text[:29] + "…"
     return text if len(codes) == 1 else f"{text}  (+{len(codes) - 1})"
 
@@ -89,7 +86,7 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     count, lanes = len(shutters.rows), len(container.buckets)
     chosen = _chosen(count)
     places = np.linspace(0.08, 0.9, count) if count > 1 else np.array([0.35])
-    colours: NDArray[np.float64] = colormaps[sheet.SCALE](places)[:, :3]
+    colours: Field = colormaps[sheet.SCALE](places)[:, :3]
     chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
     maps, top = _maps(container, shutters, colours), _ABOVE + chart_height + _BELOW
     sizes = [sheet.zoomed(each.colours.shape, _MAP) for each in maps]
@@ -103,12 +100,8 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     if len(chosen) < count:
         note += f"   ·   {len(chosen)} of them shown, evenly chosen"
     bars = enumerate(container.buckets) if lanes > 1 else ()
-    sheet.head(
-        figure,
-        title,
-        note,
-        [Patch(color=sheet.COLOURS[b % len(sheet.COLOURS)], label=n) for b, n in bars],
-    )
+    handles = [Patch(color=sheet.series(b)["color"], label=name) for b, name in bars]
+    sheet.head(figure, title, note, handles)
     return figure
 
 
@@ -149,9 +142,7 @@ def _chosen(count: int) -> NDArray[np.int64]:
     return np.rint(np.linspace(0, count - 1, _CHOSEN_ROWS)).astype(np.int64)
 
 
-def _draw_chart(
-    axes: Axes, container: Container, rows: NDArray[np.bool_], own: NDArray[np.float64]
-) -> None:
+def _draw_chart(axes: Axes, container: Container, rows: NDArray[np.bool_], own: Field) -> None:
     """Bars of open time: in the colour that the map has, or of several buckets in the bucket's."""
     from matplotlib.colors import to_rgb
 
@@ -160,7 +151,7 @@ def _draw_chart(
     scale, unit = _unit(float(edges_us[-1]))
     edges = edges_us * scale
     columns = edges if slots <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
-    buckets = [to_rgb(sheet.COLOURS[lane % len(sheet.COLOURS)]) for lane in range(lanes)]
+    buckets = [to_rgb(sheet.series(lane)["color"]) for lane in range(lanes)]
     image = np.ones((count, lanes + 1, len(columns) - 1, 3))  # the last lane is the gap
     for row, lane in np.ndindex(count, lanes):
         open_until = np.concatenate(([0.0], np.cumsum(np.diff(edges) * rows[row, lane])))
@@ -185,7 +176,7 @@ def _draw_chart(
     _number_slots(axes, edges)
 
 
-def _number_slots(axes: Axes, edges: NDArray[np.float64]) -> None:
+def _number_slots(axes: Axes, edges: Field) -> None:
     """Numbers above the chart at the slots' middles, as many as have room."""
     slots = len(edges) - 1
     step = 1 << max(0, (slots - 1) // _MOST_NUMBERS).bit_length()
@@ -206,13 +197,11 @@ class _Map:
     """A part of the array to draw: colours (rows, cols, 3), the codes' values where they fit."""
 
     title: str
-    colours: NDArray[np.float64]
+    colours: Field
     codes: NDArray[Any] | None = None
 
 
-def _maps(
-    container: Container, shutters: Shutters, colours: NDArray[np.float64]
-) -> tuple[_Map, ...]:
+def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Map, ...]:
     """The array, and the smallest tile of codes that repeats; its corner if none does."""
     codes = container.pixel_codes
     if codes is None:

@@ -11,16 +11,8 @@ import numpy as np
 
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
-from nscc_runtime.tradeoff.study import (
-    DRAWN,
-    ELECTRONS,
-    LSB,
-    PLANNED,
-    REFERENCE,
-    SUMMED,
-    WITH_PLANNING,
-    Study,
-)  # fmt: skip
+from nscc_runtime.tradeoff import study as studied
+from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, Study
 from nscc_runtime.tradeoff.study_text import SLACK
 
 if TYPE_CHECKING:
@@ -37,14 +29,13 @@ _BAR = 0.2
 """Inches from bar to bar."""
 _COLUMNS = 3
 
-
 _NAMES = {
-    SUMMED: "f32 sum",
-    DRAWN: "per-slot Poisson",
+    studied.SUMMED: "f32 sum",
+    studied.DRAWN: "per-slot Poisson",
     PLANNED: "planned (numbers: tolerance in e)",
-    WITH_PLANNING: "with planning",
+    studied.WITH_PLANNING: "with planning",
 }
-_ERRORS = {ELECTRONS: "RMS error, e", LSB: "RMS error after the ADC, LSB"}
+_ERRORS = {ELECTRONS: "RMS error, e", studied.LSB: "RMS error after the ADC, LSB"}
 
 
 def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure:
@@ -53,7 +44,7 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
     for study in studies:
         for unit, error in _ERRORS.items():
             points = [point for point in study.points if point.error_unit == unit]
-            [truth] = [point for point in points if point.method == REFERENCE]
+            [truth] = [point for point in points if point.method == studied.REFERENCE]
             apart = study.resolution_e if unit == ELECTRONS else study.resolution_lsb
             guides = (
                 Guide("reference (no error)", "-", time_ms=truth.time_ms),

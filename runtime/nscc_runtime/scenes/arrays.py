@@ -6,6 +6,7 @@ block into float32, so that a long clip costs its own float32 size and little mo
 
 from __future__ import annotations
 
+import math
 import zipfile
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
@@ -54,19 +55,16 @@ def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray
         if path.suffix.lower() == ".npy":
             with open(path, "rb") as file:
                 return _read_npy(file, path, check, progress)
-        with zipfile.ZipFile(path) as archive, archive.open(_member(path, archive)) as entry:
-            return _read_npy(entry, path, check, progress)
+        with zipfile.ZipFile(path) as archive:
+            names = archive.namelist()
+            if f"{KEY}.npy" not in names:
+                raise missing_key(path, [name.removesuffix(".npy") for name in names], (KEY,))
+            with archive.open(f"{KEY}.npy") as entry:
+                return _read_npy(entry, path, check, progress)
     except Rejected:
         raise
     except Exception as error:  # zipfile and numpy raise a dozen types for damaged files
         raise damaged(path, error) from error
-
-
-def _member(path: Path, archive: zipfile.ZipFile) -> str:
-    names = archive.namelist()
-    if f"{KEY}.npy" in names:
-        return f"{KEY}.npy"
-    raise missing_key(path, [n.removesuffix(".npy") for n in names], (KEY,))
 
 
 def missing_key(path: Path, have: list[str], wanted: tuple[str, ...]) -> Rejected:
@@ -92,34 +90,18 @@ def _read_npy(file: IO[bytes], path: Path, check: Check, progress: Progress) -> 
     shape, fortran, dtype = _HEADERS[version](file)
     check_type(path, KEY, dtype)
     check(shape)
-    if fortran and len(shape) > 1:
-        blocks: Iterable[NDArray[Any]] = _read_all(file, shape, dtype)
-    else:
-        count = -(-shape[0] // _frames_a_block(shape, dtype))
-        blocks = progress(_read_blocks(file, shape, dtype), "reading light", count)
-    return _gather(path, shape, blocks)
+    if fortran:  # one block: the first axis is scattered over the whole file
+        flat = np.frombuffer(_exactly(file, dtype.itemsize * math.prod(shape)), dtype)
+        return _gather(path, shape, [flat.reshape(shape[::-1]).T])
+    each = dtype.itemsize * math.prod(shape[1:])
+    step = max(1, _BLOCK_BYTES // max(each, 1))
 
+    def blocks() -> Iterator[NDArray[Any]]:
+        for start in range(0, shape[0], step):
+            count = min(step, shape[0] - start)
+            yield np.frombuffer(_exactly(file, count * each), dtype).reshape(count, *shape[1:])
 
-def _read_blocks(
-    file: IO[bytes], shape: tuple[int, ...], dtype: np.dtype[Any]
-) -> Iterator[NDArray[Any]]:
-    """Parts of the array along its first axis, each of some megabytes."""
-    inner = shape[1:]
-    each = dtype.itemsize * int(np.prod(inner))
-    step = _frames_a_block(shape, dtype)
-    for start in range(0, shape[0], step):
-        count = min(step, shape[0] - start)
-        yield np.frombuffer(_exactly(file, count * each), dtype).reshape(count, *inner)
-
-
-def _frames_a_block(shape: tuple[int, ...], dtype: np.dtype[Any]) -> int:
-    return max(1, _BLOCK_BYTES // max(dtype.itemsize * int(np.prod(shape[1:])), 1))
-
-
-def _read_all(file: IO[bytes], shape: tuple[int, ...], dtype: np.dtype[Any]) -> list[NDArray[Any]]:
-    """A column-major array, as one block: its first axis is scattered over the whole file."""
-    flat = np.frombuffer(_exactly(file, dtype.itemsize * int(np.prod(shape))), dtype)
-    return [flat.reshape(shape[::-1]).T]
+    return _gather(path, shape, progress(blocks(), "reading light", -(-shape[0] // step)))
 
 
 def _exactly(file: IO[bytes], count: int) -> bytes:

@@ -74,12 +74,9 @@ def _electrons(spec: str, text: str) -> float:
 
 def _unknown(spec: str, name: str) -> Exception:
     near = name if name in NAMES else closest(name, NAMES)
+    help_text = f"did you mean builtin:{near}?" if near else "choose one of these, or name a file"
     if near == "flat":
         help_text = "did you mean builtin:flat:10000 (10000 electrons over the whole frame)?"
-    elif near:
-        help_text = f"did you mean builtin:{near}?"
-    else:
-        help_text = "choose one of these, or name a file"
     return rejected(
         "NS0731",
         f"there is no scene '{spec[:80]}'",

@@ -29,7 +29,10 @@ def landscape(rows: int, cols: int) -> NDArray[np.float32]:
         _ridge(picture, x, y, (height, roughness, level), 20 + 7 * number, pixel)
     _lake(picture, x, y)
     _bank(picture, x, y, pixel)
-    _end_points(picture, x, y)
+    # The pixel nearest to the sun is sun, and one of the bank is deepest shadow, at any size.
+    picture[np.argmin(np.abs(y - _SUN[1])), np.argmin(np.abs(x - _SUN[0]))] = _SUN_LEVEL
+    if picture.size > 1:
+        picture[-1, 0] = _DARKEST
     return picture.astype(np.float32)
 
 
@@ -107,9 +110,3 @@ def _box(x: Field, y: Field, sides: tuple[float, float, float, float], pixel: fl
     down = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(y - top, bottom - y))
     result: Field = across[None, :] * down[:, None]
     return result
-
-
-def _end_points(picture: Field, x: Field, y: Field) -> None:
-    """The pixel nearest to the sun is sun, and one of the bank is deepest shadow, at any size."""
-    picture[np.argmin(np.abs(y - _SUN[1])), np.argmin(np.abs(x - _SUN[0]))] = _SUN_LEVEL
-    picture[-1, 0] = _DARKEST if picture.size > 1 else picture[-1, 0]

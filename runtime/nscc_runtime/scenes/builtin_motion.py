@@ -14,6 +14,9 @@ from nscc_runtime.scenes import timing
 from nscc_runtime.scenes.exposure import Exposure
 from nscc_runtime.scenes.shapes import Field, fractal, hashed, turn
 
+Picture = NDArray[np.float32]
+Point = tuple[float, float]
+
 _FEWEST, _MOST = 64, 256
 """Pictures of the clip: fewer would jump, more would cost a gigabyte for thousands of slots."""
 
@@ -49,7 +52,7 @@ def frames(count: int, rows: int, cols: int) -> NDArray[np.float32]:
     return clip
 
 
-def _wall(x: Field, y: Field) -> NDArray[np.float32]:
+def _wall(x: Field, y: Field) -> Picture:
     """Bricks in side light."""
     course = np.floor(y * 16.0)
     along = x[None, :] * 7.0 + 0.5 * (course % 2)[:, None]
@@ -70,14 +73,7 @@ def _span(axis: Field, low: float, high: float) -> slice:
     return slice(int(np.searchsorted(axis, low)), int(np.searchsorted(axis, high, side="right")))
 
 
-def _train(
-    picture: NDArray[np.float32],
-    x: Field,
-    y: Field,
-    phase: float,
-    half: tuple[float, float],
-    pixel: float,
-) -> None:
+def _train(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel: float) -> None:
     """Coaches with lit windows run along the lower edge from left to right."""
     rows = _span(y, half[1] - 0.22, half[1] - 0.05)
     u = (x - (phase * 1.5 - 0.75) * (2 * half[0] + 0.6)) * 9.0
@@ -106,7 +102,7 @@ class _Wheel:
         self.reach = 0.9 * radius - r
         self.radius, self.pixel = radius, pixel
 
-    def draw(self, picture: NDArray[np.float32], phase: float) -> None:
+    def draw(self, picture: Picture, phase: float) -> None:
         shape = self.still
         for spoke in range(5):
             c, s = turn(phase * 1.5 + spoke / 5)
@@ -121,14 +117,7 @@ class _Wheel:
         part += (glint - part) * cover
 
 
-def _ball(
-    picture: NDArray[np.float32],
-    x: Field,
-    y: Field,
-    phase: float,
-    half: tuple[float, float],
-    pixel: float,
-) -> None:
+def _ball(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel: float) -> None:
     """A ball bounces three times on its way from right to left."""
     radius = 0.075
     bounce = (phase * 3.0) % 1.0
@@ -144,9 +133,7 @@ def _ball(
     picture[rows, cols] += (lit + gloss - picture[rows, cols]) * cover
 
 
-def _spark(
-    picture: NDArray[np.float32], x: Field, y: Field, phase: float, half: tuple[float, float]
-) -> None:
+def _spark(picture: Picture, x: Field, y: Field, phase: float, half: Point) -> None:
     """A point of light runs a loop twice as fast one way as the other."""
     cx, cy = 0.75 * half[0] * turn(phase)[0], -0.25 + 0.17 * turn(2.0 * phase)[1]
     rows, cols = _span(y, cy - 0.09, cy + 0.09), _span(x, cx - 0.09, cx + 0.09)

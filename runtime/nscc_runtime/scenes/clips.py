@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -55,8 +56,7 @@ def _read_gif(path: Path) -> Iterator[NDArray[Any]]:
     except Exception as error:  # Pillow's plugins raise what they like
         raise damaged(path, error) from error
     with image:
-        number = 0
-        while True:
+        for number in count():
             try:
                 image.seek(number)
                 frame = np.asarray(image.convert("RGB"))
@@ -65,4 +65,3 @@ def _read_gif(path: Path) -> Iterator[NDArray[Any]]:
             except Exception as error:
                 raise damaged(path, f"frame {number}: {error}") from error
             yield frame
-            number += 1

@@ -108,13 +108,12 @@ def files_of(folder: Path) -> list[Path]:
             notes=(f"{len(names)} other files; pictures end in {', '.join(PICTURES)}",),
             helps=("name the folder that holds the clip's frames",),
         )
-    linear = [path.name for path in pictures if default_transfer(path) == "linear"]
-    display = [path.name for path in pictures if default_transfer(path) == "srgb"]
-    if linear and display:
+    first = {default_transfer(path): path.name for path in reversed(pictures)}
+    if len(first) > 1:
         raise rejected(
             "NS0739",
-            f"the folder '{folder}' mixes linear pictures ({linear[0]}) and display ones "
-            f"({display[0]})",
+            f"the folder '{folder}' mixes linear pictures ({first['linear']}) and display ones "
+            f"({first['srgb']})",
             helps=("a clip is one kind: put the others into a folder of their own",),
         )
     return pictures

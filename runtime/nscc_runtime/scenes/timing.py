@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import accumulate
 from math import ceil
 
 import numpy as np
@@ -31,14 +32,8 @@ class Overlaps:
 
 def slot_edges_us(slot_us: Sequence[float]) -> list[Fraction]:
     """The N + 1 boundaries of the slots, exact: lengths are the decimals that they print as."""
-    edges = [Fraction(0)]
-    known: dict[float, Fraction] = {}
-    for length in slot_us:
-        exact = known.get(length)
-        if exact is None:
-            exact = known[length] = Fraction(repr(float(length)))
-        edges.append(edges[-1] + exact)
-    return edges
+    exact = {length: Fraction(repr(float(length))) for length in set(slot_us)}
+    return [*accumulate((exact[length] for length in slot_us), initial=Fraction(0))]
 
 
 def frames_needed(slot_us: Sequence[float], fps: Fraction) -> int:
@@ -83,14 +78,8 @@ def spread(frames: NDArray[np.float32], parts: Overlaps, wanted: Exposure, name:
     for frame, time_s in zip(frames, share, strict=True):
         open_sum += frame * time_s
     factor = scale(open_sum, wanted, name)
-    return Light(
-        frames=frames,
-        row_start=parts.row_start,
-        frame_index=parts.frame_index,
-        weight=parts.seconds * factor,
-        kind="clip",
-        exposure_scale_e=factor,
-    )
+    weight = parts.seconds * factor
+    return Light(frames, parts.row_start, parts.frame_index, weight, "clip", factor)
 
 
 def with_motion(
@@ -136,16 +125,14 @@ def too_short(name: Path_or_name, have: int, need: int, slots: int, fps: float |
     """The clip has fewer frames than the slots take (NS0735)."""
     if fps is None:
         why = f"{slots} slots take one frame each"
-        helps = (
-            "use a longer clip, a program with fewer slots, or give the clip's frame rate: --fps F",
-        )
+        ways = "a program with fewer slots, or give the clip's frame rate: --fps F"
     else:
         why = f"the {slots} slots last {need} frames at {fps:g} frames a second"
-        helps = ("use a longer clip, a lower --fps, or a program with a shorter frame",)
+        ways = "a lower --fps, or a program with a shorter frame"
     return rejected(
         "NS0735",
         f"the clip '{name}' has {have} frame{'' if have == 1 else 's'}, {need} are needed",
         notes=(why,),
-        helps=helps,
+        helps=(f"use a longer clip, {ways}",),
         data={"frames": have, "needed": need},
     )

@@ -25,12 +25,11 @@ from nscc_runtime.tradeoff.naive import Naive, floor_ms
 
 REFERENCE, OTHER_DRAWS, SUMMED, DRAWN = "reference", "reference redrawn", "f32", "per-slot"
 PLANNED, WITH_PLANNING = "planned", "planned with planning"
+_ORDER = (REFERENCE, OTHER_DRAWS, SUMMED, DRAWN, PLANNED, WITH_PLANNING)
 ELECTRONS, LSB = "e", "lsb"
 
 _POOLED, _MOST_POOLED = 65536, 64
 """Frames of few pixels are taken together until there are as many samples, or as many frames."""
-
-TOLERANCES_E = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
 
 PROGRAM = """nsl 1
 frame 16 slots of 1ms
@@ -58,7 +57,7 @@ class Settings:
     64; times are medians of `repeats`.
     """
 
-    tolerances_e: tuple[float, ...] = TOLERANCES_E
+    tolerances_e: tuple[float, ...] = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
     budget_e: float = 5.0
     frames: int = 2
     repeats: int = 5
@@ -165,26 +164,22 @@ class _Bench:
                 seed=settings.seed, device_seed=settings.device_seed, count=count,
             )
         )  # fmt: skip
-        spent = self.times_ms[REFERENCE, "all"] = []
         for _ in range(count):
-            begin = perf_counter()
-            self.truth.append(next(made))
-            spent.append((perf_counter() - begin) * 1e3)
-        self.times_ms[OTHER_DRAWS, "all"] = spent
+            self._timed(REFERENCE, "all", lambda: self.truth.append(next(made)))
+        self.times_ms[OTHER_DRAWS, "all"] = self.times_ms[REFERENCE, "all"]
         self.errors[REFERENCE, "all"] = (0.0, 0.0)
         self.errors[OTHER_DRAWS, "all"] = error(self.truth[1:], self.truth[:-1])
-        self._error(SUMMED, "none", [self.naive.summed()] * count)
+        self.errors[SUMMED, "none"] = error([self.naive.summed()] * count, self.truth)
         try:
             drawn = [self.naive.drawn(settings.seed + i) for i in range(count)]
-            self._error(DRAWN, self.counted, drawn)
+            self.errors[DRAWN, self.counted] = error(drawn, self.truth)
         except ValueError as wrong:
             self.missing.append((DRAWN, f"numpy cannot draw this light: {wrong}"))
         for tolerance_e in settings.tolerances_e:
             setting = f"{tolerance_e:g}e"
             plan = self.plans[setting] = self._plan(tolerance_e)
-            found = list(self._planned(plan, count))
-            self._error(PLANNED, setting, found)
-            self._error(WITH_PLANNING, setting, found)
+            found = error(list(self._planned(plan, count)), self.truth)
+            self.errors[PLANNED, setting] = self.errors[WITH_PLANNING, setting] = found
 
     def time(self) -> None:
         """One frame of every method but the reference."""
@@ -201,7 +196,7 @@ class _Bench:
 
     def study(self, gb_per_s: float) -> Study:
         """What was found."""
-        light, errors = self.scene.light, self.errors
+        light, errors, rank = self.scene.light, self.errors, _ORDER.index
         points = [
             Point(self.scene.name, *key, errors[key][i], unit, tuple(self.times_ms[key]))
             for i, unit in enumerate((ELECTRONS, LSB))
@@ -210,16 +205,13 @@ class _Bench:
         asked = (Asked(plan, *errors[PLANNED, setting]) for setting, plan in self.plans.items())
         return Study(
             self.scene.name,
-            tuple(sorted(points, key=lambda p: (p.error_unit != ELECTRONS, _ORDER[p.method]))),
+            tuple(sorted(points, key=lambda p: (p.error_unit != ELECTRONS, rank(p.method)))),
             tuple(asked),
             *errors[OTHER_DRAWS, "all"],
             floor_ms(light, gb_per_s),
             self._plan(self.settings.budget_e),
             tuple(self.missing),
         )
-
-    def _error(self, method: str, setting: str, found: Sequence[Frame]) -> None:
-        self.errors[method, setting] = error(found, self.truth)
 
     def _timed(self, method: str, setting: str, run: Callable[[], object]) -> None:
         begin = perf_counter()
@@ -243,12 +235,6 @@ def unknown(light: Light) -> Light:
     """The same light, without what has been found out about it."""
     motion = light.motion
     return replace(light, motion=None if motion is None else unknown(motion))
-
-
-_ORDER = {
-    name: i
-    for i, name in enumerate((REFERENCE, OTHER_DRAWS, SUMMED, DRAWN, PLANNED, WITH_PLANNING))
-}
 
 
 def error(found: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float]:
