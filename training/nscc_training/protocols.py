@@ -43,6 +43,4 @@ def load_protocol(name: str) -> Protocol:
 
 def _folder() -> Path:
     installed = Path(__file__).with_name("protocol_files")
-    if installed.is_dir():
-        return installed
-    return Path(__file__).resolve().parents[1] / "protocols"
+    return installed if installed.is_dir() else Path(__file__).resolve().parents[1] / "protocols"

@@ -109,8 +109,7 @@ def flops(module: nn.Module, slots: int, rows: int, cols: int) -> int:
     """Floating-point operations, multiplications and additions each, for one frame of that size."""
     from torch.utils.flop_counter import FlopCounterMode
 
-    first = next(module.parameters(), None)
-    device = torch.device("cpu") if first is None else first.device
+    device = next((p.device for p in module.parameters()), torch.device("cpu"))
     with FlopCounterMode(display=False) as counter, torch.no_grad():
         module(
             torch.zeros(1, rows, cols, device=device),

@@ -95,11 +95,10 @@ def scored(
 
 @dataclass(frozen=True)
 class Subject:
-    """What was evaluated: a method's name and settings, its stage and what it costs."""
+    """What was evaluated, with hard shutters: a method's name and settings, and what it costs."""
 
     method: str
     settings: dict[str, Any]
-    stage: str = "hard"
     sees: str = "capture"
     decoder_ms: float | None = None
     device: str = "cpu"
@@ -136,7 +135,7 @@ def result(
         "method": subject.method,
         "settings": subject.settings,
         "sees": subject.sees,
-        "stage": subject.stage,
+        "stage": "hard",
         "data": [stamp(path) for path in files],
         "data_range": protocol["data_range"],
         "domain": protocol["domain"],
@@ -175,8 +174,7 @@ def read_result(path: Path) -> dict[str, Any]:
     """A result that `nscc evaluate` wrote; Rejected (NS0807) for another file."""
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
-        good = isinstance(found, dict) and found.get("schema") == SCHEMA
-        if good:
+        if isinstance(found, dict) and found.get("schema") == SCHEMA:
             if not isinstance(found.get("mean"), int | float | None):
                 raise ValueError("its mean is no number")
             _ = [str(entry["sha256"]) for entry in found.get("data", ())]

@@ -112,11 +112,11 @@ def evaluate_sci8(
             notes=(f"the methods are {', '.join(METHODS)}",),
             helps=("a trained decoder is evaluated by the name of its run folder",),
         )
-    if chosen.name in ("gap-tv", "admm-tv"):
+    if method in ("gap-tv", "admm-tv"):
         from nscc_training.baselines.loops import denoise
 
         denoise.load()  # compiled or loaded now: it is no part of a clip's time
-    if chosen.name == "dictionary":
+    if method == "dictionary":
         made_dictionary(int(protocol["frames"]))  # learned now, for the same reason
     items: list[Item] = []
     arrays: dict[str, NDArray[Any]] = {}
@@ -135,10 +135,8 @@ def evaluate_sci8(
         arrays[f"{called[path.name]}_truth"] = clip.orig
         for k, (frame, wanted) in enumerate(zip(scaled, clip.orig, strict=True)):
             items.append(Item(path.name, None, k, frame_scores(wanted, frame, top)))
-    settings = {"iterations": iterations, "weight": weight} if chosen.name.endswith("-tv") else {}
-    subject = Subject(
-        chosen.name, settings, stage="hard", sees=chosen.sees, decoder_ms=1e3 * spent / len(paths)
-    )
+    settings = {"iterations": iterations, "weight": weight} if method.endswith("-tv") else {}
+    subject = Subject(method, settings, sees=chosen.sees, decoder_ms=1e3 * spent / len(paths))
     return result(protocol, subject, paths, items), arrays
 
 

@@ -38,11 +38,11 @@ def _file_digests(parts: Parts) -> dict[str, str]:
 
 def tensors_of(parts: Parts) -> dict[str, Tensor]:
     """Copies of the parameters of encoder and decoder, by name."""
-    found = {}
-    for name, module in (("encoder", parts.encoder), ("decoder", parts.decoder)):
-        for key, value in module.state_dict().items():
-            found[f"{name}.{key}"] = value.detach().clone().contiguous()
-    return found
+    return {
+        f"{name}.{key}": value.detach().clone().contiguous()
+        for name, module in (("encoder", parts.encoder), ("decoder", parts.decoder))
+        for key, value in module.state_dict().items()
+    }
 
 
 def set_tensors(parts: Parts, tensors: dict[str, Tensor]) -> None:

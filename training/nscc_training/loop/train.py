@@ -21,14 +21,7 @@ from nscc_training.loop.artifacts import artifacts, environment, lines_of
 from nscc_training.loop.ranks import Ranks
 from nscc_training.loop.setup import Parts, make_parts
 from nscc_training.loop.state import CHECKPOINT, Progress, packed, set_tensors, tensors_of, unpack
-from nscc_training.loop.steps import (
-    decoded,
-    finite_norm,
-    generator_of,
-    loss_of,
-    scored,
-    window,
-)
+from nscc_training.loop.steps import decoded, finite_norm, generator_of, loss_of, scored, window
 from nscc_training.loop.trials import pull, trial_of
 from nscc_training.programs import TARGET_FILE, compiled, program_of, words_per_slot
 from nscc_training.settings import Settings
@@ -101,8 +94,7 @@ def _start(settings: Settings, out: Path, resume: str, ranks: Ranks) -> Run:
     checkpoint = _checkpoint(out, resume)
     if checkpoint is not None:
         run.progress = unpack(checkpoint, parts, scenes, run.optimiser)
-        rows = _rows(checkpoint.parent / METRICS, run.progress.step)
-        run.rows = rows or run.rows
+        run.rows = _rows(checkpoint.parent / METRICS, run.progress.step) or run.rows
     return run
 
 
@@ -141,16 +133,16 @@ def _rows(path: Path, step: int) -> list[str]:
 
 def _optimiser(parts: Parts) -> torch.optim.Optimizer:
     settings = parts.settings
-    groups = [{"params": list(parts.decoder.parameters()), "base": settings.train.rate}]
+    groups = [(list(parts.decoder.parameters()), settings.train.rate)]
     if settings.shutter.learn:
         spans = {id(p): high - low for p, (low, high) in parts.encoder.ranges()}
         for parameter in parts.encoder.parameters():
             span = spans.get(id(parameter), 1.0)
-            groups.append({"params": [parameter], "base": settings.train.code_rate * span})
+            groups.append(([parameter], settings.train.code_rate * span))
     else:
         parts.encoder.requires_grad_(False)
-    groups = [group for group in groups if group["params"]]
-    return torch.optim.Adam([{**group, "lr": group["base"]} for group in groups], fused=True)
+    made = [{"params": group, "base": rate, "lr": rate} for group, rate in groups if group]
+    return torch.optim.Adam(made, fused=True)
 
 
 def _steps(
@@ -242,11 +234,9 @@ def anneal(parts: Parts, step: int) -> None:
 def set_rates(run: Run, step: int) -> None:
     """The learning rates of a step."""
     settings = run.parts.settings.train
-    factor = 1.0
-    if settings.schedule == "cosine":
-        factor = 0.5 * (1 + math.cos(math.pi * step / settings.steps))
+    cosine = 0.5 * (1 + math.cos(math.pi * step / settings.steps))
     for group in run.optimiser.param_groups:
-        group["lr"] = group["base"] * factor
+        group["lr"] = group["base"] * (cosine if settings.schedule == "cosine" else 1.0)
 
 
 def _validate(run: Run, losses: list[float], report: Callable[[str], None]) -> None:
