@@ -53,7 +53,6 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     """Import a public name's module when it is first asked for."""
-    place = _PLACES.get(name)
-    if place is None:
+    if name not in _PLACES:
         raise AttributeError(f"module 'nscc_training' has no attribute '{name}'")
-    return getattr(import_module(f"nscc_training.{place}"), name)
+    return getattr(import_module(f"nscc_training.{_PLACES[name]}"), name)

@@ -50,21 +50,6 @@ def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
             )
 
 
-def check_data_range(data_range: float) -> None:
-    """Raises Rejected (NS0803) for a data range that is no number above 0, or one so small or
-    large that its squares are not."""
-    if not 1 / LARGEST <= data_range <= LARGEST:
-        raise rejected(
-            "NS0803",
-            f"{data_range:g} is no data range",
-            notes=(
-                "the data range is the peak that PSNR and SSIM count errors against, a number "
-                f"above 0, from {1 / LARGEST:g} to {LARGEST:g}",
-            ),
-            helps=("255 for 8-bit values, 1 for values on [0, 1], a full well for electrons",),
-        )
-
-
 def measures(
     truth: NDArray[Any], result: NDArray[Any], data_range: float, nits: float = NITS
 ) -> dict[str, Any]:
@@ -125,9 +110,19 @@ def measure_files(
     """Every metric of two files, as JSON values, with the files' names and digests.
 
     They hold pictures (rows, cols) or clips (T, rows, cols), by the given keys where they hold
-    several arrays. Raises Rejected for files and values that metrics cannot be taken of.
+    several arrays. Raises Rejected for files and values that metrics cannot be taken of, NS0803
+    for a data range that is no number above 0, or one whose squares are not.
     """
-    check_data_range(data_range)
+    if not 1 / LARGEST <= data_range <= LARGEST:
+        raise rejected(
+            "NS0803",
+            f"{data_range:g} is no data range",
+            notes=(
+                "the data range is the peak that PSNR and SSIM count errors against, a number "
+                f"above 0, from {1 / LARGEST:g} to {LARGEST:g}",
+            ),
+            helps=("255 for 8-bit values, 1 for values on [0, 1], a full well for electrons",),
+        )
     arrays = [
         read_picture_or_clip(path, key) for path, key in ((truth, truth_key), (result, result_key))
     ]

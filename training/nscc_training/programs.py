@@ -79,8 +79,7 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
     the compiler refuses one that is not the array.
     """
     packed = codes_bytes(codes) if codes else b""
-    lines = [f"# {line}" for line in remark.splitlines()]
-    lines += ["nsl 1", ""]
+    lines = [*(f"# {line}" for line in remark.splitlines()), "nsl 1", ""]
     # A file's path is relative to where the user works, not to the program: it is an option of
     # the compiler then, not part of the text.
     if chip.file is None:
@@ -96,8 +95,7 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
         lines.append(f"require {chip.require}")
     fields = [name for name in codes if name != "book"]
     if fields:
-        lines.append("")
-        lines += _pixels(spec, codes, fields, packed)
+        lines += ["", *_pixels(spec, codes, fields, packed)]
     return ProgramFiles("\n".join(lines) + "\n", packed)
 
 

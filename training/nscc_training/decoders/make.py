@@ -111,8 +111,6 @@ def flops(module: nn.Module, slots: int, rows: int, cols: int) -> int:
 
     device = next((p.device for p in module.parameters()), torch.device("cpu"))
     with FlopCounterMode(display=False) as counter, torch.no_grad():
-        module(
-            torch.zeros(1, rows, cols, device=device),
-            torch.ones(slots, rows, cols, device=device),
-        )
+        frame = torch.zeros(1, rows, cols, device=device)
+        module(frame, torch.ones(slots, rows, cols, device=device))
     return int(counter.get_total_flops())

@@ -20,7 +20,7 @@ from nscc_training.measures import decibels
 from nscc_training.metrics import WINDOW
 from nscc_training.problems import said
 from nscc_training.protocols import Protocol, load_protocol
-from nscc_training.scene_files import files_in, labels
+from nscc_training.scene_files import labels, protocol_files
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,15 +35,10 @@ class SciClip:
 
 def sci_clips(where: Path) -> list[Path]:
     """The clips of a folder by name, or the one that is named; Rejected (NS0811) without any."""
-    found = files_in(where, (".mat",)) if where.is_dir() else [where]
-    if not found or not found[0].is_file():
-        raise rejected(
-            "NS0811",
-            f"'{where}' holds no data for protocol sci8",
-            notes=("clips end in .mat",),
-            helps=("name a folder of the benchmark's clips, or one of them",),
-        )
-    return found
+    if where.is_file():
+        return [where]
+    wanted = "the benchmark's clips, or one of them"
+    return protocol_files(where, (".mat",), "sci8", "clips end in", wanted)
 
 
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:

@@ -26,7 +26,7 @@ from nscc_training.losses import LOSSES, Loss
 from nscc_training.programs import MOST_LISTED, Chip
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel
-from nscc_training.settings import SensorSettings, Settings, ShutterSettings
+from nscc_training.settings import Settings, ShutterSettings
 
 _STARTS = ("random", "uniform", "quad", "learned")
 
@@ -77,7 +77,11 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     protocol = load_protocol(settings.data.protocol)
     still = protocol.name == "hdr-v1"
     encoder = _encoder(chosen, chip, target, seed)
-    check_shutters(encoder, chip, every_code=chosen.codes == "open")
+    if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
+        # Codes of so many bits cannot be: the compiler says why.
+        one = np.zeros(encoder.spec.tile, np.int64)
+        programs.compiled(programs.program(encoder.spec, {"bits": one}, chip), chip)
+    programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     sensor = default_sensor(target)
     if settings.sensor.file:
         path = Path(settings.sensor.file)
@@ -98,20 +102,15 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
         raise _wrong("shutter.learn", "neither the decoder nor the shutters have anything to learn")
     device = _device(settings.train.device)
+    # The sensor's own numbers where a file is named, else the protocol's where it has some.
+    fixed = not settings.sensor.file and "full_well_e" in protocol.values
+    model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
+    model = model if settings.sensor.noise else model.noiseless()
     return Parts(
         settings, protocol, still, chip, target, sensor,
-        _model(settings.sensor, sensor, target, protocol), encoder.to(device),
-        decoder.to(device), _loss(settings.loss.name), device,
-        files,
+        replace(model, slope=settings.sensor.slope), encoder.to(device), decoder.to(device),
+        _loss(settings.loss.name), device, files,
     )  # fmt: skip
-
-
-def check_shutters(encoder: Encoder, chip: Chip, *, every_code: bool) -> None:
-    """Rejected with the compiler's own errors where the encoder's shutters do not compile."""
-    if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
-        one = np.zeros(encoder.spec.tile, np.int64)
-        programs.compiled(programs.program(encoder.spec, {"bits": one}, chip), chip)
-    programs.compiled(programs.program_of(encoder, chip), chip, every_code=every_code)
 
 
 def _encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
@@ -144,15 +143,6 @@ def _encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> 
             reason = f"the codes of '{chosen.init}' do not fit: {error}"
             raise _wrong("shutter.init", reason) from error
     return encoder
-
-
-def _model(
-    chosen: SensorSettings, sensor: Sensor, target: Target, protocol: Protocol
-) -> SensorModel:
-    """The sensor's own numbers where a file is named, else the protocol's where it has some."""
-    fixed = not chosen.file and "full_well_e" in protocol.values
-    model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
-    return replace(model if chosen.noise else model.noiseless(), slope=chosen.slope)
 
 
 def _loss(names: str) -> Loss:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -70,7 +71,13 @@ def train(
             )
         run = _start(settings, out, resume, ranks)
         if ranks.first:
-            _write_heads(run, out)
+            out.mkdir(parents=True, exist_ok=True)
+            write_together({
+                out / "config.resolved.toml": config_toml(settings).encode(),
+                out / "split.json": lines_of(run.scenes.split()),
+                out / "environment.json": lines_of(environment(run.parts)),
+                **{out / name: data for name, data in run.parts.files.items()},
+            })  # fmt: skip
         _steps(run, out, track if ranks.first else unseen, report, stop_after)
         if ranks.first and run.progress.step >= settings.train.steps:
             _finish(run, out)
@@ -246,7 +253,12 @@ def _validate(run: Run, losses: list[float], report: Callable[[str], None]) -> N
     settings = parts.settings
     dead = parts.encoder.dead_share() if codes_learn(settings, step - 1) else None
     run.rows.append(row(step, "train", sum(losses) / len(losses), None, None, None, dead))
-    words = true_words(parts)
+    words = None
+    with suppress(Rejected):
+        words = words_per_slot(compiled(
+            program_of(parts.encoder, parts.chip), parts.chip,
+            every_code=settings.shutter.codes == "open",
+        ))  # fmt: skip
     found = scored(parts, run.batches.val(), parts.encoder.hard(), parts.model,
                    settings.train.seed)  # fmt: skip
     run.rows.append(row(step, "val", found.loss, found.psnr_db, found.ssim, words, dead))
@@ -257,31 +269,9 @@ def _validate(run: Run, losses: list[float], report: Callable[[str], None]) -> N
         run.progress.best = tensors_of(parts)
 
 
-def true_words(parts: Parts) -> float | None:
-    """Words a slot of the shutters as they are now, compiled; None where they do not compile."""
-    try:
-        return words_per_slot(compiled(
-            program_of(parts.encoder, parts.chip), parts.chip,
-            every_code=parts.settings.shutter.codes == "open",
-        ))  # fmt: skip
-    except Rejected:
-        return None
-
-
 def row(step: int, split: str, *values: float | None) -> str:
     """A line of metrics.csv; what is not known stays empty."""
     return ",".join([str(step), split, *("" if v is None else repr(float(v)) for v in values)])
-
-
-def _write_heads(run: Run, out: Path) -> None:
-    """What is known before the first step."""
-    out.mkdir(parents=True, exist_ok=True)
-    write_together({
-        out / "config.resolved.toml": config_toml(run.parts.settings).encode(),
-        out / "split.json": lines_of(run.scenes.split()),
-        out / "environment.json": lines_of(environment(run.parts)),
-        **{out / name: data for name, data in run.parts.files.items()},
-    })  # fmt: skip
 
 
 def _finish(run: Run, out: Path) -> None:
