@@ -73,14 +73,17 @@ def measures(
     if truth.ndim == 3:
         found["sd_db"] = scores.sd
         found["frames"] = [
-            {
-                "frame": k,
-                "psnr_db": decibels(metrics.psnr(a, b, data_range)),
-                "ssim": metrics.ssim(a, b, data_range),
-            }
-            for k, (a, b) in enumerate(frames)
+            {"frame": k, **frame_scores(a, b, data_range)} for k, (a, b) in enumerate(frames)
         ]
     return found
+
+
+def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -> dict[str, Any]:
+    """The metrics of one frame that every clip's result has, as JSON values."""
+    return {
+        "psnr_db": decibels(metrics.psnr(truth, result, data_range)),
+        "ssim": metrics.ssim(truth, result, data_range),
+    }
 
 
 def stamp(path: Path) -> dict[str, str]:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nscc_training import metrics
 from nscc_training.evaluation.results import Item, Scene, Unusable
-from nscc_training.measures import decibels, number
+from nscc_training.measures import decibels, frame_scores, number
 from nscc_training.metrics import mean_square_error, psnr_of_mse
 from nscc_training.protocols import Protocol
 from nscc_training.scene_files import protocol_files
@@ -39,8 +39,7 @@ class Crop(Scene):
         truth, result = (np.clip(x / peak, 0.0, 1.0) for x in (truth_e, result_e))
         well = float(protocol["full_well_e"])
         found: dict[str, Any] = {
-            "psnr_db": decibels(metrics.psnr(truth, result, 1.0)),
-            "ssim": metrics.ssim(truth, result, 1.0),
+            **frame_scores(truth, result, 1.0),
             "mu_psnr_db": decibels(metrics.mu_psnr(truth, result, 1.0, protocol["mu"])),
             "pu21_psnr_db": decibels(metrics.pu21_psnr(truth, result, 1.0, protocol["pu21_nits"])),
         }

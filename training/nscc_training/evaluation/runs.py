@@ -19,7 +19,8 @@ from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.evaluation import hdr, video
 from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
-from nscc_training.evaluation.sci8 import frame_scores, read_sci_clip, sci_clips
+from nscc_training.evaluation.sci8 import read_sci_clip, sci_clips
+from nscc_training.measures import frame_scores
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
 from nscc_training.sensor_model import frame_of, laid

@@ -11,12 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training import metrics
 from nscc_training.baselines.dictionary import made_dictionary
 from nscc_training.baselines.sci import METHODS
 from nscc_training.baselines.tv import Clip
 from nscc_training.evaluation.results import Item, Subject, result
-from nscc_training.measures import decibels
+from nscc_training.measures import frame_scores
 from nscc_training.metrics import WINDOW
 from nscc_training.problems import said
 from nscc_training.protocols import Protocol, load_protocol
@@ -81,14 +80,6 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     return SciClip(
         truth.astype(np.uint8), opened.astype(np.float32), (measured / scale).astype(np.float32)
     )
-
-
-def frame_scores(truth: NDArray[Any], made: NDArray[Any], top: float) -> dict[str, Any]:
-    """The protocol's metrics of one frame, as JSON values."""
-    return {
-        "psnr_db": decibels(metrics.psnr(truth, made, top)),
-        "ssim": metrics.ssim(truth, made, top),
-    }
 
 
 def evaluate_sci8(

@@ -135,8 +135,7 @@ def _held(folder: Path | None, places: Mapping[str, _Place]) -> list[dict[str, A
     """The results in a folder that are of the same protocols and files."""
     if folder is None:
         return []
-    hint = "`nscc evaluate ... -o DIR/NAME.json` writes them"
-    _check_folder(folder, "NS0807", "results", hint)
+    _check_folder(folder, "NS0807", "results", "`nscc evaluate ... -o DIR/NAME.json` writes them")
     found = []
     for path in sorted(folder.glob("*.json")):
         result = read_result(path)

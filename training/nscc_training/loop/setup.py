@@ -101,7 +101,10 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     learns = any(p.requires_grad for p in decoder.parameters())
     if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
         raise _wrong("shutter.learn", "neither the decoder nor the shutters have anything to learn")
-    device = _device(settings.train.device)
+    wanted, there = settings.train.device, torch.cuda.is_available()
+    if wanted == "cuda" and not there:
+        raise _wrong("train.device", "there is no CUDA device here")
+    device = torch.device("cuda" if wanted != "cpu" and there else "cpu")
     # The sensor's own numbers where a file is named, else the protocol's where it has some.
     fixed = not settings.sensor.file and "full_well_e" in protocol.values
     model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
@@ -170,12 +173,6 @@ def _own_loss(name: str) -> Loss:
         return found.reshape(())
 
     return loss
-
-
-def _device(name: str) -> torch.device:
-    if name == "cuda" and not torch.cuda.is_available():
-        raise _wrong("train.device", "there is no CUDA device here")
-    return torch.device("cuda" if name != "cpu" and torch.cuda.is_available() else "cpu")
 
 
 def _wrong(where: str, reason: object) -> Exception:

@@ -70,7 +70,11 @@ def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
         tile = run.parts.encoder.hard().cpu()
         key = (run.parts.still, run.parts.model, tuple(tile.shape), tile.numpy().tobytes())
         found.setdefault(key, []).append(run)
-    names = _short([together[0].path for together in found.values()])
+    # The shortest names that tell folders apart.
+    paths = [together[0].path for together in found.values()]
+    names = [path.resolve().name for path in paths]
+    if len(set(names)) < len(names):
+        names = [path.as_posix() for path in paths]
     return [
         _learned(together, name, settings)
         for together, name in zip(found.values(), names, strict=True)
@@ -158,12 +162,6 @@ def _captured(
         mask = laid(tile, *frame.shape).numpy().astype(np.float32)
         found.append(Taken(scene, frame, mask, model))
     return tuple(found)
-
-
-def _short(paths: Sequence[Path]) -> list[str]:
-    """The shortest names that tell folders apart."""
-    names = [path.resolve().name for path in paths]
-    return names if len(set(names)) == len(names) else [path.as_posix() for path in paths]
 
 
 def not_measured(folders: Sequence[RunFolder]) -> list[str]:
