@@ -20,7 +20,6 @@ EXPOSED = 256
 _POLES = 8
 """Such a part of a panorama's rows, at the top and at the bottom, is stretched as no lens does."""
 
-
 _Patch = tuple[NDArray[np.float32], NDArray[np.float32], float, str]
 
 

@@ -15,8 +15,6 @@ from nscc_training.sensor_model import laid, lifted
 
 LOG_FLOOR = 1e-3
 """Stills are predicted as log(1 + light / LOG_FLOOR)."""
-
-
 # The paper's networks begin with nothing; the small ones have no time for that.
 _GUESSES = {"paper": False, "small": True}
 

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.scenes.colour import linear
+from nscc_runtime.scenes.picture_files import read_picture
 from nscc_training import metrics
 from nscc_training.evaluation.results import Item, Scene, Unusable
 from nscc_training.measures import decibels, frame_scores, number
@@ -65,9 +67,6 @@ def crops(
     files: list[Path], protocol: Protocol, fraction: float | None = None
 ) -> Iterator[Crop | Unusable]:
     """The crops of panoramas, in order; those that cannot be used as `Unusable`."""
-    from nscc_runtime.scenes.colour import linear
-    from nscc_runtime.scenes.picture_files import read_picture
-
     rows, cols = protocol["panorama"]
     top, bottom = protocol["crop_rows"]
     size = int(protocol["crop_size"])
