@@ -208,7 +208,11 @@ def compare(
     scenes: dict[str, str] = {}
     for seed, pair in enumerate(pairs):
         _check_alike(pairs[0][0], *pair)
-        items = [_by_key(found) for found in pair]
+        # By what they are in other results too: file, corner of the crop, first frame.
+        items = [
+            {f"{each['file']} {each['crop']} {each['frame']}": each for each in found["items"]}
+            for found in pair
+        ]
         if not set(items[0]) & set(items[1]):
             raise rejected(
                 "NS0808",
@@ -261,8 +265,3 @@ def _check_metric(items: Sequence[dict[str, dict[str, Any]]], metric: str) -> No
             notes=(f"the first has {', '.join(known)}",),
             helps=("name one of them with --metric",),
         )
-
-
-def _by_key(found: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    """Items by what they are in other results too: file, corner of the crop, first frame."""
-    return {f"{each['file']} {each['crop']} {each['frame']}": each for each in found["items"]}

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_training.baselines.dictionary import made_dictionary
+from nscc_training.baselines.loops import denoise
 from nscc_training.baselines.sci import METHODS
 from nscc_training.baselines.tv import Clip
 from nscc_training.evaluation.results import Item, Subject, result
@@ -99,8 +100,6 @@ def evaluate_sci8(
             helps=("a trained decoder is evaluated by the name of its run folder",),
         )
     if method in ("gap-tv", "admm-tv"):
-        from nscc_training.baselines.loops import denoise
-
         denoise.load()  # compiled or loaded now: it is no part of a clip's time
     if method == "dictionary":
         made_dictionary(int(protocol["frames"]))  # learned now, for the same reason
