@@ -23,18 +23,13 @@ if TYPE_CHECKING:
     from nscc_training.programs import Chip, program_of
     from nscc_training.sensor_model import SensorModel, capture, lifted
 
-_PLACES = {
-    "Chip": "programs",
-    "Encoder": "encoders",
-    "SensorModel": "sensor_model",
-    "ShutterSpec": "encoders",
-    "capture": "sensor_model",
-    "lifted": "sensor_model",
-    "load_codes": "codes_files",
-    "make_encoder": "encoders",
-    "program_of": "programs",
-    "save_codes": "codes_files",
+_NAMES = {
+    "codes_files": ("load_codes", "save_codes"),
+    "encoders": ("Encoder", "ShutterSpec", "make_encoder"),
+    "programs": ("Chip", "program_of"),
+    "sensor_model": ("SensorModel", "capture", "lifted"),
 }
+"""What is public, by its module."""
 
 __all__ = [
     "Chip",
@@ -53,7 +48,7 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     """Import a public name's module when it is first asked for."""
-    place = _PLACES.get(name)
-    if place is None:
-        raise AttributeError(f"module 'nscc_training' has no attribute '{name}'")
-    return getattr(import_module(f"nscc_training.{place}"), name)
+    for module, names in _NAMES.items():
+        if name in names:
+            return getattr(import_module(f"nscc_training.{module}"), name)
+    raise AttributeError(f"module 'nscc_training' has no attribute '{name}'")

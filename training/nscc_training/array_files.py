@@ -119,9 +119,7 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
         return stored
     if suffix in LINEAR:
         return luminance(linear(stored, "linear"))
-    if np.array_equal(stored[..., 0], stored[..., 1]) and np.array_equal(
-        stored[..., 0], stored[..., 2]
-    ):
+    if (stored == stored[..., :1]).all():
         return stored[..., 0]
     raise rejected(
         "NS0801",

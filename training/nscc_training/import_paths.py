@@ -35,7 +35,7 @@ def imported(text: str, what: str) -> Any:
         raise rejected(
             "NS0812",
             f"the {what} '{text[:100]}' cannot be imported",
-            notes=(f"{type(error).__name__}: {' '.join(str(error).split())[:200]}",),
+            notes=(f"{type(error).__name__}: {said(error)}",),
             helps=("an import path is `module:name`, importable from the current folder",),
         ) from error
     finally:
@@ -59,9 +59,8 @@ def own_code(text: str, what: str) -> Iterator[None]:
         raise
     except Exception as error:  # the user's code may raise anything
         last = traceback.extract_tb(error.__traceback__)[-1]
-        words = said(error)
         place = f"{Path(last.filename).name}, line {last.lineno}"
-        raise own_failed(text, what, f"{type(error).__name__}: {words} ({place})") from error
+        raise own_failed(text, what, f"{type(error).__name__}: {said(error)} ({place})") from error
 
 
 def own_failed(text: str, what: str, reason: str) -> Rejected:

@@ -64,9 +64,7 @@ def _shape(generator: Generator, size: int) -> NDArray[np.bool_]:
     return np.asarray((u / height) ** 2 + (v / width) ** 2 < 1)
 
 
-def _sprite(
-    generator: Generator, size: int
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
     """Texture, mask, place and speed (pixels a frame) of a thing."""
     side = int(size * generator.uniform(0.2, 0.5))
     texture = _unit(_fractal(generator, side, 1.0))

@@ -50,21 +50,6 @@ def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
             )
 
 
-def check_data_range(data_range: float) -> None:
-    """Raises Rejected (NS0803) for a data range that is no number above 0, or one so small or
-    large that its squares are not."""
-    if not 1 / LARGEST <= data_range <= LARGEST:
-        raise rejected(
-            "NS0803",
-            f"{data_range:g} is no data range",
-            notes=(
-                "the data range is the peak that PSNR and SSIM count errors against, a number "
-                f"above 0, from {1 / LARGEST:g} to {LARGEST:g}",
-            ),
-            helps=("255 for 8-bit values, 1 for values on [0, 1], a full well for electrons",),
-        )
-
-
 def measures(
     truth: NDArray[Any], result: NDArray[Any], data_range: float, nits: float = NITS
 ) -> dict[str, Any]:
@@ -88,14 +73,17 @@ def measures(
     if truth.ndim == 3:
         found["sd_db"] = scores.sd
         found["frames"] = [
-            {
-                "frame": k,
-                "psnr_db": decibels(metrics.psnr(a, b, data_range)),
-                "ssim": metrics.ssim(a, b, data_range),
-            }
-            for k, (a, b) in enumerate(frames)
+            {"frame": k, **frame_scores(a, b, data_range)} for k, (a, b) in enumerate(frames)
         ]
     return found
+
+
+def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -> dict[str, Any]:
+    """The metrics of one frame that every clip's result has, as JSON values."""
+    return {
+        "psnr_db": decibels(metrics.psnr(truth, result, data_range)),
+        "ssim": metrics.ssim(truth, result, data_range),
+    }
 
 
 def stamp(path: Path) -> dict[str, str]:
@@ -125,9 +113,19 @@ def measure_files(
     """Every metric of two files, as JSON values, with the files' names and digests.
 
     They hold pictures (rows, cols) or clips (T, rows, cols), by the given keys where they hold
-    several arrays. Raises Rejected for files and values that metrics cannot be taken of.
+    several arrays. Raises Rejected for files and values that metrics cannot be taken of, NS0803
+    for a data range that is no number above 0, or one whose squares are not.
     """
-    check_data_range(data_range)
+    if not 1 / LARGEST <= data_range <= LARGEST:
+        raise rejected(
+            "NS0803",
+            f"{data_range:g} is no data range",
+            notes=(
+                "the data range is the peak that PSNR and SSIM count errors against, a number "
+                f"above 0, from {1 / LARGEST:g} to {LARGEST:g}",
+            ),
+            helps=("255 for 8-bit values, 1 for values on [0, 1], a full well for electrons",),
+        )
     arrays = [
         read_picture_or_clip(path, key) for path, key in ((truth, truth_key), (result, result_key))
     ]

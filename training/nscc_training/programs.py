@@ -79,20 +79,23 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
     the compiler refuses one that is not the array.
     """
     packed = codes_bytes(codes) if codes else b""
-    lines = [f"# {line}" for line in remark.splitlines()]
-    lines += ["nsl 1", ""]
+    lines = [*(f"# {line}" for line in remark.splitlines()), "nsl 1", ""]
     # A file's path is relative to where the user works, not to the program: it is an option of
     # the compiler then, not part of the text.
     if chip.file is None:
         lines.append(f"target {chip.target}")
-    lines += [f"frame {spec.slots} slots of {_time(chip.slot_us)}", ""]
-    lines += _rule(spec, codes, packed)
+    slot_us = f"{chip.slot_us:.6f}".rstrip("0").rstrip(".")
+    lines += [f"frame {spec.slots} slots of {slot_us}us", ""]
+    if spec.kind == "c":
+        lines.append(f"let len = {spec.length}")
+    elif spec.kind == "codebook":
+        lines += _book(codes["book"], packed)
+    lines += _RULES[spec.kind]
     if chip.require is not None:
         lines.append(f"require {chip.require}")
     fields = [name for name in codes if name != "book"]
     if fields:
-        lines.append("")
-        lines += _pixels(spec, codes, fields, packed)
+        lines += ["", *_pixels(spec, codes, fields, packed)]
     return ProgramFiles("\n".join(lines) + "\n", packed)
 
 
@@ -141,14 +144,6 @@ _RULES = {
 """The code's fields and when a pixel is open, by class."""
 
 
-def _rule(spec: ShutterSpec, codes: Codes, packed: bytes) -> list[str]:
-    """The rule of a class, after what it speaks of."""
-    before = [f"let len = {spec.length}"] if spec.kind == "c" else []
-    if spec.kind == "codebook":
-        before = _book(codes["book"], packed)
-    return [*before, *_RULES[spec.kind]]
-
-
 def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:
     if book.size > _MOST_DIGITS:
         return [f'shutters book from "{CODES_FILE}" sha256 "{sha256(packed).hexdigest()}"']
@@ -167,8 +162,3 @@ def _pixels(spec: ShutterSpec, codes: Codes, fields: list[str], packed: bytes) -
         head = f"pixels {name} = tile ["
         lines += [head, *(f"    [{row}]," for row in rows[:-1]), f"    [{rows[-1]}]", "]"]
     return lines
-
-
-def _time(microseconds: float) -> str:
-    text = f"{microseconds:.6f}".rstrip("0").rstrip(".")
-    return f"{text}us"

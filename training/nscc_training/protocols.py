@@ -37,12 +37,7 @@ def load_protocol(name: str) -> Protocol:
             notes=(f"the protocols are {', '.join(NAMES)}",),
             helps=(f"did you mean {near}?",) if near else ("name one of them",),
         )
-    data = (_folder() / f"{name}.toml").read_bytes()
-    return Protocol(name, sha256(data).hexdigest(), tomllib.loads(data.decode()))
-
-
-def _folder() -> Path:
     installed = Path(__file__).with_name("protocol_files")
-    if installed.is_dir():
-        return installed
-    return Path(__file__).resolve().parents[1] / "protocols"
+    folder = installed if installed.is_dir() else Path(__file__).resolve().parents[1] / "protocols"
+    data = (folder / f"{name}.toml").read_bytes()
+    return Protocol(name, sha256(data).hexdigest(), tomllib.loads(data.decode()))

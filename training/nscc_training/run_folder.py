@@ -14,6 +14,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
 from nscc_training.loop.setup import Parts, make_parts
+from nscc_training.problems import said
 from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE, Chip
 
 _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
@@ -45,17 +46,14 @@ def load_run(path: Path) -> RunFolder:
     # Codes, chip and sensor are the run's own, wherever they once came from. Such files may also
     # be of another run that was in this folder before.
     shutter, sensor = replace(settings.shutter, init="uniform"), settings.sensor
-    where = settings.train.device
-    device = "auto" if where == "cuda" and not torch.cuda.is_available() else where
+    train = settings.train
+    if train.device == "cuda" and not torch.cuda.is_available():
+        train = replace(train, device="auto")
     if Chip(shutter.target).file is not None and (path / TARGET_FILE).is_file():
         shutter = replace(shutter, target=str(path / TARGET_FILE))
     if sensor.file and (path / SENSOR_FILE).is_file():
         sensor = replace(sensor, file=str(path / SENSOR_FILE))
-    parts = make_parts(
-        replace(
-            settings, shutter=shutter, sensor=sensor, train=replace(settings.train, device=device)
-        )
-    )
+    parts = make_parts(replace(settings, shutter=shutter, sensor=sensor, train=train))
     parts = replace(parts, settings=settings)
     try:
         if (path / CODES_FILE).is_file():
@@ -67,9 +65,7 @@ def load_run(path: Path) -> RunFolder:
         _check_whole(path, result)
         program = (path / "shutter.nsl").read_text(encoding="utf-8")
     except (ValueError, KeyError, TypeError, AttributeError, RuntimeError, OSError) as error:
-        raise _no_run(path, f"{type(error).__name__}: {' '.join(str(error).split())[:150]}") from (
-            error
-        )
+        raise _no_run(path, f"{type(error).__name__}: {said(error, 150)}") from error
     except Exception as error:
         if type(error).__name__ != "SafetensorError":
             raise

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 RESAMPLES = 2000
 
@@ -82,13 +82,11 @@ def paired(
     bootstrap over scenes.
     """
     common = sorted(set(first) & set(second))
-    gains: NDArray[np.float64] = np.array(
-        [
-            second[k] - first[k] if np.isfinite(first[k]) and np.isfinite(second[k]) else np.inf
-            for k in common
-        ]
-    )
-    found = summary(gains.tolist(), [scene_of[k] for k in common])
+    gains = [
+        second[k] - first[k] if np.isfinite(first[k]) and np.isfinite(second[k]) else np.inf
+        for k in common
+    ]
+    found = summary(gains, [scene_of[k] for k in common])
     return {
         "items": len(common),
         "scenes": len({scene_of[k] for k in common}),

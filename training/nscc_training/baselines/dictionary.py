@@ -11,6 +11,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_training import made_scenes
 from nscc_training.baselines.tv import Clip
 from nscc_training.least_squares import solve
 
@@ -104,12 +105,10 @@ def learned(blocks: Matrix, atoms: int, sparsity: int, rounds: int, seed: int) -
 @lru_cache(maxsize=4)
 def made_dictionary(frames: int, atoms: int = ATOMS, seed: int = 0) -> Matrix:
     """A dictionary for clips of so many frames, learned from made scenes: no data is needed."""
-    from nscc_training.made_scenes import clip
-
     generator = np.random.default_rng([seed, frames])
     blocks = []
     for _ in range(_CLIPS):
-        scene = clip(generator, frames, 64)
+        scene = made_scenes.clip(generator, frames, 64)
         for _ in range(_BLOCKS // _CLIPS):
             row, col = generator.integers(0, 64 - SIDE + 1, 2)
             blocks.append(scene[:, row : row + SIDE, col : col + SIDE].ravel())

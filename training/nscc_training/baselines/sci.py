@@ -87,21 +87,17 @@ def thin_out(clip: Clip, step: int = 4) -> Clip:
 class Method:
     """A way to get a clip; `sees` says whether from the capture or, as a yardstick, the truth."""
 
-    name: str
     sees: Literal["capture", "truth"]
     run: Callable[[NDArray[np.float32], Clip, Clip, int, float], Clip]
 
 
 METHODS: Mapping[str, Method] = {
-    method.name: method
-    for method in (
-        Method("gap-tv", "capture", lambda y, s, _truth, n, w: gap_tv(y, s, n, w)),
-        Method("admm-tv", "capture", lambda y, s, _truth, n, w: admm_tv(y, s, n, w)),
-        Method("dictionary", "capture", lambda y, s, _truth, _n, _w: from_dictionary(y, s)),
-        Method("adjoint", "capture", lambda y, s, _truth, _n, _w: adjoint(y, s)),
-        Method("bilinear", "truth", lambda _y, s, truth, _n, _w: bilinear(truth, s)),
-        Method("thin-out", "truth", lambda _y, _s, truth, _n, _w: thin_out(truth)),
-    )
+    "gap-tv": Method("capture", lambda y, s, _truth, n, w: gap_tv(y, s, n, w)),
+    "admm-tv": Method("capture", lambda y, s, _truth, n, w: admm_tv(y, s, n, w)),
+    "dictionary": Method("capture", lambda y, s, _truth, _n, _w: from_dictionary(y, s)),
+    "adjoint": Method("capture", lambda y, s, _truth, _n, _w: adjoint(y, s)),
+    "bilinear": Method("truth", lambda _y, s, truth, _n, _w: bilinear(truth, s)),
+    "thin-out": Method("truth", lambda _y, _s, truth, _n, _w: thin_out(truth)),
 }
 
 

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 from torch.nn import functional
 
+from nscc_training import made_scenes
 from nscc_training.baselines.dictionary import learned
 
 SIDE = 9
@@ -78,12 +79,10 @@ def coded_still(
 @lru_cache(maxsize=2)
 def made_filters(seed: int = 0) -> Tensor:
     """Filters (K, 1, side, side) of length 1, learned from the details of made stills."""
-    from nscc_training.made_scenes import still
-
     generator = np.random.default_rng([seed, SIDE])
     blocks = []
     for _ in range(16):
-        light = still(generator, 96)
+        light = made_scenes.still(generator, 96)
         root = np.sqrt(light / np.quantile(light, 0.7))
         picture = torch.from_numpy(np.minimum(root, 4.0)).float()[None, None]
         detail = (picture - blurred(picture))[0, 0].numpy()

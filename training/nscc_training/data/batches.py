@@ -20,7 +20,6 @@ EXPOSED = 256
 _POLES = 8
 """Such a part of a panorama's rows, at the top and at the bottom, is stretched as no lens does."""
 
-
 _Patch = tuple[NDArray[np.float32], NDArray[np.float32], float, str]
 
 
@@ -111,11 +110,9 @@ class Batches:
                 break
         if augment:
             around = around.augmented(generator)
-        found = []
-        for _ in range(count):
-            row, col = _corner(around.light, self.settings.patch, generator)
-            found.append(self._patch(around, row, col))
-        return found
+        side = self.settings.patch
+        corners = [_corner(around.light, side, generator) for _ in range(count)]
+        return [self._patch(around, row, col) for row, col in corners]
 
     def _patch(self, around: _Exposed, row: int, col: int) -> _Patch:
         """The patch of an exposure at that corner: light, truth, peak and name."""

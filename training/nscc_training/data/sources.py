@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.colour import Transfer
+from nscc_runtime.scenes.picture_files import LINEAR, read_picture
 from nscc_training import made_scenes
 from nscc_training.curves import srgb
 from nscc_training.data.camera import turned
@@ -106,7 +107,17 @@ def _load(where: str, kind: _Kind, part: str) -> list[Scene]:
             found = call(kind=what, part=part, slots=kind.slots, seed=kind.seed)
             pairs = [(str(name), np.asarray(light)) for name, light in found]
         return [_scene(name, light, kind) for name, light in pairs]
-    return _folder(Path(where), kind, part)
+    folder, endings = Path(where), LINEAR if kind.still else (*CLIPS, *LINEAR)
+    files = files_in(folder, endings)
+    if not files:
+        what = "stills" if kind.still else "clips"
+        raise rejected(
+            "NS0811",
+            f"'{folder}' holds no {what} to learn from",
+            notes=(f"{what} end in {', '.join(endings)}",),
+            helps=("name a folder of such files, `procedural`, or a function as module:name",),
+        )
+    return [scene for path in files for scene in _read(path, kind)]
 
 
 def _made(kind: _Kind, part: str) -> list[Scene]:
@@ -123,26 +134,8 @@ def _made(kind: _Kind, part: str) -> list[Scene]:
     return scenes
 
 
-def _folder(folder: Path, kind: _Kind, part: str) -> list[Scene]:
-    from nscc_runtime.scenes.picture_files import LINEAR
-
-    endings = LINEAR if kind.still else (*CLIPS, *LINEAR)
-    files = files_in(folder, endings)
-    if not files:
-        what = "stills" if kind.still else "clips"
-        raise rejected(
-            "NS0811",
-            f"'{folder}' holds no {what} to learn from",
-            notes=(f"{what} end in {', '.join(endings)}",),
-            helps=("name a folder of such files, `procedural`, or a function as module:name",),
-        )
-    return [scene for path in files for scene in _read(path, kind)]
-
-
 def _read(path: Path, kind: _Kind) -> list[Scene]:
     """The scenes of a file: one, or the clips of a panorama."""
-    from nscc_runtime.scenes.picture_files import LINEAR, read_picture
-
     digest = sha256(path.read_bytes()).hexdigest()
     if path.suffix.lower() in LINEAR:
         light = np.maximum(light_in(read_picture(path), "linear"), 0.0)

@@ -109,11 +109,8 @@ def flops(module: nn.Module, slots: int, rows: int, cols: int) -> int:
     """Floating-point operations, multiplications and additions each, for one frame of that size."""
     from torch.utils.flop_counter import FlopCounterMode
 
-    first = next(module.parameters(), None)
-    device = torch.device("cpu") if first is None else first.device
+    device = next((p.device for p in module.parameters()), torch.device("cpu"))
     with FlopCounterMode(display=False) as counter, torch.no_grad():
-        module(
-            torch.zeros(1, rows, cols, device=device),
-            torch.ones(slots, rows, cols, device=device),
-        )
+        frame = torch.zeros(1, rows, cols, device=device)
+        module(frame, torch.ones(slots, rows, cols, device=device))
     return int(counter.get_total_flops())

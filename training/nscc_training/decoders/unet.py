@@ -15,8 +15,6 @@ from nscc_training.sensor_model import laid, lifted
 
 LOG_FLOOR = 1e-3
 """Stills are predicted as log(1 + light / LOG_FLOOR)."""
-
-
 # The paper's networks begin with nothing; the small ones have no time for that.
 _GUESSES = {"paper": False, "small": True}
 
@@ -71,7 +69,10 @@ class UNet(nn.Module):
     def forward(self, x: Tensor) -> Tensor:
         """(batch, inputs, [N,] rows, cols) to (batch, outputs, [N,] rows, cols)."""
         sizes = x.shape[2:]
-        x = self.padded(x)
+        # Its edges, repeated up to the next multiple.
+        margins = [part for size in reversed(sizes) for part in (0, -size % self.multiple)]
+        if any(margins):
+            x = functional.pad(x, margins, mode="replicate")
         kept: list[Tensor] = []
         for level, layer in enumerate(self.down):
             x = layer(x if level == 0 else self.pool(x))
@@ -84,13 +85,6 @@ class UNet(nn.Module):
             x = layer(torch.cat([x, finer], dim=1))
         found: Tensor = self.last(x)
         return found[(slice(None), slice(None), *(slice(0, size) for size in sizes))]
-
-    def padded(self, x: Tensor) -> Tensor:
-        """x with its edges repeated up to the next multiple."""
-        margins: list[int] = []
-        for size in reversed(x.shape[2:]):
-            margins += [0, -size % self.multiple]
-        return functional.pad(x, margins, mode="replicate") if any(margins) else x
 
 
 class _Convolution3d(nn.Conv3d):

@@ -56,8 +56,7 @@ class Unrolled(nn.Module):
         if self.tv_iterations:
             clip = self._gap_tv(total, opened)
         else:
-            volume, _valid = lifted(total, opened)
-            clip = clip_guess(volume, opened)
+            clip = clip_guess(lifted(total, opened)[0], opened)
         seen = opened.expand_as(clip)
         for step, denoiser in zip(self.steps, self.denoisers, strict=True):
             missing = (total - (opened * clip).sum(dim=1)) / energy

@@ -124,12 +124,9 @@ class Encoder(nn.Module, ABC):
         Such a code cannot learn from this batch: all its pixels are saturated, dark or unused.
         1 where no gradient arrived at all, 0 for a class without parameters.
         """
-        grads = [p.grad for p in self.parameters()]
-        if not grads:
-            return 0.0
-        dead = sum(int((g == 0).sum()) if g is not None else p.numel()
-                   for g, p in zip(grads, self.parameters(), strict=True))  # fmt: skip
-        return dead / sum(p.numel() for p in self.parameters())
+        learned = list(self.parameters())
+        dead = sum(p.numel() if p.grad is None else int((p.grad == 0).sum()) for p in learned)
+        return dead / sum(p.numel() for p in learned) if learned else 0.0
 
     def noisy(self, parameter: Tensor, generator: torch.Generator | None) -> Tensor:
         """The parameter with the noise of training, if there is a generator."""

@@ -177,8 +177,7 @@ class Codebook(_Digits):
         self.choose(self.spread())
 
     def start_quad(self) -> None:
-        shapes = quarters(self.spec.slots)[:, np.arange(self.rows) % 4].T
-        self.set_digits(self.shapes, shapes)
+        self.set_digits(self.shapes, quarters(self.spec.slots)[:, np.arange(self.rows) % 4].T)
         rank = self.quad_ranks()
         again = self.spread() // 4 * 4 + rank
         self.choose(np.where(again < self.rows, again, rank % self.rows))

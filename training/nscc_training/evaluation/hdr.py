@@ -10,9 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.scenes.colour import linear
+from nscc_runtime.scenes.picture_files import read_picture
 from nscc_training import metrics
 from nscc_training.evaluation.results import Item, Scene, Unusable
-from nscc_training.measures import decibels, number
+from nscc_training.measures import decibels, frame_scores, number
 from nscc_training.metrics import mean_square_error, psnr_of_mse
 from nscc_training.protocols import Protocol
 from nscc_training.scene_files import protocol_files
@@ -39,8 +41,7 @@ class Crop(Scene):
         truth, result = (np.clip(x / peak, 0.0, 1.0) for x in (truth_e, result_e))
         well = float(protocol["full_well_e"])
         found: dict[str, Any] = {
-            "psnr_db": decibels(metrics.psnr(truth, result, 1.0)),
-            "ssim": metrics.ssim(truth, result, 1.0),
+            **frame_scores(truth, result, 1.0),
             "mu_psnr_db": decibels(metrics.mu_psnr(truth, result, 1.0, protocol["mu"])),
             "pu21_psnr_db": decibels(metrics.pu21_psnr(truth, result, 1.0, protocol["pu21_nits"])),
         }
@@ -66,9 +67,6 @@ def crops(
     files: list[Path], protocol: Protocol, fraction: float | None = None
 ) -> Iterator[Crop | Unusable]:
     """The crops of panoramas, in order; those that cannot be used as `Unusable`."""
-    from nscc_runtime.scenes.colour import linear
-    from nscc_runtime.scenes.picture_files import read_picture
-
     rows, cols = protocol["panorama"]
     top, bottom = protocol["crop_rows"]
     size = int(protocol["crop_size"])

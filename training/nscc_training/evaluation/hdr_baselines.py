@@ -31,8 +31,7 @@ def stops_of(name: str, protocol: Protocol, seed: int) -> list[NDArray[np.int64]
         return [np.full((1, 1), slots)]
     if name in _HINDSIGHT:
         return [np.full((1, 1), 1 << k) for k in range(slots.bit_length()) if 1 << k <= slots]
-    tile = (2, 2) if name == "quad" else (8, 8)
-    start = "quad" if name == "quad" else "random"
+    start, tile = ("quad", (2, 2)) if name == "quad" else ("random", (8, 8))
     encoder = make_encoder(ShutterSpec("b", slots, tile), start, seed)
     return [encoder.codes()["stop"]]
 
@@ -61,8 +60,7 @@ def evaluate_hdr_baseline(
     def items(others: list[Crop]) -> list[Item]:
         return [each.item for each in _decoded(name, others, stops, protocol, seed)]
 
-    settings = {"stops": stops.tolist(), "seed": seed}
-    subject = Subject(name, settings, stage="hard", decoder_ms=spent)
+    subject = Subject(name, {"stops": stops.tolist(), "seed": seed}, decoder_ms=spent)
     others = also_saturated(files, protocol, items)
     passed = [crop.as_json() for crop in left_out]
     return with_arrays(protocol, subject, files, every, passed, also_saturated=others)

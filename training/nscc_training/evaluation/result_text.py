@@ -36,8 +36,7 @@ def result_text(found: dict[str, Any]) -> str:
     lines = [f"{found['method']}, protocol {found['protocol']} ({found['protocol_sha256'][:12]})"]
     if found["sees"] == "truth":
         lines.append("  a yardstick: it sees the truth, not the capture")
-    files = list(dict.fromkeys(item["file"] for item in found["items"]))
-    for file in files:
+    for file in dict.fromkeys(item["file"] for item in found["items"]):
         items = [item for item in found["items"] if item["file"] == file]
         finite = [item["psnr_db"] for item in items if item["psnr_db"] != "inf"]
         mean = f"{sum(finite) / len(finite):.2f} dB" if finite else "inf"

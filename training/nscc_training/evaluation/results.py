@@ -95,11 +95,10 @@ def scored(
 
 @dataclass(frozen=True)
 class Subject:
-    """What was evaluated: a method's name and settings, its stage and what it costs."""
+    """What was evaluated, with hard shutters: a method's name and settings, and what it costs."""
 
     method: str
     settings: dict[str, Any]
-    stage: str = "hard"
     sees: str = "capture"
     decoder_ms: float | None = None
     device: str = "cpu"
@@ -136,7 +135,7 @@ def result(
         "method": subject.method,
         "settings": subject.settings,
         "sees": subject.sees,
-        "stage": subject.stage,
+        "stage": "hard",
         "data": [stamp(path) for path in files],
         "data_range": protocol["data_range"],
         "domain": protocol["domain"],
@@ -175,8 +174,7 @@ def read_result(path: Path) -> dict[str, Any]:
     """A result that `nscc evaluate` wrote; Rejected (NS0807) for another file."""
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
-        good = isinstance(found, dict) and found.get("schema") == SCHEMA
-        if good:
+        if isinstance(found, dict) and found.get("schema") == SCHEMA:
             if not isinstance(found.get("mean"), int | float | None):
                 raise ValueError("its mean is no number")
             _ = [str(entry["sha256"]) for entry in found.get("data", ())]
@@ -210,7 +208,11 @@ def compare(
     scenes: dict[str, str] = {}
     for seed, pair in enumerate(pairs):
         _check_alike(pairs[0][0], *pair)
-        items = [_by_key(found) for found in pair]
+        # By what they are in other results too: file, corner of the crop, first frame.
+        items = [
+            {f"{each['file']} {each['crop']} {each['frame']}": each for each in found["items"]}
+            for found in pair
+        ]
         if not set(items[0]) & set(items[1]):
             raise rejected(
                 "NS0808",
@@ -263,8 +265,3 @@ def _check_metric(items: Sequence[dict[str, dict[str, Any]]], metric: str) -> No
             notes=(f"the first has {', '.join(known)}",),
             helps=("name one of them with --metric",),
         )
-
-
-def _by_key(found: dict[str, Any]) -> dict[str, dict[str, Any]]:
-    """Items by what they are in other results too: file, corner of the crop, first frame."""
-    return {f"{each['file']} {each['crop']} {each['frame']}": each for each in found["items"]}

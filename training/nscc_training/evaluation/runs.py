@@ -18,15 +18,9 @@ from nscc.diagnostics.rejection import rejected
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.evaluation import hdr, video
-from nscc_training.evaluation.results import (
-    Item,
-    Scene,
-    Scored,
-    Subject,
-    scored,
-    with_arrays,
-)
-from nscc_training.evaluation.sci8 import frame_scores, read_sci_clip, sci_clips
+from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
+from nscc_training.evaluation.sci8 import read_sci_clip, sci_clips
+from nscc_training.measures import frame_scores
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
 from nscc_training.sensor_model import frame_of, laid
@@ -91,7 +85,6 @@ def evaluate_run(
             "config_sha256": folder.result.get("config_sha256"),
             "seed": seed,
         },
-        stage="hard",
         decoder_ms=1e3 * float(np.median([each.seconds for each in every])) if every else None,
         device=parts.device.type,
         parameters=parameter_count(parts.decoder),

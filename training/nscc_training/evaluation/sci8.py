@@ -11,16 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training import metrics
 from nscc_training.baselines.dictionary import made_dictionary
+from nscc_training.baselines.loops import denoise
 from nscc_training.baselines.sci import METHODS
 from nscc_training.baselines.tv import Clip
 from nscc_training.evaluation.results import Item, Subject, result
-from nscc_training.measures import decibels
+from nscc_training.measures import frame_scores
 from nscc_training.metrics import WINDOW
 from nscc_training.problems import said
 from nscc_training.protocols import Protocol, load_protocol
-from nscc_training.scene_files import files_in, labels
+from nscc_training.scene_files import labels, protocol_files
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,15 +35,10 @@ class SciClip:
 
 def sci_clips(where: Path) -> list[Path]:
     """The clips of a folder by name, or the one that is named; Rejected (NS0811) without any."""
-    found = files_in(where, (".mat",)) if where.is_dir() else [where]
-    if not found or not found[0].is_file():
-        raise rejected(
-            "NS0811",
-            f"'{where}' holds no data for protocol sci8",
-            notes=("clips end in .mat",),
-            helps=("name a folder of the benchmark's clips, or one of them",),
-        )
-    return found
+    if where.is_file():
+        return [where]
+    wanted = "the benchmark's clips, or one of them"
+    return protocol_files(where, (".mat",), "sci8", "clips end in", wanted)
 
 
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
@@ -88,14 +83,6 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     )
 
 
-def frame_scores(truth: NDArray[Any], made: NDArray[Any], top: float) -> dict[str, Any]:
-    """The protocol's metrics of one frame, as JSON values."""
-    return {
-        "psnr_db": decibels(metrics.psnr(truth, made, top)),
-        "ssim": metrics.ssim(truth, made, top),
-    }
-
-
 def evaluate_sci8(
     paths: list[Path], method: str, iterations: int, weight: float
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
@@ -112,11 +99,9 @@ def evaluate_sci8(
             notes=(f"the methods are {', '.join(METHODS)}",),
             helps=("a trained decoder is evaluated by the name of its run folder",),
         )
-    if chosen.name in ("gap-tv", "admm-tv"):
-        from nscc_training.baselines.loops import denoise
-
+    if method in ("gap-tv", "admm-tv"):
         denoise.load()  # compiled or loaded now: it is no part of a clip's time
-    if chosen.name == "dictionary":
+    if method == "dictionary":
         made_dictionary(int(protocol["frames"]))  # learned now, for the same reason
     items: list[Item] = []
     arrays: dict[str, NDArray[Any]] = {}
@@ -135,10 +120,8 @@ def evaluate_sci8(
         arrays[f"{called[path.name]}_truth"] = clip.orig
         for k, (frame, wanted) in enumerate(zip(scaled, clip.orig, strict=True)):
             items.append(Item(path.name, None, k, frame_scores(wanted, frame, top)))
-    settings = {"iterations": iterations, "weight": weight} if chosen.name.endswith("-tv") else {}
-    subject = Subject(
-        chosen.name, settings, stage="hard", sees=chosen.sees, decoder_ms=1e3 * spent / len(paths)
-    )
+    settings = {"iterations": iterations, "weight": weight} if method.endswith("-tv") else {}
+    subject = Subject(method, settings, sees=chosen.sees, decoder_ms=1e3 * spent / len(paths))
     return result(protocol, subject, paths, items), arrays
 
 

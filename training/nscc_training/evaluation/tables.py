@@ -17,11 +17,10 @@ import numpy as np
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_training.config import load_config
-from nscc_training.evaluation.hdr import ENDINGS, panoramas
+from nscc_training.evaluation.hdr import ENDINGS
 from nscc_training.evaluation.results import read_result
 from nscc_training.evaluation.runs import Key, key_of
 from nscc_training.evaluation.subjects import evaluate
-from nscc_training.evaluation.video import clips_of
 from nscc_training.measures import number
 from nscc_training.protocols import load_protocol
 from nscc_training.scene_files import CLIPS, files_in
@@ -106,9 +105,7 @@ def tables(
     """
     hint = "name a folder of panoramas and clips, or with folders hdr and video of them"
     _check_folder(data, "NS0811", "data", hint)
-    places = {
-        protocol: _Place.of(data, protocol) for protocol in dict.fromkeys(r.protocol for r in ROWS)
-    }
+    places = {protocol: _Place.of(data, protocol) for protocol in ("hdr-v1", "video-v1")}
     held = _held(results, places)
     known = {_config(found) for found in held}
     fresh = [run for run in _runs(runs) if run.config_sha256 not in known]
@@ -124,19 +121,19 @@ class _Place:
 
     @classmethod
     def of(cls, data: Path, protocol: str) -> _Place:
-        folder = _folder(data, protocol)
-        if folder is None:
-            return cls(None, frozenset())
-        files = panoramas(folder) if protocol == "hdr-v1" else clips_of(folder)
-        return cls(folder, frozenset(sha256(path.read_bytes()).hexdigest() for path in files))
+        name, endings = ("hdr", ENDINGS) if protocol == "hdr-v1" else ("video", CLIPS)
+        for folder in (data / name, data):
+            if files := files_in(folder, endings):
+                digests = frozenset(sha256(path.read_bytes()).hexdigest() for path in files)
+                return cls(folder, digests)
+        return cls(None, frozenset())
 
 
 def _held(folder: Path | None, places: Mapping[str, _Place]) -> list[dict[str, Any]]:
     """The results in a folder that are of the same protocols and files."""
     if folder is None:
         return []
-    hint = "`nscc evaluate ... -o DIR/NAME.json` writes them"
-    _check_folder(folder, "NS0807", "results", hint)
+    _check_folder(folder, "NS0807", "results", "`nscc evaluate ... -o DIR/NAME.json` writes them")
     found = []
     for path in sorted(folder.glob("*.json")):
         result = read_result(path)
@@ -223,18 +220,14 @@ def _results(
         try:
             found, _ = evaluate(subject, place.folder, row.protocol, 0)
         except Rejected as refusal:
-            refused.append(_why(refusal))
+            why = refusal.diagnostics[0]
+            refused.append(", ".join([why.message, *why.notes[:1]]))
             continue
         mine.append(found)
         held.append(found)
         if subject in runs:
             fresh.remove(runs[subject])
     return mine, refused
-
-
-def _why(refusal: Rejected) -> str:
-    found = refusal.diagnostics[0]
-    return ", ".join([found.message, *found.notes[:1]])
 
 
 def _is_of(found: dict[str, Any], row: Row) -> bool:
@@ -255,12 +248,6 @@ def _belongs(settings: Settings, row: Row) -> bool:
     )
 
 
-def _folder(data: Path, protocol: str) -> Path | None:
-    """The folder with a protocol's scenes; None where there are none."""
-    name, endings = ("hdr", ENDINGS) if protocol == "hdr-v1" else ("video", CLIPS)
-    return next((folder for folder in (data / name, data) if files_in(folder, endings)), None)
-
-
 def text_of(rows: list[dict[str, Any]]) -> str:
     """The tables as text."""
     lines: list[str] = []
@@ -270,9 +257,7 @@ def text_of(rows: list[dict[str, Any]]) -> str:
         lines.append(
             f"  {'row':42} {'paper':>14}  {'here':>14}  {'size':6} {'steps':>6} {'seeds':7} remark"
         )
-        for row in rows:
-            if row["table"] == table:
-                lines.append(_line(row))
+        lines += [_line(row) for row in rows if row["table"] == table]
     lines += [
         "", "PSNR in dB / SSIM. The paper's were measured on its own data: compare differences "
         "between rows.",

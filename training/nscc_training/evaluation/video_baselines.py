@@ -60,8 +60,6 @@ def evaluate_video_baseline(
     settings: dict[str, Any] = {}
     if name != "thin-out":
         settings = {key: codes.tolist() for key, codes in encoder.codes().items()} | {"seed": seed}
-    spent = sum(each.seconds for each in every)
-    subject = Subject(
-        name, settings, stage="hard", sees=method.sees, decoder_ms=1e3 * spent / max(1, len(every))
-    )
+    spent = 1e3 * sum(each.seconds for each in every) / max(1, len(every))
+    subject = Subject(name, settings, sees=method.sees, decoder_ms=spent)
     return with_arrays(protocol, subject, files, every, left_out)

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 import torch
-from torch import Tensor
 
 from nscc import __version__
 from nscc.prove.replay import shutters as replayed
@@ -24,26 +23,24 @@ from nscc_training.data import Batches, Scenes
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.least_squares import solve
 from nscc_training.loop.setup import Parts
-from nscc_training.loop.steps import Scores, scored
+from nscc_training.loop.steps import scored
 from nscc_training.measures import decibels
 from nscc_training.metrics import finite_mean, psnr
-from nscc_training.programs import (
-    CODES_FILE,
-    compiled,
-    program_of,
-    words_per_slot,
-)
+from nscc_training.programs import CODES_FILE, compiled, program_of, words_per_slot
 from nscc_training.sensor_model import laid, read_out
 from nscc_training.settings import Settings
 
-_CHANGES: tuple[tuple[str, dict[str, float]], ...] = (
-    ("as trained", {}),
-    ("full well -20 %", {"full_well_e": 0.8}),
-    ("full well +20 %", {"full_well_e": 1.2}),
-    ("electrons a code -20 %", {"electrons_per_lsb": 0.8}),
-    ("electrons a code +20 %", {"electrons_per_lsb": 1.2}),
-    ("noise x 2", {"noise_factor": 2.0}),
+_CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
+    ("as trained", {}, 1.0),
+    ("full well -20 %", {"full_well_e": 0.8}, 1.0),
+    ("full well +20 %", {"full_well_e": 1.2}, 1.0),
+    ("electrons a code -20 %", {"electrons_per_lsb": 0.8}, 1.0),
+    ("electrons a code +20 %", {"electrons_per_lsb": 1.2}, 1.0),
+    ("noise x 2", {"noise_factor": 2.0}, 1.0),
+    ("exposure x 0.5", {}, 0.5),
+    ("exposure x 2", {}, 2.0),
 )
+"""Names, and factors: of the sensor's values, and of the exposure."""
 
 
 def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict[str, bytes]:
@@ -67,7 +64,6 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
     files |= parts.files
     files["capture.toml"] = capture_toml(parts).encode()
     val = batches.val()
-    stages = _stages(parts, batches, container_of.container)
     side, count = parts.settings.data.patch, sum(len(batch.peak) for batch in val)
     result = {
         "schema": "nscc-run-1",
@@ -76,7 +72,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
         "config_sha256": config_digest(parts.settings),
         "split_sha256": split_digest(scenes),
         "step": step,
-        "stages": stages,
+        "stages": _stages(parts, batches, container_of.container),
         "stages_note": f"mean PSNR in dB of {count} validation patches of {side} x {side}, "
         "data range the patch's peak, without noise",
         "robustness": _robustness(parts, batches),
@@ -173,7 +169,7 @@ def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
     """
     rows, cols = container.target.rows, container.target.cols
     values = []
-    tile = parts.encoder.hard()
+    tile, ideal = parts.encoder.hard(), parts.model.noiseless()
     patches = (batch.part(k, k + 1) for batch in batches.val() for k in range(len(batch.peak)))
     for batch in patches:
         patch = batch.light[0, ..., :rows, :cols].numpy()
@@ -185,35 +181,24 @@ def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
         else:
             light = Light.of_clip(whole)
         exposure = torch.from_numpy(expose(container, light).exposure_e[:, :down, :across].copy())
-        prediction = _from_exposure(parts, exposure, tile[:, :down, :across])
+        frame = (read_out(exposure, ideal) - ideal.adc_offset_lsb) / ideal.top_code
+        shutters = laid(tile[:, :down, :across], down, across).to(parts.device)
+        prediction = parts.decoder(frame.to(parts.device), shutters).float()
         truth, peak = batch.truth[0, ..., :rows, :cols], batch.peak.item()
         pair = [np.clip(x.cpu().numpy() / peak, 0, 1) for x in (truth, prediction[0])]
         values.append(psnr(pair[0], pair[1], 1.0))
     return finite_mean(values)
 
 
-def _from_exposure(parts: Parts, exposure: Tensor, tile: Tensor) -> Tensor:
-    ideal = parts.model.noiseless()
-    frame = (read_out(exposure, ideal) - ideal.adc_offset_lsb) / ideal.top_code
-    shutters = laid(tile, *exposure.shape[-2:]).to(parts.device)
-    found: Tensor = parts.decoder(frame.to(parts.device), shutters).float()
-    return found
-
-
 def _robustness(parts: Parts, batches: Batches) -> list[dict[str, Any]]:
     """PSNR under a sensor and an exposure that are not those of training."""
     val, hard, seed = batches.val(), parts.encoder.hard(), parts.settings.train.seed
-    found: dict[str, Scores] = {}
-    for name, factors in _CHANGES:
+    found = []
+    for name, factors, exposure in _CHANGES:
         values = {key: getattr(parts.model, key) * factor for key, factor in factors.items()}
-        found[name] = scored(parts, val, hard, replace(parts.model, **values), seed)
-    for exposure in (0.5, 2.0):
-        name = f"exposure x {exposure:g}"
-        found[name] = scored(parts, val, hard, parts.model, seed, exposure)
-    return [
-        {"change": name, "psnr_db": decibels(scores.psnr_db), "ssim": scores.ssim}
-        for name, scores in found.items()
-    ]
+        scores = scored(parts, val, hard, replace(parts.model, **values), seed, exposure)
+        found.append({"change": name, "psnr_db": decibels(scores.psnr_db), "ssim": scores.ssim})
+    return found
 
 
 def _codes_report(parts: Parts) -> dict[str, Any]:

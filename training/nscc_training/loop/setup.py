@@ -14,6 +14,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.target.load import load_target, parse_target, read_target
 from nscc.target.target import Target
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
+from nscc_training import programs
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import Task
 from nscc_training.decoders.make import make_decoder
@@ -22,19 +23,10 @@ from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
-from nscc_training.programs import (
-    MOST_LISTED,
-    SENSOR_FILE,
-    TARGET_FILE,
-    Chip,
-    compiled,
-    legal_codes,
-    program,
-    program_of,
-)
+from nscc_training.programs import MOST_LISTED, Chip
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel
-from nscc_training.settings import SensorSettings, Settings, ShutterSettings
+from nscc_training.settings import Settings, ShutterSettings
 
 _STARTS = ("random", "uniform", "quad", "learned")
 
@@ -79,18 +71,22 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     if chip.file is None:
         target = load_target(chip.target, Path())
     else:
-        files[TARGET_FILE] = read_target(chip.file, Path())
-        target = parse_target(files[TARGET_FILE], chip.file)
+        files[programs.TARGET_FILE] = read_target(chip.file, Path())
+        target = parse_target(files[programs.TARGET_FILE], chip.file)
         chip = replace(chip, table=target)
     protocol = load_protocol(settings.data.protocol)
     still = protocol.name == "hdr-v1"
     encoder = _encoder(chosen, chip, target, seed)
-    check_shutters(encoder, chip, every_code=chosen.codes == "open")
+    if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
+        # Codes of so many bits cannot be: the compiler says why.
+        one = np.zeros(encoder.spec.tile, np.int64)
+        programs.compiled(programs.program(encoder.spec, {"bits": one}, chip), chip)
+    programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     sensor = default_sensor(target)
     if settings.sensor.file:
         path = Path(settings.sensor.file)
-        files[SENSOR_FILE] = read_sensor(path)
-        sensor = parse_sensor(target, files[SENSOR_FILE], str(path))
+        files[programs.SENSOR_FILE] = read_sensor(path)
+        sensor = parse_sensor(target, files[programs.SENSOR_FILE], str(path))
     task = Task(
         "still" if still else "clip", chosen.slots, encoder.spec.tile, settings.decoder.sees_code
     )
@@ -105,21 +101,19 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     learns = any(p.requires_grad for p in decoder.parameters())
     if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
         raise _wrong("shutter.learn", "neither the decoder nor the shutters have anything to learn")
-    device = _device(settings.train.device)
+    wanted, there = settings.train.device, torch.cuda.is_available()
+    if wanted == "cuda" and not there:
+        raise _wrong("train.device", "there is no CUDA device here")
+    device = torch.device("cuda" if wanted != "cpu" and there else "cpu")
+    # The sensor's own numbers where a file is named, else the protocol's where it has some.
+    fixed = not settings.sensor.file and "full_well_e" in protocol.values
+    model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
+    model = model if settings.sensor.noise else model.noiseless()
     return Parts(
         settings, protocol, still, chip, target, sensor,
-        _model(settings.sensor, sensor, target, protocol), encoder.to(device),
-        decoder.to(device), _loss(settings.loss.name), device,
-        files,
+        replace(model, slope=settings.sensor.slope), encoder.to(device), decoder.to(device),
+        _loss(settings.loss.name), device, files,
     )  # fmt: skip
-
-
-def check_shutters(encoder: Encoder, chip: Chip, *, every_code: bool) -> None:
-    """Rejected with the compiler's own errors where the encoder's shutters do not compile."""
-    if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
-        one = np.zeros(encoder.spec.tile, np.int64)
-        compiled(program(encoder.spec, {"bits": one}, chip), chip)
-    compiled(program_of(encoder, chip), chip, every_code=every_code)
 
 
 def _encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
@@ -144,24 +138,14 @@ def _encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> 
         if not isinstance(encoder, Bump):
             raise _wrong("shutter.require", "it is for the classes b, c and d")
         drawn = np.random.default_rng(seed) if start == "random" else None
-        encoder.restrict(legal_codes(spec, chip), drawn)
+        encoder.restrict(programs.legal_codes(spec, chip), drawn)
     if not named:
         try:
             encoder.load_codes(load_codes(Path(chosen.init)))
         except ValueError as error:
-            raise _wrong("shutter.init", f"the codes of '{chosen.init}' do not fit: {error}") from (
-                error
-            )
+            reason = f"the codes of '{chosen.init}' do not fit: {error}"
+            raise _wrong("shutter.init", reason) from error
     return encoder
-
-
-def _model(
-    chosen: SensorSettings, sensor: Sensor, target: Target, protocol: Protocol
-) -> SensorModel:
-    """The sensor's own numbers where a file is named, else the protocol's where it has some."""
-    fixed = not chosen.file and "full_well_e" in protocol.values
-    model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
-    return replace(model if chosen.noise else model.noiseless(), slope=chosen.slope)
 
 
 def _loss(names: str) -> Loss:
@@ -189,12 +173,6 @@ def _own_loss(name: str) -> Loss:
         return found.reshape(())
 
     return loss
-
-
-def _device(name: str) -> torch.device:
-    if name == "cuda" and not torch.cuda.is_available():
-        raise _wrong("train.device", "there is no CUDA device here")
-    return torch.device("cuda" if name != "cpu" and torch.cuda.is_available() else "cpu")
 
 
 def _wrong(where: str, reason: object) -> Exception:

@@ -38,11 +38,11 @@ def _file_digests(parts: Parts) -> dict[str, str]:
 
 def tensors_of(parts: Parts) -> dict[str, Tensor]:
     """Copies of the parameters of encoder and decoder, by name."""
-    found = {}
-    for name, module in (("encoder", parts.encoder), ("decoder", parts.decoder)):
-        for key, value in module.state_dict().items():
-            found[f"{name}.{key}"] = value.detach().clone().contiguous()
-    return found
+    return {
+        f"{name}.{key}": value.detach().clone().contiguous()
+        for name, module in (("encoder", parts.encoder), ("decoder", parts.decoder))
+        for key, value in module.state_dict().items()
+    }
 
 
 def set_tensors(parts: Parts, tensors: dict[str, Tensor]) -> None:
@@ -96,11 +96,9 @@ def unpack(path: Path, parts: Parts, scenes: Scenes, optimiser: torch.optim.Opti
     changed = [name for name, digest in _file_digests(parts).items()
                if about.get("files", {}).get(name) != digest]  # fmt: skip
     if changed:
-        raise _refused(
-            path,
-            "the chip or the sensor has changed since: what the run began with is the "
-            f"{' and the '.join(changed)} in its folder",
-        )
+        names = " and the ".join(changed)
+        raise _refused(path, "the chip or the sensor has changed since: what the run began with is "
+                       f"the {names} in its folder")  # fmt: skip
     if about.get("split_sha256") != split_digest(scenes):
         raise _refused(path, "it was made with other scenes: the files of [data] have changed")
     try:

@@ -124,8 +124,7 @@ def scored(
         rows, cols = batch.light.shape[-2:]
         laid_out = window(shutters, rows, cols, (seed, 8, index)).to(parts.device)
         generator = generator_of(seed, 9, index)
-        light = batch.light * exposure
-        prediction = decoded(parts, light, laid_out, model, generator) / exposure
+        prediction = decoded(parts, batch.light * exposure, laid_out, model, generator) / exposure
         losses.append(loss_of(parts, prediction, batch, laid_out).item())
         for made, truth, peak in zip(prediction, batch.truth, batch.peak, strict=True):
             pair = [np.clip((x / peak).cpu().numpy(), 0, 1) for x in (truth, made)]

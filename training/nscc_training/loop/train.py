@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -21,14 +22,7 @@ from nscc_training.loop.artifacts import artifacts, environment, lines_of
 from nscc_training.loop.ranks import Ranks
 from nscc_training.loop.setup import Parts, make_parts
 from nscc_training.loop.state import CHECKPOINT, Progress, packed, set_tensors, tensors_of, unpack
-from nscc_training.loop.steps import (
-    decoded,
-    finite_norm,
-    generator_of,
-    loss_of,
-    scored,
-    window,
-)
+from nscc_training.loop.steps import decoded, finite_norm, generator_of, loss_of, scored, window
 from nscc_training.loop.trials import pull, trial_of
 from nscc_training.programs import TARGET_FILE, compiled, program_of, words_per_slot
 from nscc_training.settings import Settings
@@ -77,7 +71,13 @@ def train(
             )
         run = _start(settings, out, resume, ranks)
         if ranks.first:
-            _write_heads(run, out)
+            out.mkdir(parents=True, exist_ok=True)
+            write_together({
+                out / "config.resolved.toml": config_toml(settings).encode(),
+                out / "split.json": lines_of(run.scenes.split()),
+                out / "environment.json": lines_of(environment(run.parts)),
+                **{out / name: data for name, data in run.parts.files.items()},
+            })  # fmt: skip
         _steps(run, out, track if ranks.first else unseen, report, stop_after)
         if ranks.first and run.progress.step >= settings.train.steps:
             _finish(run, out)
@@ -101,8 +101,7 @@ def _start(settings: Settings, out: Path, resume: str, ranks: Ranks) -> Run:
     checkpoint = _checkpoint(out, resume)
     if checkpoint is not None:
         run.progress = unpack(checkpoint, parts, scenes, run.optimiser)
-        rows = _rows(checkpoint.parent / METRICS, run.progress.step)
-        run.rows = rows or run.rows
+        run.rows = _rows(checkpoint.parent / METRICS, run.progress.step) or run.rows
     return run
 
 
@@ -141,16 +140,16 @@ def _rows(path: Path, step: int) -> list[str]:
 
 def _optimiser(parts: Parts) -> torch.optim.Optimizer:
     settings = parts.settings
-    groups = [{"params": list(parts.decoder.parameters()), "base": settings.train.rate}]
+    groups = [(list(parts.decoder.parameters()), settings.train.rate)]
     if settings.shutter.learn:
         spans = {id(p): high - low for p, (low, high) in parts.encoder.ranges()}
         for parameter in parts.encoder.parameters():
             span = spans.get(id(parameter), 1.0)
-            groups.append({"params": [parameter], "base": settings.train.code_rate * span})
+            groups.append(([parameter], settings.train.code_rate * span))
     else:
         parts.encoder.requires_grad_(False)
-    groups = [group for group in groups if group["params"]]
-    return torch.optim.Adam([{**group, "lr": group["base"]} for group in groups], fused=True)
+    made = [{"params": group, "base": rate, "lr": rate} for group, rate in groups if group]
+    return torch.optim.Adam(made, fused=True)
 
 
 def _steps(
@@ -242,11 +241,9 @@ def anneal(parts: Parts, step: int) -> None:
 def set_rates(run: Run, step: int) -> None:
     """The learning rates of a step."""
     settings = run.parts.settings.train
-    factor = 1.0
-    if settings.schedule == "cosine":
-        factor = 0.5 * (1 + math.cos(math.pi * step / settings.steps))
+    cosine = 0.5 * (1 + math.cos(math.pi * step / settings.steps))
     for group in run.optimiser.param_groups:
-        group["lr"] = group["base"] * factor
+        group["lr"] = group["base"] * (cosine if settings.schedule == "cosine" else 1.0)
 
 
 def _validate(run: Run, losses: list[float], report: Callable[[str], None]) -> None:
@@ -256,7 +253,12 @@ def _validate(run: Run, losses: list[float], report: Callable[[str], None]) -> N
     settings = parts.settings
     dead = parts.encoder.dead_share() if codes_learn(settings, step - 1) else None
     run.rows.append(row(step, "train", sum(losses) / len(losses), None, None, None, dead))
-    words = true_words(parts)
+    words = None
+    with suppress(Rejected):
+        words = words_per_slot(compiled(
+            program_of(parts.encoder, parts.chip), parts.chip,
+            every_code=settings.shutter.codes == "open",
+        ))  # fmt: skip
     found = scored(parts, run.batches.val(), parts.encoder.hard(), parts.model,
                    settings.train.seed)  # fmt: skip
     run.rows.append(row(step, "val", found.loss, found.psnr_db, found.ssim, words, dead))
@@ -267,31 +269,9 @@ def _validate(run: Run, losses: list[float], report: Callable[[str], None]) -> N
         run.progress.best = tensors_of(parts)
 
 
-def true_words(parts: Parts) -> float | None:
-    """Words a slot of the shutters as they are now, compiled; None where they do not compile."""
-    try:
-        return words_per_slot(compiled(
-            program_of(parts.encoder, parts.chip), parts.chip,
-            every_code=parts.settings.shutter.codes == "open",
-        ))  # fmt: skip
-    except Rejected:
-        return None
-
-
 def row(step: int, split: str, *values: float | None) -> str:
     """A line of metrics.csv; what is not known stays empty."""
     return ",".join([str(step), split, *("" if v is None else repr(float(v)) for v in values)])
-
-
-def _write_heads(run: Run, out: Path) -> None:
-    """What is known before the first step."""
-    out.mkdir(parents=True, exist_ok=True)
-    write_together({
-        out / "config.resolved.toml": config_toml(run.parts.settings).encode(),
-        out / "split.json": lines_of(run.scenes.split()),
-        out / "environment.json": lines_of(environment(run.parts)),
-        **{out / name: data for name, data in run.parts.files.items()},
-    })  # fmt: skip
 
 
 def _finish(run: Run, out: Path) -> None:

@@ -20,15 +20,7 @@ from nscc_training.metrics import finite_mean
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
 from nscc_training.sensor_model import SensorModel, frame_of, laid
-from nscc_training.tradeoff.scenes import (
-    KINDS,
-    Kind,
-    Scene,
-    files_of,
-    kinds_in,
-    protocol_of,
-    scenes,
-)  # fmt: skip
+from nscc_training.tradeoff.scenes import KINDS, Kind, files_of, kinds_in, protocol_of, scenes
 from nscc_training.tradeoff.ways import Light, Taken, Way, baselines, names_of, networks
 
 UNITS = ("psnr_db", "ssim")
@@ -78,7 +70,11 @@ def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
         tile = run.parts.encoder.hard().cpu()
         key = (run.parts.still, run.parts.model, tuple(tile.shape), tile.numpy().tobytes())
         found.setdefault(key, []).append(run)
-    names = _short([together[0].path for together in found.values()])
+    # The shortest names that tell folders apart.
+    paths = [together[0].path for together in found.values()]
+    names = [path.resolve().name for path in paths]
+    if len(set(names)) < len(names):
+        names = [path.as_posix() for path in paths]
     return [
         _learned(together, name, settings)
         for together, name in zip(found.values(), names, strict=True)
@@ -113,12 +109,10 @@ def measure(
     points = []
     for (case, way), lights, times in zip(turns, made, times_ms, strict=True):
         for unit, score in zip(UNITS, scored(case, lights), strict=True):
-            points.append(
-                Point(
-                    case.name, way.method, way.setting, score, unit, tuple(times),
-                    more_is_better=True, device=way.device,
-                )
-            )  # fmt: skip
+            points.append(Point(
+                case.name, way.method, way.setting, score, unit, tuple(times),
+                more_is_better=True, device=way.device,
+            ))  # fmt: skip
     return points, len(times_ms[0]) if turns else 0
 
 
@@ -162,18 +156,12 @@ def _captured(
 ) -> tuple[Taken, ...]:
     """The scenes behind a tile of shutters (N, r, c), with the noise of the sensor."""
     found = []
-    chosen: list[Scene] = scenes(kind, protocol, settings.data, settings.count, settings.seed)
+    chosen = scenes(kind, protocol, settings.data, settings.count, settings.seed)
     for index, scene in enumerate(chosen):
         frame = frame_of(scene.light_e, tile, model, 1000 * settings.seed + index).numpy()
         mask = laid(tile, *frame.shape).numpy().astype(np.float32)
         found.append(Taken(scene, frame, mask, model))
     return tuple(found)
-
-
-def _short(paths: Sequence[Path]) -> list[str]:
-    """The shortest names that tell folders apart."""
-    names = [path.resolve().name for path in paths]
-    return names if len(set(names)) == len(names) else [path.as_posix() for path in paths]
 
 
 def not_measured(folders: Sequence[RunFolder]) -> list[str]:

@@ -161,8 +161,7 @@ def _compiled(
 ) -> Compiled | Diagnostic:
     chip = Chip(settings.target, slot_us)
     source = Source("shutter.nsl", program_of(encoder, chip).text)
-    target = settings.target if settings.target.endswith(".toml") else None
-    case = Case(each.method, source, Path(), each.codes, target)
+    case = Case(each.method, source, Path(), each.codes, chip.file)
     return compiled_or_not(Way(case, each.lowering, settings.level))
 
 
