@@ -50,7 +50,8 @@ class Level:
     def mean_map(self) -> Map:
         """The mean of all frames."""
         even = (self.frames + 1) // 2
-        return (self.halves[0] * even + self.halves[1] * (self.frames - even)) / self.frames
+        total = self.halves[0] * even + self.halves[1] * (self.frames - even)
+        return np.asarray(total / self.frames)
 
 
 @dataclass(frozen=True)
