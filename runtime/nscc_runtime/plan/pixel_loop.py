@@ -217,6 +217,19 @@ def _run(
         )  # fmt: skip
 
 
+@compiled
+def _read_out(
+    sizes: Sizes, i: int, leak: float, readout_register: Ints, readout_gain: Floats,
+    readout_wait_s: Floats, registers: Floats, out: Floats,
+) -> None:  # fmt: skip
+    """The exposures of pixel chosen[i]: what its registers hold when their turn has come."""
+    for bucket in range(sizes.buckets):
+        value = registers[readout_register[bucket]] * readout_gain[bucket]
+        if sizes.leaks:
+            value *= math.exp(-leak * readout_wait_s[bucket])
+        out[bucket * sizes.pixels + i] = value + 0.0
+
+
 @loop
 def run_pixels(
     sizes: Sizes,
@@ -257,7 +270,6 @@ def run_pixels(
     `weights`: of their draws in the buckets. From `rates` to `places`: scratch, `stamps` and `tags`
     once filled with -1. Places in rising order find most of their neighbours' charge already there.
     """
-    buckets = sizes.buckets
     for i in range(sizes.pixels):
         place, lane = chosen[i], lanes[chosen[i]]
         _surround(sizes, place, places)
@@ -297,8 +309,4 @@ def run_pixels(
             group_ids, entries, operands, weights, signs, rates, heap, stamps, missing, registers,
             places,
         )  # fmt: skip
-        for bucket in range(buckets):
-            value = registers[readout_register[bucket]] * readout_gain[bucket]
-            if sizes.leaks:
-                value *= math.exp(-leak * readout_wait_s[bucket])
-            out[bucket * sizes.pixels + i] = value + 0.0
+        _read_out(sizes, i, leak, readout_register, readout_gain, readout_wait_s, registers, out)
