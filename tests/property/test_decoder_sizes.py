@@ -8,10 +8,8 @@ from hypothesis import strategies as st
 
 torch = pytest.importorskip("torch")
 
-from nscc_training.decoders.names import DECODERS  # noqa: E402
-
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
-from nscc_training.decoders.declared import Task  # noqa: E402
+from nscc_training.decoders.declared import DECODERS, Task  # noqa: E402
 from nscc_training.decoders.make import make_decoder  # noqa: E402
 from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
 from nscc_training.decoders.unrolled import Unrolled  # noqa: E402
@@ -25,7 +23,7 @@ def numbers(module: torch.nn.Module) -> int:
 
 @settings(deadline=None, max_examples=60)
 @given(
-    st.sampled_from(DECODERS),
+    st.sampled_from(list(DECODERS)),
     st.one_of(st.integers(1, 40), st.integers(1, 3000)),
     st.tuples(st.integers(1, 24), st.integers(1, 24)),
 )
