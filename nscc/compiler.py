@@ -6,7 +6,6 @@ from dataclasses import replace
 from pathlib import Path
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.limits.ways_out import ways_out
 from nscc.lower.fit import has_ways_out
 from nscc.lower.lowered import Lowered
 from nscc.pipeline import Compiled, Observer, Options, Unfit, run_passes
@@ -46,6 +45,8 @@ def _with_ways_out(
     """The same diagnostics; nearby programs are compiled for those that ask for less."""
     if not any(has_ways_out(d) for d in found):
         return list(found)
+    from nscc.limits.ways_out import ways_out  # only for what does not fit
+
     alike = replace(options, target=program.target, price_all=False, unproved_is_error=True)
 
     def attempt(source: Source, codes: Codes, *, patient: bool = False) -> Lowered | None:
