@@ -66,7 +66,6 @@ def command(program: Path, **options: Any) -> None:
 
 def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
     from nscc_runtime.frame_file import meta
-    from nscc_runtime.plan_file import plan_table
     from nscc_runtime.simulate import Listener, simulate
 
     request = _request(options)
@@ -88,6 +87,8 @@ def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ..
         taken.plan_file,
     )  # fmt: skip
     if taken.plan is not None:
+        from nscc_runtime.plan_file import plan_table
+
         done(plan_table(taken.plan, taken.audit) + "\n")
     done(summary(container, frame, files, alike=request.effects.noiseless))
     if taken.broken is not None:

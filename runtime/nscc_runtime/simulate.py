@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, field
 from hashlib import sha256
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
@@ -18,12 +19,13 @@ from nscc_runtime import frame_file
 from nscc_runtime.effects import Selection
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
-from nscc_runtime.plan.audit import Audit
-from nscc_runtime.plan.plan import Plan
-from nscc_runtime.plan_file import plan_text, read_plan
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
+
+if TYPE_CHECKING:  # a frame without effects starts without the planner
+    from nscc_runtime.plan.audit import Audit
+    from nscc_runtime.plan.plan import Plan
 
 
 @dataclass(frozen=True)
@@ -129,6 +131,7 @@ def _planned(
     from nscc_runtime.plan.fused_loop import fused
     from nscc_runtime.plan.pixel_loop import run_pixels
     from nscc_runtime.plan.tolerance import tolerance_e
+    from nscc_runtime.plan_file import plan_text, read_plan
 
     timings, device_seed = listener.timings, request.device_seed
     tolerance = tolerance_e(request.tolerance, sensor)
