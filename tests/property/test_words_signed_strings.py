@@ -115,7 +115,7 @@ def test_free_text(name: str, text: str, tmp_path_factory: pytest.TempPathFactor
 def test_halves_of_characters_are_refused_at_the_door(name: str) -> None:
     """No file and no terminal takes them, wherever a command would print them."""
     value: Any = ["nsl 1", "\ud800"] if name == "source_lines" else {"class": "\ud800"}
-    with pytest.raises(Rejected, match="NS0707.*surrogate"):
+    with pytest.raises(Rejected, match=r"NS0707.*surrogate"):
         from_bytes(signed({**good()[1], name: value}), "x.icw")
 
 
