@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data.sources import load_scenes  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.settings import DataSettings  # noqa: E402
 
 CODE = """
@@ -151,6 +153,33 @@ def test_what_does_its_work(folder: Path, section: str, name: str) -> None:
 def test_what_fails_is_said_to_be_the_users(folder: Path, section: str, name: str) -> None:
     assert outcome(folder, section, name) == ["NS0822"]
     assert not (folder / "run/result.json").exists()
+
+
+@pytest.mark.parametrize("section", ["decoder", "loss"])
+def test_a_run_executes_nothing_until_it_is_trusted(folder: Path, section: str) -> None:
+    """A run folder comes from anybody, and modules are looked for in the current folder."""
+    name = "good" if section == "decoder" else "squared"
+    assert outcome(folder, section, name) == []
+    (folder / "own_code_of_tests.py").write_text(CODE + "open('executed', 'w').close()\n")
+    sys.modules.pop("own_code_of_tests")
+    np.savez(folder / "f.npz", frame=np.zeros((1, 256, 256), np.uint8))
+    for command in (
+        ["reconstruct", "run", "f.npz", "-o", "out.npz"],
+        ["evaluate", "run", "--data", ".", "--protocol", "hdr-v1"],
+        ["tradeoff", "decoder", "--run", "run", "--csv", "t.csv"],
+    ):
+        found = invoke(command, folder)
+        assert (found.status, found.codes) == (2, ["NS0823"]), found.err
+        assert f"own_code_of_tests:{name}" in found.err
+        assert "--trust-code" in found.err
+        assert not (folder / "executed").exists()
+    with pytest.raises(Rejected, match="NS0823"):
+        load_run(folder / "run")
+    assert load_run(folder / "run", trust_code=True).parts.still
+    assert (folder / "executed").exists()
+    # With trust it is the frame that is wrong.
+    assert invoke(["reconstruct", "run", "f.npz", "-o", "out.npz", "--trust-code"],
+                  folder).codes == ["NS0819"]  # fmt: skip
 
 
 @pytest.mark.parametrize("name", ["complex_light", "too_bright"])
