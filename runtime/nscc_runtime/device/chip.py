@@ -59,7 +59,7 @@ class Chip:
         """One frame of `container`; the device sees what is before it, so `light` is not used."""
         self.upload(container)
         shot = self.capture(container)
-        return Exposure(shot.frame.exposure_e, shot.frame.valid)
+        return Exposure(shot.frame.exposure_e, shot.frame.valid, shot.frame.saturated_by)
 
     def info(self) -> Info:
         """What the loader says of itself, asked anew."""
