@@ -11,7 +11,9 @@
 K repeats put an axis K in front of these arrays. On request also `light` float32 (N, rows,
 cols); `truth_e`, the all-open sum float64 (rows, cols) of a still or the `light` of a clip;
 `shutter` uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the lowest
-bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols).
+bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols); `gain` and
+`zero_e` float64 (buckets, rows, cols), with which an exposure that is not saturated is `zero_e` +
+`gain` x the light that fell while its pixel was open (`nscc_runtime.response`).
 
 Same frame, same bytes: the archive holds no times, and its entries have a fixed order.
 """
@@ -40,7 +42,7 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256
 
 SCHEMA = "nscc-frame-1"
-KEEP = ("light", "truth", "shutter", "codes")
+KEEP = ("light", "truth", "shutter", "codes", "response")
 _MOST_BITS = 8
 """`frame` is uint8: a wider ADC does not fit."""
 _BLOCK_BYTES = 1 << 24
@@ -48,7 +50,7 @@ _BLOCK_BYTES = 1 << 24
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """The arrays of a frame file, each (buckets, rows, cols); with repeats (K, buckets, rows, cols).
+    """The arrays of a frame file, each (buckets, rows, cols); repeats have an axis K in front.
 
     `frame`: codes of the converter; `exposure_e`: electrons before it; `valid`: False where these
     mean nothing. `saturated_by`: 0, or the bits of what cut the exposure off. 1 well: PIX was full
@@ -66,6 +68,12 @@ class Frame:
     def saturated(self) -> NDArray[np.bool_]:
         """Where there was more light than the exposure tells."""
         return self.saturated_by != 0
+
+    @property
+    def first(self) -> Frame:
+        """The first frame of repeats; a single frame itself."""
+        arrays = (self.frame, self.exposure_e, self.valid, self.saturated_by)
+        return self if self.frame.ndim == 3 else Frame(*(each[0] for each in arrays))
 
 
 def read_out(
@@ -156,13 +164,11 @@ def repeated(frame: Frame, count: int) -> Frame:
 def frame_lines(container: Container, frame: Frame) -> list[str]:
     """What a person wants to know first, a line a bucket; of the first frame where there are K."""
     width = max(len(name) for name in container.buckets)
-    lines = []
+    lines, first = [], frame.first
     for b, name in enumerate(container.buckets):
-        place = (0, b) if frame.frame.ndim == 4 else (b,)
-        valid, by = frame.valid[place], frame.saturated_by[place]
-        values = frame.exposure_e[place][valid]
-        invalid = valid.size - values.size
-        text = f"{name:<{width}}  {saturation_text(by)}"
+        values = first.exposure_e[b][first.valid[b]]
+        invalid = first.valid[b].size - values.size
+        text = f"{name:<{width}}  {saturation_text(first.saturated_by[b])}"
         if values.size:
             text += f", electrons {values.min():.6g} to {values.max():.6g}"
             text += f", mean {values.mean():.6g}"
@@ -296,10 +302,12 @@ class FrameFile:
         keep: Sequence[str] = (),
         shutters: NDArray[np.bool_] | None = None,
         progress: Progress = unseen,
+        response: Mapping[str, NDArray[np.float64]] | None = None,
     ) -> FrameFile:
         """The file of a frame, with what of KEEP is named in `keep`; without light none is kept.
 
-        `shutters` as in `packed_shutters`, needed where `keep` names them.
+        `shutters` as in `packed_shutters`, `response` as `Response.arrays` gives it, needed where
+        `keep` names them.
         """
         kept: dict[str, NDArray[Any]] = {}
         slots: dict[str, Light] = {}
@@ -314,6 +322,8 @@ class FrameFile:
             kept["shutter"], kept["shutter_shape"] = packed_shutters(container, shutters)
         if "codes" in keep:
             kept |= fields_at_pixels(container)
+        if "response" in keep and response is not None:
+            kept |= response
         return cls(frame, meta, kept, slots, progress)
 
     def write(self, file: IO[bytes]) -> None:
