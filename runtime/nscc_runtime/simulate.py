@@ -65,12 +65,14 @@ class Listener:
 class Simulated:
     """What became of it: the frame(s) and where they come from.
 
-    With a plan: the plan, its audit if there was one, the text of a plan's file to be written, and
-    what to raise once the frame is written if the audit says that the promise was broken.
+    `effects` are those that were simulated. With a plan: the plan, its audit if there was one, the
+    text of a plan's file to be written, and what to raise once the frame is written if the audit
+    says that the promise was broken.
     """
 
     frame: Frame
     origin: Provenance
+    effects: Selection
     plan: Plan | None = None
     audit: Audit | None = None
     plan_file: str | None = None
@@ -94,7 +96,7 @@ def simulate(
     digest = sha256(to_bytes(container)).hexdigest()
     plan = frame_file.unplanned(request.effects, light.motion is not None)
     seeds = request.seed, request.device_seed
-    return Simulated(frame, Provenance(digest, sensor, *seeds, fidelity, plan))
+    return Simulated(frame, Provenance(digest, sensor, *seeds, fidelity, plan), request.effects)
 
 
 def _exact(
@@ -166,7 +168,7 @@ def _planned(
         None if report is None else asdict(report),
     )  # fmt: skip
     text = plan_text(plan, digest, sensor) if request.plan is not None and not given else None
-    return Simulated(frame, origin, plan, report, text, broken)
+    return Simulated(frame, origin, plan.kept, plan, report, text, broken)
 
 
 def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
