@@ -335,7 +335,7 @@ def test_svg_is_of_its_own() -> None:
     text = data.decode()
     assert "<svg" in text
     assert "<text" not in text
-    assert set(re.findall(r'(?:href|src)="([^#"]*)', text)) == set()
+    assert not re.findall(r'(?:href|src)="[^#"]', text)
 
 
 PLACES = st.tuples(st.floats(0, 1), st.floats(0, 1))

@@ -99,15 +99,19 @@ def place_labels(axes: Axes, labels: Sequence[Label]) -> list[Label]:
     return [label for label in labels if label.text and not _written(axes, label, drawn)]
 
 
-def _written(axes: Axes, label: Label, drawn: _Drawn) -> bool:
+def halo() -> list[Any]:
+    """The effect of a text (`path_effects`) that stays legible on lines."""
     from matplotlib.patheffects import withStroke
 
+    return [withStroke(linewidth=2, foreground=look().paper)]
+
+
+def _written(axes: Axes, label: Label, drawn: _Drawn) -> bool:
     dots = axes.figure.dpi / 72
     text = axes.annotate(
         label.text, label.anchors[0], (0, 0), textcoords="offset points", ha="left", va="bottom",
         size=_NAME if label.name else _SMALL, weight="bold" if label.name else "normal",
-        color=look().type_in(label.colour),
-        path_effects=[withStroke(linewidth=2, foreground=look().paper)],
+        color=look().type_in(label.colour), path_effects=halo(),
     )  # fmt: skip
     text.set_in_layout(False)
     extent = text.get_window_extent()

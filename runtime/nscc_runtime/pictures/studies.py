@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.labels import Label, place_labels
+from nscc_runtime.pictures.labels import Label, halo, place_labels
 from nscc_runtime.pictures.look import look
 from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
 from nscc_runtime.tradeoff import study as studied
@@ -166,7 +166,10 @@ def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
     for i, each in enumerate(decisions):
         rms_e, colour = each.predicted_rms_e, colours[each.decision]
         if each.decision == "absent":
-            axes.text(span[0], i, " absent", size=7.5, color=colour, va="center", style="italic")
+            axes.text(
+                span[0], i, " absent", size=7.5, color=colour, va="center", style="italic",
+                path_effects=halo(),
+            )  # fmt: skip
         elif rms_e is not None and rms_e > span[0]:
             face = colour if each.decision == "kept" else look().paper
             axes.barh(i, rms_e - span[0], 0.62, span[0], facecolor=face, edgecolor=colour)
