@@ -9,9 +9,8 @@ from pathlib import Path
 DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS))
 
-from nscc_site.digest import source_digest  # noqa: E402
-
 import nscc  # noqa: E402
+from nscc_site.digest import source_digest  # noqa: E402
 
 project = "nscc"
 author = "nscc contributors"

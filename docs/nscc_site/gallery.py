@@ -6,10 +6,9 @@ import shutil
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from nscc_site.tool import block, said
-
 from nscc.containers import load_container
 from nscc_runtime.pictures.look import LOOKS, looking
+from nscc_site.tool import block, said
 
 _STILL = "builtin:hdr --exposure 1000000"
 _CLIP = "builtin:motion --exposure 400000"

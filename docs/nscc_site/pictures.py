@@ -9,11 +9,11 @@ from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
 from docutils import nodes
-from nscc_site.tool import said
 
 from nscc.tradeoff.points import Point
 from nscc_runtime.pictures.look import LOOKS, looking
 from nscc_runtime.pictures.sheet import png_of
+from nscc_site.tool import said
 from nscc_training.tradeoff.diagrams import decoder_diagram
 
 if TYPE_CHECKING:

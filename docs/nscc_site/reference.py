@@ -6,7 +6,6 @@ import tomllib
 from pathlib import Path
 
 import click
-from nscc_site.tool import block, said, table
 
 from nscc.diagnostics.explain import page
 from nscc.diagnostics.render import names
@@ -15,6 +14,7 @@ from nscc_cli.group import group
 from nscc_cli.table import COMMANDS
 from nscc_runtime.effects import registered
 from nscc_runtime.sensor import default_sensor
+from nscc_site.tool import block, said, table
 
 _PROTOCOLS = Path(__file__).resolve().parents[2] / "training" / "protocols"
 
