@@ -7,6 +7,7 @@ from math import isfinite
 
 import numpy as np
 
+from nscc.words import machine_file
 from nscc.words.container import Container
 
 MOST_WORDS = 1 << 18
@@ -21,7 +22,10 @@ def faults(container: Container) -> list[str]:
     The words themselves are not looked at (see `nscc.words.legality`), except that each must be
     five 32-bit integers and that all must fit the target's store.
     """
-    parts = (_time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults)
+    parts = (
+        _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults,
+        machine_file.faults,
+    )  # fmt: skip
     return [fault for part in parts for fault in part(container)]
 
 
