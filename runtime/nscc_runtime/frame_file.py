@@ -5,7 +5,10 @@
     valid       bool    (buckets, rows, cols)  False where the exposure means nothing
     meta        text    JSON, see `meta`
 
-K repeats put an axis K in front of the three arrays. On request also `light` float32 (N, rows,
+A program whose pixels look at the light has `states_NAME` int64 (rows, cols) for every state that
+it reads, and `open_slots` int64 (buckets, rows, cols), how many slots each pixel was open.
+
+K repeats put an axis K in front of these arrays. On request also `light` float32 (N, rows,
 cols); `truth_e`, the all-open sum float64 (rows, cols) of a still or the `light` of a clip;
 `shutter` uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the lowest
 bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols).
@@ -18,7 +21,7 @@ from __future__ import annotations
 import json
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import IO, Any
 
 import numpy as np
@@ -44,11 +47,14 @@ _BLOCK_BYTES = 1 << 24
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """The three arrays of a frame file; with repeats each has a leading axis K."""
+    """The three arrays of a frame file, and what a program that looks has told beside them
+    (`states_NAME`, `open_slots`), by key; with repeats each has a leading axis K.
+    """
 
     frame: NDArray[np.uint8]
     exposure_e: NDArray[np.float64]
     valid: NDArray[np.bool_]
+    told: Mapping[str, NDArray[np.int64]] = field(default_factory=dict)
 
 
 def read_out(
@@ -80,10 +86,11 @@ def converted(
     effects: Selection,
     seeds: tuple[int, int],
     frame: int,
+    told: Mapping[str, NDArray[np.int64]] | None = None,
 ) -> Frame:
     """Frame number `frame` read out with the converter's noise, where `effects` have some.
 
-    `seeds` are those of the frames' noise and of the device.
+    `seeds` are those of the frames' noise and of the device; `told` as in Frame.
     """
     noise: NDArray[np.float64] | float = 0.0
     shape = exposure.exposure_e.shape
@@ -92,7 +99,7 @@ def converted(
     for off in effects.at("converter"):
         drawn = [off(where, bucket) for bucket in range(shape[0])]
         noise = noise + np.stack(drawn).reshape(shape)
-    return read_out(exposure, target, sensor, noise)
+    return replace(read_out(exposure, target, sensor, noise), told=told or {})
 
 
 def check_adc(target: Target) -> None:
@@ -113,6 +120,7 @@ def stacked(frames: Sequence[Frame]) -> Frame:
         np.stack([each.frame for each in frames]),
         np.stack([each.exposure_e for each in frames]),
         np.stack([each.valid for each in frames]),
+        {key: np.stack([each.told[key] for each in frames]) for key in frames[0].told},
     )
 
 
@@ -287,6 +295,8 @@ class FrameFile:
         with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
             for key in ("frame", "exposure_e", "valid"):
                 _put_array(archive, key, getattr(self.frame, key))
+            for key, values in self.frame.told.items():
+                _put_array(archive, key, values)
             _put_array(archive, "meta", np.array(json.dumps(self.meta, allow_nan=False)))
             for key, light in self.slots.items():
                 shape = (light.slots, *light.shape)
