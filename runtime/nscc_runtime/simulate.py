@@ -88,6 +88,8 @@ def simulate(
 ) -> Simulated:
     """Expose the scene. Raises Rejected where the program, the scene or the plan is unfit."""
     listener = listener or Listener()
+    if container.machine is not None:
+        return _looking(container, light, sensor, request, listener)
     if request.planned:
         return _planned(container, light, sensor, request, listener)
     with listener.timings.part("expose_s"):
@@ -97,6 +99,35 @@ def simulate(
     plan = frame_file.unplanned(request.effects, light.motion is not None)
     seeds = request.seed, request.device_seed
     return Simulated(frame, Provenance(digest, sensor, *seeds, fidelity, plan), request.effects)
+
+
+def _looking(
+    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
+) -> Simulated:
+    """A program whose pixels look at the light: word by word, with all effects that were named."""
+    from nscc_runtime.noise.loops import fill_normals
+    from nscc_runtime.reference.looks import looking_frames
+
+    if request.plan is not None or request.audit:
+        option = "--plan" if request.plan is not None else "--audit"
+        raise rejected(
+            "NS0750",
+            f"{option} needs a plan, and a program whose pixels look at the light has none",
+            notes=("its words are executed one by one, with every effect that is on",),
+            helps=(f"leave {option} out: nothing is approximated",),
+        )
+    _say_compiling(listener, fill_normals.is_compiled(), "noise")
+    with listener.timings.part("expose_s"):
+        made = looking_frames(
+            container, light, sensor, request.effects,
+            seed=request.seed, device_seed=request.device_seed, count=request.repeat or 1,
+        )  # fmt: skip
+        frame = _gathered(made, request.repeat, listener)
+    digest = sha256(to_bytes(container)).hexdigest()
+    plan = frame_file.unplanned(request.effects, light.motion is not None)
+    plan["slot_loop_reasons"] = ["pixels look at the light: their words are executed one by one"]
+    seeds = request.seed, request.device_seed
+    return Simulated(frame, Provenance(digest, sensor, *seeds, "reference", plan))
 
 
 def _exact(
