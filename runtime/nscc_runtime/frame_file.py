@@ -67,7 +67,7 @@ class Frame:
     exposure_e: NDArray[np.float64]
     valid: NDArray[np.bool_]
     saturated_by: NDArray[np.uint8]
-    told: Mapping[str, NDArray[np.int64]] = field(default_factory=dict)
+    told: Mapping[str, NDArray[np.int64]] = field(default_factory=dict, kw_only=True)
 
     @property
     def saturated(self) -> NDArray[np.bool_]:
@@ -81,7 +81,7 @@ class Frame:
         if self.frame.ndim == 3:
             return self
         told = {key: values[0] for key, values in self.told.items()}
-        return Frame(*(each[0] for each in arrays), told)
+        return Frame(*(each[0] for each in arrays), told=told)
 
 
 def read_out(
@@ -157,7 +157,7 @@ def stacked(frames: Sequence[Frame]) -> Frame:
         np.stack([each.exposure_e for each in frames]),
         np.stack([each.valid for each in frames]),
         np.stack([each.saturated_by for each in frames]),
-        {key: np.stack([each.told[key] for each in frames]) for key in frames[0].told},
+        told={key: np.stack([each.told[key] for each in frames]) for key in frames[0].told},
     )
 
 

@@ -127,7 +127,8 @@ def _looking(
     plan = frame_file.unplanned(request.effects, light.motion is not None)
     plan["slot_loop_reasons"] = ["pixels look at the light: their words are executed one by one"]
     seeds = request.seed, request.device_seed
-    return Simulated(frame, Provenance(digest, sensor, *seeds, "reference", plan))
+    origin = Provenance(digest, sensor, *seeds, "reference", plan)
+    return Simulated(frame, origin, request.effects)
 
 
 def _exact(
