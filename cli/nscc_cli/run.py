@@ -42,7 +42,8 @@ _MOST_REPEATS = 10000
 @click.option("--seed", type=SEED, default=0, help="Seed of a frame's noise.")
 @click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
 @click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames.")
-@click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes.")
+@click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes,"
+              "response.")  # fmt: skip
 @shared.pixels_option
 @shared.scene_options
 @click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
@@ -75,7 +76,7 @@ def command(program: Path, **options: Any) -> None:
 
 def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
     from nscc_runtime.frame_file import meta
-    from nscc_runtime.plan_file import plan_table
+    from nscc_runtime.response import response_of
     from nscc_runtime.simulate import Listener, simulate
 
     request = _request(options)
@@ -94,9 +95,11 @@ def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ..
     files = write_frame(
         out, options, keep, container, light, frame, meta(container, light, frame, taken.origin),
         f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
-        taken.plan_file,
+        lambda: response_of(container, sensor, taken.effects), taken.plan_file,
     )  # fmt: skip
     if taken.plan is not None:
+        from nscc_runtime.plan_file import plan_table
+
         done(plan_table(taken.plan, taken.audit) + "\n")
     done(summary(container, frame, files, alike=request.effects.noiseless))
     if taken.broken is not None:

@@ -12,6 +12,7 @@ from nscc.program.constants import resolve_constants
 from nscc.program.expressions import Checked, Meaning, check
 from nscc.program.fields import make_fields
 from nscc.program.frame import make_frame
+from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
 from nscc.program.planes import make_planes
 from nscc.program.problems import Problems
@@ -45,6 +46,7 @@ def analyse(
     scope = constants_scope(declared, constants)
     fields = make_fields(declared, scope, books, problems)
     requires, rules = _check_rules(declared, constants, problems)
+    looking = make_looking(declared, constants, chosen, problems)
     planes = make_planes(declared, fields, constants, chosen, base, problems)
     problems.stop_on_errors()
     assert frame is not None
@@ -52,7 +54,7 @@ def analyse(
     sound = tuple(field for field in fields.values() if field is not None)
     digits = {name: book for name, book in books.items() if book is not None}
     known = Rules(sound, requires, rules, digits, len(frame.slot_us))
-    return Completion(problems, declared, chosen, frame, known, planes, codes).run()
+    return Completion(problems, declared, chosen, frame, known, planes, codes, looking).run()
 
 
 def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int, int]]:

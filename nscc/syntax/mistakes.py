@@ -13,7 +13,13 @@ from nscc.source import Span
 from nscc.syntax.grammar import END, spellings
 from nscc.syntax.lexer import Tokens
 from nscc.syntax.statement import Stuck
-from nscc.syntax.words import FORMS, STATEMENT_WORDS, expected_words, shown
+from nscc.syntax.words import (
+    FORMS,
+    LOOKING_WORDS,
+    expected_words,
+    shown,
+    statement_words,
+)
 
 _UNITS = {
     **dict.fromkeys(("ns", "nsec", "nsecs", "nanosecond", "nanoseconds"), "ns"),
@@ -27,7 +33,6 @@ characters that look alike), and the unit."""
 _NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d_]+)")
 _MOST_PARTS = 1000
 """Decimals that are simple fractions are written as one; others are not guessed at."""
-_STATEMENT_LIST = "statements begin with " + ", ".join(STATEMENT_WORDS)
 _SIGNS = {
     ";": ("statements need no semicolon", ""),
     "&": ("`and` joins conditions", "and"),
@@ -83,7 +88,7 @@ def misspelt_statement(
         if not first < index < last or tokens.kinds[index] != "NAME":
             continue
         if _first_on_line(tokens, index) or (index == stuck.token and END in stuck.expected):
-            near = closest(tokens.text(index), STATEMENT_WORDS)
+            near = closest(tokens.text(index), statement_words(tokens.version))
             if near is not None:
                 return index, near
     return None
@@ -97,14 +102,17 @@ def _first_on_line(tokens: Tokens, index: int) -> bool:
 def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
     """NS0109: a word stands where a statement should begin."""
     word = tokens.text(token)
-    near = closest(word, STATEMENT_WORDS)
+    words = statement_words(tokens.version)
+    near = closest(word, words)
     span = tokens.span(token)
+    later = tokens.version == 1 and word in LOOKING_WORDS
     return Diagnostic(
         "NS0109",
         f"no statement begins with {shown(word)}",
         source=tokens.source,
         label=Label(span, "a statement should begin here, or the last one go on"),
-        notes=(_STATEMENT_LIST,),
+        notes=("statements begin with " + ", ".join(words),),
+        helps=(f"`{word}` is a statement of version 2: begin the file with `nsl 2`",) * later,
         fixes=(Fix(f"did you mean `{near}`?", span, near),) if near else (),
     )
 

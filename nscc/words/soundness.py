@@ -7,6 +7,7 @@ from math import isfinite
 
 import numpy as np
 
+from nscc.words import machine_file
 from nscc.words.container import Container
 
 MOST_WORDS = 1 << 18
@@ -22,7 +23,8 @@ def faults(container: Container) -> list[str]:
     five 32-bit integers and that all must fit the target's store.
     """
     parts = (
-        _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults
+        _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults,
+        machine_file.faults,
     )  # fmt: skip
     return [fault for part in parts for fault in part(container)]
 
