@@ -18,7 +18,9 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
         return None
     by_folded: dict[str, str] = {}
     for candidate in sorted(set(candidates)):
-        if len(candidate) <= _LONGEST and candidate != name:
+        # A single letter is like every name that holds it.
+        alike = len(candidate) > 1 or len(name) <= 2
+        if alike and len(candidate) <= _LONGEST and candidate != name:
             by_folded.setdefault(candidate.casefold(), candidate)
     folded = name.casefold()
     if folded in by_folded:
