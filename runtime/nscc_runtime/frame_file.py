@@ -65,7 +65,7 @@ class Frame:
     @property
     def saturated(self) -> NDArray[np.bool_]:
         """Where there was more light than the exposure tells."""
-        return self.saturated_by != 0
+        return np.asarray(self.saturated_by != 0)
 
     @property
     def first(self) -> Frame:
