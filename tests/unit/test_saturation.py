@@ -10,6 +10,7 @@ from saturation_oracle import exposures, lost_e
 
 from nscc.words.container import Container
 from nscc_runtime.capture import Capture, capture
+from nscc_runtime.device.chip import frame_of
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.reference import frames
@@ -93,6 +94,24 @@ def test_fast_paths_and_reference_agree(lit: tuple[Container, np.ndarray], effec
     )
     assert np.array_equal(found.saturated_by, full.saturated_by)
     assert found.saturated.any()
+
+
+@pytest.mark.parametrize("knee", [KNEE, 1.0])
+def test_of_a_chip_codes_alone_tell_it(lit: tuple[Container, np.ndarray], knee: float) -> None:
+    """What unsaturated pixels never read: light that fills PIX before a shutter opens leaves any
+    code."""
+    container, light = lit
+    still = np.broadcast_to(light.mean(axis=0), light.shape)
+    sensor = sensor_of(container, crosstalk_fraction=0.0, register_knee_fraction=knee)
+    found = capture(still, container, sensor, effects="all", seed=2, device_seed=4)
+    size = found.frame.shape
+    told = frame_of(found.frame.tobytes(), 1, size, sensor, container.target, container)
+    most = np.where(found.saturated, 0, found.frame).max()
+    assert told.saturated[found.frame > most].all()
+    assert (found.frame > most).mean() > 0.01
+    assert (told.saturated & ~found.saturated).mean() < 0.03
+    blind = frame_of(found.frame.tobytes(), 1, size, sensor, container.target)
+    assert np.array_equal(blind.saturated, found.frame == 255)
 
 
 @pytest.mark.parametrize("electrons", [1e8, 1e30])
