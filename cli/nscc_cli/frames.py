@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -36,6 +37,21 @@ def scene_of(
         )
     named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
     return Scene(*(options[name] for name in named))
+
+
+def refuse_swapped(program: Path, scene: str | None) -> None:
+    """NS0780 where the scene is a program: then the two were likely given the wrong way round."""
+    if scene is None or not scene.lower().endswith((".nsl", ".icw")):
+        return
+    if program.suffix.lower() in (".nsl", ".icw"):
+        message, help_text = (
+            f"--scene '{scene}' is a program, not a scene",
+            "name a file of light: a picture, a clip, an array, or builtin:hdr",
+        )
+    else:
+        message = f"the program and the scene are swapped: '{program}' and --scene '{scene}'"
+        help_text = f"write `nscc run {shlex.quote(scene)} --scene {shlex.quote(str(program))}`"
+    raise rejected("NS0780", message, helps=(help_text,))
 
 
 def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:

@@ -8,6 +8,9 @@
                                                  4 converter, 8 reset level; see `Frame`
     meta          text    JSON, see `meta`
 
+A program whose pixels look at the light has `states_NAME` int64 (rows, cols) for every state that
+it reads, and `open_slots` int64 (buckets, rows, cols), how many slots each pixel was open.
+
 K repeats put an axis K in front of these arrays. On request also `light` float32 (N, rows,
 cols); `truth_e`, the all-open sum float64 (rows, cols) of a still or the `light` of a clip;
 `shutter` uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the lowest
@@ -21,7 +24,7 @@ from __future__ import annotations
 import json
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from typing import IO, Any
 
 import numpy as np
@@ -54,13 +57,15 @@ class Frame:
     mean nothing. `saturated_by`: 0, or the bits of what cut the exposure off. 1 well: PIX was full
     when it was read; 2 register: an analog register held less than was written to it; 4
     converter: the code is the last one; 8 reset level: PIX was full when the level that is
-    subtracted was read, so the exposure may be anything down to 0.
+    subtracted was read, so the exposure may be anything down to 0. `told`: what a program that
+    looks has told beside them (`states_NAME`, `open_slots`), by key.
     """
 
     frame: NDArray[np.uint8]
     exposure_e: NDArray[np.float64]
     valid: NDArray[np.bool_]
     saturated_by: NDArray[np.uint8]
+    told: Mapping[str, NDArray[np.int64]] = field(default_factory=dict, kw_only=True)
 
     @property
     def saturated(self) -> NDArray[np.bool_]:
@@ -71,7 +76,10 @@ class Frame:
     def first(self) -> Frame:
         """The first frame of repeats; a single frame itself."""
         arrays = (self.frame, self.exposure_e, self.valid, self.saturated_by)
-        return self if self.frame.ndim == 3 else Frame(*(each[0] for each in arrays))
+        if self.frame.ndim == 3:
+            return self
+        told = {key: values[0] for key, values in self.told.items()}
+        return Frame(*(each[0] for each in arrays), told=told)
 
 
 def read_out(
@@ -112,10 +120,11 @@ def converted(
     effects: Selection,
     seeds: tuple[int, int],
     frame: int,
+    told: Mapping[str, NDArray[np.int64]] | None = None,
 ) -> Frame:
     """Frame number `frame` read out with the converter's noise, where `effects` have some.
 
-    `seeds` are those of the frames' noise and of the device.
+    `seeds` are those of the frames' noise and of the device; `told` as in Frame.
     """
     noise: NDArray[np.float64] | float = 0.0
     shape = exposure.exposure_e.shape
@@ -124,7 +133,7 @@ def converted(
     for off in effects.at("converter"):
         drawn = [off(where, bucket) for bucket in range(shape[0])]
         noise = noise + np.stack(drawn).reshape(shape)
-    return read_out(exposure, target, sensor, noise)
+    return replace(read_out(exposure, target, sensor, noise), told=told or {})
 
 
 def check_adc(target: Target) -> None:
@@ -146,6 +155,7 @@ def stacked(frames: Sequence[Frame]) -> Frame:
         np.stack([each.exposure_e for each in frames]),
         np.stack([each.valid for each in frames]),
         np.stack([each.saturated_by for each in frames]),
+        told={key: np.stack([each.told[key] for each in frames]) for key in frames[0].told},
     )
 
 
@@ -329,6 +339,8 @@ class FrameFile:
             blocks = (each != 0 for each in marked)  # of many repeats, never all at once
             _put(archive, "saturated", marked.shape, np.dtype(np.bool_), blocks)
             _put_array(archive, "saturated_by", marked)
+            for key, values in self.frame.told.items():
+                _put_array(archive, key, values)
             _put_array(archive, "meta", np.array(json.dumps(self.meta, allow_nan=False)))
             for key, light in self.slots.items():
                 shape = (light.slots, *light.shape)

@@ -42,6 +42,7 @@ STAGES = {
     "reads": "(pixels, level, word) -> level of PIX as a word reads it",
     "words": "(pixels, value, word, destination, sign) -> what a word writes, of its exact result; "
     "-1 is the sign of a register that holds inverted values",
+    "compare": "(pixels, total, word) -> the sum that a comparison with 0 sees",
     "registers": "(pixels, value) -> what a register holds of what is written to it",
     "hold": "(pixels, seconds) -> the part of its value that a register keeps so long",
     "readout": "(pixels, exposure, bucket) -> exposure as it leaves the pixels",
