@@ -24,8 +24,9 @@ from PIL import Image as PillowImage
 from nscc.target.load import builtin_target
 from nscc.tradeoff.points import Point
 from nscc.words.container import Container, DecodeTable
+from nscc_runtime.merge import Readout
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.frames import Readout, frame_sheet
+from nscc_runtime.pictures.frames import frame_sheet
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.labels import Label, place_labels
 from nscc_runtime.pictures.look import LOOKS, Look, contrast, look, looking
@@ -142,7 +143,10 @@ def container(codes: int, buckets: int, slots: int, shape: tuple[int, int] | Non
 
 def readout(rows: int, cols: int, name: str = "frame") -> Readout:
     frame = RNG.integers(0, 256, (rows, cols)).astype(np.uint8)
-    return Readout(name, frame, 255, np.full((rows, cols), 1e-3), (2, 2))
+    light_e, open_s = 100.0 * frame, np.full((rows, cols), 1e-3)
+    return Readout(
+        name, frame, frame == 255, light_e, np.full_like(light_e, 25500.0), open_s, (2, 2)
+    )
 
 
 TOLERANCES = (0.5, 1, 2, 5, 10, 20, 50)

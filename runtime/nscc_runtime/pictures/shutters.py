@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.merge import tile_of
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.frames import tile_of
 from nscc_runtime.pictures.look import look
 from nscc_runtime.scenes.shapes import Field
 
