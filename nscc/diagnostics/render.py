@@ -1,4 +1,5 @@
-"""Diagnostics as text: for people, for editors (`short`), for programs (`json`)."""
+"""Diagnostics as text: for people, for editors (`short`), for programs (`json`); for services that
+show code see `nscc.diagnostics.reports`."""
 
 from __future__ import annotations
 
@@ -10,7 +11,7 @@ from typing import Literal
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Severity
 from nscc.source import Source
 
-Format = Literal["human", "short", "json"]
+Format = Literal["human", "short", "json", "github", "sarif"]
 
 PAGES = Path(__file__).parent / "pages"
 _WIDEST = 100
@@ -30,11 +31,16 @@ def names() -> dict[str, str]:
 
 
 def render(diagnostics: Sequence[Diagnostic], form: Format, color: bool = False) -> str:
-    """Diagnostics as text that ends in a line break; `json` has one object a line."""
+    """Diagnostics as text that ends in a line break; `json` has one object a line, `github` one
+    workflow command, `sarif` is one document."""
     if form == "json":
         return "".join(_json(d) for d in diagnostics)
     if form == "short":
         return "".join(_short(d) + "\n" for d in diagnostics)
+    if form in ("github", "sarif"):
+        from nscc.diagnostics.reports import annotation, sarif
+
+        return sarif(diagnostics) if form == "sarif" else "".join(map(annotation, diagnostics))
     return "\n".join(_human(d, color) for d in diagnostics)
 
 
