@@ -10,8 +10,9 @@ code nor a kept state.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import inf
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +30,7 @@ from nscc_runtime.emulator.capture import check
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
+from nscc_runtime.looked_light import light_of
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
 from nscc_runtime.reference.charge import Groups, charge_of_rows
@@ -147,29 +149,36 @@ def _frames(
     for number in range(count):
         executed = reference.expose(scene, *seeds, number, planes)
         planes = executed.planes
-        told = told_by(container, planes, scene.light.shape)
-        yield converted(
-            executed.exposure, container.target, reference.sensor, reference.effects, seeds, number,
-            told,
-        )  # fmt: skip
+        frame = converted(
+            executed.exposure, container.target, reference.sensor, reference.effects, seeds, number
+        )
+        told = told_by(container, planes, frame.frame, reference.sensor, reference.effects)
+        yield replace(frame, told=told)
 
 
 def told_by(
-    container: Container, planes: Mapping[str, Bits], shape: tuple[int, int]
-) -> dict[str, NDArray[np.int64]]:
-    """What a frame file says beside the exposure: `states_NAME` (rows, cols) of the states that are
-    read, `open_slots` (buckets, rows, cols)."""
+    container: Container,
+    planes: Mapping[str, Bits],
+    codes: NDArray[np.uint8],
+    sensor: Sensor,
+    effects: Selection,
+) -> dict[str, NDArray[Any]]:
+    """What a frame file says beside the exposure, from the digital planes and the converter's codes
+    (buckets, rows, cols): `states_NAME` (rows, cols) of the states that are read, `open_slots`
+    (buckets, rows, cols), and the light (`nscc_runtime.looked_light.light_of`)."""
     machine = container.machine
     assert machine is not None
     assert container.pixel_codes is not None
     found = {
-        state.name: container.state_planes[state.name].read(planes, shape)
+        state.name: container.state_planes[state.name].read(planes, codes.shape[1:])
         for state in machine.states
         if state.read
     }
     behaviour = container.table.shutter_of_code[container.pixel_codes]
-    slots, _ = open_times(machine, behaviour, found)
-    return {**{f"states_{name}": each for name, each in found.items()}, "open_slots": slots}
+    slots, open_us = open_times(machine, behaviour, found)
+    states = {f"states_{name}": each for name, each in found.items()}
+    light = light_of(codes, open_us, container, sensor, effects)
+    return {**states, "open_slots": slots, **light}
 
 
 def open_times(
