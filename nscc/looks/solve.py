@@ -61,7 +61,9 @@ class _Solver:
         self.gates = Machine.of(target)
         self.holders: list[str] = []
         self.states: list[str] = []
-        self.code = [self._plane(f"code, {encoding.code.kind}") for _ in range(encoding.code.registers)]
+        self.code = [
+            self._plane(f"code, {encoding.code.kind}") for _ in range(encoding.code.registers)
+        ]
         self.registers = tuple(
             tuple(
                 self._plane(held.name) if state.kept else self._state(held.name)
@@ -99,7 +101,11 @@ class _Solver:
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
         """What every register holds in lanes at these nodes."""
         found = dict(
-            zip(self.code, self._columns(self.encoding.code, self.machine.behaviour[nodes]), strict=True)
+            zip(
+                self.code,
+                self._columns(self.encoding.code, self.machine.behaviour[nodes]),
+                strict=True,
+            )
         )
         for k, (held, names) in enumerate(zip(self.encoding.states, self.registers, strict=True)):
             found |= zip(names, self._columns(held, self.machine.values[nodes, k]), strict=True)

@@ -76,9 +76,7 @@ class Completion:
         self._advise(found, survey, table, len(in_use), legal)
         return self._program(table, legal, at_pixel, found)
 
-    def _looking(
-        self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]
-    ) -> Program:
+    def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> Program:
         """The program whose shutters depend on the light."""
         codes, legal = in_use, None
         if self.mode == "open":

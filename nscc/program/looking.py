@@ -159,7 +159,9 @@ class _Maker:
 
     def _boundaries(self, sense: tree.Sense) -> tuple[int, ...] | None:
         """The boundaries 1..N of a sense."""
-        asked = check(sense.at, "boolean", self.at_scope, self.problems, "the boundaries of a sense")
+        asked = check(
+            sense.at, "boolean", self.at_scope, self.problems, "the boundaries of a sense"
+        )
         if asked is None or not self.slots:
             return None
         numbers = np.arange(1, self.slots + 1, dtype=np.int64)

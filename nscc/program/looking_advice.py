@@ -40,7 +40,9 @@ def judge_looking(
         _judge_resets(declared.reset, machine, target, problems)
     for k, rule in enumerate(declared.rules):
         if not machine.opens[:, k].any():
-            who = f"the bucket `{rule.name.text}`" if isinstance(rule, tree.Bucket) else "the shutter"
+            who = (
+                f"the bucket `{rule.name.text}`" if isinstance(rule, tree.Bucket) else "the shutter"
+            )
             problems.warning("NS0350", f"{who} never opens", rule.rule.span, "false in every slot")
     for name, state in declared.states.items():
         if name not in declared.nexts:

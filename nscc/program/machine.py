@@ -121,7 +121,9 @@ class _Builder:
                 found[bit_count(field.name)] = scalar(field.bits)
         for k, state in enumerate(self.looking.states, 1):
             column = nodes[:, k : k + 1]
-            found[state.name] = Value(column != 0 if state.boolean else column, state.low, state.high)
+            found[state.name] = Value(
+                column != 0 if state.boolean else column, state.low, state.high
+            )
         for sense in self.looking.senses:
             found[sense.name] = Value(np.zeros((len(nodes), 1), np.bool_), 0, 1)
         for k, sense in enumerate(self.held, self.width):

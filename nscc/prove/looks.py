@@ -278,7 +278,9 @@ class Looks:
         comparisons = self.machine.at(self.boundary)
         for number in self.pending:
             for above in (False, True):
-                if self._is(comparisons[number].signal, comparisons[number].level, above, total, owes):
+                if self._is(
+                    comparisons[number].signal, comparisons[number].level, above, total, owes
+                ):
                     self.pending.remove(number)
                     self._split(number, above)
                     return

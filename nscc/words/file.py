@@ -238,7 +238,9 @@ def _check_header(header: Any, version: int) -> None:
     """Check the shape of a header; ValueError names what is wrong."""
     _need(isinstance(header, dict), "the header is no table")
     names = {"target", "buckets", "fields", "kernels", "code_registers", "readouts"}
-    names |= {"source_lines", "notes", "counts"} | ({"machine"} if version == VERSIONS[1] else set())
+    names |= {"source_lines", "notes", "counts"} | (
+        {"machine"} if version == VERSIONS[1] else set()
+    )
     _need(header.keys() == names, "the header has other keys than a container's")
     for name in ("buckets", "fields", "code_registers", "source_lines"):
         values = header[name]
