@@ -12,8 +12,8 @@ from nscc.program.advice import judge_bumps, judge_codes, judge_names, judge_rul
 from nscc.program.classes import Recognised, recognise
 from nscc.program.expressions import names_in
 from nscc.program.limits import SURVEY_LIMIT
-from nscc.program.looking_advice import judge_looking, shutters_in_the_dark
 from nscc.program.looking import Looking
+from nscc.program.looking_advice import judge_looking, shutters_in_the_dark
 from nscc.program.machine import build_machine
 from nscc.program.names import Declarations, Rule
 from nscc.program.open_time import with_open_times

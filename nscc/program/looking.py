@@ -81,8 +81,8 @@ def make_looking(
     senses = [maker.sense(sense) for sense in declared.senses.values()]
     states = [maker.state(name, state) for name, state in declared.states.items()]
     nexts = {name: maker.next(each) for name, each in declared.nexts.items()}
-    for name, each in declared.reads.items():
-        maker.known_state(each)
+    for name in declared.reads.values():
+        maker.known_state(name)
     reset = None
     if declared.reset is not None:
         reset = check(
@@ -180,7 +180,7 @@ class _Maker:
             self.problems.error(
                 "NS0322", f"the sense `{sense.name.text}` never looks", sense.at.span,
                 f"false at every boundary 1..{self.slots}",
-                helps=("name the boundaries: `at n in [1, 2, 4]`, or a condition: `at n % 8 == 0`",),
+                helps=("name boundaries, `at n in [1, 2]`, or give a condition, `at n % 8 == 0`",),
             )  # fmt: skip
             return None
         return tuple(at.tolist())

@@ -1,4 +1,4 @@
-"""A machine in a container's file: what its header says, and its arrays; and whether it is sound."""
+"""A machine in a container's file: what its header says, its arrays, and whether it is sound."""
 
 from __future__ import annotations
 

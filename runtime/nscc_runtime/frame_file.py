@@ -55,7 +55,7 @@ class Frame:
     frame: NDArray[np.uint8]
     exposure_e: NDArray[np.float64]
     valid: NDArray[np.bool_]
-    told: Mapping[str, NDArray[Any]] = field(default_factory=dict)
+    told: Mapping[str, NDArray[Any]] = field(default_factory=dict, kw_only=True)
 
 
 def read_out(
@@ -120,7 +120,7 @@ def stacked(frames: Sequence[Frame]) -> Frame:
         np.stack([each.frame for each in frames]),
         np.stack([each.exposure_e for each in frames]),
         np.stack([each.valid for each in frames]),
-        {key: np.stack([each.told[key] for each in frames]) for key in frames[0].told},
+        told={key: np.stack([each.told[key] for each in frames]) for key in frames[0].told},
     )
 
 

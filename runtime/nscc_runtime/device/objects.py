@@ -115,8 +115,8 @@ def upload_of(container: Container, label: bytes) -> Upload:
     if container.machine is not None:
         raise rejected(
             "NS0765",
-            "a program whose pixels look at the light cannot be uploaded: the loader does not set IN "
-            "between kernels, nor send digital registers",
+            "a program whose pixels look at the light cannot be uploaded: the loader does not set "
+            "IN between kernels, nor send digital registers",
             helps=("`nscc run` executes its words on the emulator",),
             status=1,
         )
