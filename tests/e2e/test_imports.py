@@ -38,6 +38,7 @@ ROOMS = (
     ("syntax",),
     ("installation", "program"),
     ("lower",),
+    ("looks",),
     ("checks",),
     ("pipeline",),
     ("emit", "limits"),
