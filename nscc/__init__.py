@@ -1,9 +1,43 @@
 """nscc compiles per-pixel shutter programs for SCAMP-5 class vision chips.
 
-This package is the compiler: it needs lark, networkx and numpy, and knows nothing of the packages
-above it. `nscc.compiler` compiles, `nscc.containers` also reads what was compiled.
+    import nscc
+
+    p = nscc.compile("examples/hdr_2x2.nsl")
+    p.shutters()    # bool (buckets, codes, slots)
+
+`docs/python.md` shows the whole of it. This package is the compiler: it needs lark, networkx and
+numpy, and knows nothing of the packages above it.
 """
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+    from nscc.shutter_program import ShutterProgram, compile, load
+    from nscc.target.target import Target
+
 __version__ = "0.1.0"
+
+_NAMES = {
+    "diagnostics.diagnostic": ("Diagnostic", "Rejected"),
+    "shutter_program": ("ShutterProgram", "compile", "load"),
+    "target.target": ("Target",),
+}
+"""What is public, by its module, which is imported when a name is first asked for."""
+
+__all__ = ["Diagnostic", "Rejected", "ShutterProgram", "Target", "__version__", "compile", "load"]
+
+
+def __getattr__(name: str) -> Any:
+    for module, names in _NAMES.items():
+        if name in names:
+            from importlib import import_module
+
+            return getattr(import_module(f"nscc.{module}"), name)
+    raise AttributeError(f"module 'nscc' has no attribute '{name}'")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

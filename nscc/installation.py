@@ -70,7 +70,7 @@ def _targets() -> Finding:
     try:
         names = [load_target(name, Path()).name for name in target_names()]
     except Rejected as rejected:
-        return Finding(WRONG, f"targets: {rejected}")
+        return Finding(WRONG, f"targets: {rejected.diagnostics[0].message}")
     return Finding(GOOD, f"targets: {', '.join(names)}")
 
 

@@ -16,7 +16,7 @@ from nscc.words.container import Container
 from nscc_runtime.capture import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.plan.plan import Plan
+from nscc_runtime.planner.plan import Plan
 from nscc_runtime.reference import frames
 from nscc_runtime.sensor import Sensor
 

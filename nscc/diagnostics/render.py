@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 from typing import Literal
 
-from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Severity
+from nscc.diagnostics.message import Diagnostic, Fix, Label, Severity
 from nscc.source import Source
 
 Format = Literal["human", "short", "json"]

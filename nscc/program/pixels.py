@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import meant
 from nscc.program.arrays_file import ArraysFile
-from nscc.program.planes import Plane, first_place, pixel_text, stored_plane
-from nscc.program.problems import counted
+from nscc.program.planes import Plane, as_plane, first_place, pixel_text, stored_plane
+from nscc.program.problems import clipped, counted
 from nscc.words.container import DecodeTable
 
 _DENSE = 2**20
@@ -58,32 +60,69 @@ def codes_from_file(
     path for messages. Raises Rejected: NS0313 and NS0314 for the file, NS0319 (first pixel and
     count) where the program was not compiled for a pixel's code.
     """
-    shape = (rows, cols)
     file = ArraysFile(path, str(path) if shown is None else shown)
+    planes = [stored_plane(file, name, rows, cols) for name in table.fields]
+    return _rows_of_table(planes, table, (rows, cols), f'of "{file.shown}"')
+
+
+def codes_from_arrays(
+    arrays: Mapping[str, NDArray[Any]], table: DecodeTable, rows: int, cols: int
+) -> NDArray[np.int32]:
+    """The same of integer arrays (rows, cols), one for each field of `table`, by name.
+
+    Raises Rejected: NS0314 for arrays that are missing, too many, of another shape or of no
+    integers, NS0319 as `codes_from_file`.
+    """
+    for name in {*arrays} - {*table.fields}:
+        fields = ", ".join(table.fields) or "none"
+        raise rejected(
+            "NS0314",
+            f"the program's code has no field '{clipped(name)}'",
+            notes=(f"its fields: {fields}",),
+            helps=meant(name, table.fields),
+        )
     planes = []
-    missing = np.zeros(shape, dtype=bool)
     for name in table.fields:
-        plane, beyond = stored_plane(file, name, rows, cols)
-        planes.append(plane)
+        if name not in arrays:
+            raise rejected("NS0314", f"there is no array for the field '{name}' of the code")
+        stored = np.asarray(arrays[name])
+        if stored.dtype.kind not in "iu" or stored.shape != (rows, cols):
+            raise rejected(
+                "NS0314",
+                f"the array '{name}' is {stored.shape} of {stored.dtype}, and must be integers "
+                f"({rows}, {cols}): [row, column]",
+            )
+        planes.append(as_plane(stored))
+    return _rows_of_table(planes, table, (rows, cols), "in the arrays given")
+
+
+def _rows_of_table(
+    planes: Sequence[tuple[Plane, NDArray[np.bool_]]],
+    table: DecodeTable,
+    shape: tuple[int, int],
+    where: str,
+) -> NDArray[np.int32]:
+    """The row of `table.codes` at each pixel, of planes as `as_plane` gives them."""
+    values = [plane for plane, _ in planes]
+    missing = np.zeros(shape, dtype=bool)
+    for _, beyond in planes:
         missing |= beyond
-    rows_of_table, unknown = (
-        rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
-    )
-    missing |= unknown
+    rows, unknown = rows_of(table.codes, values) if values else (missing.astype(np.int32), missing)
+    missing = missing | unknown
     if missing.any():
-        raise _not_compiled(file, table, planes, missing)
-    return rows_of_table
+        raise _not_compiled(where, table, values, missing)
+    return rows
 
 
 def _not_compiled(
-    file: ArraysFile, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_]
+    where: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_]
 ) -> Rejected:
     y, x = first_place(missing)
     count = int(missing.sum())
     code = ", ".join(f"{n} = {p[y, x]}" for n, p in zip(table.fields, planes, strict=True))
     return rejected(
         "NS0319",
-        f'the program was not compiled for a code of "{file.shown}": {pixel_text(x, y)} has {code}',
+        f"the program was not compiled for a code {where}: {pixel_text(x, y)} has {code}",
         notes=(
             f"{counted(count, 'pixel has', 'pixels have')} such codes; "
             f"the program knows {counted(len(table.codes), 'code')}",

@@ -26,12 +26,12 @@ from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame, check_adc, converted, stacked
 from nscc_runtime.light import Light
-from nscc_runtime.plan.capture import prepared
-from nscc_runtime.plan.choose import plan_for
-from nscc_runtime.plan.plan import Plan
-from nscc_runtime.plan.pool import processors
-from nscc_runtime.plan.program import Program
-from nscc_runtime.plan.tolerance import tolerance_e
+from nscc_runtime.planner.capture import prepared
+from nscc_runtime.planner.choose import plan_for
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.pool import processors
+from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.tolerance import tolerance_e
 from nscc_runtime.sensor.file import default_sensor
 
 _programs: WeakKeyDictionary[Container, dict[Sensor, Program]] = WeakKeyDictionary()

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from nscc.columns import columns
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.plan.audit import Audit
-from nscc_runtime.plan.plan import Plan
+from nscc_runtime.planner.audit import Audit
+from nscc_runtime.planner.plan import Plan
 from nscc_runtime.sensor import Sensor, sensor_sha256
 
 PLAN_SCHEMA = "nscc-plan-1"

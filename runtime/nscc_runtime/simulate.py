@@ -18,9 +18,9 @@ from nscc_runtime import frame_file
 from nscc_runtime.effects import Selection
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
-from nscc_runtime.plan.audit import Audit
-from nscc_runtime.plan.plan import Plan
 from nscc_runtime.plan_file import plan_text, read_plan
+from nscc_runtime.planner.audit import Audit
+from nscc_runtime.planner.plan import Plan
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
@@ -125,10 +125,10 @@ def _planned(
     """By a plan: made here, or read from its file."""
     from nscc_runtime.capture import made_ready, planned_frames
     from nscc_runtime.emulator.capture import check
-    from nscc_runtime.plan.choose import plan_for, predicted_for
-    from nscc_runtime.plan.fused_loop import fused
-    from nscc_runtime.plan.pixel_loop import run_pixels
-    from nscc_runtime.plan.tolerance import tolerance_e
+    from nscc_runtime.planner.choose import plan_for, predicted_for
+    from nscc_runtime.planner.fused_loop import fused
+    from nscc_runtime.planner.pixel_loop import run_pixels
+    from nscc_runtime.planner.tolerance import tolerance_e
 
     timings, device_seed = listener.timings, request.device_seed
     tolerance = tolerance_e(request.tolerance, sensor)
@@ -151,8 +151,8 @@ def _planned(
         frame = _gathered(made, request.repeat, listener)
     report, broken = None, None
     if request.audit:
-        from nscc_runtime.plan.audit import audit
-        from nscc_runtime.plan.capture import prepared
+        from nscc_runtime.planner.audit import audit
+        from nscc_runtime.planner.capture import prepared
 
         with timings.part("audit_s"):
             exposed = prepared(program, light, plan, device_seed=device_seed)

@@ -37,8 +37,8 @@ from nscc.words.container import Container
 from nscc_runtime.capture import as_light, capture, made_ready
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.plan.choose import plan_for
-from nscc_runtime.plan.plan import Plan
+from nscc_runtime.planner.choose import plan_for
+from nscc_runtime.planner.plan import Plan
 from nscc_runtime.scenes import load_scene
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.tradeoff.study import unknown

@@ -13,7 +13,7 @@ from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.plan.plan import Plan
+from nscc_runtime.planner.plan import Plan
 from nscc_runtime.reference import frames
 from nscc_runtime.sensor import Sensor, default_sensor
 

@@ -27,7 +27,7 @@ from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
 from nscc_runtime.pictures.shutters import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
-from nscc_runtime.plan.plan import Choice, Decision, Plan
+from nscc_runtime.planner.plan import Choice, Decision, Plan
 from nscc_runtime.tradeoff.study import (
     DRAWN,
     ELECTRONS,

@@ -14,9 +14,9 @@ from reference_programs import exposures, sensor_of
 from nscc.words.container import Container
 from nscc_runtime.effects import optional, registered, selected
 from nscc_runtime.light import Light
-from nscc_runtime.plan.choose import plan_for, predicted_for
-from nscc_runtime.plan.plan import Decision, Plan
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.choose import plan_for, predicted_for
+from nscc_runtime.planner.plan import Decision, Plan
+from nscc_runtime.planner.program import Program
 from nscc_runtime.sensor import Sensor
 
 ROWS, COLS = 32, 48

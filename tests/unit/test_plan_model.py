@@ -16,8 +16,8 @@ from plan_cases import plan_of
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
 from nscc_runtime.effects import optional, registered
-from nscc_runtime.plan.plan import Approximation, Plan
-from nscc_runtime.plan.tolerance import tolerance_e
+from nscc_runtime.planner.plan import Approximation, Plan
+from nscc_runtime.planner.tolerance import tolerance_e
 from nscc_runtime.sensor import default_sensor
 
 SENSOR = default_sensor(builtin_target("scamp5")).changed(electrons_per_lsb=100.0)

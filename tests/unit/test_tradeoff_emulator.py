@@ -20,7 +20,7 @@ from nscc_runtime.capture import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.program import Program
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.tradeoff import naive

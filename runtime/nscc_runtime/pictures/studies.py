@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from nscc_runtime.plan.plan import Decision, Plan
+    from nscc_runtime.planner.plan import Decision, Plan
 
 _KEPT, _DROPPED = sheet.COLOURS[:2]
 _LOWEST = 30.0

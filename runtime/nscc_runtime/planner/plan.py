@@ -11,7 +11,7 @@ from typing import Any, Literal, get_args, get_origin, get_type_hints
 from nscc_runtime.effects import CannotHave, Selection, registered
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.registry import always_on
-from nscc_runtime.plan import leak_nodes
+from nscc_runtime.planner import leak_nodes
 
 Choice = Literal["kept", "dropped", "absent"]
 Loop = Literal["none", "some", "all", "reference"]

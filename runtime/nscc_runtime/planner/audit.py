@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.plan.capture import Planned
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.capture import Planned
+from nscc_runtime.planner.program import Program
 from nscc_runtime.reference.capture import Reference, scene_of
 
 SLACK = 1.1
