@@ -14,7 +14,6 @@ Options are those of `nscc build`, with its defaults.
 from __future__ import annotations
 
 import os
-import warnings
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
@@ -25,8 +24,8 @@ from numpy.typing import NDArray
 
 from nscc.compiler import compile_source
 from nscc.containers import is_compiled, with_pixels
-from nscc.diagnostics.arguments import one_of, shown, wrong_argument
-from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc.diagnostics.arguments import one_of, shown, warn, whole, wrong_argument
+from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.render import render
 from nscc.files import write_together
@@ -284,11 +283,8 @@ def compile(
             f"nscc.compile: target is a chip's name, its file or a Target, not {shown(target)}"
         )
     chip = target if target is None or isinstance(target, Target) else os.fspath(target)
-    if not (max_words_per_slot is None or _is_count(max_words_per_slot)):
-        raise wrong_argument(
-            "nscc.compile: max_words_per_slot is a whole number above 0, not "
-            + shown(max_words_per_slot)
-        )
+    if max_words_per_slot is not None:
+        whole("nscc.compile", "max_words_per_slot", max_words_per_slot, least=1)
     options = Options(
         level=level, codes=codes, lowering=lowering, target=chip, cache=bool(cache),
         max_words_per_slot=max_words_per_slot,
@@ -309,13 +305,6 @@ def load(path: str | os.PathLike[str]) -> ShutterProgram:
             helps=(f"nscc.compile('{found}') compiles it",),
         )
     return ShutterProgram(found.as_posix(), read_container(found))
-
-
-def warn(diagnostics: tuple[Diagnostic, ...]) -> None:
-    """Warnings among diagnostics as Python's own, at the place that the caller was called from."""
-    for each in diagnostics:
-        if each.severity is Severity.WARNING:
-            warnings.warn(render([each], "human").rstrip(), stacklevel=3)
 
 
 def _source(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:
@@ -358,7 +347,3 @@ def _path(call: str, value: object) -> Path:
         if isinstance(found, str):
             return Path(found)
     raise wrong_argument(f"{call} takes a path, not {shown(value)}")
-
-
-def _is_count(value: object) -> bool:
-    return isinstance(value, int) and not isinstance(value, bool) and value > 0

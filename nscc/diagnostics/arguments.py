@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+import warnings
+from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+import numpy as np
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.render import render
 from nscc.diagnostics.suggest import meant
 
 
-class WrongArgument(Rejected, TypeError):
-    """A call got an argument that it does not take (NS0785, status 2); a TypeError as well."""
+class WrongArgument(Rejected, TypeError, ValueError):
+    """A call got an argument that it does not take (NS0785, status 2).
+
+    Python's own exceptions for such calls catch it, too.
+    """
 
 
 def wrong_argument(
@@ -31,6 +38,21 @@ def one_of(call: str, name: str, value: object, allowed: Collection[Any]) -> Non
         f"{call}: {name} is one of {', '.join(map(repr, allowed))}, not {shown(value)}",
         helps=meant(value, names) if isinstance(value, str) else (),
     )
+
+
+def whole(call: str, name: str, value: object, least: int = 0, most: int = 2**63 - 1) -> None:
+    """Raises WrongArgument unless the call's argument `name` is a whole number within limits."""
+    is_number = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    if not is_number or not least <= int(value) <= most:  # type: ignore[call-overload]
+        limits = f"from {least}" + ("" if most == 2**63 - 1 else f" to {most}")
+        raise wrong_argument(f"{call}: {name} is a whole number {limits}, not {shown(value)}")
+
+
+def warn(diagnostics: Iterable[Diagnostic]) -> None:
+    """Warnings among diagnostics as Python's own, at the place that the caller was called from."""
+    for each in diagnostics:
+        if each.severity is Severity.WARNING:
+            warnings.warn(render([each], "human").rstrip(), stacklevel=3)
 
 
 def shown(value: object) -> str:

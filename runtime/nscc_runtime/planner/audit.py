@@ -53,6 +53,17 @@ class Audit:
     sampled_rows: int
     holds: bool
 
+    def __str__(self) -> str:
+        verdict = "the promise holds" if self.holds else "THE PROMISE IS BROKEN"
+        ratio = "" if self.std_ratio is None else (
+            f", std ratio {self.std_ratio:.4f} +- {self.std_ratio_mc_error:.4f}"
+        )  # fmt: skip
+        return (
+            f"audit: measured {self.measured_rms_e:.3g} +- {self.mc_error_e:.2g} e, bias "
+            f"{self.bias_e:+.2g} +- {self.bias_mc_error_e:.2g} e{ratio}; {self.samples} "
+            f"samples in {self.frames} frames: {verdict}"
+        )
+
 
 def audit(
     planned: Planned, seed: int = 0, frames: int = 1, effects: Selection | None = None
