@@ -13,6 +13,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from nscc.lazy import attribute
+
 if TYPE_CHECKING:
     from nscc.diagnostics.diagnostic import Diagnostic, Rejected
     from nscc.shutter_program import ShutterProgram, compile, load
@@ -25,18 +27,13 @@ _NAMES = {
     "shutter_program": ("ShutterProgram", "compile", "load"),
     "target.target": ("Target",),
 }
-"""What is public, by its module, which is imported when a name is first asked for."""
+"""What is public, by its module."""
 
 __all__ = ["Diagnostic", "Rejected", "ShutterProgram", "Target", "__version__", "compile", "load"]
 
 
 def __getattr__(name: str) -> Any:
-    for module, names in _NAMES.items():
-        if name in names:
-            from importlib import import_module
-
-            return getattr(import_module(f"nscc.{module}"), name)
-    raise AttributeError(f"module 'nscc' has no attribute '{name}'")
+    return attribute("nscc", _NAMES, name)
 
 
 def __dir__() -> list[str]:

@@ -65,6 +65,14 @@ def side_by_side(parts: Iterable[Html]) -> Html:
     return Html(f"<div style='display:flex;flex-wrap:wrap;gap:1em'>{joined}</div>")
 
 
+def legend(names: Sequence[str]) -> Html:
+    """Names of things side by side, each with its colour of SERIES."""
+    return side_by_side(
+        Html(f"<span style='color:{SERIES[number % len(SERIES)]}'>&#9632;</span> {text(name)}")
+        for number, name in enumerate(names)
+    )
+
+
 def picture(png: bytes, caption: str, width: int) -> Html:
     """A PNG with its caption, `width` pixels wide on the page, its own pixels kept square."""
     data = b64encode(png).decode()

@@ -47,10 +47,9 @@ def shutter_chart(
     shapes.append(html.words(_LABELS + _WIDTH, bottom + 15, time_text(float(edges[-1])), "end"))
     title = f"when {count} shutters are open"
     chart = html.drawing(_LABELS + _WIDTH, bottom + _AXIS, shapes, title)
-    notes = [f"{len(chosen)} of {count} shutters"] if len(chosen) < count else []
-    if len(buckets) > 1:
-        notes.append("from top to bottom in each line: " + ", ".join(buckets))
-    return html.Html(f"{chart}<div style='opacity:.7'>{html.text('; '.join(notes))}</div>")
+    some = html.text(f"{len(chosen)} of {count} shutters") if len(chosen) < count else html.Html()
+    legend = html.legend(buckets) if len(buckets) > 1 else html.Html()
+    return html.Html(f"{chart}{legend}{some}")
 
 
 def _bars(

@@ -14,6 +14,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from nscc.lazy import attribute
+
 if TYPE_CHECKING:
     from nscc_runtime.captured import Capture
     from nscc_runtime.exposing import audit, capture, captures, plan, scene
@@ -26,7 +28,7 @@ _NAMES = {
     "light": ("Light",),
     "sensor": ("Sensor", "load_sensor"),
 }
-"""What is public, by its module, which is imported when a name is first asked for."""
+"""What is public, by its module."""
 
 __all__ = [
     "Capture",
@@ -42,12 +44,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    for module, names in _NAMES.items():
-        if name in names:
-            from importlib import import_module
-
-            return getattr(import_module(f"nscc_runtime.{module}"), name)
-    raise AttributeError(f"module 'nscc_runtime' has no attribute '{name}'")
+    return attribute("nscc_runtime", _NAMES, name)
 
 
 def __dir__() -> list[str]:

@@ -24,6 +24,7 @@ PAGES = (
     "docs/targets.md",
     "docs/calibrate.md",
     "docs/emulator.md",
+    "docs/python.md",
     "docs/tradeoff.md",
     "docs/device.md",
     "docs/training.md",

@@ -30,6 +30,7 @@ FLOORS = {
 
 ROOMS = (
     ("columns", "html", "npy", "operations", "requirements", "source", "truth"),
+    ("lazy",),
     ("diagnostics", "macros"),
     ("files", "plugins", "toml"),
     ("target",),
