@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Options
-from nscc.program.pixels import codes_from_file
+from nscc.program.analyse import ranges_of
+from nscc.program.pixels import Ranges, codes_from_arrays, codes_from_file
+from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.file import read_container
 
@@ -39,15 +45,23 @@ def load_container(
     return compiled.container, compiled.diagnostics
 
 
-def with_pixels(container: Container, name: str | Path, pixels: Path | None = None) -> Container:
-    """The container with the codes in file `pixels`, or else with its own.
+def with_pixels(
+    container: Container,
+    name: str | Path,
+    pixels: Path | Mapping[str, NDArray[Any]] | None = None,
+) -> Container:
+    """The container with the codes of `pixels`, a file or arrays by field, or else with its own.
 
     `name` is what messages call it. Raises Rejected: NS0741 (status 2) if there are no codes at
-    all, and what `codes_from_file` finds wrong.
+    all, and what `codes_from_file` and `codes_from_arrays` find wrong.
     """
     target, fields = container.target, container.table.fields
     if pixels is not None:
-        codes = codes_from_file(pixels, container.table, target.rows, target.cols)
+        read = codes_from_file if isinstance(pixels, Path) else codes_from_arrays
+        codes = read(
+            pixels, container.table, target.rows, target.cols,
+            mode=container.notes.get("codes", ""), ranges=partial(_ranges, container, Path(name)),
+        )  # type: ignore[operator]  # fmt: skip
         return replace(container, pixel_codes=codes)
     if container.pixel_codes is not None:
         return container
@@ -64,3 +78,9 @@ def with_pixels(container: Container, name: str | Path, pixels: Path | None = No
             f"{arrays}), integers ({target.rows}, {target.cols})",
         ),
     )
+
+
+def _ranges(container: Container, program: Path) -> Ranges:
+    """The ranges of the fields, of the source that a container carries."""
+    source = Source(program.name, "\n".join(container.source_lines))
+    return ranges_of(source, container.target, program.parent)

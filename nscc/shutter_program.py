@@ -31,7 +31,6 @@ from nscc.diagnostics.render import render
 from nscc.files import write_together
 from nscc.lower.plan import LOWERINGS, LoweringOption
 from nscc.pipeline import LEVELS, Compiled, Options, all_lowerings
-from nscc.program.pixels import codes_from_arrays
 from nscc.program.problems import counted
 from nscc.program.program import Codes
 from nscc.prove.shutters import replayed
@@ -180,12 +179,8 @@ class ShutterProgram:
         """
         if codes is not None and fields:
             raise wrong_argument("with_pixels takes a file or fields, not both")
-        if codes is None:
-            rows, cols = self.shape
-            found = codes_from_arrays(fields, self.container.table, rows, cols)
-            return replace(self, container=replace(self.container, pixel_codes=found))
-        path = _path("with_pixels", codes)
-        return replace(self, container=with_pixels(self.container, self.name, path))
+        given = fields if codes is None else _path("with_pixels", codes)
+        return replace(self, container=with_pixels(self.container, self.name, given))
 
     def __repr__(self) -> str:
         name = self.container.notes.get("class", "")

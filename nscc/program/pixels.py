@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -51,34 +51,52 @@ def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
     return np.flatnonzero(seen) + low, (np.cumsum(seen) - 1)[offsets]
 
 
+Ranges = Mapping[str, tuple[int, int]]
+"""The least and the largest value that each field may have."""
+
+
 def codes_from_file(
-    path: Path, table: DecodeTable, rows: int, cols: int, *, shown: str | None = None
+    path: Path,
+    table: DecodeTable,
+    rows: int,
+    cols: int,
+    *,
+    shown: str | None = None,
+    mode: str = "fixed",
+    ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
     """Codes for a program that is compiled already: the row of `table.codes` at each pixel.
 
-    The file holds an integer array (rows, cols) for each field of `table`, by name. `shown` is the
-    path for messages. Raises Rejected: NS0313 and NS0314 for the file, NS0319 (first pixel and
-    count) where the program was not compiled for a pixel's code.
+    The file holds an integer array (rows, cols) for each field of `table`, by name. For messages,
+    `shown` is the path, `mode` says whether `table` holds every legal code ("open"), and `ranges`
+    is asked for what the fields may be. Raises Rejected: NS0313 and NS0314 for the file; with the
+    first such pixel and their number, NS0311 for a value out of its field's range, NS0312 for a
+    code that the program forbids, NS0319 for one that it was not compiled for.
     """
     file = ArraysFile(path, str(path) if shown is None else shown)
     planes = [stored_plane(file, name, rows, cols) for name in table.fields]
-    return _rows_of_table(planes, table, (rows, cols), f'of "{file.shown}"')
+    return _rows_of_table(planes, table, (rows, cols), f'"{file.shown}"', mode, ranges)
 
 
 def codes_from_arrays(
-    arrays: Mapping[str, NDArray[Any]], table: DecodeTable, rows: int, cols: int
+    arrays: Mapping[str, NDArray[Any]],
+    table: DecodeTable,
+    rows: int,
+    cols: int,
+    *,
+    mode: str = "fixed",
+    ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
     """The same of integer arrays (rows, cols), one for each field of `table`, by name.
 
     Raises Rejected: NS0314 for arrays that are missing, too many, of another shape or of no
-    integers, NS0319 as `codes_from_file`.
+    integers; for their values as `codes_from_file`.
     """
     for name in {*arrays} - {*table.fields}:
-        fields = ", ".join(table.fields) or "none"
         raise rejected(
             "NS0314",
             f"the program's code has no field '{clipped(name)}'",
-            notes=(f"its fields: {fields}",),
+            notes=(f"its fields: {', '.join(table.fields) or 'none'}",),
             helps=meant(name, table.fields),
         )
     planes = []
@@ -93,41 +111,74 @@ def codes_from_arrays(
                 f"({rows}, {cols}): [row, column]",
             )
         planes.append(as_plane(stored))
-    return _rows_of_table(planes, table, (rows, cols), "in the arrays given")
+    return _rows_of_table(planes, table, (rows, cols), "the arrays", mode, ranges)
 
 
 def _rows_of_table(
-    planes: Sequence[tuple[Plane, NDArray[np.bool_]]],
+    found: Sequence[tuple[Plane, NDArray[np.bool_]]],
     table: DecodeTable,
     shape: tuple[int, int],
     where: str,
+    mode: str,
+    ranges: Callable[[], Ranges],
 ) -> NDArray[np.int32]:
-    """The row of `table.codes` at each pixel, of planes as `as_plane` gives them."""
-    values = [plane for plane, _ in planes]
+    """The row of `table.codes` at each pixel, of planes as `as_plane` gives them.
+
+    `where` is what messages call their origin.
+    """
+    planes = [plane for plane, _ in found]
     missing = np.zeros(shape, dtype=bool)
-    for _, beyond in planes:
+    for _, beyond in found:
         missing |= beyond
-    rows, unknown = rows_of(table.codes, values) if values else (missing.astype(np.int32), missing)
-    missing = missing | unknown
+    rows, unknown = rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
+    missing |= unknown
     if missing.any():
-        raise _not_compiled(where, table, values, missing)
+        known = ranges()
+        for name, plane in zip(table.fields, planes, strict=True):
+            if name in known:
+                refuse_outside(where, name, plane, known[name])
+        raise _unknown(where, table, planes, missing, mode)
     return rows
 
 
-def _not_compiled(
-    where: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_]
+def refuse_outside(where: str, name: str, plane: Plane, values: tuple[int, int]) -> None:
+    """NS0311 where a pixel has a value that its field cannot have; `where` it comes from."""
+    low, high = values
+    outside = (plane < low) | (plane > high)
+    if outside.any():
+        y, x = first_place(outside)
+        count = int(outside.sum())
+        raise rejected(
+            "NS0311",
+            f"in {where} the {pixel_text(x, y)} has {name} = {plane[y, x]}, outside {low}..{high}",
+            notes=(f"{counted(count, 'pixel is', 'pixels are')} outside the range",),
+            helps=(f"give values from {low} to {high}, or widen `code {name}` in the program",),
+            data={"field": name, "x": x, "y": y, "pixels": count},
+        )
+
+
+def _unknown(
+    where: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
 ) -> Rejected:
     y, x = first_place(missing)
     count = int(missing.sum())
     code = ", ".join(f"{n} = {p[y, x]}" for n, p in zip(table.fields, planes, strict=True))
+    if mode == "open":
+        return rejected(
+            "NS0312",
+            f"in {where} the {pixel_text(x, y)} has {code}, which the program forbids",
+            notes=(f"{counted(count, 'pixel has', 'pixels have')} such codes",),
+            helps=("give codes within the fields' ranges that fulfil every `require`",),
+            data={"x": x, "y": y, "pixels": count},
+        )
     return rejected(
         "NS0319",
-        f"the program was not compiled for a code {where}: {pixel_text(x, y)} has {code}",
+        f"the program was not compiled for a code of {where}: {pixel_text(x, y)} has {code}",
         notes=(
             f"{counted(count, 'pixel has', 'pixels have')} such codes; "
             f"the program knows {counted(len(table.codes), 'code')}",
         ),
-        helps=("`nscc build --codes open` compiles for every code that the program allows",),
+        helps=("`--codes open` compiles the program (.nsl) for every code that it allows",),
         data={"x": x, "y": y, "pixels": count},
     )
 

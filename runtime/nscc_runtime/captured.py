@@ -15,11 +15,13 @@ from nscc import html
 from nscc.diagnostics.arguments import wrong_argument
 from nscc.files import write_whole
 from nscc.words.container import Container
+from nscc_runtime.effects import Selection
 from nscc_runtime.frame_file import KEEP, Frame, FrameFile, Provenance, frame_lines, meta
 from nscc_runtime.light import Light
 from nscc_runtime.plan_file import plan_table
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
+from nscc_runtime.response import Response, response_of
 
 _SIDE = 256
 """Pixels that a picture has at least on a page."""
@@ -29,14 +31,16 @@ _SIDE = 256
 class Capture(Frame):
     """One scene captured; with `repeat` its arrays have a leading axis K.
 
-    `frame` uint8, codes of the converter; `exposure_e` float64, electrons before it; `valid` bool;
-    each (buckets, rows, cols) as in a frame file. `plan` says what was simulated, and to what
-    error; None where that was no plan's to decide. `audit` is what was measured, where asked for.
-    `light` and `container` are what was exposed, and with which words; `origin` goes into `meta`.
+    `frame` uint8, codes of the converter; `exposure_e` float64, electrons before it; `valid` and
+    `saturated` bool, `saturated_by` uint8; each (buckets, rows, cols) as in a frame file. `plan`
+    says what was simulated, and to what error; None where that was no plan's to decide. `audit` is
+    what was measured, where asked for. `light` and `container` are what was exposed, and with which
+    words; `effects` were simulated; `origin` goes into `meta`.
     """
 
     container: Container
     light: Light
+    effects: Selection
     origin: Provenance
     plan: Plan | None = None
     audit: Audit | None = None
@@ -48,6 +52,11 @@ class Capture(Frame):
         return self.light.total_e() if self.light.kind == "still" else self.light.dense()
 
     @property
+    def response(self) -> Response:
+        """How an exposure follows from light: gain, and what is there in the dark."""
+        return response_of(self.container, self.origin.sensor, self.effects)
+
+    @property
     def meta(self) -> dict[str, Any]:
         """How it was made, as JSON values: `meta` of a frame file."""
         return meta(self.container, self.light, self, self.origin)
@@ -55,8 +64,8 @@ class Capture(Frame):
     def save(self, path: str | os.PathLike[str], keep: Sequence[str] = ()) -> Path:
         """Write the frame file that `nscc run -o` writes; where it went.
 
-        `keep` names what else goes in, of light, truth, shutter, codes. Raises Rejected (NS0784)
-        where nothing can be written.
+        `keep` names what else goes in, of light, truth, shutter, codes, response. Raises Rejected
+        (NS0784) where nothing can be written.
         """
         out = Path(path)
         named = (keep,) if isinstance(keep, str) else tuple(keep)
@@ -69,7 +78,10 @@ class Capture(Frame):
                 helps=(f"save('{out.stem or 'frame'}.npz'), which numpy.load reads",),
             )
         shutters = self.container.table.shutters if "shutter" in named else None
-        file = FrameFile.of(self.container, self.light, self, self.meta, named, shutters)
+        response = self.response.arrays() if "response" in named else None
+        file = FrameFile.of(
+            self.container, self.light, self, self.meta, named, shutters, response=response
+        )
         write_whole(out, file.write)
         return out
 
@@ -82,7 +94,7 @@ class Capture(Frame):
         return f"<nscc capture: {shape}, codes {self._codes()}, mean {mean:.6g} e, {how}>"
 
     def _repr_html_(self) -> str:
-        first = self.frame[0] if self.frame.ndim == 4 else self.frame
+        first = self.first.frame
         scale = max(1, round(_SIDE / first.shape[2]))
         pictures = html.side_by_side(
             html.picture(_png(image), name, scale * first.shape[2])

@@ -93,8 +93,8 @@ def capture(
     warn(said)
     arrays = {each.name: getattr(taken.frame, each.name) for each in fields(Frame)}
     return Capture(
-        **arrays, container=container, light=scene, origin=taken.origin, plan=taken.plan,
-        audit=taken.audit,
+        **arrays, container=container, light=scene, effects=taken.effects, origin=taken.origin,
+        plan=taken.plan, audit=taken.audit,
     )  # fmt: skip
 
 

@@ -36,13 +36,15 @@ class FrameRead:
     shutter: NDArray[np.bool_] | None
 
 
-def reconstruct(run: Path, frame: Path, *, force: bool) -> tuple[bytes, tuple[Diagnostic, ...]]:
+def reconstruct(
+    run: Path, frame: Path, *, force: bool, trust_code: bool = False
+) -> tuple[bytes, tuple[Diagnostic, ...]]:
     """The .npz file of the reconstruction, and warnings.
 
-    Raises Rejected: NS0818 for the run, NS0819 for a file that is no frame, or one of another
-    program or sensor (with `force` that is a warning, unless its size differs).
+    Raises Rejected: what `load_run` raises for the run, NS0819 for a file that is no frame, or one
+    of another program or sensor (with `force` that is a warning, unless its size differs).
     """
-    folder = load_run(run)
+    folder = load_run(run, trust_code=trust_code)
     made, messages = reconstructed(folder, read_frame(frame), str(frame), force=force)
     stream = io.BytesIO()
     key = "image" if folder.parts.still else "video"

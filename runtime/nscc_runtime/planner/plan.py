@@ -11,9 +11,11 @@ from typing import Any, Literal, get_args, get_origin, get_type_hints
 from nscc import html
 from nscc.columns import columns
 from nscc_runtime.effects import CannotHave, Selection, registered
+from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.registry import always_on
 from nscc_runtime.planner import leak_nodes
+from nscc_runtime.planner.tolerance import LEAST_E
 
 Choice = Literal["kept", "dropped", "absent"]
 Loop = Literal["none", "some", "all", "reference"]
@@ -156,7 +158,7 @@ class Plan:
         named = [(each.name, each.kind) for each in plan.decisions]
         if named != [(effect.name, effect.kind) for effect in registered()]:
             raise ValueError("its effects are not those of this version")
-        if not plan.tolerance_e > 0:
+        if not LEAST_E <= plan.tolerance_e <= MOST_E:
             raise ValueError(f"tolerance_e is {plan.tolerance_e}")
         if not 1 <= plan.leak_nodes <= leak_nodes.MOST:
             raise ValueError(f"leak_nodes is {plan.leak_nodes}")
