@@ -83,9 +83,14 @@ def show_gathered(of: Session) -> None:
 
 
 def _write(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> None:
-    from nscc.diagnostics.render import render
+    if message_format == "github" or message_format == "sarif":
+        from nscc.diagnostics.reports import sarif, workflow_commands
 
-    text = render(diagnostics, message_format, use_color())
+        text = (sarif if message_format == "sarif" else workflow_commands)(diagnostics)
+    else:
+        from nscc.diagnostics.render import render
+
+        text = render(diagnostics, message_format, use_color())
     sys.stderr.write(text if text.endswith("\n") else text + "\n")
     sys.stderr.flush()
 

@@ -8,10 +8,10 @@ from functools import cache
 from pathlib import Path
 from typing import Literal
 
-from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Severity
+from nscc.diagnostics.message import Diagnostic, Fix, Label, Severity
 from nscc.source import Source
 
-Format = Literal["human", "short", "json", "github", "sarif"]
+Format = Literal["human", "short", "json"]
 
 PAGES = Path(__file__).parent / "pages"
 _WIDEST = 100
@@ -31,16 +31,11 @@ def names() -> dict[str, str]:
 
 
 def render(diagnostics: Sequence[Diagnostic], form: Format, color: bool = False) -> str:
-    """Diagnostics as text that ends in a line break; `json` has one object a line, `github` one
-    workflow command, `sarif` is one document."""
+    """Diagnostics as text that ends in a line break; `json` has one object a line."""
     if form == "json":
         return "".join(_json(d) for d in diagnostics)
     if form == "short":
         return "".join(_short(d) + "\n" for d in diagnostics)
-    if form in ("github", "sarif"):
-        from nscc.diagnostics.reports import annotation, sarif
-
-        return sarif(diagnostics) if form == "sarif" else "".join(map(annotation, diagnostics))
     return "\n".join(_human(d, color) for d in diagnostics)
 
 

@@ -4,21 +4,25 @@ annotations of GitHub's workflow commands."""
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 from urllib.parse import quote
 
-from nscc import __version__
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Severity
 from nscc.diagnostics.render import names
 from nscc.source import Source
+from nscc.version import __version__
 
 _SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
 _KINDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "notice"}
 
 
-def annotation(diagnostic: Diagnostic) -> str:
-    """One workflow command, a line."""
+def workflow_commands(diagnostics: Iterable[Diagnostic]) -> str:
+    """Workflow commands, one a line."""
+    return "".join(map(_annotation, diagnostics))
+
+
+def _annotation(diagnostic: Diagnostic) -> str:
     name = names().get(diagnostic.code, "")
     properties = {"title": f"{diagnostic.code} {name}".strip()}
     source = diagnostic.source

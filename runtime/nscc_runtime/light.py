@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from nscc_runtime.remembered import remembered
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Light:
     """Electrons that each pixel collects in each of N slots, if its shutter is open throughout.
 
@@ -61,6 +61,10 @@ class Light:
         starts = np.arange(len(frames) + 1, dtype=np.int64)
         weight = np.full(len(frames), exposure_scale_e, np.float64)
         return cls(frames, starts, starts[:-1].astype(np.int32), weight, "clip", exposure_scale_e)
+
+    def __repr__(self) -> str:
+        rows, cols = self.shape
+        return f"<nscc light: {self.kind}, {self.slots} slots, {rows} x {cols}>"
 
     @property
     def slots(self) -> int:

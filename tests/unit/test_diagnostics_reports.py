@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Severity
-from nscc.diagnostics.render import render
+from nscc.diagnostics.reports import sarif, workflow_commands
 from nscc.source import Source, Span
 from nscc_cli.main import main
 
@@ -30,7 +30,7 @@ def log(text: str) -> dict[str, Any]:
 
 
 def test_an_annotation_is_one_line_with_its_place() -> None:
-    assert render([FOUND], "github") == (
+    assert workflow_commands([FOUND]) == (
         "::warning title=NS0107 unexpected-word,file=a dir/ä.nsl,line=2,col=6,endLine=2,"
         "endColumn=9::100%25 wrong: a, b%0Aa note%0Aa help%0Awrite `when`\n"
     ).replace("unexpected-word", _name("NS0107"))
@@ -43,14 +43,14 @@ def _name(code: str) -> str:
 
 def test_an_annotation_without_a_place_and_one_over_lines() -> None:
     note = Diagnostic("NS0901", "a\nb", Severity.NOTE)
-    assert render([note], "github").startswith("::notice title=NS0901")
-    assert render([note], "github").endswith("::a%0Ab\n")
+    assert workflow_commands([note]).startswith("::notice title=NS0901")
+    assert workflow_commands([note]).endswith("::a%0Ab\n")
     whole = Diagnostic("NS0107", "x", Severity.ERROR, SOURCE, Label(Span(0, 14)))
-    assert "endColumn" not in render([whole], "github")
+    assert "endColumn" not in workflow_commands([whole])
 
 
 def test_a_sarif_log_says_all_of_a_message() -> None:
-    run = log(render([FOUND, Diagnostic("NS0901", "fault")], "sarif"))
+    run = log(sarif([FOUND, Diagnostic("NS0901", "fault")]))
     first, second = run["results"]
     assert [rule["id"] for rule in run["tool"]["driver"]["rules"]] == ["NS0107", "NS0901"]
     assert (first["ruleId"], first["ruleIndex"], first["level"]) == ("NS0107", 0, "warning")

@@ -28,11 +28,11 @@ from nscc_runtime.effects.parts import (
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.views import Device
 from nscc_runtime.light import Light
-from nscc_runtime.plan import leak_nodes
-from nscc_runtime.plan.plan import Plan
-from nscc_runtime.plan.program import Program
-from nscc_runtime.plan.sums import smeared_frames, sums_by_slot, weighted_sums
-from nscc_runtime.plan.tables import Model
+from nscc_runtime.planner import leak_nodes
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.sums import smeared_frames, sums_by_slot, weighted_sums
+from nscc_runtime.planner.tables import Model
 
 Values = NDArray[np.float64]
 

@@ -4,7 +4,7 @@ It does what `nscc_runtime.reference` does with the same keyed numbers, but move
 instead of from slot to slot: charge between two words is found by halving counts
 (`nscc_runtime.noise.thin`), so a program of few words costs little however many slots it has.
 
-`nscc_runtime.plan.pixels` makes what it is given.
+`nscc_runtime.planner.pixels` makes what it is given.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ from nscc_runtime.loop import (
 )
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import uniform
-from nscc_runtime.plan.charge_loop import SITES, charge, kept_at, lit, stream_key
-from nscc_runtime.plan.layout import Entry, Keys, Numbers, Sizes
+from nscc_runtime.planner.charge_loop import SITES, charge, kept_at, lit, stream_key
+from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
 
 _READS, _RESETS, _WORDS = 0, 1, 2
 ERRORS = 3

@@ -1,7 +1,7 @@
 """The loop for plans without slot loops and without weights: light is added up, counted, made
 noisy, clipped and read out while it is in the cache.
 
-`nscc_runtime.plan.fused` makes what it is given.
+`nscc_runtime.planner.fused` makes what it is given.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from nscc_runtime.loop import (
 from nscc_runtime.noise.counter import bits, unit
 from nscc_runtime.noise.gaussian_fast import normal_fast
 from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
-from nscc_runtime.plan.masks import Masks
+from nscc_runtime.planner.masks import Masks
 
 BLOCK = 1024
 """Pixels that go through all steps together."""

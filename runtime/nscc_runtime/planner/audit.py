@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.plan.capture import Planned
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.capture import Planned
+from nscc_runtime.planner.program import Program
 from nscc_runtime.reference.capture import Reference, scene_of
 
 SLACK = 1.1
@@ -52,6 +52,17 @@ class Audit:
     frames: int
     sampled_rows: int
     holds: bool
+
+    def __str__(self) -> str:
+        verdict = "the promise holds" if self.holds else "THE PROMISE IS BROKEN"
+        ratio = "" if self.std_ratio is None else (
+            f", std ratio {self.std_ratio:.4f} +- {self.std_ratio_mc_error:.4f}"
+        )  # fmt: skip
+        return (
+            f"audit: measured {self.measured_rms_e:.3g} +- {self.mc_error_e:.2g} e, bias "
+            f"{self.bias_e:+.2g} +- {self.bias_mc_error_e:.2g} e{ratio}; {self.samples} "
+            f"samples in {self.frames} frames: {verdict}"
+        )
 
 
 def audit(

@@ -14,10 +14,10 @@ from nscc_runtime.effects import everything
 from nscc_runtime.effects.field import OnDevice
 from nscc_runtime.effects.parts import CountedDark, Echo, Exchange, Leak, Response, WordGain
 from nscc_runtime.light import Light
-from nscc_runtime.plan.program import Program
-from nscc_runtime.plan.sample import Sample
-from nscc_runtime.plan.sums import sums_by_slot
-from nscc_runtime.plan.tables import Model
+from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.sample import Sample
+from nscc_runtime.planner.sums import sums_by_slot
+from nscc_runtime.planner.tables import Model
 
 Values = NDArray[np.float64]
 Frames = NDArray[np.float32]

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.light import Light
-from nscc_runtime.plan import sum_loop
-from nscc_runtime.plan.pool import in_parts
-from nscc_runtime.plan.sum_loop import SmearSizes, SumSizes
+from nscc_runtime.planner import sum_loop
+from nscc_runtime.planner.pool import in_parts
+from nscc_runtime.planner.sum_loop import SmearSizes, SumSizes
 
 _MOST_ENTRIES = 1 << 23
 """Of tables in memory at once, unless a single one is larger."""

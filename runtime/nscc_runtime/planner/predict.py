@@ -28,12 +28,12 @@ from nscc_runtime.effects.parts import (
     Soft,
 )
 from nscc_runtime.light import Light
-from nscc_runtime.plan import leak_nodes
-from nscc_runtime.plan.effect_fields import BOTH, FORCED, Fields, fields_of
-from nscc_runtime.plan.plan import Decision, Plan
-from nscc_runtime.plan.prepared import Prepared
-from nscc_runtime.plan.program import Program
-from nscc_runtime.plan.sample import sample_of
+from nscc_runtime.planner import leak_nodes
+from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, fields_of
+from nscc_runtime.planner.plan import Decision, Plan
+from nscc_runtime.planner.prepared import Prepared
+from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.sample import sample_of
 from nscc_runtime.remembered import remembered
 
 _CLIP = "clip"

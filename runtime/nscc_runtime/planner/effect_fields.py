@@ -25,9 +25,9 @@ from nscc_runtime.effects import (
 from nscc_runtime.effects.parts import Exchange, Soft, Well
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
-from nscc_runtime.plan.program import Program
-from nscc_runtime.plan.sample import Sample
-from nscc_runtime.plan.sampled import SampledScene
+from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.sample import Sample
+from nscc_runtime.planner.sampled import SampledScene
 
 Values = NDArray[np.float64]
 

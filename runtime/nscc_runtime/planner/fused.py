@@ -19,12 +19,12 @@ from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
-from nscc_runtime.plan.fused_loop import BLOCK, Simple, fused
-from nscc_runtime.plan.masks import Masks
-from nscc_runtime.plan.pool import in_parts
-from nscc_runtime.plan.prepared import Prepared
-from nscc_runtime.plan.program import Program
-from nscc_runtime.plan.sums import on_frames
+from nscc_runtime.planner.fused_loop import BLOCK, Simple, fused
+from nscc_runtime.planner.masks import Masks
+from nscc_runtime.planner.pool import in_parts
+from nscc_runtime.planner.prepared import Prepared
+from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.sums import on_frames
 from nscc_runtime.reference.noise import SUM
 
 ROUNDING = 1e-12

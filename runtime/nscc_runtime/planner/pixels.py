@@ -1,6 +1,6 @@
 """Single pixels of a frame, each run through all of its words: exact, and dear.
 
-`Pixels` lays a program, a sensor and a choice of effects out as `nscc_runtime.plan.pixel_loop`
+`Pixels` lays a program, a sensor and a choice of effects out as `nscc_runtime.planner.pixel_loop`
 takes them. With the same effects it gives what `nscc_runtime.reference` gives, to rounding.
 """
 
@@ -20,10 +20,10 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.noise.keys import base
-from nscc_runtime.plan.charge_loop import SITES
-from nscc_runtime.plan.layout import Entry, Keys, Numbers, Sizes
-from nscc_runtime.plan.pixel_loop import ERRORS, run_pixels
-from nscc_runtime.plan.pool import in_parts
+from nscc_runtime.planner.charge_loop import SITES
+from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
+from nscc_runtime.planner.pixel_loop import ERRORS, run_pixels
+from nscc_runtime.planner.pool import in_parts
 from nscc_runtime.reference.capture import START, Reference, most_destinations
 from nscc_runtime.reference.noise import PART, SUM
 
@@ -36,7 +36,7 @@ _FEWEST = 64
 
 @dataclass(frozen=True, eq=False)
 class Pixels:
-    """A program's words by lane, for the loop; see `nscc_runtime.plan.pixel_loop.run_pixels`."""
+    """A program's words by lane, for the loop; see `nscc_runtime.planner.pixel_loop.run_pixels`."""
 
     program: Reference
     entry_start: NDArray[np.int64]

@@ -26,11 +26,11 @@ from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, poisson
-from nscc_runtime.plan.fused import ROUNDING, Fused
-from nscc_runtime.plan.plan import Plan
-from nscc_runtime.plan.pool import processors
-from nscc_runtime.plan.prepared import Prepared
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.fused import ROUNDING, Fused
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.pool import processors
+from nscc_runtime.planner.prepared import Prepared
+from nscc_runtime.planner.program import Program
 from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.reference.noise import SUM
 

@@ -21,9 +21,9 @@ from nscc_runtime.effects import (
 )
 from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.light import Light
-from nscc_runtime.plan.plan import Approximation, Choice, Decision, Loop, Plan
-from nscc_runtime.plan.predict import Forecast
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.plan import Approximation, Choice, Decision, Loop, Plan
+from nscc_runtime.planner.predict import Forecast
+from nscc_runtime.planner.program import Program
 
 DEFAULT_TOLERANCE_E = 5.0
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import WordGain
-from nscc_runtime.plan.tables import Tables
+from nscc_runtime.planner.tables import Tables
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
 

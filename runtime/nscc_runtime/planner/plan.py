@@ -8,15 +8,24 @@ from functools import cached_property
 from types import UnionType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
+from nscc import html
+from nscc.columns import columns
 from nscc_runtime.effects import CannotHave, Selection, registered
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.registry import always_on
-from nscc_runtime.plan import leak_nodes
-from nscc_runtime.plan.tolerance import LEAST_E
+from nscc_runtime.planner import leak_nodes
+from nscc_runtime.planner.tolerance import LEAST_E
 
 Choice = Literal["kept", "dropped", "absent"]
 Loop = Literal["none", "some", "all", "reference"]
+
+_LOOPS: Mapping[Loop, str] = {
+    "none": "no pixel runs through the words one by one",
+    "some": "some pixels run through the words one by one",
+    "all": "all pixels run through the words one by one",
+    "reference": "the reference runs, slot by slot",
+}
 
 
 @dataclass(frozen=True)
@@ -48,7 +57,7 @@ class Approximation:
     error_e: float
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Plan:
     """All that a run needs to know beside program, scene and sensor.
 
@@ -56,7 +65,7 @@ class Plan:
     every effect, in electrons before the ADC. `slot_loop`: "none", "some" pixels or "all" go
     through all their words one by one; "reference": the reference does it all. `leak_nodes`: at how
     many rates of leakage the sums over slots are made. `closed`: whether the charge of closed slots
-    is counted.
+    is counted. As text a plan is the table that `nscc run` prints.
     """
 
     tolerance_e: float
@@ -69,6 +78,35 @@ class Plan:
     decisions: tuple[Decision, ...]
     leak_nodes: int = 1
     closed: bool = False
+
+    def __repr__(self) -> str:
+        kept = [each.name for each in self.decisions if each.decision == "kept"]
+        return (
+            f"<nscc plan: {self.predicted_e:.3g} e of {self.tolerance_e:.4g} e, "
+            f"{len(kept)} of {len(self.decisions)} effects: {', '.join(kept)}>"
+        )
+
+    def __str__(self) -> str:
+        rows: list[tuple[str, ...]] = [("effect", "rms e", "bias e", "choice", "why", "saves ms")]
+        for each in self.decisions:
+            rms = "" if each.predicted_rms_e is None else f"{each.predicted_rms_e:.3g}"
+            bias = "" if not each.predicted_bias_e else f"{each.predicted_bias_e:+.3g}"
+            choice = each.decision + (", forced" if each.forced else "")
+            cost = "" if each.cost_ms_model <= 0 else f"{each.cost_ms_model:.2f}"
+            rows.append((each.name, rms, bias, choice, each.reason, cost))
+        lines = [
+            columns(rows, left=(0, 3, 4)),
+            f"predicted error {self.predicted_e:.3g} e (at most {self.bound_e:.3g}), "
+            f"tolerance {self.tolerance_e:.4g} e, from {self.sampled_fraction:.1%} of the pixels",
+        ]
+        lines += [f"short cut: {each.name}, {each.error_e:.2g} e" for each in self.approximations]
+        loop = _LOOPS[self.slot_loop]
+        lines.append(": ".join(filter(None, (loop, "; ".join(self.slot_loop_reasons)))))
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        said = f"predicted error {self.predicted_e:.3g} e, tolerance {self.tolerance_e:.4g} e"
+        return html.card("plan", said, html.plain(str(self)))
 
     @cached_property
     def kept(self) -> Selection:

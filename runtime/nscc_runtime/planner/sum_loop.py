@@ -1,6 +1,6 @@
 """The loops that add up light, each frame weighted by the pixel's lane, and smear it.
 
-`nscc_runtime.plan.sums` has checked what they are given.
+`nscc_runtime.planner.sums` has checked what they are given.
 """
 
 from __future__ import annotations

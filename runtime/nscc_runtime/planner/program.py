@@ -14,11 +14,11 @@ from nscc_runtime.effects.parts import Exchange, Fading, Leak, SlowWords, WordGa
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.emulator.capture import check_program
-from nscc_runtime.plan.masks import Masks
-from nscc_runtime.plan.overlap import Overlap
-from nscc_runtime.plan.pixels import Pixels
-from nscc_runtime.plan.reach import Reach, reach_of
-from nscc_runtime.plan.tables import Model, Tables
+from nscc_runtime.planner.masks import Masks
+from nscc_runtime.planner.overlap import Overlap
+from nscc_runtime.planner.pixels import Pixels
+from nscc_runtime.planner.reach import Reach, reach_of
+from nscc_runtime.planner.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
 from nscc_runtime.remembered import remembered
 

@@ -1,6 +1,6 @@
 """What falls on a pixel in a run of slots: rates, counts spread by halving, neighbours' charge.
 
-Part of the loop over single pixels (`nscc_runtime.plan.pixel_loop`).
+Part of the loop over single pixels (`nscc_runtime.planner.pixel_loop`).
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from nscc_runtime.noise.counter import bits
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import halved, uniform
 from nscc_runtime.noise.poisson_law import poisson_exact
-from nscc_runtime.plan.layout import Keys, Numbers, Sizes
+from nscc_runtime.planner.layout import Keys, Numbers, Sizes
 
 SITES = 5
 """A pixel and its four neighbours."""
