@@ -3,25 +3,32 @@ mistake is a common one, what was probably meant."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
 from nscc.diagnostics.suggest import closest
 from nscc.source import Span
+from nscc.syntax import habits
 from nscc.syntax.grammar import END, spellings
 from nscc.syntax.lexer import Tokens
 from nscc.syntax.statement import Stuck
-from nscc.syntax.words import FORMS, STATEMENT_WORDS, expected_words, shown
+from nscc.syntax.words import (
+    FORMS,
+    LOOKING_WORDS,
+    expected_words,
+    shown,
+    statement_words,
+)
 
-_UNITS = ("ns", "us", "ms", "s")
-_STATEMENT_LIST = "statements begin with " + ", ".join(STATEMENT_WORDS)
 _SIGNS = {
     ";": ("statements need no semicolon", ""),
-    "&": ("`and` joins conditions", "and"),
+    "&": ("`and` joins conditions; bit i of a field `code NAME : bit[K]` is NAME[i]", "and"),
     "&&": ("`and` joins conditions", "and"),
     "|": ("`or` joins conditions", "or"),
     "||": ("`or` joins conditions", "or"),
     "!": ("`not` turns a condition round", "not "),
+    "~": ("`not` turns a condition round", "not "),
+    "?": ("a choice is written `A if CONDITION else B`", None),
     "^": ("`xor` means one or the other; there are no powers", None),
     "\u2264": ("it is written `<=`", "<="),
     "\u2265": ("it is written `>=`", ">="),
@@ -49,7 +56,7 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
             message = "these quotes are never closed"
             return Diagnostic("NS0114", message, source=tokens.source, label=place, helps=helps)
         if kind == "STRAY":
-            return _stray(tokens, stuck.token)
+            return _stray(tokens, stuck.token, stuck.expected)
         if END in stuck.expected and kind == "NAME":
             return unknown_statement(tokens, stuck.token)
         if _is_word(kind) and stuck.expected <= {"NAME", "TARGET_NAME", "TEXT", "from"}:
@@ -70,7 +77,7 @@ def misspelt_statement(
         if not first < index < last or tokens.kinds[index] != "NAME":
             continue
         if _first_on_line(tokens, index) or (index == stuck.token and END in stuck.expected):
-            near = closest(tokens.text(index), STATEMENT_WORDS)
+            near = closest(tokens.text(index), statement_words(tokens.version))
             if near is not None:
                 return index, near
     return None
@@ -84,14 +91,17 @@ def _first_on_line(tokens: Tokens, index: int) -> bool:
 def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
     """NS0109: a word stands where a statement should begin."""
     word = tokens.text(token)
-    near = closest(word, STATEMENT_WORDS)
+    words = statement_words(tokens.version)
+    near = closest(word, words)
     span = tokens.span(token)
+    later = tokens.version == 1 and word in LOOKING_WORDS
     return Diagnostic(
         "NS0109",
         f"no statement begins with {shown(word)}",
         source=tokens.source,
         label=Label(span, "a statement should begin here, or the last one go on"),
-        notes=(_STATEMENT_LIST,),
+        notes=("statements begin with " + ", ".join(words),),
+        helps=(f"`{word}` is a statement of version 2: begin the file with `nsl 2`",) * later,
         fixes=(Fix(f"did you mean `{near}`?", span, near),) if near else (),
     )
 
@@ -100,7 +110,7 @@ def _is_word(kind: str) -> bool:
     return kind in spellings().values() and kind.isalnum()
 
 
-def _stray(tokens: Tokens, token: int) -> Diagnostic:
+def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
     text, span = tokens.text(token), tokens.span(token)
     doubled = text + tokens.text(token + 1) if token + 1 < len(tokens.kinds) else ""
     if doubled in _SIGNS and tokens.span(token + 1).start == span.end:
@@ -114,6 +124,11 @@ def _stray(tokens: Tokens, token: int) -> Diagnostic:
             helps=("names are made of the letters a-z and A-Z, digits and `_`",),
         )
     hint, instead = _SIGNS.get(text, ("take it out; comments begin with `#`", None))
+    file = habits.file_hint(tokens, token) if text == "." else None
+    if text == ";" and "]" in expected:
+        hint, instead = "rows and values are parted by commas", ","
+    elif file is not None:
+        hint = file
     return Diagnostic(
         "NS0108",
         f"the sign {shown(text)} means nothing here",
@@ -153,7 +168,7 @@ def _unexpected(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnost
         label=Label(place, f"expected {expected}"),
         related=_left_open(tokens, first, stuck),
         notes=_forms(statement),
-        helps=tuple(_hints(tokens, first, last, stuck)),
+        helps=(*_hints(tokens, first, last, stuck), *habits.hints(tokens, first, last, stuck)),
         fixes=tuple(_fixes(tokens, first, last, stuck)),
     )
 
@@ -186,7 +201,7 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
         return
     kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
     if kind == "MALFORMED":
-        yield from _number_hints(text)
+        yield from habits.number_hints(tokens, stuck.token)
     elif kind == "GROUPED":
         yield "only the rows of `shutters` have digits in groups"
     elif kind == "TIME" and tokens.kinds[first] != "frame":
@@ -205,26 +220,16 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
         yield f"no bracket is open that this {shown(text)} could close"
 
 
-def _number_hints(text: str) -> Iterator[str]:
-    if text.endswith(_UNITS) or "." in text:
-        yield "decimals stand only in times, with the unit ns, us, ms or s: 1.6ms"
-    elif "_" in text:
-        yield "only the rows of `shutters` have digits in groups: 1111_0000"
-    else:
-        yield "numbers are digits, names begin with a letter, times end in ns, us, ms or s"
-
-
 def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]:
     """Changes that would surely put right what the statement got stuck on."""
     if stuck.token >= last:
         return
     kind, text, span = tokens.kinds[stuck.token], tokens.text(stuck.token), tokens.span(stuck.token)
-    after = tokens.text(stuck.token + 1) if stuck.token + 1 < last else ""
-    if kind == "=" and "COMPARISON" in stuck.expected:
+    usual = list(habits.fixes(tokens, last, stuck))
+    if usual:
+        yield from usual
+    elif kind == "=" and "COMPARISON" in stuck.expected:
         yield Fix("equality is written `==`", span, "==")
-    elif kind == "INTEGER" and "TIME" in stuck.expected and after in _UNITS:
-        whole = span.to(tokens.span(stuck.token + 1))
-        yield Fix(f"no blank before the unit: `{text}{after}`", whole, text + after)
     elif kind == "NAME":
         near = closest(text, (word for word in stuck.expected if _is_word(word)))
         if near is not None:
