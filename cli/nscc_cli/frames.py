@@ -97,12 +97,13 @@ def write_frame(
     """Write the frame file, and the picture, plan and timings that were asked for; where frame,
     picture and plan are. `response` gives that of the frame, for the picture."""
     from nscc.prove.shutters import replayed
+    from nscc_runtime.decode_table import with_table
     from nscc_runtime.frame_file import FrameFile
 
     with timings.part("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
         file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
-        products: dict[Path, Product] = {out: file.write}
+        products: dict[Path, Product] = {out: with_table(file, container).write}
         if options["png"]:
             products[options["png"]] = _picture(container, frame, response(), title)
         if plan is not None:
