@@ -9,11 +9,12 @@ from typing import Any, TypeVar
 import click
 from click import Choice, IntRange, argument, option
 
-from nscc_cli.support import NumberRange
+from nscc_cli.support import NumberRange, OutPath
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 PATH = click.Path(path_type=Path)
+OUT = OutPath()
 LEVEL = IntRange(0, 3)
 SEED = IntRange(0, 2**63 - 1)
 COUNT = IntRange(1, 1000)
@@ -94,11 +95,11 @@ sensor_options = together(
 )
 
 csv_options = together(
-    option("--csv", "csv_path", type=PATH, help="Write the CSV file here."),
-    option("--png", "png_path", type=PATH, help="Write the diagram here."),
+    option("--csv", "csv_path", type=OUT, help="Write the CSV file here."),
+    option("--png", "png_path", type=OUT, help="Write the diagram here."),
 )
 tradeoff_options = together(
-    option("-o", "out", type=PATH, metavar="OUT", help="Write OUT.csv and OUT.png."), csv_options
+    option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv and OUT.png."), csv_options
 )
 """Where a tradeoff's products go."""
 

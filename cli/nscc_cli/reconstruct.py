@@ -7,14 +7,14 @@ from pathlib import Path
 import click
 
 from nscc.files import write_whole
-from nscc_cli.options import PATH
+from nscc_cli.options import OUT, PATH
 from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command("reconstruct", cls=CommonCommand)
 @click.argument("run", metavar="RUN", type=PATH)
 @click.argument("frame", metavar="FRAME.npz", type=PATH)
-@click.option("-o", "out", required=True, metavar="OUT.npz", type=PATH)
+@click.option("-o", "out", required=True, metavar="OUT.npz", type=OUT)
 @click.option("--force", is_flag=True,
               help="Only warn if the frame is of another program or sensor.")  # fmt: skip
 def command(run: Path, frame: Path, out: Path, force: bool) -> None:

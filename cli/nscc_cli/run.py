@@ -11,7 +11,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_cli import options as shared
 from nscc_cli.frames import frame_path, parse_keep, scene_of, sensor_of, summary, write_frame
-from nscc_cli.options import PATH, SEED
+from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, done, progress, say
 
@@ -26,9 +26,9 @@ _MOST_REPEATS = 10000
 @click.option("--scene", help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
               "builtin:flat:E, builtin:dark.")  # fmt: skip
 @click.option(
-    "-o", "out", type=PATH, help="The frame file (default: NAME.frame.npz in this folder)."
+    "-o", "out", type=OUT, help="The frame file (default: NAME.frame.npz in this folder)."
 )
-@click.option("--png", type=PATH, help="Also write a picture of the frame.")
+@click.option("--png", type=OUT, help="Also write a picture of the frame.")
 @click.option("--effects", help="Sensor effects: auto, all, none (the default), or names; +NAME "
               "forces one on, -NAME off.")  # fmt: skip
 @click.option("--seed", type=SEED, default=0, help="Seed of a frame's noise.")
@@ -48,7 +48,7 @@ _MOST_REPEATS = 10000
 @click.option("--audit", is_flag=True, help="Compare with the reference; exit 1 if it broke.")
 @click.option("--plan", type=PATH, help="Use this plan; if there is none, write it.")
 @shared.sensor_options
-@click.option("--timings", type=PATH, help="Write seconds spent, as JSON, to a file.")
+@click.option("--timings", type=OUT, help="Write seconds spent, as JSON, to a file.")
 @shared.build_options
 def command(program: Path, **options: Any) -> None:
     """Expose one frame of a scene with a program, and write it as an .npz file.

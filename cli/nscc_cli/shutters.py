@@ -8,14 +8,14 @@ from typing import Any
 import click
 
 from nscc.files import write_whole
-from nscc_cli.options import PATH, build_options
+from nscc_cli.options import OUT, PATH, build_options
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, say
 
 
 @click.command("shutters", cls=CommonCommand)
 @click.argument("file", type=PATH)
-@click.option("-o", "out", required=True, metavar="S.npz", type=PATH)
+@click.option("-o", "out", required=True, metavar="S.npz", type=OUT)
 @build_options
 def command(file: Path, out: Path, **options: Any) -> None:
     """Write the shutters of all pixels of FILE (.nsl or .icw) as the words open them.

@@ -9,14 +9,14 @@ import click
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
-from nscc_cli.options import PATH, build_options, program_argument
+from nscc_cli.options import OUT, build_options, program_argument
 from nscc_cli.programs import compile_program, load_program
 from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command(name="view", cls=CommonCommand)
 @program_argument
-@click.option("-o", "out", type=PATH,
+@click.option("-o", "out", type=OUT,
               help="The picture (default: the program's name with .png, in this "
               "folder).")  # fmt: skip
 @click.option("--gates", is_flag=True, help="Draw the gates that decode the codes instead.")

@@ -31,7 +31,8 @@ FLOORS = {
 ROOMS = (
     ("columns", "npy", "operations", "requirements", "source", "truth"),
     ("diagnostics", "macros"),
-    ("files", "plugins", "toml"),
+    ("files", "plugins"),
+    ("toml",),
     ("target",),
     ("logic", "words"),
     ("cache", "prove"),

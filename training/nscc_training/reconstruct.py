@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
 from nscc.pipeline import LEVELS, Options
 from nscc.source import Source
 from nscc.words.file import to_bytes
@@ -73,6 +74,7 @@ def decoded_frame(folder: RunFolder, frame: NDArray[np.uint8]) -> NDArray[np.flo
 
 def read_frame(path: Path) -> FrameRead:
     """A frame file of one bucket and one exposure; Rejected (NS0819) for anything else."""
+    reads(path)
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
             found, meta = file["frame"], json.loads(str(file["meta"]))

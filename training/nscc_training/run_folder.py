@@ -11,6 +11,7 @@ from typing import Any
 import torch
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
 from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
 from nscc_training.loop.setup import Parts, make_parts
@@ -39,6 +40,7 @@ def load_run(path: Path) -> RunFolder:
 
     needed = ("config.resolved.toml", "decoder.safetensors", "shutter.nsl", "split.json",
               "result.json")  # fmt: skip
+    reads(*(path / name for name in (*needed, CODES_FILE)))
     missing = [name for name in needed if not (path / name).is_file()]
     if missing:
         raise _no_run(path, f"it has no {', '.join(missing)}")
