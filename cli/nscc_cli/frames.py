@@ -14,11 +14,13 @@ from nscc_cli.support import progress
 if TYPE_CHECKING:
     from nscc.target.target import Target
     from nscc.words.container import Container
+    from nscc_runtime.formats import Content
     from nscc_runtime.frame_file import Frame
     from nscc_runtime.light import Light
     from nscc_runtime.scenes import Scene
     from nscc_runtime.sensor import Sensor
     from nscc_runtime.timings import Timings
+    from nscc_training.run_files import RunCapture
 
 
 def scene_of(
@@ -34,7 +36,8 @@ def scene_of(
             helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
         )
     named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
-    return Scene(*(options[name] for name in named))
+    more = {name: options[name] for name in ("fit", "color", "first") if name in options}
+    return Scene(*(options[name] for name in named), **more)
 
 
 def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
@@ -42,6 +45,21 @@ def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
     from nscc_runtime.sensor import load_sensor
 
     return load_sensor(target, options["sensor"], options["sensor_set"])
+
+
+def run_capture_of(like: Path | None, options: dict[str, Any]) -> RunCapture | None:
+    """How the frames of run `like` are made; what `options` leave open is set as it is there."""
+    if like is None:
+        return None
+    from nscc_training.run_files import run_capture
+
+    found = run_capture(like)
+    for name in ("exposure", "transfer", "sensor"):
+        if options[name] is None:
+            options[name] = getattr(found, name)
+    if options["target"] is None and found.target is not None:
+        options["target"] = str(found.target)
+    return found
 
 
 def parse_keep(text: str) -> tuple[str, ...]:
@@ -64,10 +82,15 @@ def parse_keep(text: str) -> tuple[str, ...]:
 def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
     """Where the frame goes. Not NAME.npz: that may well be the program's own data.
 
-    NS0745 where two products would be one file.
+    NS0745 where two products would be one file, NS0786 for a name that no format ends in.
     """
+    from nscc_runtime.formats import check_ending, endings
+
     out: Path = options["out"] or Path(program.stem + ".frame.npz")
     named = [out, *(options[name] for name in ("png", "timings", "plan") if options[name])]
+    check_ending(out, endings(), "a frame")
+    if options["png"]:
+        check_ending(options["png"], (".png",), "a picture")
     refuse_same(named, "-o, --png, --timings and --plan")
     return out
 
@@ -80,14 +103,19 @@ def write_frame(
     """Write the frame file, and the picture, plan and timings that were asked for; where frame,
     picture and plan are."""
     from nscc.prove.shutters import replayed
+    from nscc_runtime.formats import file_of
+    from nscc_runtime.formats.frames import frame_content
     from nscc_runtime.frame_file import FrameFile
 
     with timings.part("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
         file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
-        products: dict[Path, Product] = {out: file.write}
+        content = frame_content(
+            file, container, light, lambda: replayed(container), options["tone"]
+        )
+        products: dict[Path, Product] = {out: file_of(out, content, "a frame")}
         if options["png"]:
-            products[options["png"]] = _picture(container, frame, title)
+            products[options["png"]] = _picture(container, frame, content, title)
         if plan is not None:
             products[options["plan"]] = plan.encode()
         write_together(products)
@@ -96,11 +124,14 @@ def write_frame(
     return [*products]
 
 
-def _picture(container: Container, frame: Frame, title: str) -> Product:
+def _picture(container: Container, frame: Frame, content: Content, title: str) -> Product:
     """The picture of `--png`: of the first frame, where there are several."""
+    from nscc_runtime.formats.sheet import content_sheet
     from nscc_runtime.pictures.frames import frame_sheet, readouts
     from nscc_runtime.pictures.sheet import png_of
 
+    if content.colour:
+        return png_of(content_sheet, content, title)
     first = frame.frame[0] if frame.frame.ndim == 4 else frame.frame
     return png_of(frame_sheet, readouts(container, first), title)
 

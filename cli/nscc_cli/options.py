@@ -89,6 +89,23 @@ scene_options = together(
 )  # fmt: skip
 """Of what lays a scene on the array."""
 
+tone_option = option("--tone", metavar="CURVE",
+                     help="How light becomes greys in .png, .gif and .mp4: log, reinhard, mu-law, "
+                     "srgb, linear.")  # fmt: skip
+
+
+def fit_option(default: str) -> Callable[..., Any]:
+    """What becomes of pictures that do not have the array's size."""
+    return option("--fit", type=Choice(["crop", "scale", "tiles"]), default=default,
+                  show_default=True, help="Of a picture of another size than the array: its "
+                  "middle, all of it scaled, or all of it in pieces.")  # fmt: skip
+
+
+first_option = option("--first", type=IntRange(min=0), default=0, metavar="K",
+                      help="The frame that a clip begins with, from 0.")  # fmt: skip
+color_option = option("--color", is_flag=True,
+                      help="Expose red, green and blue, one after the other.")  # fmt: skip
+
 sensor_options = together(
     option("--sensor", type=PATH, help="The sensor's numbers (nscc effects --toml)."),
     option("--sensor-set", multiple=True, metavar="K=V", help="Change one of them."),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Literal
 
@@ -89,6 +89,12 @@ class Light:
         """The frame of matrix entry k."""
         frame: NDArray[np.float32] = self.frames[self.frame_index[k]]
         return frame
+
+    def part(self, rows: slice, cols: slice) -> Light:
+        """The light on a rectangle of the pixels."""
+        frames = np.ascontiguousarray(self.frames[:, rows, cols])
+        motion = None if self.motion is None else replace(self.motion, frames=frames)
+        return replace(self, frames=frames, motion=motion)
 
     def dense(self) -> NDArray[np.float32]:
         """All slots (N, rows, cols)."""

@@ -94,14 +94,15 @@ def test_commands_keep_what_they_read(tmp_path: Path, run_nscc: RunNscc) -> None
         'nsl 1\nframe 4 slots of 1ms\ncode stop : 1..4\nopen when n < stop\n'
         'pixels from "codes.npz"\n'
     )  # fmt: skip
+    assert run_nscc(["build", "a.nsl"], tmp_path).status == 0
     before = {path: path.read_bytes() for path in tmp_path.iterdir()}
     for line in (
         "build a.nsl -o a.nsl",
         "build a.nsl -o codes.npz",
         "shutters a.nsl -o codes.npz",
-        "view a.nsl -o a.nsl",
+        "disasm a.icw -o a.icw",
         "run a.nsl --scene builtin:dark -o codes.npz",
-        "run a.nsl --scene builtin:dark -o new.npz --png a.nsl",
+        "run a.nsl --scene builtin:dark -o new.npz --timings a.nsl",
     ):
         assert "NS0785" in run_nscc(line.split(), tmp_path).err, line
     assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import io
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
+from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -21,24 +21,57 @@ from nscc.files import reads
 from nscc.pipeline import LEVELS, Options
 from nscc.source import Source
 from nscc.words.file import to_bytes
+from nscc_runtime.formats import Content
 from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.pieces import COLOURS
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.sensor_model import laid
 
+_BLOCK, _MARGIN = 256, 32
+"""Pixels a side that are decoded at a time of frames larger than an array, and around them those
+that are seen too: more than decoders reach."""
+
 
 @dataclass(frozen=True, eq=False)
 class FrameRead:
-    """What reconstruction needs of a frame file: codes (rows, cols), meta, shutters if kept."""
+    """What reconstruction needs of a frame file: codes (colours, rows, cols), one colour or red,
+    green and blue; meta; shutters (N, rows, cols) if kept."""
 
     frame: NDArray[np.uint8]
     meta: dict[str, Any]
     shutter: NDArray[np.bool_] | None
 
 
-def reconstruct(run: Path, frame: Path, *, force: bool) -> tuple[bytes, tuple[Diagnostic, ...]]:
-    """The .npz file of the reconstruction, and warnings.
+@dataclass(frozen=True, eq=False)
+class Reconstruction:
+    """A picture (rows, cols) in electrons over the frame, or a clip (T, rows, cols) in electrons a
+    slot, float32; with an axis of red, green and blue at the end if `colour`.
+
+    `messages` are doubts about the frame; `decode_s` seconds that the decoder took.
+    """
+
+    light: NDArray[np.float32]
+    still: bool
+    colour: bool
+    messages: tuple[Diagnostic, ...]
+    decode_s: float
+
+    @property
+    def content(self) -> Content:
+        """The reconstruction for every format that it can be written in."""
+        arrays = {"image" if self.still else "video": self.light}
+        # Time is the last axis of clips in MATLAB.
+        turned = arrays if self.still else {"video": np.moveaxis(self.light, 0, -1)}
+        return Content(
+            arrays, self.light, not self.still, self.colour, benchmark=lambda: turned,
+            usual="log" if self.still else "srgb",
+        )  # fmt: skip
+
+
+def reconstruct(run: Path, frame: Path, *, force: bool) -> Reconstruction:
+    """What a run's decoder makes of a frame file, with warnings.
 
     Raises Rejected: NS0818 for the run, NS0819 for a file that is no frame, or one of another
     program or sensor (with `force` that is a warning, unless its size differs).
@@ -50,21 +83,44 @@ def reconstruct(run: Path, frame: Path, *, force: bool) -> tuple[bytes, tuple[Di
     if messages and not force:
         raise Rejected(messages, status=2)
     size = (folder.parts.target.rows, folder.parts.target.cols)
-    if read.frame.shape != size:
-        raise _no_frame(frame, f"it is of {read.frame.shape} pixels, the run's chip has {size}")
-    made = decoded_frame(folder, read.frame)
-    stream = io.BytesIO()
-    key = "image" if folder.parts.still else "video"
-    # Savez stamps no times: its entries all have the same date.
-    np.savez(stream, **{key: made})  # type: ignore[arg-type]  # numpy types keywords as one kind
-    return stream.getvalue(), messages
+    if read.frame.shape[1:] != size and "laid" not in read.meta:
+        raise _no_frame(frame, f"it is of {read.frame[0].shape} pixels, the run's chip has {size}")
+    begin = perf_counter()
+    made = [decoded_frame(folder, codes) for codes in read.frame]
+    colour = len(made) > 1
+    light = np.stack(made, axis=-1) if colour else made[0]
+    return Reconstruction(light, folder.parts.still, colour, messages, perf_counter() - begin)
+
+
+def decoded_frame(folder: RunFolder, frame: NDArray[np.uint8]) -> NDArray[np.float32]:
+    """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes.
+
+    Frames larger than the array are decoded block by block.
+    """
+    rows, cols = frame.shape
+    found: NDArray[np.float32] | None = None
+    for top in range(0, rows, _BLOCK):
+        for left in range(0, cols, _BLOCK):
+            down, across = (
+                slice(max(at - _MARGIN, 0), min(at + _BLOCK + _MARGIN, most))
+                for at, most in ((top, rows), (left, cols))
+            )
+            made = _decoded(folder, frame[down, across], (down.start, across.start))
+            inside = made[..., top - down.start :, left - across.start :][..., :_BLOCK, :_BLOCK]
+            if found is None:
+                found = np.empty((*made.shape[:-2], rows, cols), np.float32)
+            found[..., top : top + _BLOCK, left : left + _BLOCK] = inside
+    assert found is not None  # a frame has pixels
+    return found
 
 
 @torch.no_grad()
-def decoded_frame(folder: RunFolder, frame: NDArray[np.uint8]) -> NDArray[np.float32]:
-    """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes."""
+def _decoded(
+    folder: RunFolder, frame: NDArray[np.uint8], corner: tuple[int, int]
+) -> NDArray[np.float32]:
+    """The same of a block, whose top left corner lies there on the arrays side by side."""
     parts = folder.parts
-    shutters = laid(parts.encoder.hard(), *frame.shape).to(parts.device)
+    shutters = _shutters(folder, frame.shape, corner).to(parts.device)
     codes = torch.from_numpy(frame.astype(np.float32)).to(parts.device)
     codes = (codes - parts.model.adc_offset_lsb) / parts.model.top_code
     found = parts.decoder(codes[None], shutters)[0].float().cpu().numpy()
@@ -72,8 +128,21 @@ def decoded_frame(folder: RunFolder, frame: NDArray[np.uint8]) -> NDArray[np.flo
     return np.asarray(found * (parts.model.full_well_e / slots), np.float32)
 
 
+def _shutters(
+    folder: RunFolder, shape: tuple[int, ...], corner: tuple[int, int] = (0, 0)
+) -> torch.Tensor:
+    """The run's shutters (N, rows, cols) at a block of pixels of arrays side by side."""
+    target = folder.parts.target
+    array = laid(folder.parts.encoder.hard(), target.rows, target.cols)
+    rows, cols = (
+        (torch.arange(side) + at) % most
+        for side, at, most in zip(shape, corner, (target.rows, target.cols), strict=True)
+    )
+    return array[:, rows][:, :, cols]
+
+
 def read_frame(path: Path) -> FrameRead:
-    """A frame file of one bucket and one exposure; Rejected (NS0819) for anything else."""
+    """A frame file of one bucket and one exposure, or three in colours; Rejected (NS0819) else."""
     reads(path)
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
@@ -87,18 +156,20 @@ def read_frame(path: Path) -> FrameRead:
         raise _no_frame(path, reason) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA or found.dtype != np.uint8:
         raise _no_frame(path, f"its schema is not {SCHEMA}")
+    if "colours" in meta and found.ndim == 4 and found.shape[:2] == (len(COLOURS), 1):
+        return FrameRead(found[:, 0], meta, None)
     if found.ndim != 3 or found.shape[0] != 1 or 0 in found.shape:
         raise _no_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
     if kept is not None and kept.shape[:-1] != found.shape:
         raise _no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
     shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
-    return FrameRead(found[0], meta, shutter)
+    return FrameRead(found, meta, shutter)
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     """Reasons to think that the frame was exposed with other shutters."""
-    hard = laid(folder.parts.encoder.hard(), *read.frame.shape).numpy().astype(bool)
     if read.shutter is not None:
+        hard = _shutters(folder, read.frame.shape[1:]).numpy().astype(bool)
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
             yield "it was exposed with other shutters than the run's"
     elif not _is_program(folder, read.meta.get("program_sha256")):

@@ -17,6 +17,7 @@ from nscc_training.config import load_config
 from nscc_training.loop.setup import Parts, make_parts
 from nscc_training.problems import said
 from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE, Chip
+from nscc_training.run_files import run_path
 
 _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
 """What a result has digests of, and reconstructions depend on."""
@@ -35,9 +36,13 @@ class RunFolder:
 
 
 def load_run(path: Path) -> RunFolder:
-    """The run in a folder. Rejected (NS0818) where there is none, or it did not finish."""
+    """The run in a folder, or the one that comes with nscc under that name.
+
+    Rejected (NS0818) where there is none, or it did not finish.
+    """
     from safetensors.torch import load_file
 
+    path = run_path(path)
     needed = ("config.resolved.toml", "decoder.safetensors", "shutter.nsl", "split.json",
               "result.json")  # fmt: skip
     reads(*(path / name for name in (*needed, CODES_FILE)))

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import timing
-from nscc_runtime.scenes.exposure import Exposure
+from nscc_runtime.scenes.exposure import Exposure, scale
 from nscc_runtime.scenes.shapes import Field, fractal, hashed, turn
 
 Picture = NDArray[np.float32]
@@ -31,7 +31,9 @@ def motion(slot_us: Sequence[float], rows: int, cols: int, exposure: Exposure, n
     count = slots * ceil(_FEWEST / slots) if slots <= _MOST else _MOST
     length_us = timing.slot_edges_us(slot_us)[-1]
     parts = timing.overlaps(slot_us, Fraction(count * 1_000_000) / length_us)
-    return timing.spread(frames(count, rows, cols), parts, exposure, name)
+    return timing.spread(
+        frames(count, rows, cols), parts, lambda open_sum: scale(open_sum, exposure, name)
+    )
 
 
 def frames(count: int, rows: int, cols: int) -> NDArray[np.float32]:
