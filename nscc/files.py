@@ -78,6 +78,18 @@ def write_together(products: Mapping[Path, Product]) -> None:
             temporary.unlink(missing_ok=True)
 
 
+def write_new(products: Mapping[Path, Product]) -> None:
+    """Write several files as `write_together`; Rejected (NS0788, status 2) where there is one."""
+    for path in products:
+        if path.exists():
+            raise rejected(
+                "NS0788",
+                f"there is a file '{path}' already",
+                helps=("take another name or folder, or remove it first",),
+            )
+    write_together(products)
+
+
 def refuse_same(paths: Collection[Path], options: str) -> None:
     """Raises Rejected (NS0745, status 2) where two of the products would be one file.
 

@@ -20,11 +20,14 @@ from nscc_cli.support import CommonCommand, done, say
               ".tiff.")  # fmt: skip
 @click.option("--png", type=OUT, help="Also write a picture of it, for the eye.")
 @tone_option
+@click.option("--dark", type=PATH, metavar="DARK.npz", help="A frame file of the same program "
+              "without light, of many repeats: what it reads is taken from FRAME.")  # fmt: skip
 @click.option("--force", is_flag=True,
               help="Only warn if the frame is of another program or sensor.")  # fmt: skip
 def command(
-    run: Path, frame: Path, out: Path, png: Path | None, tone: str | None, force: bool
-) -> None:
+    run: Path, frame: Path, out: Path, png: Path | None, tone: str | None, dark: Path | None,
+    force: bool,
+) -> None:  # fmt: skip
     """Make a picture or a clip of FRAME, which `nscc run RUN/shutter.nsl` wrote.
 
     RUN is a run folder, or one that comes with nscc: hdr, clip. In an .npz there is `image` (rows,
@@ -40,7 +43,7 @@ def command(
         refuse_same([out, png], "-o and --png")
     from nscc_training.reconstruct import reconstruct
 
-    made = reconstruct(run, frame, force=force)
+    made = reconstruct(run, frame, force=force, dark=dark)
     say(made.messages)
     content = replace(made.content, tone=tone)
     products = {out: file_of(out, content, what)}

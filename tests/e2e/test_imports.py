@@ -31,7 +31,7 @@ FLOORS = {
 ROOMS = (
     ("columns", "npy", "operations", "requirements", "source", "truth"),
     ("diagnostics", "macros"),
-    ("files", "plugins"),
+    ("examples", "files", "plugins"),
     ("toml",),
     ("target",),
     ("logic", "words"),

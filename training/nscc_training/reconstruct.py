@@ -70,8 +70,11 @@ class Reconstruction:
         )  # fmt: skip
 
 
-def reconstruct(run: Path, frame: Path, *, force: bool) -> Reconstruction:
+def reconstruct(run: Path, frame: Path, *, force: bool, dark: Path | None = None) -> Reconstruction:
     """What a run's decoder makes of a frame file, with warnings.
+
+    `dark` is a frame file of the same program without light, of many repeats: their mean, which
+    offsets of words and charge without light have left, is taken from the frame.
 
     Raises Rejected: NS0818 for the run, NS0819 for a file that is no frame, or one of another
     program or sensor (with `force` that is a warning, unless its size differs).
@@ -85,14 +88,36 @@ def reconstruct(run: Path, frame: Path, *, force: bool) -> Reconstruction:
     size = (folder.parts.target.rows, folder.parts.target.cols)
     if read.frame.shape[1:] != size and "laid" not in read.meta:
         raise _no_frame(frame, f"it is of {read.frame[0].shape} pixels, the run's chip has {size}")
+    offset = np.zeros(size) if dark is None else read_dark(dark, size)
     begin = perf_counter()
-    made = [decoded_frame(folder, codes) for codes in read.frame]
+    made = [decoded_frame(folder, undarkened(codes, offset)) for codes in read.frame]
     colour = len(made) > 1
     light = np.stack(made, axis=-1) if colour else made[0]
     return Reconstruction(light, folder.parts.still, colour, messages, perf_counter() - begin)
 
 
-def decoded_frame(folder: RunFolder, frame: NDArray[np.uint8]) -> NDArray[np.float32]:
+def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
+    """Codes without what the array (rows, cols) reads in the dark; arrays lie side by side."""
+    times = [-(-side // most) for side, most in zip(codes.shape, offset.shape, strict=True)]
+    laid_offset = np.tile(offset, times)[: codes.shape[0], : codes.shape[1]]
+    return np.asarray(codes - laid_offset, np.float32)
+
+
+def read_dark(path: Path, size: tuple[int, int]) -> NDArray[np.float64]:
+    """The mean code (rows, cols) above the ADC's offset of a frame file without light.
+
+    Rejected (NS0819) for one of another size.
+    """
+    frame, meta, _ = _frame_arrays(path)
+    codes = frame.reshape(-1, *frame.shape[-3:])
+    if codes.shape[1:] != (1, *size):
+        raise _no_frame(path, f"its frames are {codes.shape[1:]}, the array's are {(1, *size)}")
+    return np.asarray(codes.mean(axis=0)[0] - float(meta["adc_offset"]))
+
+
+def decoded_frame(
+    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32]
+) -> NDArray[np.float32]:
     """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes.
 
     Frames larger than the array are decoded block by block.
@@ -116,7 +141,7 @@ def decoded_frame(folder: RunFolder, frame: NDArray[np.uint8]) -> NDArray[np.flo
 
 @torch.no_grad()
 def _decoded(
-    folder: RunFolder, frame: NDArray[np.uint8], corner: tuple[int, int]
+    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32], corner: tuple[int, int]
 ) -> NDArray[np.float32]:
     """The same of a block, whose top left corner lies there on the arrays side by side."""
     parts = folder.parts
@@ -143,6 +168,21 @@ def _shutters(
 
 def read_frame(path: Path) -> FrameRead:
     """A frame file of one bucket and one exposure, or three in colours; Rejected (NS0819) else."""
+    found, meta, kept = _frame_arrays(path)
+    if "colours" in meta and found.ndim == 4 and found.shape[:2] == (len(COLOURS), 1):
+        return FrameRead(found[:, 0], meta, None)
+    if found.ndim != 3 or found.shape[0] != 1 or 0 in found.shape:
+        raise _no_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
+    if kept is not None and kept.shape[:-1] != found.shape:
+        raise _no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
+    shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
+    return FrameRead(found, meta, shutter)
+
+
+def _frame_arrays(
+    path: Path,
+) -> tuple[NDArray[np.uint8], dict[str, Any], NDArray[np.uint8] | None]:
+    """Codes, meta and unpacked shutters of a frame file; Rejected (NS0819) for another file."""
     reads(path)
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
@@ -156,14 +196,7 @@ def read_frame(path: Path) -> FrameRead:
         raise _no_frame(path, reason) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA or found.dtype != np.uint8:
         raise _no_frame(path, f"its schema is not {SCHEMA}")
-    if "colours" in meta and found.ndim == 4 and found.shape[:2] == (len(COLOURS), 1):
-        return FrameRead(found[:, 0], meta, None)
-    if found.ndim != 3 or found.shape[0] != 1 or 0 in found.shape:
-        raise _no_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
-    if kept is not None and kept.shape[:-1] != found.shape:
-        raise _no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
-    shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
-    return FrameRead(found, meta, shutter)
+    return found, meta, kept
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:

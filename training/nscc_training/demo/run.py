@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.files import Product, write_together, write_whole
+from nscc.files import Product, write_together
 from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container
@@ -27,15 +27,17 @@ from nscc_runtime.pieces import Taken, simulate_scene
 from nscc_runtime.scenes import Fit, Laid, Scene
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener, Request
-from nscc_training.demo.merge import merged_light
+from nscc_training.demo.merge import dark_codes, merged_light
 from nscc_training.demo.sheet import Shown, demo_sheet
 from nscc_training.demo.subject import Subject, subject
 from nscc_training.run_files import RunCapture, run_capture
 
-BUILTIN = ("builtin:hdr", "builtin:motion")
+BUILTIN = ("builtin:hdr", "builtin:motion:0.15")
 """What is shown to those who name nothing."""
 RUNS = {True: Path("hdr"), False: Path("clip")}
 """The run for stills, and that for clips."""
+_DARK_FRAMES, _DARK_SEED = 16, 1 << 20
+"""Frames without light, whose mean is taken from every other, and how far their seed is off."""
 _BRIGHTER = ("@99", "@100")
 """Where the run's pixel of a scene is dark, one of these is given its electrons."""
 
@@ -94,18 +96,26 @@ def demo(
     begin = perf_counter()
     taken = simulate_scene(compiled, laid, sensor, request, listener)
     expose_s = perf_counter() - begin
-    usual = simulate_scene(_always_open(like), laid, sensor, request, listener)
+    camera = _always_open(like)
+    usual = simulate_scene(camera, laid, sensor, request, listener)
+    dark = {which: _dark(which, sensor, settings, listener) for which in (compiled, camera)}
     out.mkdir(parents=True, exist_ok=True)
     name = "picture" if found.still else "clip"
-    frame = out / f"{name}_frame.npz"
-    write_whole(frame, _frame_file(taken, laid).write)
-    light, decode_s, how = _reconstructed(run, frame, taken, sensor, settings)
+    frame, dark_frame = out / f"{name}_frame.npz", out / f"{name}_dark.npz"
+    keep = ("truth",) if len(laid) == 1 else ()
+    write_together({
+        frame: _frame_file(taken, keep).write, dark_frame: _frame_file(dark[compiled]).write,
+    })  # fmt: skip
+    light, decode_s, how = _reconstructed(
+        run, (frame, dark_frame), taken, dark[compiled], sensor, settings
+    )
     shown = Shown(
         title=Path(found.scene.name.partition(":")[2] or found.scene.name).name,
         still=found.still, display=found.transfer == "srgb", truth=_truth(laid, found.still),
         light=light, frame=_codes(taken, laid), usual=_codes(usual, laid),
+        dark=dark_codes(dark[camera]),
         top=2**compiled.target.adc_bits - 1, lsb_e=sensor.electrons_per_lsb,
-        zero_lsb=sensor.adc_offset_lsb, white_e=_white_e(found, laid), tone=settings.tone,
+        white_e=_white_e(found, laid), tone=settings.tone,
         how=how, expose_s=expose_s, decode_s=decode_s,
     )  # fmt: skip
     content = Content(
@@ -118,7 +128,7 @@ def demo(
         **{out / (name + end): file_of(out / (name + end), content, "it") for end in endings},
     }
     write_together(products)
-    files = (*products, frame)
+    files = (*products, frame, dark_frame)
     return Demo(files, shown.open_db, shown.psnr_db, _commands(exposed, run, settings, files))
 
 
@@ -173,24 +183,37 @@ def _white_e(found: Subject, laid: Sequence[Laid]) -> float | None:
     return float(light.weight.sum()) / (1 if found.still else light.slots)
 
 
-def _frame_file(taken: Taken, laid: Sequence[Laid]) -> FrameFile:
+def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Listener) -> Taken:
+    """Frames without light, with other noise than the scene's."""
+    night = Scene("builtin:dark").laid(container.slot_us, container.target)
+    seed = settings.seed + _DARK_SEED
+    request = Request(selected("auto"), seed=seed, repeat=_DARK_FRAMES)
+    return simulate_scene(container, night, sensor, request, listener)
+
+
+def _frame_file(taken: Taken, keep: Sequence[str] = ()) -> FrameFile:
     simulated, light = taken.simulated, taken.light
     about = meta(taken.container, light, simulated.frame, simulated.origin) | taken.laid
-    keep = ("truth",) if len(laid) == 1 else ()
     return FrameFile.of(taken.container, light, simulated.frame, about, keep)
 
 
 def _reconstructed(
-    run: Path, frame: Path, taken: Taken, sensor: Sensor, settings: Settings
+    run: Path,
+    files: tuple[Path, Path],
+    taken: Taken,
+    dark: Taken,
+    sensor: Sensor,
+    settings: Settings,
 ) -> tuple[NDArray[np.float32], float, str]:
     """The light, in the shape of the truth; the seconds that it took; by what."""
     if settings.learned:
         from nscc_training.reconstruct import reconstruct
 
-        made = reconstruct(run, frame, force=False)
+        frame, dark_frame = files
+        made = reconstruct(run, frame, force=False, dark=dark_frame)
         return made.light, made.decode_s, "U-Net of run " + run.name
     begin = perf_counter()
-    light, how = merged_light(taken, sensor)
+    light, how = merged_light(taken, dark_codes(dark), sensor)
     return light, perf_counter() - begin, how
 
 
@@ -205,7 +228,10 @@ def _commands(
     }  # fmt: skip
     said = [f"{name} {quote(str(value))}" for name, value in options.items() if value is not None]
     said += ["--color"] * scene.color
-    frame, product = quote(files[-1].as_posix()), quote(files[1].as_posix())
+    product, frame, dark = (quote(files[k].as_posix()) for k in (1, -2, -1))
+    seed = settings.seed + _DARK_SEED
+    night = f"--scene builtin:dark --effects auto --repeat {_DARK_FRAMES} --seed {seed}"
     expose = f"nscc run --like {run} {' '.join(said)} -o {frame}"
-    decode = f"nscc reconstruct {run} {frame} -o {product}"
-    return (expose, decode) if settings.learned else (expose,)
+    darkness = f"nscc run --like {run} {night} -o {dark}"
+    decode = f"nscc reconstruct {run} {frame} --dark {dark} -o {product}"
+    return (expose, darkness, decode) if settings.learned else (expose, darkness)

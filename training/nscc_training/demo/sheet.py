@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.tone import Tone, fitted
+from nscc_training.demo.merge import laid_like
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
 
 if TYPE_CHECKING:
@@ -34,7 +35,8 @@ class Shown:
     frame, or (T, rows, cols) of a clip, electrons a slot; `frame` and `usual`, the codes of the
     coded frame and of always open pixels, (rows, cols); all with an axis of colours or none.
 
-    `top` is the last code, `lsb_e` and `zero_lsb` make electrons of codes. `display` says that the
+    `dark` (rows, cols) of the array is what always open pixels read without light, `top` the last
+    code; `lsb_e` makes electrons of codes. `display` says that the
     scene was made for screens, which show `white_e` as white. `how` names the reconstruction.
     """
 
@@ -45,9 +47,9 @@ class Shown:
     light: NDArray[Any]
     frame: NDArray[np.uint8]
     usual: NDArray[np.uint8]
+    dark: NDArray[np.float64]
     top: int
     lsb_e: float
-    zero_lsb: float
     white_e: float | None
     tone: str | None
     how: str
@@ -67,7 +69,7 @@ class Shown:
     @cached_property
     def usual_light(self) -> NDArray[np.float64]:
         """The light that always open pixels tell of, in the shape of the truth."""
-        light = (self.usual.astype(np.float64) - self.zero_lsb) * self.lsb_e
+        light = (self.usual - laid_like(self.dark, self.usual)) * self.lsb_e
         if self.still:
             return light
         return np.broadcast_to(light / len(self.truth), self.truth.shape)

@@ -48,7 +48,7 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
     path = Path(scene.name)
     suffix = path.suffix.lower()
     if scene.name.startswith("builtin:"):
-        return Subject(scene, scene.name != "builtin:motion", "linear")
+        return Subject(scene, not scene.name.startswith("builtin:motion"), "linear")
     if suffix in ARRAYS and path.is_file():
         return _of_arrays(scene, path)
     if path.is_dir():
