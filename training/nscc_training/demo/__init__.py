@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_training.demo.run import BUILTIN, Demo, Settings, demo
+from nscc_training.demo.expose import Settings
+from nscc_training.demo.run import BUILTIN, Demo, demo
 
 __all__ = ["BUILTIN", "Demo", "Settings", "demo"]

@@ -36,8 +36,9 @@ class Shown:
     coded frame and of always open pixels, (rows, cols); all with an axis of colours or none.
 
     `dark` (rows, cols) of the array is what always open pixels read without light, `top` the last
-    code; `lsb_e` makes electrons of codes. `display` says that the
-    scene was made for screens, which show `white_e` as white. `how` names the reconstruction.
+    code; `lsb_e` makes electrons of codes. `shutters` (rows, cols, N) are those of a corner of the
+    array. `display` says that the scene was made for screens, which show `white_e` as white. `how`
+    names the reconstruction.
     """
 
     title: str
@@ -52,6 +53,8 @@ class Shown:
     lsb_e: float
     white_e: float | None
     tone: str | None
+    shutters: NDArray[np.bool_]
+    slot_us: tuple[float, ...]
     how: str
     expose_s: float
     decode_s: float
@@ -112,27 +115,32 @@ def demo_sheet(shown: Shown) -> Figure:
         "usual": Image(_fit(codes(shown.usual)), "always open",
                        f"an ordinary camera: {shown.measure} {shown.open_db:.1f} dB"),
         "frame": Image(_fit(codes(shown.frame)), "readout",
-                       f"one exposure through the shutters, {shown.expose_s:.2g} s to emulate"),
+                       f"one exposure through the shutters, emulated in {_time(shown.expose_s)}"),
     }  # fmt: skip
-    told = f"{shown.how}: {shown.measure} {shown.psnr_db:.1f} dB, in {shown.decode_s:.2g} s"
-    title = f"{shown.title}: {shown.measure} {shown.psnr_db:.1f} dB"
+    reached = f"{shown.measure} {shown.psnr_db:.1f} dB"
+    told, title = f"{shown.how}: {reached}, in {_time(shown.decode_s)}", f"{shown.title}: {reached}"
     tone = f"{shown.fitted.name}, white {shown.fitted.white:.3g} electrons"
     if shown.still:
         truth, light = shown.fitted(shown.truth), shown.fitted(shown.light)
         rows: list[list[Image]] = [
             [Image(_fit(truth), "truth", tone), panels["usual"], panels["frame"]],
-            [Image(_fit(light), "reconstruction", told), _error(truth, light)],
+            [Image(_fit(light), "reconstruction", told), _error(truth, light), _shutters(shown)],
         ]
         return image_sheet(rows, title, _SIDE_INCHES)
     moments = np.linspace(0, len(shown.truth) - 1, _MOMENTS).round().astype(int)
     truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
     rows = [
-        [panels["usual"], panels["frame"]],
+        [panels["usual"], panels["frame"], _shutters(shown)],
         _row(truth, [f"truth, frame {k + 1} of {len(shown.truth)}" for k in moments], tone),
         _row(light, ["reconstruction", *[""] * (_MOMENTS - 1)], told),
         [_error(a, b, k > 0) for k, (a, b) in enumerate(zip(truth, light, strict=True))],
     ]
     return image_sheet(rows, title, _SIDE_INCHES)
+
+
+def _time(seconds: float) -> str:
+    """With a space that lines are not broken at."""
+    return f"{seconds:.2g}\N{NO-BREAK SPACE}s"
 
 
 def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Image]:
@@ -144,16 +152,34 @@ def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Im
 
 def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = False) -> Image:
     """Differences of the greys that are shown, in colours."""
-    from matplotlib import colormaps
-
     difference = np.abs(truth.astype(np.float64) - light)
     if difference.ndim == 3:
         difference = difference.mean(axis=-1)
-    colours = colormaps["viridis"](np.minimum(difference / _ERROR_TOP, 1.0))[..., :3]
     note = f"between the greys shown: mean {difference.mean():.1f} of 255"
     scale = "" if quiet else f"; dark is 0, yellow {_ERROR_TOP} and more"
-    return Image(_fit(np.rint(255 * colours).astype(np.uint8)), "" if quiet else "error",
-                 note + scale)  # fmt: skip
+    colours = _coloured(difference / _ERROR_TOP)
+    return Image(_fit(colours), "" if quiet else "error", note + scale)
+
+
+def _shutters(shown: Shown) -> Image:
+    """How long, or when, pixels of the corner are open."""
+    rows, cols, _ = shown.shutters.shape
+    slot_us = np.array(shown.slot_us)
+    open_ms = shown.shutters @ slot_us * 1e-3
+    where = f"{rows} x {cols} pixels, open for {open_ms.min():.3g} to {open_ms.max():.3g} ms"
+    if shown.still:
+        longest = _coloured(np.sqrt(open_ms / open_ms.max()))
+        return Image(_fit(longest), "shutters", where + ": yellow is longest")
+    middle_us = np.cumsum(slot_us) - slot_us / 2
+    when = shown.shutters @ (slot_us * middle_us) / (open_ms * 1e3)
+    note = f"{where} of {slot_us.sum() * 1e-3:.3g} ms: dark early, yellow late"
+    return Image(_fit(_coloured(when / slot_us.sum())), "shutters", note)
+
+
+def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
+    from matplotlib import colormaps
+
+    return np.rint(255 * colormaps["viridis"](np.clip(scale, 0, 1))[..., :3]).astype(np.uint8)
 
 
 def _fit(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
