@@ -162,17 +162,22 @@ def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = Fal
 
 
 def _shutters(shown: Shown) -> Image:
-    """How long, or when, pixels of the corner are open."""
-    rows, cols, _ = shown.shutters.shape
-    slot_us = np.array(shown.slot_us)
-    open_ms = shown.shutters @ slot_us * 1e-3
-    where = f"{rows} x {cols} pixels, open for {open_ms.min():.3g} to {open_ms.max():.3g} ms"
+    """How long, or when, pixels of the corner are open: of a picture's shape, as the others are."""
+    down, across = shown.frame.shape[:2]
+    rows, cols = (
+        max(4, len(shown.shutters) * side // max(down, across)) for side in (down, across)
+    )
+    corner, slot_us = shown.shutters[:rows, :cols], np.array(shown.slot_us)
+    open_us = corner @ slot_us
+    shortest, longest = (f"{time_us * 1e-3:.3g}" for time_us in (open_us.min(), open_us.max()))
+    length = longest if shortest == longest else f"{shortest} to {longest}"
+    where = f"of {rows} x {cols} pixels, open for {length} ms"
     if shown.still:
-        longest = _coloured(np.sqrt(open_ms / open_ms.max()))
-        return Image(_fit(longest), "shutters", where + ": yellow is longest")
+        image = _coloured(np.sqrt(open_us / open_us.max()))
+        return Image(_fit(image), "shutters", f"{where}: yellow is longest")
     middle_us = np.cumsum(slot_us) - slot_us / 2
-    when = shown.shutters @ (slot_us * middle_us) / (open_ms * 1e3)
-    note = f"{where} of {slot_us.sum() * 1e-3:.3g} ms: dark early, yellow late"
+    when = corner @ (slot_us * middle_us) / np.maximum(open_us, 1e-9)
+    note = f"{where} of {slot_us.sum() * 1e-3:.3g}: dark is early, yellow late"
     return Image(_fit(_coloured(when / slot_us.sum())), "shutters", note)
 
 
