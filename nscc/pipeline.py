@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from nscc import checks
 from nscc.cache.results import Results, results_of_user
@@ -18,7 +18,7 @@ from nscc.lower import fit
 from nscc.lower.assemble import assemble
 from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
-from nscc.lower.plan import LoweringOption, Planned, frame_time, plan_exposures
+from nscc.lower.plan import LoweringOption, Misfit, Planned, frame_time, plan_exposures
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, prove
@@ -29,6 +29,9 @@ from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.legality import decoded
+
+if TYPE_CHECKING:
+    from nscc.looks.plan import LookingPlan
 
 LEVELS = (0, 1, 2, 3)
 """How many steps the search for gates may take: the same level always takes the same ones."""
@@ -155,6 +158,39 @@ def make_container(choice: Choice, job: Job) -> tuple[Container, Found]:
     return assemble(choice.best, job.options.level), []
 
 
+def plan_looking(program: Program, job: Job) -> tuple[LookingPlan | Misfit, Found]:
+    """A program that looks becomes one plan: what each boundary does to which pixels.
+
+    Refuses buckets beyond the analog registers (NS0413) and lowerings that lose light (NS0414).
+    """
+    from nscc.looks.passes import plan_of
+
+    return plan_of(program, job.options.lowering)
+
+
+def find_looking_gates(plan: LookingPlan, job: Job) -> tuple[Sequence[Lowered], Found]:
+    """A plan becomes words for several encodings of what pixels know, the best first.
+
+    Refuses programs for which no gates are found (NS0502), which proves nothing.
+    """
+    from nscc.looks.passes import lowered_of
+
+    return lowered_of(plan, job.options.level, job.options.max_words_per_slot)
+
+
+def lay_out_looking(found: Sequence[Lowered], job: Job) -> tuple[Choice, Found]:
+    """The best of them. Refuses as `lay_out_words` does."""
+    choice = Choice(tuple(found[:1]), {})
+    return choice, fit.faults(choice, level=job.options.level)
+
+
+def make_looking_container(choice: Choice, job: Job) -> tuple[Container, Found]:
+    """The best lowering becomes a container that carries its machine. Refuses nothing."""
+    from nscc.looks.passes import container_of
+
+    return container_of(choice.best, job.options.level), []
+
+
 def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
     """A container's words, decoded and replayed, become a proof. Refuses nothing: words that do
     not satisfy the program are a fault of the compiler."""
@@ -178,9 +214,12 @@ class Pass:
     verify: Callable[[Any], None]
 
 
-PASSES = (
+_READING = (
     Pass("parse", parse_text, lambda made: checks.check_tree(made.source, made.tree)),
     Pass("program", make_program, checks.check_program),
+)
+PASSES = (
+    *_READING,
     Pass("plan", make_plans, checks.check_plans),
     Pass("gates", choose_gates, checks.check_gates),
     Pass("schedule", lay_out_words, checks.check_schedule),
@@ -188,6 +227,17 @@ PASSES = (
     Pass("prove", prove_words, checks.check_proof),
 )
 """What runs, in this order. `nscc build --print-after PASS` shows the value that a pass made."""
+
+LOOKING_PASSES = (
+    *_READING,
+    Pass("plan", plan_looking, lambda _plan: None),
+    Pass("gates", find_looking_gates, lambda _gated: None),
+    Pass("schedule", lay_out_looking, checks.check_schedule),
+    Pass("words", make_looking_container, checks.check_words),
+    Pass("prove", prove_words, checks.check_proof),
+)
+"""The same for programs whose shutters depend on the light: what is wanted of the gates is a
+machine's steps, not a table's shutters."""
 
 Observer = Callable[[str, Any], None]
 """Sees (pass name, value) after each pass, before the value is verified."""
@@ -249,7 +299,9 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
     made: dict[str, Any] = {}
     messages: list[Diagnostic] = []
     value: Any = source
-    for each in PASSES:
+    for read, looking in zip(PASSES, LOOKING_PASSES, strict=True):
+        program = made.get("program")
+        each = read if program is None or program.machine is None else looking
         value, found = each.run(value, job)
         made[each.name] = value
         see(each.name, value)

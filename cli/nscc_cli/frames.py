@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import shlex
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from nscc_runtime.formats import Content
     from nscc_runtime.frame_file import Frame
     from nscc_runtime.light import Light
+    from nscc_runtime.response import Response
     from nscc_runtime.scenes import Scene
     from nscc_runtime.sensor import Sensor
     from nscc_runtime.timings import Timings
@@ -38,6 +40,21 @@ def scene_of(
     named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
     more = {name: options[name] for name in ("fit", "color", "first") if name in options}
     return Scene(*(options[name] for name in named), **more)
+
+
+def refuse_swapped(program: Path, scene: str | None) -> None:
+    """NS0780 where the scene is a program: then the two were likely given the wrong way round."""
+    if scene is None or not scene.lower().endswith((".nsl", ".icw")):
+        return
+    if program.suffix.lower() in (".nsl", ".icw"):
+        message, help_text = (
+            f"--scene '{scene}' is a program, not a scene",
+            "name a file of light: a picture, a clip, an array, or builtin:hdr",
+        )
+    else:
+        message = f"the program and the scene are swapped: '{program}' and --scene '{scene}'"
+        help_text = f"write `nscc run {shlex.quote(scene)} --scene {shlex.quote(str(program))}`"
+    raise rejected("NS0780", message, helps=(help_text,))
 
 
 def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
@@ -98,10 +115,10 @@ def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
 def write_frame(
     out: Path, options: Mapping[str, Any], keep: Sequence[str], container: Container,
     light: Light | None, frame: Frame, meta: Mapping[str, Any], title: str, timings: Timings,
-    plan: str | None = None,
+    response: Callable[[], Response], plan: str | None = None,
 ) -> list[Path]:  # fmt: skip
     """Write the frame file, and the picture, plan and timings that were asked for; where frame,
-    picture and plan are."""
+    picture and plan are. `response` makes that of the frame, where something asks for it."""
     from nscc.prove.shutters import replayed
     from nscc_runtime.formats import file_of
     from nscc_runtime.formats.frames import frame_content
@@ -109,13 +126,16 @@ def write_frame(
 
     with timings.part("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
-        file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
+        coded = "colours" not in meta
+        linear = response() if (options["png"] and coded) or "response" in keep else None
+        arrays = None if linear is None else linear.arrays()
+        file = FrameFile.of(container, light, frame, meta, keep, shutters, progress, arrays)
         content = frame_content(
             file, container, light, lambda: replayed(container), options["tone"]
         )
         products: dict[Path, Product] = {out: file_of(out, content, "a frame")}
         if options["png"]:
-            products[options["png"]] = _picture(container, frame, content, title)
+            products[options["png"]] = _picture(container, frame, linear, content, title)
         if plan is not None:
             products[options["plan"]] = plan.encode()
         write_together(products)
@@ -124,16 +144,18 @@ def write_frame(
     return [*products]
 
 
-def _picture(container: Container, frame: Frame, content: Content, title: str) -> Product:
+def _picture(
+    container: Container, frame: Frame, response: Response | None, content: Content, title: str
+) -> Product:
     """The picture of `--png`: of the first frame, where there are several."""
     from nscc_runtime.formats.sheet import content_sheet
-    from nscc_runtime.pictures.frames import frame_sheet, readouts
+    from nscc_runtime.merge import readouts
+    from nscc_runtime.pictures.frames import frame_sheet
     from nscc_runtime.pictures.sheet import png_of
 
-    if content.colour:
+    if response is None or content.colour:
         return png_of(content_sheet, content, title)
-    first = frame.frame[0] if frame.frame.ndim == 4 else frame.frame
-    return png_of(frame_sheet, readouts(container, first), title)
+    return png_of(frame_sheet, readouts(container, frame.first, response), title)
 
 
 def summary(container: Container, frame: Frame, files: Sequence[Path], *, alike: bool) -> str:

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from nscc.files import refuse_same, write_together
-from nscc_cli.options import OUT, PATH, tone_option
+from nscc_cli.options import OUT, PATH, tone_option, trust_code_option
 from nscc_cli.support import CommonCommand, done, say
 
 
@@ -24,9 +24,10 @@ from nscc_cli.support import CommonCommand, done, say
               "without light, of many repeats: what it reads is taken from FRAME.")  # fmt: skip
 @click.option("--force", is_flag=True,
               help="Only warn if the frame is of another program or sensor.")  # fmt: skip
+@trust_code_option
 def command(
     run: Path, frame: Path, out: Path, png: Path | None, tone: str | None, dark: Path | None,
-    force: bool,
+    force: bool, trust_code: bool,
 ) -> None:  # fmt: skip
     """Make a picture or a clip of FRAME, which `nscc run RUN/shutter.nsl` wrote.
 
@@ -43,7 +44,7 @@ def command(
         refuse_same([out, png], "-o and --png")
     from nscc_training.reconstruct import reconstruct
 
-    made = reconstruct(run, frame, force=force, dark=dark)
+    made = reconstruct(run, frame, force=force, dark=dark, trust_code=trust_code)
     say(made.messages)
     content = replace(made.content, tone=tone)
     products = {out: file_of(out, content, what)}

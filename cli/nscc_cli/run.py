@@ -13,12 +13,13 @@ from nscc_cli import options as shared
 from nscc_cli.frames import (
     frame_path,
     parse_keep,
+    refuse_swapped,
     run_capture_of,
     scene_of,
     sensor_of,
     summary,
     write_frame,
-)  # fmt: skip
+)
 from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, done, progress, say
@@ -46,7 +47,8 @@ _MOST_REPEATS = 10000
 @click.option("--seed", type=SEED, default=0, help="Seed of a frame's noise.")
 @click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
 @click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames.")
-@click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes.")
+@click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes,"
+              "response.")  # fmt: skip
 @shared.pixels_option
 @shared.scene_options
 @shared.fit_option("crop")
@@ -76,6 +78,7 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
     program = program or (of_run and of_run.program)
     if program is None:
         raise click.UsageError("name a program, FILE.nsl or FILE.icw, or a run: --like RUN")
+    refuse_swapped(program, options["scene"])
     if options["place"] == "emulator":
         _run_on_emulator(program, options, keep, of_run)
     else:
@@ -89,7 +92,7 @@ def _run_on_emulator(
 ) -> None:
     from nscc_runtime.frame_file import meta
     from nscc_runtime.pieces import simulate_scene
-    from nscc_runtime.plan_file import plan_table
+    from nscc_runtime.response import response_of
     from nscc_runtime.simulate import Listener
 
     request, out = _request(options), frame_path(program, options)
@@ -110,9 +113,11 @@ def _run_on_emulator(
     files = write_frame(
         out, options, keep, container, exposed.light, frame, about,
         f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
-        taken.plan_file,
+        lambda: response_of(container, sensor, taken.effects), taken.plan_file,
     )  # fmt: skip
     if taken.plan is not None:
+        from nscc_runtime.plan_file import plan_table
+
         done(plan_table(taken.plan, taken.audit) + "\n")
     done(summary(container, frame, files, alike=request.effects.noiseless))
     if taken.broken is not None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import zip_longest
+
 import numpy as np
 
 from nscc.lower.lowered import Lowered
@@ -28,7 +30,10 @@ def assemble(lowered: Lowered, level: int) -> Container:
             Kernel(f"k{i}", tuple(encode(word) for word in kernel))
             for i, kernel in enumerate(schedule.kernels)
         ),
-        launches=tuple(Launch(boundary, kernel) for boundary, kernel in schedule.launches),
+        launches=tuple(
+            Launch(boundary, kernel, level)
+            for (boundary, kernel), level in zip_longest(schedule.launches, schedule.levels)
+        ),
         code_registers=schedule.allocation.code_registers,
         encoding=encoding,
         pixel_codes=program.pixel_codes,

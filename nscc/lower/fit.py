@@ -16,6 +16,7 @@ from nscc.lower.plan import Lowering, Misfit
 from nscc.lower.resources import chip_label, chip_note, resource
 from nscc.lower.slot_faults import late_fault, overfull_fault, retention_fault
 from nscc.program.capacity import bits_needed, capacity_note
+from nscc.program.problems import counted
 from nscc.program.program import Program
 from nscc.source import Span
 
@@ -196,3 +197,24 @@ def _fewer_codes(program: Program) -> str:
 
 def _field_span(program: Program) -> Span:
     return program.fields[0].span if program.fields else program.buckets[0].span
+
+
+def looking_fault(program: Program, reasons: list[str], *, level: int) -> Diagnostic:
+    """NS0502: no encoding of what pixels know was found to fit. Not proved."""
+    available = len(program.target.digital_registers)
+    machine = program.machine
+    states = "" if machine is None else ", ".join(state.name for state in machine.states)
+    return Diagnostic(
+        "NS0502",
+        f"no gates were found at -O{level} that step this program's states in {available} digital "
+        "registers",
+        source=program.source,
+        label=Label(_field_span(program)),
+        notes=(
+            f"held: {counted(len(program.table.shutters), 'code')}, states {states or 'none'}",
+            *reasons,
+            "not proved: another encoding or more search may find some",
+        ),
+        helps=("use fewer states, smaller ranges, or fewer codes",),
+        data=resource("digital registers", available + 1, available, proved=False),
+    )

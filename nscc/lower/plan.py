@@ -31,7 +31,7 @@ Lowering = Literal["accumulate", "latch", "edges"]
 LOWERINGS: tuple[Lowering, ...] = get_args(Lowering)
 LoweringOption = Lowering | Literal["auto"]
 
-Role = Literal["setup", "reset", "open", "rise", "fall"]
+Role = Literal["setup", "reset", "look", "open", "rise", "fall"]
 
 
 class Step(NamedTuple):

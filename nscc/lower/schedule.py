@@ -28,6 +28,8 @@ class Schedule:
 
     `kernels` are distinct; `launches` are (boundary, kernel) in the order in which they run.
     `setup_us` is the time of boundary 0's words before the exposure starts, with their launch.
+    `levels` has the steps of IN that each launch is made with, None where it may be anything; it is
+    empty where no launch sets it.
     """
 
     allocation: Allocation
@@ -35,6 +37,17 @@ class Schedule:
     launches: tuple[tuple[int, int], ...]
     setup_us: float
     refreshed: tuple[str, ...]
+    levels: tuple[int | None, ...] = ()
+
+    def settles(self) -> list[int]:
+        """The boundaries at which IN is set anew, once for each time."""
+        found: list[int] = []
+        last: int | None = None
+        for (boundary, _), level in zip(self.launches, self.levels, strict=False):
+            if level not in (None, last):
+                found.append(boundary)
+                last = level
+        return found
 
     @property
     def words_stored(self) -> int:
@@ -64,7 +77,7 @@ def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
     plan = decoding.plan
     allocation = allocate(decoding.solution, target)
     boundaries = _segments(decoding, allocation)
-    refreshed = _refreshed(boundaries, allocation, time)
+    refreshed = refreshed_registers(boundaries, allocation, time)
     exposed = max(
         i for i, w in enumerate(boundaries[0][0]) if w.operation.effect is Effect.RESET_PIX
     )
@@ -131,7 +144,7 @@ def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
     return boundaries
 
 
-def _refreshed(
+def refreshed_registers(
     boundaries: Sequence[Sequence[Words]], allocation: Allocation, time: Timeline
 ) -> tuple[str, ...]:
     """The code registers that the frame's own words do not write often enough."""

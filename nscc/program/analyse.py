@@ -12,6 +12,7 @@ from nscc.program.constants import resolve_constants
 from nscc.program.expressions import Checked, Meaning, check
 from nscc.program.fields import make_fields
 from nscc.program.frame import make_frame
+from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
 from nscc.program.planes import make_planes
 from nscc.program.problems import Problems
@@ -19,6 +20,7 @@ from nscc.program.program import Codes, Program
 from nscc.program.scopes import constants_scope, require_scope, rule_scope
 from nscc.program.table import Rules
 from nscc.source import Source
+from nscc.syntax.parse import parse
 from nscc.syntax.tree import File, TargetByName, TargetFromFile
 from nscc.target.target import Target
 
@@ -44,6 +46,7 @@ def analyse(
     scope = constants_scope(declared, constants)
     fields = make_fields(declared, scope, books, problems)
     requires, rules = _check_rules(declared, constants, problems)
+    looking = make_looking(declared, constants, chosen, problems)
     planes = make_planes(declared, fields, constants, chosen, base, problems)
     problems.stop_on_errors()
     assert frame is not None
@@ -51,7 +54,17 @@ def analyse(
     sound = tuple(field for field in fields.values() if field is not None)
     digits = {name: book for name, book in books.items() if book is not None}
     known = Rules(sound, requires, rules, digits, len(frame.slot_us))
-    return Completion(problems, declared, chosen, frame, known, planes, codes).run()
+    return Completion(problems, declared, chosen, frame, known, planes, codes, looking).run()
+
+
+def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int, int]]:
+    """The ranges of the fields that a text declares; what cannot be told is left out."""
+    problems = Problems(source)
+    declared = gather(parse(source)[0], problems)
+    constants = resolve_constants(declared, target, problems)
+    books = make_books(declared.books, constants["N"], base, problems)
+    fields = make_fields(declared, constants_scope(declared, constants), books, problems)
+    return {name: (each.low, each.high) for name, each in fields.items() if each is not None}
 
 
 def _load_target(declared: Declarations, base: Path, problems: Problems) -> Target | None:

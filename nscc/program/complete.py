@@ -12,7 +12,11 @@ from nscc.program.advice import judge_bumps, judge_codes, judge_names, judge_rul
 from nscc.program.classes import Recognised, recognise
 from nscc.program.expressions import names_in
 from nscc.program.limits import SURVEY_LIMIT
+from nscc.program.looking import Looking
+from nscc.program.looking_advice import judge_looking, shutters_in_the_dark
+from nscc.program.machine import build_machine
 from nscc.program.names import Declarations, Rule
+from nscc.program.open_time import with_open_times
 from nscc.program.pixels import codes_in_use, rows_of
 from nscc.program.planes import Plane, first_place, pixel_text
 from nscc.program.problems import Problems, counted
@@ -31,6 +35,7 @@ from nscc.source import Span
 from nscc.syntax import tree
 from nscc.target.target import Target
 from nscc.words.container import DecodeTable
+from nscc.words.machine import Machine
 
 
 @dataclass(eq=False, repr=False)
@@ -47,6 +52,7 @@ class Completion:
     rules: Rules
     planes: dict[str, Plane]
     codes: Codes
+    looking: Looking | None = None
 
     def __post_init__(self) -> None:
         has_pixels, fields = self.declared.has_pixels, self.rules.fields
@@ -58,6 +64,8 @@ class Completion:
         """The program; raises Rejected for codes that break `require` (NS0312), rules without a
         value for some code, no legal code (NS0317) and too many codes (NS0450)."""
         in_use, at_pixel = self._codes_in_use()
+        if self.looking is not None:
+            return self._looking(self.looking, in_use, at_pixel)
         if self.mode == "fixed":
             table = self._decode(in_use, "fixed")
             survey, legal = self._survey(table)
@@ -66,6 +74,36 @@ class Completion:
             survey, legal = table, len(table.codes)
         found = self._class(survey, table)
         self._advise(found, survey, table, len(in_use), legal)
+        return self._program(table, legal, at_pixel, found)
+
+    def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> Program:
+        """The program whose shutters depend on the light."""
+        codes, legal = in_use, None
+        if self.mode == "open":
+            codes, at_pixel = self._legal(in_use, at_pixel)
+            legal = len(codes)
+        span = self.declared.rules[0].rule.span
+        try:
+            machine, behaviour = build_machine(self.rules, looking, codes, self.target)
+            machine, missing = with_open_times(machine, self.frame.slot_us)
+        except (NoValue, TooMuch) as problem:
+            raise self._refused(problem, span, self.mode) from problem
+        judge_looking(self.declared, machine, missing, self.target, self.problems)
+        self.problems.stop_on_errors()
+        names = tuple(field.name for field in self.rules.fields)
+        table = DecodeTable(names, codes, behaviour, shutters_in_the_dark(machine))
+        looks = counted(len(machine.looks), "boundary", "boundaries")
+        reason = f"pixels look at the light at {looks}"
+        return self._program(table, legal, at_pixel, Recognised("looking", reason), machine)
+
+    def _program(
+        self,
+        table: DecodeTable,
+        legal: int | None,
+        at_pixel: NDArray[np.int32],
+        found: Recognised,
+        machine: Machine | None = None,
+    ) -> Program:
         return Program(
             source=self.problems.source,
             target=self.target,
@@ -80,6 +118,7 @@ class Completion:
             class_name=found.name,
             class_reason=found.reason,
             messages=self.problems.sorted(),
+            machine=machine,
         )
 
     def _codes_in_use(self) -> tuple[CodeArray, NDArray[np.int32]]:
@@ -130,6 +169,13 @@ class Completion:
         self, in_use: CodeArray, at_pixel: NDArray[np.int32]
     ) -> tuple[DecodeTable, NDArray[np.int32]]:
         """The table of all legal codes, and the pixels' rows in it."""
+        legal, at_pixel = self._legal(in_use, at_pixel)
+        return self._decode(legal, "open"), at_pixel
+
+    def _legal(
+        self, in_use: CodeArray, at_pixel: NDArray[np.int32]
+    ) -> tuple[CodeArray, NDArray[np.int32]]:
+        """All legal codes, and the pixels' rows among them."""
         try:
             legal = legal_codes(self.rules)
         except (NoValue, TooMuch) as problem:
@@ -143,11 +189,10 @@ class Completion:
             message = "no code is possible: `require` forbids every one"
             self.problems.error("NS0317", message, conditions[0].condition.span, text)
             self.problems.stop_on_errors()
-        table = self._decode(legal, "open")
         if self.declared.has_pixels and self.rules.fields:
             rows, _ = rows_of(legal, list(in_use.T))
             at_pixel = rows[at_pixel]
-        return table, at_pixel
+        return legal, at_pixel
 
     def _survey(self, table: DecodeTable) -> tuple[DecodeTable, int | None]:
         """A table of all legal codes, where they are few enough to look at, else of those in use;

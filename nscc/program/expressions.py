@@ -28,13 +28,14 @@ class Meaning:
 
     `constant` has a `value`; `variable` differs between codes, slots or pixels (`bits` where it may
     be indexed); `book` is a codebook; `failed` had an error that is reported already; `misplaced`
-    is known but cannot stand here, and `note` says why.
+    is known but cannot stand here, and `note` says why. `type` is that of a variable.
     """
 
     kind: Literal["constant", "variable", "book", "failed", "misplaced"]
     value: int = 0
     note: str = ""
     bits: bool = False
+    type: Type = "integer"
 
 
 Scope = Mapping[str, Meaning]
@@ -179,7 +180,7 @@ class _Checker:
                 return "integer"
             case "variable":
                 self.variables.add(node.text)
-                return "integer"
+                return meaning.type
             case "failed":
                 self.sound = False
                 return None

@@ -20,6 +20,10 @@ PREDEFINED = {
     "cols": "the number of columns of the array",
 }
 
+LOOKS = "looks"
+"""In version 2: the number of boundaries so far with at least one sense, this one included."""
+
+State = tree.StateRange | tree.StateBit
 Code = tree.CodeRange | tree.CodeBits | tree.CodeRow
 Book = tree.BookInline | tree.BookFromFile
 Rule = tree.Open | tree.Bucket
@@ -44,6 +48,17 @@ class Declarations:
         self.pixels: dict[str, tree.PixelsExpr | tree.PixelsTile] = {}
         self.pixels_file: tree.PixelsFromFile | None = None
         self.refused: set[str] = set()
+        self.version = 1
+        self.senses: dict[str, tree.Sense] = {}
+        self.states: dict[str, State] = {}
+        self.nexts: dict[str, tree.Next] = {}
+        self.reset: tree.Reset | None = None
+        self.reads: dict[str, tree.Name] = {}
+
+    @property
+    def looking(self) -> bool:
+        """Whether the shutters depend on more than the code and the slot."""
+        return bool(self.senses or self.states or self.nexts or self.reads or self.reset)
 
     @property
     def has_pixels(self) -> bool:
@@ -58,6 +73,10 @@ class Declarations:
             yield name, "a field"
         for name in self.books:
             yield name, "a codebook"
+        for name in self.senses:
+            yield name, "a sense"
+        for name in self.states:
+            yield name, "a state"
 
 
 def gather(file: tree.File, problems: Problems) -> Declarations:
@@ -85,7 +104,7 @@ class _Gatherer:
         found = self.found
         match statement:
             case tree.Version():
-                pass
+                found.version = statement.number.value
             case tree.TargetByName() | tree.TargetFromFile():
                 if self._once("target", found.target, statement):
                     found.target = statement
@@ -105,6 +124,22 @@ class _Gatherer:
                 found.requires.append(statement)
             case tree.Open() | tree.Bucket():
                 self._rule(statement)
+            case tree.Sense():
+                if self._new(statement.name):
+                    found.senses[statement.name.text] = statement
+            case tree.StateRange() | tree.StateBit():
+                if self._new(statement.name):
+                    found.states[statement.name.text] = statement
+            case tree.Next():
+                name = statement.name.text
+                if self._once(f"next {name}", found.nexts.get(name), statement):
+                    found.nexts[name] = statement
+            case tree.Reset():
+                if self._once("reset when", found.reset, statement):
+                    found.reset = statement
+            case tree.Read():
+                for each in statement.names:
+                    found.reads.setdefault(each.text, each)
             case tree.PixelsExpr() | tree.PixelsTile():
                 self._pixels(statement)
             case tree.PixelsFromFile():
@@ -141,6 +176,8 @@ class _Gatherer:
 
     def _new(self, name: tree.Name) -> bool:
         meaning = PREDEFINED.get(name.text)
+        if name.text == LOOKS and self.found.version > 1:
+            meaning = "the number of looks so far"
         if meaning is not None:
             self.found.refused.add(name.text)
             message = f"`{name.text}` is predefined and cannot be declared"

@@ -12,6 +12,7 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.source import Source, Span
 from nscc.target.target import Target
 from nscc.words.container import DecodeTable
+from nscc.words.machine import Machine
 
 Codes = Literal["fixed", "open"]
 """Specialised to the codes that the pixels use, or compiled for every legal code."""
@@ -62,7 +63,9 @@ class Program:
     one code. `class_name` is a, b, c, d, e, codebook or general, `class_reason` a sentence saying
     how it was recognised. `legal_codes` is the number of codes that fields and `require` allow,
     None where they are too many to count. `target_span` is where the target statement names the
-    chip, None if there is none. `messages` are warnings and notes.
+    chip, None if there is none. `messages` are warnings and notes. Where shutters depend on the
+    light, `machine` says how; `table` then has its behaviours for shutters, and the shutters that
+    they are in the dark, where no signal is above its level.
     """
 
     source: Source
@@ -78,3 +81,4 @@ class Program:
     class_name: str
     class_reason: str
     messages: tuple[Diagnostic, ...]
+    machine: Machine | None = None

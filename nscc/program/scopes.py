@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from nscc.program.expressions import FAILED, VARIABLE, Meaning, Scope
-from nscc.program.names import PREDEFINED, Declarations
-from nscc.syntax.tree import CodeBits
+from nscc.program.expressions import FAILED, VARIABLE, Meaning, Scope, Type
+from nscc.program.names import LOOKS, PREDEFINED, Declarations
+from nscc.syntax.tree import CodeBits, StateBit
 
 _SLOT = "n is the slot: it runs while the frame is exposed, and only rules may read it"
 _PLACE = "x and y are the place of a pixel: only `pixels FIELD = ...` may read them"
@@ -14,6 +14,10 @@ _PLACE_IN_RULE = (
 )
 _FIELD = "a field differs between codes: it has a value only in rules and in `require`"
 _FIELD_IN_PIXELS = "a field's pixels are computed from x, y, rows and cols, not from other fields"
+_LOOKED = (
+    "what a pixel finds while the frame is exposed has a value only in rules, in `next` and in "
+    "`reset when`"
+)
 _BOOK = "a codebook's digits are read slot by slot: only rules may read them"
 
 
@@ -26,6 +30,9 @@ def constants_scope(declared: Declarations, constants: Scope) -> dict[str, Meani
     }
     scope.update(dict.fromkeys(declared.codes, Meaning("misplaced", note=_FIELD)))
     scope.update(dict.fromkeys(declared.books, Meaning("misplaced", note=_BOOK)))
+    if declared.version > 1:
+        looked = (*declared.senses, *declared.states, LOOKS)
+        scope.update(dict.fromkeys(looked, Meaning("misplaced", note=_LOOKED)))
     scope.update(constants)
     return _without_refused(scope, declared)
 
@@ -48,13 +55,32 @@ def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning
 
 
 def rule_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
-    """For rules: constants, fields, codebooks and the slot n."""
-    scope = require_scope(declared, constants)
-    scope["n"] = VARIABLE
+    """For rules: constants, fields, codebooks, the slot n, and what the pixel has found."""
+    scope = next_scope(declared, constants)
     scope.update(dict.fromkeys(declared.books, Meaning("book")))
     return _without_refused(scope, declared)
 
 
+def next_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
+    """For `next` and `reset when`: constants, fields, the boundary n, senses, states, looks."""
+    scope = require_scope(declared, constants)
+    scope["n"] = VARIABLE
+    if declared.version > 1:
+        scope[LOOKS] = VARIABLE
+        scope.update(dict.fromkeys(declared.senses, Meaning("variable", type="boolean")))
+        for name, state in declared.states.items():
+            type_: Type = "boolean" if isinstance(state, StateBit) else "integer"
+            scope[name] = Meaning("variable", type=type_)
+    return _without_refused(scope, declared)
+
+
+def at_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning]:
+    """For the boundaries of a sense: constants and the boundary n."""
+    scope = constants_scope(declared, constants)
+    scope["n"] = VARIABLE
+    return _without_refused(scope, declared)
+
+
 def _without_refused(scope: dict[str, Meaning], declared: Declarations) -> dict[str, Meaning]:
-    scope.update(dict.fromkeys(declared.refused - PREDEFINED.keys(), FAILED))
+    scope.update(dict.fromkeys(declared.refused - PREDEFINED.keys() - {LOOKS}, FAILED))
     return scope

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.operations import Op
+from nscc.prove.looks import Looks, Wrong
 from nscc.prove.noise import Noise
 from nscc.prove.replay import Replay
 from nscc.words.container import Container
@@ -25,6 +26,7 @@ from nscc.words.legality import target_fault
 
 FRAMES = 2
 LIGHT_SEED = 7
+LOOKS_SEED = 20202
 TOLERANCE = 1e-9
 """Largest error of an exposure, as a share of all the light of the frame."""
 
@@ -45,12 +47,16 @@ class Failure:
 
 @dataclass(frozen=True)
 class Proof:
-    """What was replayed and whether it holds."""
+    """What was replayed and whether it holds.
+
+    `transitions` counts the answers that were followed in all frames, of a program that looks.
+    """
 
     codes: int
     slots: int
     frames: int
     failure: Failure | None
+    transitions: int = 0
 
     @property
     def holds(self) -> bool:
@@ -66,10 +72,28 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
         if fault is not None:
             what = f"the target does not take the word `{operation}`: {fault}"
             return Proof(codes, slots, 0, Failure(what, 0))
-    replay = Replay(container, kernels, lights=1)
     noise = Noise(LIGHT_SEED)
+    if container.machine is not None:
+        return _prove_looks(container, kernels, noise.levels(slots, 1)[:, 0])
+    replay = Replay(container, kernels, lights=1)
     frames = (_frame(replay, noise.levels(slots, 1), n) for n in range(1, FRAMES + 1))
     return Proof(codes, slots, FRAMES, next(filter(None, frames), None))
+
+
+def _prove_looks(
+    container: Container, kernels: Sequence[Sequence[Op]], light: NDArray[np.float64]
+) -> Proof:
+    """The proof of a program that looks."""
+    codes, slots = len(container.table.codes), container.slots
+    failure = None
+    looks, frame = None, 1
+    try:
+        looks = Looks(container, kernels, light, LOOKS_SEED)
+        for frame in range(1, FRAMES + 1):
+            looks.frame()
+    except Wrong as wrong:
+        failure = Failure(wrong.what, frame, wrong.bucket, wrong.behaviour)
+    return Proof(codes, slots, FRAMES, failure, looks.transitions if looks else 0)
 
 
 def _frame(replay: Replay, light: NDArray[np.float64], frame: int) -> Failure | None:

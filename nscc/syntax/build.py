@@ -77,6 +77,28 @@ def _book_from_file(
     return tree.BookFromFile(span, name, path, key, sha256)
 
 
+def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
+    """`value in [a, b, ..]` as `value == a or value == b or ..`, no deeper than it must be."""
+    tests: list[tree.Expr] = [tree.Compare(span, value, ("==",), (item,)) for item in items]
+    while len(tests) > 1:
+        pairs = [tests[i : i + 2] for i in range(0, len(tests), 2)]
+        tests = [p[0] if len(p) == 1 else tree.Binary(span, "or", *p) for p in pairs]
+    return tests[0]
+
+
+def _state(span: Span, *parts: Any) -> tree.StateRange | tree.StateBit:
+    """`kept` stands before the name or at the end."""
+    name, *values = [part for part in parts if part is not True]
+    make = tree.StateBit if len(values) == 1 else tree.StateRange
+    return make(span, name, *values, True in parts)
+
+
+def _amount(text: str, span: Span) -> tree.Amount:
+    unit = next(unit for unit in ("%", "lsb", "e") if text.endswith(unit))
+    whole, _, decimals = text.removesuffix(unit).partition(".")
+    return tree.Amount(span, _whole_number(whole, span) + _decimals(decimals, span), unit)
+
+
 _OF_ALL: dict[str, Callable[..., Any]] = {
     "integer": lambda span, text: tree.Int(span, _whole_number(text, span)),
     "name": tree.Name,
@@ -88,6 +110,10 @@ _OF_ALL: dict[str, Callable[..., Any]] = {
     "unary": tree.Unary,
     "binary": lambda span, left, sign, right: tree.Binary(span, sign, left, right),
     "compare": _compare,
+    "amount": lambda span, text: _amount(text, span),
+    "sense": lambda span, _sense, name, _when, signal, sign, level, _at, at: tree.Sense(
+        span, name, signal, sign, level, at
+    ),
 }
 """What each rule makes of its span, its nodes and the texts of its tokens."""
 
@@ -113,6 +139,16 @@ _OF_NODES: dict[str, Callable[..., Any]] = {
     "book_from_file": _book_from_file,
     "open": tree.Open,
     "bucket": tree.Bucket,
+    "among": _among,
+    "light": tree.Light,
+    "exposure": lambda span, bucket=None: tree.Exposure(span, bucket),
+    "levels": lambda span, *items: tree.Levels(span, items),
+    "kept": lambda _span: True,
+    "state_range": _state,
+    "state_bit": _state,
+    "next": lambda span, name, value, condition=None: tree.Next(span, name, value, condition),
+    "reset": tree.Reset,
+    "read": lambda span, *names: tree.Read(span, names),
     "pixels_expr": tree.PixelsExpr,
     "pixels_tile": lambda span, field, *rows: tree.PixelsTile(span, field, rows),
     "pixels_from_file": lambda span, path, sha256=None: tree.PixelsFromFile(span, path, sha256),
@@ -132,14 +168,18 @@ def _whole_number(text: str, span: Span) -> int:
 def _microseconds(text: str, span: Span) -> Fraction:
     number = text.rstrip("nums")
     whole, _, decimals = number.partition(".")
-    if len(decimals) > _MOST_DECIMALS:
-        help_text = f"at most {_MOST_DECIMALS} decimals are read"
-        raise _refused("NS0111", f"this time has {len(decimals)} decimals", span, help_text)
     unit_us = _UNIT_US[text[len(number) :]]
-    us = (_whole_number(whole, span) + Fraction(f"0.{decimals or 0}")) * unit_us
+    us = (_whole_number(whole, span) + _decimals(decimals, span)) * unit_us
     if us == 0:
         raise _refused("NS0112", "this slot takes no time", span, "give it a time above zero")
     return us
+
+
+def _decimals(digits: str, span: Span) -> Fraction:
+    if len(digits) > _MOST_DECIMALS:
+        help_text = f"at most {_MOST_DECIMALS} decimals are read"
+        raise _refused("NS0111", f"this number has {len(digits)} decimals", span, help_text)
+    return Fraction(f"0.{digits or 0}")
 
 
 def _refused(code: str, message: str, span: Span, help_text: str) -> Rejected:

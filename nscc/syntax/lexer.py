@@ -9,6 +9,7 @@ from lark import Token
 
 from nscc.source import Source, Span
 from nscc.syntax.grammar import START, parser, spellings
+from nscc.syntax.words import NAMES_IN_VERSION_1, statement_words
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,6 +23,11 @@ class Tokens:
     source: Source
     found: list[Token]
     kinds: list[str]
+
+    @property
+    def version(self) -> int:
+        """The version that the text begins with; 1 where it does not say one."""
+        return 2 if self.kinds[:2] == ["nsl", "INTEGER"] and self.text(1) == "2" else 1
 
     def text(self, index: int) -> str:
         """The text of a token, as it stands in the source."""
@@ -50,6 +56,7 @@ def lex(source: Source) -> Tokens:
     """All tokens of a text, in order; takes any text."""
     words = spellings()
     target_name = re.compile(parser().get_terminal("TARGET_NAME").pattern.value)
+    level = re.compile(parser().get_terminal("LEVEL").pattern.value)
     lexer = parser().parse_interactive(source.text, start=START).lexer_thread
     tokens = Tokens(source, [], [])
     taken = 0
@@ -64,6 +71,21 @@ def lex(source: Source) -> Tokens:
                 token = Token("TARGET_NAME", whole.group(), start, end_pos=taken)
             elif token.type == "NAME":
                 token = token.update(type="TARGET_NAME")
+        elif words.get(token.type) in NAMES_IN_VERSION_1 and tokens.version == 1:
+            token = token.update(type="NAME")
+        elif _awaits_level(tokens) and (amount := level.match(source.text, start)):
+            taken = amount.end()
+            token = Token("LEVEL", amount.group(), start, end_pos=taken)
         tokens.found.append(token)
         tokens.kinds.append(words.get(token.type, token.type))
     return tokens
+
+
+def _awaits_level(tokens: Tokens) -> bool:
+    """Whether a sense's level may come next: after its comparison, or in a list there."""
+    if tokens.kinds[-1:] not in (["COMPARISON"], ["["], [","]):
+        return False
+    if tokens.version == 1:
+        return False
+    words = (kind for kind in reversed(tokens.kinds) if kind in ("at", *statement_words(2)))
+    return next(words, None) == "sense"

@@ -3,7 +3,9 @@ mistake is a common one, what was probably meant."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
+from fractions import Fraction
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
 from nscc.diagnostics.suggest import closest
@@ -11,10 +13,26 @@ from nscc.source import Span
 from nscc.syntax.grammar import END, spellings
 from nscc.syntax.lexer import Tokens
 from nscc.syntax.statement import Stuck
-from nscc.syntax.words import FORMS, STATEMENT_WORDS, expected_words, shown
+from nscc.syntax.words import (
+    FORMS,
+    LOOKING_WORDS,
+    expected_words,
+    shown,
+    statement_words,
+)
 
-_UNITS = ("ns", "us", "ms", "s")
-_STATEMENT_LIST = "statements begin with " + ", ".join(STATEMENT_WORDS)
+_UNITS = {
+    **dict.fromkeys(("ns", "nsec", "nsecs", "nanosecond", "nanoseconds"), "ns"),
+    **dict.fromkeys(("us", "\u00b5s", "\u03bcs", "usec", "usecs", "\u00b5sec", "\u03bcsec"), "us"),
+    **dict.fromkeys(("mus", "microsecond", "microseconds"), "us"),
+    **dict.fromkeys(("ms", "msec", "msecs", "millisecond", "milliseconds"), "ms"),
+    **dict.fromkeys(("s", "sec", "secs", "second", "seconds"), "s"),
+}
+"""What people write for a unit of time, in lower case (the micro sign and the Greek letter are two
+characters that look alike), and the unit."""
+_NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d_]+)")
+_MOST_PARTS = 1000
+"""Decimals that are simple fractions are written as one; others are not guessed at."""
 _SIGNS = {
     ";": ("statements need no semicolon", ""),
     "&": ("`and` joins conditions", "and"),
@@ -70,7 +88,7 @@ def misspelt_statement(
         if not first < index < last or tokens.kinds[index] != "NAME":
             continue
         if _first_on_line(tokens, index) or (index == stuck.token and END in stuck.expected):
-            near = closest(tokens.text(index), STATEMENT_WORDS)
+            near = closest(tokens.text(index), statement_words(tokens.version))
             if near is not None:
                 return index, near
     return None
@@ -84,14 +102,17 @@ def _first_on_line(tokens: Tokens, index: int) -> bool:
 def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
     """NS0109: a word stands where a statement should begin."""
     word = tokens.text(token)
-    near = closest(word, STATEMENT_WORDS)
+    words = statement_words(tokens.version)
+    near = closest(word, words)
     span = tokens.span(token)
+    later = tokens.version == 1 and word in LOOKING_WORDS
     return Diagnostic(
         "NS0109",
         f"no statement begins with {shown(word)}",
         source=tokens.source,
         label=Label(span, "a statement should begin here, or the last one go on"),
-        notes=(_STATEMENT_LIST,),
+        notes=("statements begin with " + ", ".join(words),),
+        helps=(f"`{word}` is a statement of version 2: begin the file with `nsl 2`",) * later,
         fixes=(Fix(f"did you mean `{near}`?", span, near),) if near else (),
     )
 
@@ -185,8 +206,8 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
     if stuck.token >= last:
         return
     kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
-    if kind == "MALFORMED":
-        yield from _number_hints(text)
+    if kind == "MALFORMED" and _time(text, "") is None:
+        yield from _number_hints(tokens, stuck.token)
     elif kind == "GROUPED":
         yield "only the rows of `shutters` have digits in groups"
     elif kind == "TIME" and tokens.kinds[first] != "frame":
@@ -201,17 +222,44 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
         yield f"functions are `min` and `max`; a bit of a field, or a digit of a row, is {name}[..]"
     elif kind == "INTEGER" and "]" in stuck.expected and tokens.kinds[first] == "shutters":
         yield "rows are parted by commas; groups of digits are joined by `_`: 1111_0000"
+    elif kind == "[" and "tile" in stuck.expected:
+        yield "rows of values are a tile, which is repeated over the array: `tile [[4, 3], [2, 1]]`"
     elif kind in ("]", ")") and not _open_brackets(tokens, first, stuck):
         yield f"no bracket is open that this {shown(text)} could close"
 
 
-def _number_hints(text: str) -> Iterator[str]:
-    if text.endswith(_UNITS) or "." in text:
+def _number_hints(tokens: Tokens, token: int) -> Iterator[str]:
+    text = tokens.text(token)
+    if re.fullmatch(r"[0-9]{1,9}\.[0-9]{1,9}", text):
+        yield "numbers are whole; decimals stand only in times, with a unit: 1.6ms"
+        yield from _quotient(tokens, token)
+    elif "." in text:
         yield "decimals stand only in times, with the unit ns, us, ms or s: 1.6ms"
     elif "_" in text:
         yield "only the rows of `shutters` have digits in groups: 1111_0000"
     else:
         yield "numbers are digits, names begin with a letter, times end in ns, us, ms or s"
+
+
+def _quotient(tokens: Tokens, token: int) -> Iterator[str]:
+    """How to multiply with a decimal, or to divide by it, in whole numbers."""
+    kinds, number = tokens.kinds, tokens.text(token)
+    before, after = kinds[token - 1], kinds[token + 1 : token + 2]
+    part = Fraction(number)
+    if not part or part.denominator > _MOST_PARTS or part.numerator > _MOST_PARTS:
+        return
+    other = token - 2
+    if before == "/":
+        part = 1 / part
+    elif before != "*":
+        if after != ["*"]:
+            return
+        before, other = "*", token + 2
+    name = tokens.text(other) if kinds[other : other + 1] == ["NAME"] else "A"
+    times = f"* {part.numerator}" if part.numerator > 1 or part.denominator == 1 else ""
+    over = f"/ {part.denominator}" if part.denominator > 1 else ""
+    whole = " ".join(filter(None, (name, times, over)))
+    yield f"`{name} {before} {number}` is written `{whole}`; `/` rounds down"
 
 
 def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]:
@@ -222,10 +270,21 @@ def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]
     after = tokens.text(stuck.token + 1) if stuck.token + 1 < last else ""
     if kind == "=" and "COMPARISON" in stuck.expected:
         yield Fix("equality is written `==`", span, "==")
-    elif kind == "INTEGER" and "TIME" in stuck.expected and after in _UNITS:
+    elif "TIME" in stuck.expected and (time := _time(text, "")) is not None:
+        yield Fix(f"units are ns, us, ms and s: `{time}`", span, time)
+    elif "TIME" in stuck.expected and (time := _time(text, after)) is not None:
         whole = span.to(tokens.span(stuck.token + 1))
-        yield Fix(f"no blank before the unit: `{text}{after}`", whole, text + after)
+        yield Fix(f"no blank before the unit: `{time}`", whole, time)
+    elif kind == "[" and "tile" in stuck.expected and after == "[":
+        yield Fix("write `tile` before the rows", Span(span.start, span.start), "tile ")
     elif kind == "NAME":
         near = closest(text, (word for word in stuck.expected if _is_word(word)))
         if near is not None:
             yield Fix(f"did you mean `{near}`?", span, near)
+
+
+def _time(number: str, unit: str) -> str | None:
+    """A time as the language writes it, of a number and a unit as people do; None for others."""
+    found = _NUMBER_AND_UNIT.fullmatch(number + unit)
+    meant = _UNITS.get(found[2].lower()) if found else None
+    return f"{found[1]}{meant}" if found and meant else None

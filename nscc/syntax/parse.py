@@ -17,12 +17,12 @@ from nscc.syntax.lexer import Tokens, lex
 from nscc.syntax.mistakes import misspelt_statement, mistake, unknown_statement
 from nscc.syntax.reading import MOST_BYTES, read_source, too_large
 from nscc.syntax.statement import Stuck, read
-from nscc.syntax.words import STATEMENT_WORDS
+from nscc.syntax.words import statement_words
 
 __all__ = ["MOST_BYTES", "MOST_ERRORS", "parse", "read_source"]
 
 MOST_ERRORS = 20
-VERSION = 1
+VERSIONS = (1, 2)
 
 _OTHER_LANGUAGE = re.compile(
     r"""\s*(?:\#[^\n]*\n\s*)*              # its directives look like our comments
@@ -30,7 +30,7 @@ _OTHER_LANGUAGE = re.compile(
           | (?:module|declare|struct|component|package|library|entity|import)\b )""",
     re.VERBOSE,
 )
-_BEFORE_A_NAME = ("let", "code", "pixels", "shutters", "bucket")
+_BEFORE_A_NAME = ("let", "code", "pixels", "shutters", "bucket", "state", "next")
 _AFTER_A_NAME = ("=", ":", "[", "from", "open")
 
 
@@ -53,7 +53,7 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
     statements = tuple(_statements(tokens, starts, errors))
     versions = [s for s in statements if isinstance(s, tree.Version)]
     for version in versions:
-        if version.number.value != VERSION:
+        if version.number.value not in VERSIONS:
             return tree.File(whole, statements), (_unknown_version(source, version),)
     if len(versions) > 1 and tokens.kinds[0] == "nsl":
         errors.add(lambda: _said_twice(source, versions))
@@ -94,7 +94,7 @@ def _statement_starts(tokens: Tokens) -> list[int]:
     `open` belongs to the `bucket` before it, and a statement's word that stands where a name
     should (`let open = 1`) to the statement that it is in.
     """
-    words = frozenset(STATEMENT_WORDS)
+    words = frozenset(statement_words(tokens.version))
     kinds = tokens.kinds
     starts: list[int] = []
     awaits_open = False
@@ -182,7 +182,7 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
 def _said_twice(source: Source, versions: list[tree.Version]) -> Diagnostic:
     return Diagnostic(
         "NS0104",
-        "`nsl 1` is said once, at the start",
+        f"`nsl {versions[0].number.value}` is said once, at the start",
         source=source,
         label=Label(versions[1].span, "said again"),
         related=(Label(versions[0].span, "said here"),),
@@ -194,10 +194,10 @@ def _unknown_version(source: Source, version: tree.Version) -> Diagnostic:
     return Diagnostic(
         "NS0106",
         f"this program is in version {version.number.value} of the language; "
-        f"this nscc reads version {VERSION}",
+        f"this nscc reads the versions {', '.join(map(str, VERSIONS))}",
         source=source,
         label=Label(version.number.span),
-        helps=(f"write `nsl {VERSION}`, or use the nscc that the program was written for",),
+        helps=(f"write `nsl {VERSIONS[0]}`, or use the nscc that the program was written for",),
     )
 
 

@@ -137,6 +137,29 @@ class TileRow(Node):
     values: tuple[Expr, ...]
 
 
+class Light(Node):
+    """`light`: the charge since the frame's start or the pixel's last reset, open or not."""
+
+
+class Exposure(Node):
+    """`exposure [BUCKET]`: the light of the completed open slots."""
+
+    bucket: Name | None
+
+
+class Amount(Node):
+    """A level with its unit: "%" of a full well, "e" (electrons) or "lsb" (codes of the ADC)."""
+
+    value: Fraction
+    unit: str
+
+
+class Levels(Node):
+    """`[LEVEL, ...]`: one for each look of a sense, in order."""
+
+    items: tuple[Amount | Expr, ...]
+
+
 # --- statements ---------------------------------------------------------------------------------
 
 
@@ -227,6 +250,54 @@ class Bucket(Node):
     rule: Expr
 
 
+class Sense(Node):
+    """`sense NAME when SIGNAL COMPARISON LEVEL at WHEN`; `comparison` is the sign as written."""
+
+    name: Name
+    signal: Light | Exposure
+    comparison: str
+    level: Amount | Levels | Expr
+    at: Expr
+
+
+class StateRange(Node):
+    """`state NAME : LO..HI = START [kept]`."""
+
+    name: Name
+    low: Expr
+    high: Expr
+    start: Expr
+    kept: bool
+
+
+class StateBit(Node):
+    """`state NAME : bit = START [kept]`."""
+
+    name: Name
+    start: Expr
+    kept: bool
+
+
+class Next(Node):
+    """`next NAME = EXPR [when CONDITION]`."""
+
+    name: Name
+    value: Expr
+    condition: Expr | None
+
+
+class Reset(Node):
+    """`reset when EXPR`."""
+
+    condition: Expr
+
+
+class Read(Node):
+    """`read NAME, ...`."""
+
+    names: tuple[Name, ...]
+
+
 class PixelsExpr(Node):
     """`pixels FIELD = EXPR`."""
 
@@ -263,6 +334,12 @@ Statement = (
     | BookFromFile
     | Open
     | Bucket
+    | Sense
+    | StateRange
+    | StateBit
+    | Next
+    | Reset
+    | Read
     | PixelsExpr
     | PixelsTile
     | PixelsFromFile

@@ -10,8 +10,20 @@ STATEMENT_WORDS = (
     "nsl", "target", "frame", "let", "code", "require", "shutters", "open", "bucket", "pixels",
 )  # fmt: skip
 
+LOOKING_WORDS = ("sense", "state", "next", "reset", "read")
+"""Those that version 2 adds: its pixels look at the light."""
+
+NAMES_IN_VERSION_1 = frozenset({*LOOKING_WORDS, "kept", "at", "in", "light", "exposure"})
+"""The words of version 2 that are names in a file of version 1."""
+
+
+def statement_words(version: int) -> tuple[str, ...]:
+    """The words that begin statements in a version of the language."""
+    return STATEMENT_WORDS if version == 1 else (*STATEMENT_WORDS, *LOOKING_WORDS)
+
+
 FORMS = {
-    "nsl": ("nsl 1",),
+    "nsl": ("nsl 1", "nsl 2"),
     "target": ("target NAME", 'target "FILE.toml"'),
     "frame": ("frame N slots of TIME", "frame slots [TIME, TIME, ...]"),
     "let": ("let NAME = EXPR",),
@@ -23,6 +35,14 @@ FORMS = {
     ),
     "open": ("open when EXPR",),
     "bucket": ("bucket NAME open when EXPR",),
+    "sense": (
+        "sense NAME when light > LEVEL at WHEN",
+        "sense NAME when exposure BUCKET > LEVEL at WHEN",
+    ),
+    "state": ("state NAME : LO..HI = START [kept]", "state NAME : bit = START [kept]"),
+    "next": ("next NAME = EXPR [when CONDITION]",),
+    "reset": ("reset when EXPR",),
+    "read": ("read NAME, ...",),
     "pixels": (
         "pixels FIELD = EXPR",
         "pixels FIELD = tile [[..], ..]",
@@ -40,6 +60,7 @@ _PIECES = {
     "GROUPED": "a row of digits such as 1111_0000",
     "TIME": "a time such as 125us",
     "TEXT": 'a path in quotes, "like this"',
+    "LEVEL": "a level such as 45%, 12000e or 90lsb",
     "COMPARISON": "a comparison",
 }
 

@@ -22,6 +22,7 @@ _SOURCES = Integer(2, 1000, unlimited=True)
 _WORD_US = Number(0, 1e6, low_excluded=True)
 _ABOVE_0 = Number(0, 1e15, low_excluded=True)
 _ours = partial(key, source="not public")
+_in = partial(key, source="not public", section="in", later=True)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -109,6 +110,21 @@ class Target:
         Number(-65536, 65536), "code of a register that holds nothing", section="range"
     )
 
+    in_low: int = _in(Integer(-32768, 0), "least value of IN, in steps", default=-127)
+    in_high: int = _in(Integer(1, 32767), "largest value of IN, in steps", default=126)
+    in_step_e: float | None = _in(
+        Number(0, 1e15, low_excluded=True, automatic=True),
+        'electrons a step of IN; "auto": register_max_e / 127', default=None,
+    )  # fmt: skip
+    in_settle_us: float = _in(
+        Number(0, 1e9), "time from setting IN to the first word that reads it", default=5.0
+    )
+
+    @property
+    def electrons_per_step(self) -> float:
+        """Electrons a step of IN."""
+        return self.register_max_e / 127 if self.in_step_e is None else self.in_step_e
+
     @property
     def electrons_per_lsb(self) -> float:
         """Electrons a code of the readout ADC."""
@@ -131,6 +147,7 @@ SCHEMA = Schema(
         "store": "",
         "time": "",
         "range": "",
+        "in": "the global value IN that every pixel can compare with; set between kernels",
     },
     Codes("NS0231", "NS0232", unknown="NS0233", wrong="NS0235", missing="NS0234"),
     "`nscc targets scamp5 --toml` prints a complete file to start from",

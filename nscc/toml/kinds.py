@@ -11,6 +11,10 @@ from functools import partial
 from math import isfinite
 from typing import Any, Protocol
 
+LEAST = 1e-9
+"""The least that "above 0" takes. Quotients and squares of what is next to 0 leave the range of
+floats, and no time, charge or current that nscc knows is as small."""
+
 
 class Kind(Protocol):
     """A set of values."""
@@ -31,7 +35,8 @@ class Kind(Protocol):
 class Number(Kind):
     """A finite number within `low`..`high`; the bounds themselves may be excluded.
 
-    A float, or an int where it is `whole`; `unlimited` ones may be "any", which is None.
+    A float, or an int where it is `whole`. None is "any" of `unlimited` ones, "auto" of `automatic`
+    ones. Where 0 is an excluded bound, the range ends at LEAST instead.
     """
 
     low: float
@@ -41,6 +46,20 @@ class Number(Kind):
     high_excluded: bool = False
     whole: bool = False
     unlimited: bool = False
+    automatic: bool = False
+
+    @property
+    def _word(self) -> str:
+        """What stands for None, if anything."""
+        return "any" if self.unlimited else "auto" if self.automatic else ""
+
+    def __post_init__(self) -> None:
+        for end, excluded, least in (
+            ("low", "low_excluded", LEAST), ("high", "high_excluded", -LEAST)
+        ):  # fmt: skip
+            if getattr(self, end) == 0 and getattr(self, excluded):
+                object.__setattr__(self, end, least)
+                object.__setattr__(self, excluded, False)
 
     @property
     def range(self) -> str:
@@ -53,10 +72,10 @@ class Number(Kind):
     def allowed(self) -> str:
         number = "a whole number" if self.whole else "a number"
         unit = f" ({self.unit})" if self.unit else ""
-        return ('"any" or ' if self.unlimited else "") + f"{number} {self.range}{unit}"
+        return (f'"{self._word}" or ' if self._word else "") + f"{number} {self.range}{unit}"
 
     def read(self, value: Any) -> float | None:
-        if self.unlimited and value == "any":
+        if self._word and value == self._word:
             return None
         if isinstance(value, bool) or not isinstance(value, int if self.whole else (int, float)):
             raise ValueError
@@ -68,7 +87,7 @@ class Number(Kind):
         return value if self.whole else float(value) + 0.0
 
     def plain(self, value: Any) -> Any:
-        return "any" if value is None else value
+        return self._word if value is None else value
 
 
 Integer = partial(Number, whole=True)

@@ -26,7 +26,8 @@ class Key:
 
     `meaning` is half a sentence, `source` says where the default comes from (empty: it is public).
     A file lists the key under `heading`, which is its section's name where none is given. Python
-    knows it as `attribute`, by default its name. A file must have `required` keys.
+    knows it as `attribute`, by default its name. A file must have `required` keys. A `later` one
+    came when there were containers already: at its default it is left out of them.
     """
 
     section: str
@@ -38,6 +39,7 @@ class Key:
     required: bool = False
     heading: str = ""
     attribute: str = ""
+    later: bool = False
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "heading", self.heading or self.section)
@@ -129,7 +131,7 @@ class Schema(Generic[Row]):
         """The values that are right, and everything that is wrong with a parsed file.
 
         `source` is its text, for places. A key may be missing if it is not required; in `complete`
-        values none may but a list that is empty by default.
+        values none may but a list that is empty by default, and what came later.
         """
         found: Found = {}
         problems: list[Diagnostic | None] = []
@@ -140,7 +142,7 @@ class Schema(Generic[Row]):
                 problems.append(self._take(found, "", name, value, source))
         for key in self.keys:
             place = values.get(key.section, {}) if key.section else values
-            needed = key.required or (complete and key.default != ())
+            needed = key.required or (complete and key.default != () and not key.later)
             if needed and isinstance(place, Mapping) and key.name not in place:
                 message = f"the key {key.path} is missing: {key.meaning}"
                 missing = self.codes.missing, message, key.section, key.name, source, self.start
@@ -170,13 +172,14 @@ class Schema(Generic[Row]):
     def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """What a file holds: tables of keys, in the order of a file.
 
-        Every key is present but a list that is empty, as it is by default.
+        Every key is present but a list that is empty, as it is by default, and what came later
+        and has its default.
         """
         tables: dict[str, Any] = {}
         for key in self.keys:
-            place = tables.setdefault(key.section, {}) if key.section else tables
-            if values[key.path] == key.default == ():
+            if values[key.path] == key.default and (key.default == () or key.later):
                 continue
+            place = tables.setdefault(key.section, {}) if key.section else tables
             place[key.name] = key.kind.plain(values[key.path])
         return tables
 

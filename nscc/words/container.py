@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.target.target import Target
+from nscc.words.machine import Machine, StatePlanes
 
 Word = tuple[int, int, int, int, int]
 """One ICW: five 32-bit words as the chip takes them."""
@@ -24,10 +25,14 @@ class Kernel:
 
 @dataclass(frozen=True)
 class Launch:
-    """Kernel number `kernel` runs at boundary `instant` (0..N: before slot `instant`'s light)."""
+    """Kernel number `kernel` runs at boundary `instant` (0..N: before slot `instant`'s light).
+
+    `level` are the steps to which IN is set before; None leaves it as it is.
+    """
 
     instant: int
     kernel: int
+    level: int | None = None
 
 
 @dataclass(frozen=True)
@@ -65,6 +70,10 @@ class Container:
     registers that carry code, in the order in which a device must load them (R12 before R0).
     `source_lines` is the program's text for listings; `notes` holds what the compiler wants to
     remember (lowering, class, open or fixed codes), strings only.
+
+    Where shutters depend on the light, `machine` says how, and the rows of `encoding` and of the
+    table's shutters are its behaviours: those are the shutters in the dark. `state_planes` says by
+    name how registers hold the states that are read or kept.
     """
 
     target: Target
@@ -79,6 +88,8 @@ class Container:
     readouts: tuple[Readout, ...]
     source_lines: tuple[str, ...] = ()
     notes: Mapping[str, str] = field(default_factory=dict)
+    machine: Machine | None = None
+    state_planes: Mapping[str, StatePlanes] = field(default_factory=dict)
 
     @property
     def slots(self) -> int:

@@ -29,11 +29,13 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.target.load import target_dict, target_from_dict
+from nscc.words import machine_file
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.soundness import faults
 
 MAGIC = b"\x89ICW\r\n\x1a\n"
-VERSION = 1
+VERSIONS = (1, 2)
+"""The second one is that of programs that look: a machine, and launches with levels."""
 _PREAMBLE = Struct("<8sIIQ")
 _DIGEST = 32
 LARGEST_FILE = 1 << 31
@@ -65,7 +67,7 @@ def _layout(header: dict[str, Any]) -> tuple[_Array, ...]:
     buckets, fields = len(header["buckets"]), len(header["fields"])
     pixels = (target["array"]["rows"], target["array"]["cols"]) if counts["pixels"] else (0, 0)
     words = sum(count for _, count in header["kernels"])
-    return (
+    arrays = (
         _Array("slot_us", "<f8", (counts["slots"],)),
         _Array("codes", "<i8", (counts["codes"], fields)),
         _Array("shutter_of_code", "<i4", (counts["codes"],)),
@@ -75,6 +77,11 @@ def _layout(header: dict[str, Any]) -> tuple[_Array, ...]:
         _Array("launches", "<i4", (counts["launches"], 2)),
         _Array("pixel_codes", "<i4", pixels),
     )
+    if "machine" not in header:
+        return arrays
+    parts = machine_file.layout_of(header["machine"], buckets, counts["slots"])
+    of_machine = (_Array(name, dtype, shape, bits=dtype == "?") for name, dtype, shape in parts)
+    return (*arrays, _Array("levels", "<i4", (counts["launches"],)), *of_machine)
 
 
 def to_bytes(container: Container) -> bytes:
@@ -87,13 +94,18 @@ def to_bytes(container: Container) -> bytes:
     parts = [text.encode("ascii")]
     parts += [_packed(array, arrays[array.name]) for array in _layout(header)]
     length = _PREAMBLE.size + sum(map(len, parts)) + _DIGEST
-    body = b"".join([_PREAMBLE.pack(MAGIC, VERSION, len(parts[0]), length), *parts])
+    version = VERSIONS[container.machine is not None]
+    body = b"".join([_PREAMBLE.pack(MAGIC, version, len(parts[0]), length), *parts])
     return body + sha256(body).digest()
 
 
 def _header(container: Container) -> dict[str, Any]:
-    table = container.table
+    table, machine = container.table, container.machine
+    looking = {}
+    if machine is not None:
+        looking["machine"] = machine_file.header_of(machine, container.state_planes)
     return {
+        **looking,
         "target": target_dict(container.target),
         "buckets": list(container.buckets),
         "fields": list(table.fields),
@@ -113,7 +125,14 @@ def _header(container: Container) -> dict[str, Any]:
 
 
 def _arrays(container: Container) -> dict[str, NDArray[Any]]:
-    table, pixels = container.table, container.pixel_codes
+    table, pixels, machine = container.table, container.pixel_codes, container.machine
+    of_machine: dict[str, NDArray[Any]] = {}
+    if machine is not None:
+        names = "behaviour", "values", "opens", "resets", "steps", "open_slots", "open_us"
+        of_machine = {name: getattr(machine, name) for name in names}
+        given = [launch.level for launch in container.launches]
+        none = machine_file.NO_LEVEL
+        of_machine["levels"] = np.array([none if x is None else x for x in given], "<i4")
     words = [word for kernel in container.kernels for word in kernel.words]
     launches = [(launch.instant, launch.kernel) for launch in container.launches]
     return {
@@ -125,6 +144,7 @@ def _arrays(container: Container) -> dict[str, NDArray[Any]]:
         "words": np.array(words, dtype="<u4").reshape(-1, 5),
         "launches": np.array(launches, dtype="<i4").reshape(-1, 2),
         "pixel_codes": np.zeros((0, 0), "<i4") if pixels is None else pixels,
+        **of_machine,
     }
 
 
@@ -165,7 +185,7 @@ def from_bytes(data: bytes, name: str) -> Container:
     header_length = _check_frame(data, name)
     try:
         header = json.loads(data[_PREAMBLE.size : _PREAMBLE.size + header_length])
-        _check_header(header)
+        _check_header(header, data[len(MAGIC)])
         container = _assembled(header, data, _PREAMBLE.size + header_length)
         wrong = faults(container)
         if wrong:
@@ -197,8 +217,9 @@ def _check_frame(data: bytes, name: str) -> int:
     if len(data) < _PREAMBLE.size + _DIGEST:
         raise _rejected("NS0705", name, f"it was cut short: {len(data)} bytes are left of it")
     _, version, header_length, length = _PREAMBLE.unpack_from(data)
-    if version != VERSION:
-        what = f"it has version {version} of the format, this nscc reads version {VERSION}"
+    if version not in VERSIONS:
+        known = " and ".join(map(str, VERSIONS))
+        what = f"it has version {version} of the format, this nscc reads versions {known}"
         raise _rejected("NS0704", name, what)
     if len(data) != length:
         what = f"it has {len(data)} bytes, {length} belong to the container"
@@ -213,11 +234,13 @@ def _check_frame(data: bytes, name: str) -> int:
     return int(header_length)
 
 
-def _check_header(header: Any) -> None:
+def _check_header(header: Any, version: int) -> None:
     """Check the shape of a header; ValueError names what is wrong."""
     _need(isinstance(header, dict), "the header is no table")
     names = {"target", "buckets", "fields", "kernels", "code_registers", "readouts"}
-    names |= {"source_lines", "notes", "counts"}
+    names |= {"source_lines", "notes", "counts"} | (
+        {"machine"} if version == VERSIONS[1] else set()
+    )
     _need(header.keys() == names, "the header has other keys than a container's")
     for name in ("buckets", "fields", "code_registers", "source_lines"):
         values = header[name]
@@ -230,6 +253,8 @@ def _check_header(header: Any) -> None:
     for entry in _rows(header["readouts"], 3, "readouts"):
         texts = isinstance(entry[0], str) and isinstance(entry[1], str)
         _need(texts and isinstance(entry[2], float), "readouts")
+    if "machine" in header:
+        machine_file.check_header(header["machine"])
     counts = header["counts"]
     _need(isinstance(counts, dict), "counts")
     _need(counts.keys() == {"slots", "codes", "shutters", "launches", "pixels"}, "counts")
@@ -269,19 +294,30 @@ def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
         kernels.append(Kernel(name, tuple(words[first : first + count])))
         first += count
     fields, meaning = tuple(header["fields"]), ("codes", "shutter_of_code", "shutters")
+    machine, planes = None, {}
+    launches = [(instant, kernel, None) for instant, kernel in arrays["launches"].tolist()]
+    if "machine" in header:
+        machine, planes = machine_file.machine_from(header["machine"], arrays)
+        levels = arrays["levels"].tolist()
+        launches = [
+            (instant, kernel, None if level == machine_file.NO_LEVEL else level)
+            for (instant, kernel, _), level in zip(launches, levels, strict=True)
+        ]
     return Container(
         target=target,
         slot_us=tuple(arrays["slot_us"].tolist()),
         buckets=tuple(header["buckets"]),
         table=DecodeTable(fields, *(arrays[name] for name in meaning)),
         kernels=tuple(kernels),
-        launches=tuple(Launch(instant, kernel) for instant, kernel in arrays["launches"].tolist()),
+        launches=tuple(Launch(*launch) for launch in launches),
         code_registers=tuple(header["code_registers"]),
         encoding=arrays["encoding"],
         pixel_codes=arrays["pixel_codes"] if header["counts"]["pixels"] else None,
         readouts=tuple(Readout(*entry) for entry in header["readouts"]),
         source_lines=tuple(header["source_lines"]),
         notes=header["notes"],
+        machine=machine,
+        state_planes=planes,
     )
 
 

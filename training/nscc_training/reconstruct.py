@@ -70,16 +70,18 @@ class Reconstruction:
         )  # fmt: skip
 
 
-def reconstruct(run: Path, frame: Path, *, force: bool, dark: Path | None = None) -> Reconstruction:
+def reconstruct(
+    run: Path, frame: Path, *, force: bool, dark: Path | None = None, trust_code: bool = False
+) -> Reconstruction:
     """What a run's decoder makes of a frame file, with warnings.
 
     `dark` is a frame file of the same program without light, of many repeats: their mean, which
     offsets of words and charge without light have left, is taken from the frame.
 
-    Raises Rejected: NS0818 for the run, NS0819 for a file that is no frame, or one of another
-    program or sensor (with `force` that is a warning, unless its size differs).
+    Raises Rejected: what `load_run` raises for the run, NS0819 for a file that is no frame, or one
+    of another program or sensor (with `force` that is a warning, unless its size differs).
     """
-    folder = load_run(run)
+    folder = load_run(run, trust_code=trust_code)
     read = read_frame(frame)
     doubts = [*_program_doubts(folder, read), *_sensor_doubts(folder, read)]
     messages = tuple(_doubt(frame, text, warning=force) for text in doubts)

@@ -59,6 +59,7 @@ HEADINGS = {
     "light": "what becomes of the light",
     "dark": "charge without light",
     "noise": "of the photodiode",
+    "comparator": "how well pixels compare",
     "analog": "errors of analog words; counts are codes of the ADC",
     "memory": "what registers lose",
     "readout": "the ADC",

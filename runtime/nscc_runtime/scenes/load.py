@@ -262,6 +262,7 @@ def _electrons(request: _Request, found: NDArray[np.float32]) -> Light:
 def _check_light(request: _Request, shape: tuple[int, ...]) -> None:
     """The shape that a `light` array must have for this program."""
     need = (request.window.rows, request.window.cols)
+    _refuse_other_axes(request, shape, need)
     if len(shape) not in (2, 3):
         raise rejected(
             "NS0733",
@@ -286,6 +287,29 @@ def _check_light(request: _Request, shape: tuple[int, ...]) -> None:
             helps=("use a program of as many slots, or a still: (rows, cols), electrons a second",),
             data={"frames": shape[0], "needed": request.slots},
         )
+
+
+def _refuse_other_axes(request: _Request, shape: tuple[int, ...], need: tuple[int, int]) -> None:
+    """NS0733 for light whose axes are those of other tools: time or colour last."""
+    count = shape[-1] if len(shape) in (3, 4) else 0
+    if shape[-3:-1] != need or tuple(shape[-2:]) == need:
+        return
+    found = f"'light' in '{request.name}' is {size(shape)}"
+    grey = "light has no colour: `a @ [0.2126, 0.7152, 0.0722]` makes luminance of red, green, blue"
+    ahead = "time comes first: `np.moveaxis(a, -1, 0)`"
+    if count in (3, 4):
+        message = f"{found}: a colour picture, it seems, and light is one number a pixel"
+        helps = (grey, ahead) if len(shape) == 3 and count == request.slots else (grey,)
+    elif len(shape) == 3:
+        message, helps = f"{found}: (rows, cols, slots), it seems", (ahead,)
+    else:
+        return
+    raise rejected(
+        "NS0733",
+        message,
+        notes=(f"a still is (rows, cols) = {size(need)}, a clip (slots, rows, cols)",),
+        helps=helps,
+    )
 
 
 def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transfer) -> Laid:

@@ -17,10 +17,12 @@ _OF_PROTOCOL = {"hdr-v1": hdr_baselines.BASELINES, "video-v1": video_baselines.B
 
 
 def evaluate(
-    subject: str, data: Path, protocol: str, seed: int
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    subject: str, data: Path, protocol: str, seed: int, *,
+    trust_code: bool = False, skip_seen: bool = False,
+) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:  # fmt: skip
     """The result of a baseline or of a run folder, and the arrays it made, by name.
 
+    Of a run, `trust_code` is as `load_run`'s and `skip_seen` as `evaluate_run`'s.
     Raises Rejected: NS0806 for the protocol, NS0810 for a subject that it does not know, NS0811
     for a folder without its data, and what `load_run` and `evaluate_run` raise.
     """
@@ -31,7 +33,8 @@ def evaluate(
             return hdr_baselines.evaluate_hdr_baseline(subject, data, seed)
         return video_baselines.evaluate_video_baseline(subject, data, seed)
     if Path(subject).is_dir():
-        return evaluate_run(load_run(Path(subject)), data, chosen, seed)
+        folder = load_run(Path(subject), trust_code=trust_code)
+        return evaluate_run(folder, data, chosen, seed, skip_seen=skip_seen)
     raise rejected(
         "NS0810",
         f"there is no '{subject[:60]}' to evaluate under protocol {chosen.name}",

@@ -1,0 +1,103 @@
+"""Encodings of what a pixel knows: how registers hold its behaviour and its states.
+
+f runs on the host, so any encoding will do that tells the values apart. Every state starts with all
+its registers at 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from itertools import combinations, product
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.machine import Machine
+
+Rows = NDArray[np.bool_]
+"""The bits of values: (values, registers)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Held:
+    """The registers of a state, or of the behaviour: `bits` has a row for each of `values`."""
+
+    name: str
+    kind: str
+    values: tuple[int, ...]
+    bits: Rows
+
+    @property
+    def registers(self) -> int:
+        """How many there are."""
+        return self.bits.shape[1]
+
+
+@dataclass(frozen=True, eq=False)
+class Encoding:
+    """One choice for the behaviour and every state of a machine."""
+
+    code: Held
+    states: tuple[Held, ...]
+
+    @property
+    def name(self) -> str:
+        """In words, for reports."""
+        parts = [self.code] if self.code.registers else []
+        parts += [held for held in self.states if held.registers]
+        return ", ".join(f"{held.name} {held.kind}" for held in parts) or "nothing to hold"
+
+
+def encodings(machine: Machine, registers: int) -> Iterator[Encoding]:
+    """Encodings in at most so many registers, those of the fewest registers last."""
+    behaviours = int(machine.behaviour.max()) + 1
+    every = tuple(range(behaviours))
+    codes = [Held("code", kind, every, bits) for kind, bits in _of_code(behaviours)]
+    states = []
+    for k, state in enumerate(machine.states):
+        reached = np.unique(machine.values[:, k]).tolist()
+        values = tuple(dict.fromkeys([state.start, *reached]))
+        found = _of_state(len(values))
+        states.append([Held(state.name, kind, values, bits) for kind, bits in found])
+    for code, *chosen in product(codes, *states):
+        if sum(held.registers for held in (code, *chosen)) <= registers:
+            yield Encoding(code, tuple(chosen))
+
+
+def _of_code(behaviours: int) -> Iterator[tuple[str, Rows]]:
+    if behaviours == 1:
+        yield "none", np.zeros((1, 0), np.bool_)
+        return
+    yield "thermometer", np.tri(behaviours, behaviours - 1, -1, dtype=np.bool_)
+    yield "one-hot", np.eye(behaviours, dtype=np.bool_)[:, 1:]
+    yield "binary", _binary(range(behaviours), (behaviours - 1).bit_length())
+
+
+def _of_state(count: int) -> Iterator[tuple[str, Rows]]:
+    """Encodings of so many values, the first of them all zeros."""
+    if count == 1:
+        yield "constant", np.zeros((1, 0), np.bool_)
+        return
+    one_hot = np.eye(count, dtype=np.bool_)[:, 1:]
+    if count == 2:
+        yield "bit", one_hot
+        return
+    yield "one-hot", one_hot
+    yield "thermometer", np.tri(count, count - 1, -1, dtype=np.bool_)
+    yield "few ones", _few_ones(count)
+    yield "binary", _binary(range(count), (count - 1).bit_length())
+
+
+def _binary(numbers: Sequence[int], width: int) -> Rows:
+    return (np.array(numbers)[:, None] >> np.arange(width) & 1).astype(np.bool_)
+
+
+def _few_ones(count: int) -> Rows:
+    """The codes with the fewest ones in as few registers as will do: a one costs a write."""
+    width = (count - 1).bit_length()
+    codes = [ones for size in range(width + 1) for ones in combinations(range(width), size)]
+    rows = np.zeros((count, width), np.bool_)
+    for row, ones in enumerate(codes[:count]):
+        rows[row, list(ones)] = True
+    return rows

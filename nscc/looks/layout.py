@@ -1,0 +1,209 @@
+"""A solution's words in time: registers given out, kernels, launches with their value of IN.
+
+IN is set between kernels, so that a kernel has one value of it; a boundary with comparisons of
+several levels is several kernels.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import chain
+
+import numpy as np
+
+from nscc.logic.problem import Gate, Problem, Segment, Solution
+from nscc.looks.plan import LookingPlan, Moment
+from nscc.looks.solve import RESET, LookingSolution, SetIn
+from nscc.lower.allocate import Allocation, allocate, refresh_words, words
+from nscc.lower.decoding import Decoding
+from nscc.lower.lowered import Lowered
+from nscc.lower.plan import ExposurePlan, Step
+from nscc.lower.schedule import Schedule, kernel_us, refreshed_registers
+from nscc.lower.timeline import Timeline
+from nscc.operations import Op, op
+from nscc.target.target import Target
+
+Words = tuple[Op, ...]
+_MOST_CLEARED = 4
+"""Registers that one CLR of the public library takes."""
+
+
+def lay_out_looks(
+    plan: LookingPlan, solution: LookingSolution, time: Timeline, most_words: int | None
+) -> Lowered | None:
+    """The words of a solution over the frame's boundaries; None where its registers are too many.
+
+    `most_words` as in Lowered.
+    """
+    target = plan.program.target
+    general = _general(solution, plan)
+    count = len(general.planes) + general.states + general.scratch
+    # Without code that rests, the masked register stays unused: every write to it needs its mask.
+    room = len(target.digital_registers) - (
+        target.masked_register is not None and not general.planes
+    )
+    if count > room:
+        return None
+    allocation = allocate(general, target)
+    named = dict(zip((f"s{i}" for i in range(general.states)), solution.states, strict=True))
+    by_place = {allocation.places[name]: f"state {held}" for name, held in named.items()}
+    allocation = replace(allocation, holders={**allocation.holders, **by_place})
+    schedule = _schedule(plan, solution, allocation, time, target)
+    decoding = Decoding(_exposure_plan(plan), _problem(plan), (), general)
+    return Lowered(plan.program, decoding, schedule, time, most_words)
+
+
+def _general(solution: LookingSolution, plan: LookingPlan) -> Solution:
+    """The solution as the rest of the compiler knows one: its gates by boundary."""
+    answers = tuple(
+        (tuple(item for item in items if isinstance(item, Gate)),)
+        for items in solution.items.values()
+    )
+    return Solution(
+        solution.encoding.name, solution.planes, solution.holders, len(solution.states),
+        solution.scratch, (), answers, (),
+    )  # fmt: skip
+
+
+def _schedule(
+    plan: LookingPlan,
+    solution: LookingSolution,
+    allocation: Allocation,
+    time: Timeline,
+    target: Target,
+) -> Schedule:
+    slots = plan.machine.slots
+    boundaries: list[list[tuple[int | None, Words]]] = [[] for _ in range(slots + 1)]
+    setup = (op("all"), *_setup(plan), *_cleared(solution, allocation))
+    boundaries[0].append((None, setup))
+    last = max(i for i, word in enumerate(setup) if word == RESET[0])
+    for boundary, items in solution.items.items():
+        boundaries[boundary] += _kernels(items, allocation)
+    refreshed = refreshed_registers(
+        [[words_ for _, words_ in each] for each in boundaries], allocation, time
+    )
+    states = tuple(allocation.places[f"s{i}"] for i in range(len(solution.states)))
+    for n in time.refresh_at or ():
+        held = (*refreshed, *states)
+        if held and n:
+            boundaries[n].insert(0, (None, refresh_words(held, allocation)))
+    if refreshed:
+        boundaries[slots].append((None, refresh_words(refreshed, allocation)))
+    numbers: dict[Words, int] = {}
+    launches: list[tuple[int, int]] = []
+    levels: list[int | None] = []
+    for n, kernels in enumerate(boundaries):
+        for level, kernel in kernels:
+            launches.append((n, numbers.setdefault(kernel, len(numbers))))
+            levels.append(level)
+    setup_us = kernel_us(setup[: last + 1], target)
+    return Schedule(allocation, tuple(numbers), tuple(launches), setup_us, refreshed, tuple(levels))
+
+
+def _setup(plan: LookingPlan) -> Words:
+    """Empties the buckets, resets PIX and keeps its level."""
+    scratch = plan.scratch
+    clear = (op("bus", (a,), (scratch,)) for a in plan.bucket_registers)
+    sample = op("bus", (scratch,), ("PIX",)), op("bus", (plan.reference,), (scratch,))
+    return op("bus", (scratch,)), *clear, *RESET, *sample
+
+
+def _cleared(solution: LookingSolution, allocation: Allocation) -> Words:
+    """The states of a frame start at 0."""
+    places = [allocation.places[f"s{i}"] for i in range(len(solution.states))]
+    parts = [places[i : i + _MOST_CLEARED] for i in range(0, len(places), _MOST_CLEARED)]
+    return tuple(op("CLR", part) for part in parts)
+
+
+def _kernels(
+    items: Sequence[Gate | Op | SetIn], allocation: Allocation
+) -> list[tuple[int | None, Words]]:
+    """The kernels of a boundary, each with the value of IN that it needs."""
+    found: list[tuple[int | None, Words]] = []
+    level: int | None = None
+    run: list[Op] = []
+    gates: list[Gate] = []
+
+    def settle() -> None:
+        run.extend(words(Segment(gates) if gates else (), allocation))
+        gates.clear()
+
+    for item in items:
+        if isinstance(item, Gate):
+            gates.append(item)
+            continue
+        settle()
+        if isinstance(item, Op):
+            run.append(item)
+        elif level is None:
+            level = item.level
+        elif level != item.level:
+            found.append((level, tuple(run)))
+            run, level = [], item.level
+    settle()
+    found.append((level, tuple(run)))
+    return found
+
+
+def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
+    """The analog half, as reports show it."""
+    steps = [Step(0, "setup", -1, None, _setup(plan))]
+    steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
+    copied = all(
+        copy or not fall
+        for moment in plan.moments
+        for fall, copy in zip(moment.falls, moment.copies, strict=True)
+    )
+    latch = copied and not any(chain.from_iterable(moment.rises for moment in plan.moments))
+    return ExposurePlan(
+        "latch" if latch else "edges", tuple(steps), plan.registers, plan.bucket_registers,
+        len(plan.program.table.shutters), plan.machine.slots, _analog_writes(plan),
+    )  # fmt: skip
+
+
+def _steps(plan: LookingPlan, moment: Moment) -> list[Step]:
+    """What a moment does to which lanes."""
+    found: list[Step] = []
+    sample = op("bus", (plan.scratch,), ("PIX",))
+    where = op("where", (), (plan.scratch, plan.reference, "IN"))
+    for comparison in moment.comparisons:
+        found.append(
+            Step(moment.boundary, "look", max(comparison.signal, 0), None, (sample, where))
+        )
+    for bucket, (fall, rise) in enumerate(zip(moment.falls, moment.rises, strict=True)):
+        register = plan.bucket_registers[bucket]
+        add = sample, op("bus", (register,), (plan.scratch, plan.reference))
+        if fall:
+            found.append(Step(moment.boundary, "fall", bucket, fall, add))
+        if rise:
+            found.append(Step(moment.boundary, "rise", bucket, rise, add))
+    if moment.resets:
+        found.append(Step(moment.boundary, "reset", -1, moment.resets, RESET))
+    return found
+
+
+def _problem(plan: LookingPlan) -> Problem:
+    """There are no demands on codes alone."""
+    return Problem((), len(plan.program.table.shutters), (), False, {})
+
+
+def _analog_writes(plan: LookingPlan) -> tuple[int, int]:
+    """The fewest and the most bus words that a pixel executes after the setup."""
+    machine = plan.machine
+    least = np.full(len(machine.behaviour), np.iinfo(np.int64).max)
+    most = np.zeros(len(machine.behaviour), np.int64)
+    least[: machine.first[1]] = 0
+    for moment in plan.moments:
+        signals = {comparison.signal for comparison in moment.comparisons}
+        words_ = np.full(len(moment.before), len(signals), np.int64)
+        for v in (*moment.falls, *moment.rises):
+            words_ += 2 * np.array([v >> lane & 1 for lane in range(len(words_))], np.int64)
+        low, high = least[moment.before] + words_, most[moment.before] + words_
+        if (moment.after != moment.before).any():
+            np.minimum.at(least, moment.after, low)
+            np.maximum.at(most, moment.after, high)
+        else:
+            least[moment.after], most[moment.after] = low, high
+    last = machine.nodes(machine.stages - 1)
+    return int(least[last].min()), int(most[last].max())

@@ -1,0 +1,255 @@
+"""Words on virtual registers for every moment of a plan, with one encoding."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.problem import Gate, GaveUp, Machine
+from nscc.looks.encode import Encoding, Held
+from nscc.looks.plan import LookingPlan, Moment
+from nscc.looks.synthesis import FLAG, Board, update
+from nscc.operations import Op, op
+from nscc.target.target import Target
+from nscc.truth import columns, vector
+from nscc.words.machine import LIGHT, Comparison
+
+RESET = (op("rpix"), op("rpix"), op("nop"))
+"""Twice and a pause, as the library's respix does: one word is too short to empty the well."""
+
+
+@dataclass(frozen=True, slots=True)
+class SetIn:
+    """IN is `level` steps from here on."""
+
+    level: int
+
+
+Item = Gate | Op | SetIn
+
+
+@dataclass(frozen=True, eq=False)
+class LookingSolution:
+    """The words of a frame on virtual registers, by boundary.
+
+    p0, p1, .. hold what outlasts a frame: `planes` (behaviours,) are their truth vectors when the
+    first one starts; s0, s1, .. states inside a frame, which start at 0; t0, .. are scratch.
+    `registers` names the virtual registers of each state, in the order of the encoding's bits.
+    """
+
+    encoding: Encoding
+    planes: tuple[int, ...]
+    holders: tuple[str, ...]
+    states: tuple[str, ...]
+    registers: tuple[tuple[str, ...], ...]
+    scratch: int
+    items: dict[int, tuple[Item, ...]]
+
+
+def solve(plan: LookingPlan, encoding: Encoding, target: Target) -> LookingSolution:
+    """The words of a plan. Raises GaveUp where no gates are found for some moment."""
+    return _Solver(plan, encoding, target).solve()
+
+
+class _Solver:
+    def __init__(self, plan: LookingPlan, encoding: Encoding, target: Target) -> None:
+        self.plan, self.encoding, self.target = plan, encoding, target
+        self.machine = plan.machine
+        self.gates = Machine.of(target)
+        self.holders: list[str] = []
+        self.states: list[str] = []
+        self.code = [
+            self._plane(f"code, {encoding.code.kind}") for _ in range(encoding.code.registers)
+        ]
+        self.registers = tuple(
+            tuple(
+                self._plane(held.name) if state.kept else self._state(held.name)
+                for _ in range(held.registers)
+            )
+            for state, held in zip(self.machine.states, encoding.states, strict=True)
+        )
+
+    def _plane(self, holder: str) -> str:
+        self.holders.append(holder)
+        return f"p{len(self.holders) - 1}"
+
+    def _state(self, holder: str) -> str:
+        self.states.append(holder)
+        return f"s{len(self.states) - 1}"
+
+    def solve(self) -> LookingSolution:
+        items: dict[int, tuple[Item, ...]] = {}
+        for moment in self.plan.moments:
+            found = tuple(_Moment(self, moment).items())
+            if found:
+                items[moment.boundary] = found
+        scratch = 0
+        for item in (item for each in items.values() for item in each):
+            if isinstance(item, Gate) and item.destination.startswith("t"):
+                scratch = max(scratch, int(item.destination[1:]) + 1)
+        start = self.machine.start_nodes()
+        held = self.vectors(start)
+        planes = tuple(held[f"p{i}"] for i in range(len(self.holders)))
+        return LookingSolution(
+            self.encoding, planes, tuple(self.holders), tuple(self.states), self.registers,
+            scratch, items,
+        )  # fmt: skip
+
+    def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
+        """What every register holds in lanes at these nodes."""
+        found = dict(
+            zip(
+                self.code,
+                self._columns(self.encoding.code, self.machine.behaviour[nodes]),
+                strict=True,
+            )
+        )
+        for k, (held, names) in enumerate(zip(self.encoding.states, self.registers, strict=True)):
+            found |= zip(names, self._columns(held, self.machine.values[nodes, k]), strict=True)
+        return found
+
+    def _columns(self, held: Held, values: NDArray[np.int64]) -> list[int]:
+        order = np.argsort(held.values)
+        rows = order[np.searchsorted(np.array(held.values)[order], values)]
+        return columns(held.bits[rows])
+
+
+class _Moment:
+    """The words of one moment."""
+
+    def __init__(self, solver: _Solver, moment: Moment) -> None:
+        self.solver, self.moment, self.plan = solver, moment, solver.plan
+        self.target = solver.target
+        self.board = Board(solver.gates, moment.everything, solver.vectors(moment.before))
+        after = solver.vectors(moment.after)
+        self.wanted = {name: v for name, v in after.items() if v != self.board.values[name]}
+        self.found: list[Item] = []
+        self.sampled = False
+        """Whether the scratch register holds -PIX in every pixel."""
+
+    def items(self) -> list[Item]:
+        """What runs at this boundary."""
+        self._compare()
+        moment = self.moment
+        falls = [(v, self._fall(b)) for b, v in enumerate(moment.falls)]
+        rises = [(v, self._rise(b)) for b, v in enumerate(moment.rises)]
+        asked = [*falls, (moment.resets, RESET), *rises]
+        while asked:
+            v, words = asked.pop(0)
+            if not v:
+                continue
+            if words is RESET and self.target.reset_honours_flag == "no":
+                self.found += RESET
+                self.sampled = False
+                continue
+            self._load(v, [each for each, _ in asked if each not in (0, moment.everything)])
+            if words is RESET:
+                self.sampled = False
+            elif self.sampled and words[0] == self._sample():
+                words = words[1:]
+            elif v != moment.everything:
+                self.sampled = False
+            self.found += words
+        update(self.board, self.wanted)
+        self.found += self.board.taken()
+        return self.found
+
+    def _sample(self) -> Op:
+        return op("bus", (self.plan.scratch,), ("PIX",))
+
+    def _fall(self, bucket: int) -> tuple[Op, ...]:
+        """register += PIX - reference, or := where it is empty."""
+        register, scratch = self.plan.bucket_registers[bucket], self.plan.scratch
+        first = self._sample()
+        if not self.moment.copies[bucket]:
+            first = op("bus", (scratch,), (register, "PIX"))
+        return first, op("bus", (register,), (scratch, self.plan.reference))
+
+    def _rise(self, bucket: int) -> tuple[Op, ...]:
+        """register -= PIX - reference."""
+        register, scratch = self.plan.bucket_registers[bucket], self.plan.scratch
+        first = op("bus", (scratch,), (register, self.plan.reference))
+        return first, op("bus", (register,), (scratch, "PIX"))
+
+    def _compare(self) -> None:
+        """Brings the outcome of every comparison into a register, that of the last one into FLAG."""
+        moment = self.moment
+        order = sorted(range(len(moment.comparisons)), key=lambda c: -moment.comparisons[c].signal)
+        signal: int | None = None
+        for position, number in enumerate(order):
+            comparison = moment.comparisons[number]
+            if comparison.signal != signal:
+                signal = comparison.signal
+                self._take_signal(comparison)
+            elif self.target.where_obeys_flag:
+                self.found.append(op("all"))
+            self.found.append(SetIn(comparison.level))
+            self.found.append(op("where", (), (self.plan.scratch, self.plan.reference, "IN")))
+            self.board.values[FLAG] = moment.below(number)
+            if position + 1 < len(order):
+                self.board.keep(FLAG)
+                self.found += self.board.taken()
+                del self.board.values[FLAG]
+
+    def _take_signal(self, comparison: Comparison) -> None:
+        """Brings -signal - reference into the scratch register of every pixel."""
+        self.found.append(op("all"))
+        if comparison.signal == LIGHT:
+            self.found.append(self._sample())
+            self.sampled = True
+            return
+        moment, scratch, bucket = self.moment, self.plan.scratch, comparison.signal
+        register = self.plan.bucket_registers[bucket]
+        opens = self.plan.machine.opens[moment.before, bucket, moment.boundary - 1]
+        running = op("bus", (scratch,), (register, "PIX"))
+        self.sampled = False
+        if opens.all():
+            self.found.append(running)
+            return
+        self.found.append(op("bus", (scratch,), (register, self.plan.reference)))
+        if opens.any():
+            made = self.board.load(vector(np.flatnonzero(opens)))
+            if made is None:
+                raise GaveUp("no gates tell which shutters are open")
+            self.found += made.gates
+            self.found.append(running)
+            if self.target.where_obeys_flag:
+                self.found.append(op("all"))
+
+    def _load(self, v: int, later: Sequence[int]) -> None:
+        """Brings a vector into FLAG, and loses nothing that is still needed."""
+        board = self.board
+        if v == self.moment.everything:
+            if board.values.get(FLAG) != v:
+                self._save_flag(later, ())
+                self.found += [*board.taken(), op("all")]
+                board.values[FLAG] = v
+            return
+        for name, new in self.wanted.items():
+            # A register that holds nothing yet takes its new value at once, and FLAG reads it there.
+            if new == v and not board.values[name]:
+                made = board.make(v, name)
+                if made is not None:
+                    board.take(made, (name, v))
+        made = board.load(v)
+        if made is not None and made.gates:
+            self._save_flag(later, made.scratch)
+            made = board.load(v)
+        if made is None:
+            raise GaveUp("the registers do not tell the lanes of a look apart")
+        board.take(made, (FLAG, v))
+        self.found += board.taken()
+
+    def _save_flag(self, later: Sequence[int], more: Sequence[tuple[str, int]]) -> None:
+        """Copies FLAG into scratch if what comes later cannot be told without it."""
+        board = self.board
+        if FLAG not in board.values:
+            return
+        without = board.copy()
+        del without.values[FLAG]
+        without.values.update(more)
+        if not without.tells([*later, *self.wanted.values()]):
+            board.keep(FLAG)

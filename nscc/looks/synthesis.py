@@ -1,0 +1,208 @@
+"""Gates at one boundary: predicates into FLAG, new values into the registers of states.
+
+Everything is a truth vector over the boundary's lanes. What is wanted is an OR of NORs of what
+stands in registers (`nscc.logic.cover`), or the complement of one; where values as they stand do
+not tell lanes apart, complements are made in scratch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import permutations
+
+from nscc.logic.cover import Cover, Covers
+from nscc.logic.cubes import Budget
+from nscc.logic.gates import Gates
+from nscc.logic.problem import Gate, GaveUp, Machine
+
+FLAG = "FLAG"
+_STEPS = 4_000_000
+_MOST_CUBES = 24
+_MOST_ORDERED = 5
+"""So many registers are tried in every order in which their new values may be written."""
+
+
+@dataclass(frozen=True)
+class Made:
+    """Gates that bring a vector into a register, and what they leave in scratch."""
+
+    gates: tuple[Gate, ...]
+    scratch: tuple[tuple[str, int], ...]
+
+    @property
+    def words(self) -> int:
+        """Words of the gates."""
+        return sum(gate.words for gate in self.gates)
+
+
+@dataclass
+class Board:
+    """The registers of a pixel at a boundary, while gates are chosen.
+
+    `values` are what registers hold, by name; FLAG is among them where it is known, and scratch
+    (t0, t1, ..) while it holds something. `gates` are those chosen so far.
+    """
+
+    machine: Machine
+    everything: int
+    values: dict[str, int]
+    gates: list[Gate] = field(default_factory=list)
+
+    def copy(self) -> Board:
+        """A board to try something on."""
+        return replace(self, values=dict(self.values), gates=list(self.gates))
+
+    def fresh(self, taken: Collection[str] = ()) -> str:
+        """A scratch register that holds nothing and is not among those `taken`."""
+        number = 0
+        while f"t{number}" in self.values or f"t{number}" in taken:
+            number += 1
+        return f"t{number}"
+
+    def keep(self, name: str) -> None:
+        """Copies a register, or FLAG, into scratch."""
+        scratch = self.fresh()
+        self.gates.append(Gate("MOV", scratch, (name,)))
+        self.values[scratch] = self.values[name]
+
+    def take(self, made: Made, *changes: tuple[str, int]) -> None:
+        """Runs gates: scratch and `changes` have new values."""
+        self.gates += made.gates
+        self.values.update((*made.scratch, *changes))
+
+    def taken(self) -> tuple[Gate, ...]:
+        """The gates since the last call."""
+        found = tuple(self.gates)
+        self.gates.clear()
+        return found
+
+    def tells(self, wanted: Iterable[int]) -> bool:
+        """Whether what stands in registers tells the lanes of each vector from the others."""
+        parts = [self.everything]
+        for v in self.values.values():
+            parts = [p for part in parts for p in (part & v, part & ~v) if p]
+        return all(not part & each or not part & ~each for each in wanted for part in parts)
+
+    def make(self, wanted: int, destination: str) -> Made | None:
+        """The fewest words found that leave `wanted` in a register, whatever it held."""
+        found = self._ways(wanted, destination)
+        return min(found, key=lambda made: (made.words, len(made.scratch)), default=None)
+
+    def load(self, wanted: int) -> Made | None:
+        """The fewest words found that bring `wanted` into FLAG."""
+        if self.values.get(FLAG) == wanted:
+            return Made((), ())
+        name = self.fresh()
+        found = [self._through(made, name, wanted) for made in self._ways(wanted, name)]
+        return min(found, key=lambda made: (made.words, len(made.scratch)), default=None)
+
+    def _through(self, made: Made, name: str, wanted: int) -> Made:
+        """`made`, which leaves `wanted` in the register `name`, with the WHERE that reads it; WHERE
+        takes the place of an OR if it may read what that reads."""
+        last, limit = made.gates[-1], self.machine.where_sources
+        reads = set(last.sources)
+        if (
+            last.name in ("OR", "MOV")
+            and last.destination not in reads
+            and (FLAG not in reads or self.machine.where_reads_flag)
+            and (limit is None or len(reads) <= limit)
+        ):
+            return Made((*made.gates[:-1], Gate("WHERE", FLAG, last.sources)), made.scratch)
+        return Made((*made.gates, Gate("WHERE", FLAG, (name,))), (*made.scratch, (name, wanted)))
+
+    def _ways(self, wanted: int, destination: str) -> Iterator[Made]:
+        """Several ways to make a vector, by a cover of it and of its complement."""
+        for complements in (False, True):
+            names = list(self.values)
+            values = [self.values[name] for name in names]
+            if complements:
+                names += [f"~{name}" for name in names]
+                values += [self.everything & ~v for v in values]
+            for inverted in (False, True):
+                target = self.everything & ~wanted if inverted else wanted
+                covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))
+                try:
+                    cover = covers.find(values, [True] * len(values), [target], _MOST_CUBES)
+                except GaveUp:
+                    continue
+                if cover is not None:
+                    yield self._emitted(cover, names, values, destination, inverted)
+
+    def _emitted(
+        self,
+        cover: Cover,
+        names: Sequence[str],
+        values: Sequence[int],
+        destination: str,
+        inverted: bool,
+    ) -> Made:
+        gates = Gates(self.machine)
+        made: dict[str, int] = {}
+        complements: dict[int, str] = {}
+
+        def scratch(vector: int) -> str:
+            name = self.fresh((*made, destination))
+            made[name] = vector
+            return name
+
+        def source(index: int) -> str:
+            if not names[index].startswith("~"):
+                return names[index]
+            if index not in complements:
+                complements[index] = scratch(values[index])
+                gates.nor(complements[index], [names[index][1:]])
+            return complements[index]
+
+        positive = [source(i) for i in cover.positive]
+        cubes = [[source(i) for i in cube.sources] for cube in cover.cubes]
+        if len(cubes) == 1 and not positive:
+            # An OR of one NOR is a NOR, and its complement is an OR: one gate.
+            (gates.or_ if inverted else gates.nor)(destination, cubes[0])
+            return Made(gates.take(), tuple(made.items()))
+        for cube, found in zip(cubes, cover.cubes, strict=True):
+            name = scratch(found.vector)
+            gates.nor(name, cube)
+            positive.append(name)
+        (gates.nor if inverted else gates.or_)(destination, positive)
+        return Made(gates.take(), tuple(made.items()))
+
+
+def update(board: Board, wanted: dict[str, int]) -> None:
+    """Gives registers new values, all at once: no new value is read as if it were the old one.
+
+    Raises GaveUp where the registers do not tell lanes apart that are to differ.
+    """
+    left = {name: v for name, v in wanted.items() if board.values[name] != v}
+    orders: Iterable[Sequence[str]] = [tuple(left)]
+    if len(left) <= _MOST_ORDERED:
+        orders = permutations(left)
+    best: tuple[int, Board] | None = None
+    for order in orders:
+        tried = board.copy()
+        if not _in_order(tried, left, order):
+            continue
+        words = sum(gate.words for gate in tried.gates)
+        if best is None or words < best[0]:
+            best = words, tried
+    if best is None:
+        raise GaveUp("the registers do not tell the lanes of a look apart")
+    board.values, board.gates = best[1].values, best[1].gates
+
+
+def _in_order(board: Board, wanted: dict[str, int], order: Sequence[str]) -> bool:
+    """New values, written in that order; False where one cannot be had."""
+    for position, name in enumerate(order):
+        made = board.make(wanted[name], name)
+        if made is None:
+            return False
+        later = [wanted[other] for other in order[position + 1 :]]
+        after = board.copy()
+        after.take(made, (name, wanted[name]))
+        if not after.tells(later):
+            board.keep(name)
+            made = board.make(wanted[name], name)
+            if made is None:
+                return False
+        board.take(made, (name, wanted[name]))
+    return True

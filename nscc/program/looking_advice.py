@@ -1,0 +1,84 @@
+"""What a target or a readout does not allow of a program that looks, and what is worth saying."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.program.names import Declarations
+from nscc.program.problems import Problems
+from nscc.syntax import tree
+from nscc.target.target import Target
+from nscc.words.machine import Machine
+
+
+def judge_looking(
+    declared: Declarations,
+    machine: Machine,
+    missing: tuple[str, ...] | None,
+    target: Target,
+    problems: Problems,
+) -> None:
+    """Reports a readout that does not tell how long pixels were open (NS0324), a reset that the
+    target does not have (NS0415), rules that never open (NS0350), and names that nothing reads
+    (NS0355).
+
+    `missing` as of `nscc.program.open_time.with_open_times`.
+    """
+    if missing is not None:
+        rule = declared.rules[0]
+        names = ", ".join(missing)
+        helps = (f"`read {names}` tells it",) if missing else (
+            "remember in a state when the shutter closed, and read it: `state closed_at : 0..3 = 0`",
+        )  # fmt: skip
+        problems.error(
+            "NS0324", "the readout does not tell how long a pixel was open", rule.span,
+            "pixels of one code are open for different times", helps=helps,
+            data={"missing": list(missing)},
+        )  # fmt: skip
+    if declared.reset is not None and target.reset_honours_flag != "yes":
+        _judge_resets(declared.reset, machine, target, problems)
+    for k, rule in enumerate(declared.rules):
+        if not machine.opens[:, k].any():
+            who = (
+                f"the bucket `{rule.name.text}`" if isinstance(rule, tree.Bucket) else "the shutter"
+            )
+            problems.warning("NS0350", f"{who} never opens", rule.rule.span, "false in every slot")
+    for name, state in declared.states.items():
+        if name not in declared.nexts:
+            text = "no `next` changes it"
+            problems.note("NS0355", f"`{name}` keeps its start", state.name.span, text)
+
+
+def _judge_resets(
+    statement: tree.Reset, machine: Machine, target: Target, problems: Problems
+) -> None:
+    """Where the reset is global, all pixels that can be at a boundary must agree on it."""
+    for stage in range(machine.stages):
+        slots = slice(machine.starts(stage), machine.ends(stage))
+        here = machine.resets[machine.nodes(stage), slots]
+        differ = (here != here[:1]).any(axis=0)
+        if differ.any():
+            boundary = slots.start + int(differ.argmax())
+            problems.error(
+                "NS0415", f"{target.name} resets all pixels at once", statement.condition.span,
+                f"at n = {boundary} only some pixels are to be reset",
+                notes=("its reset of the photodiode does not honour FLAG",),
+                helps=(
+                    "reset at boundaries that depend on `n` alone, or use a target whose reset is "
+                    "per pixel: `target scamp5-algorithm1`",
+                ),
+                data={"boundary": boundary},
+            )  # fmt: skip
+            return
+
+
+def shutters_in_the_dark(machine: Machine) -> NDArray[np.bool_]:
+    """The shutters (behaviours, buckets, N) of pixels whose signals are never above a level."""
+    nodes = machine.start_nodes()
+    found = machine.opens[nodes].copy()
+    for stage in range(1, machine.stages):
+        nodes = machine.steps[nodes, 0]
+        slots = slice(machine.starts(stage), machine.ends(stage))
+        found[:, :, slots] = machine.opens[nodes][:, :, slots]
+    return found

@@ -1,0 +1,197 @@
+"""A machine in a container's file: what its header says, and its arrays; and whether it is sound."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.machine import LIGHT, Comparison, Machine, State, StatePlanes
+
+if TYPE_CHECKING:
+    from nscc.words.container import Container
+
+_STATE = ("name", "low", "high", "start", "kept", "read", "boolean", "sense")
+NO_LEVEL = -(2**31)
+"""Stands for None among the levels of launches."""
+_LARGEST = 2**62
+
+
+def header_of(machine: Machine, planes: Mapping[str, StatePlanes]) -> dict[str, Any]:
+    """What the header says of a machine: JSON values."""
+    return {
+        "states": [[getattr(state, name) for name in _STATE] for state in machine.states],
+        "comparisons": [[c.boundary, c.signal, c.level] for c in machine.comparisons],
+        "first": machine.first.tolist(),
+        "looks": list(machine.looks),
+        "outcomes": machine.steps.shape[1],
+        "planes": [
+            [name, list(each.registers), list(each.values), each.bits.astype(int).tolist()]
+            for name, each in planes.items()
+        ],
+    }
+
+
+def layout_of(
+    header: Mapping[str, Any], buckets: int, slots: int
+) -> list[tuple[str, str, tuple[int, ...]]]:
+    """The machine's arrays in their order: name, type and shape; "?" is packed."""
+    nodes, states = header["first"][-1], len(header["states"])
+    return [
+        ("behaviour", "<i4", (nodes,)),
+        ("values", "<i8", (nodes, states)),
+        ("opens", "?", (nodes, buckets, slots)),
+        ("resets", "?", (nodes, slots)),
+        ("steps", "<i4", (nodes, header["outcomes"])),
+        ("open_slots", "<i4", (nodes, buckets)),
+        ("open_us", "<f8", (nodes, buckets)),
+    ]
+
+
+def check_header(header: Any) -> None:
+    """Check the shape of a machine's header; ValueError where it is none."""
+    whole = isinstance(header, dict) and header.keys() == {
+        "states", "comparisons", "first", "looks", "outcomes", "planes",
+    }  # fmt: skip
+    if not whole or not all(isinstance(header[k], list) for k in header if k != "outcomes"):
+        raise ValueError("the header's machine is malformed")
+    kinds = (str, int, int, int, bool, bool, bool, bool)
+    sound = all(_typed(state, kinds) for state in header["states"])
+    sound &= all(_typed(each, (int, int, int)) for each in header["comparisons"])
+    numbers = [*header["first"], *header["looks"], header["outcomes"]]
+    sound &= all(_is_count(each) for each in numbers) and bool(header["first"])
+    for plane in header["planes"]:
+        sound &= _typed(plane, (str, list, list, list))
+        sound &= sound and all(isinstance(r, str) for r in plane[1])
+        sound &= sound and all(_is_whole(v) for v in plane[2])
+        sound &= sound and all(
+            isinstance(row, list) and len(row) == len(plane[1]) and {*row} <= {0, 1}
+            for row in plane[3]
+        )
+        sound &= sound and len(plane[2]) == len(plane[3]) > 0
+    if not sound:
+        raise ValueError("the header's machine is malformed")
+
+
+def _typed(values: Any, kinds: tuple[type, ...]) -> bool:
+    return (
+        isinstance(values, list)
+        and len(values) == len(kinds)
+        and all(
+            type(v) is kind and (kind is not int or _is_whole(v))
+            for v, kind in zip(values, kinds, strict=True)
+        )
+    )
+
+
+def _is_whole(value: Any) -> bool:
+    return type(value) is int and abs(value) < _LARGEST
+
+
+def _is_count(value: Any) -> bool:
+    return type(value) is int and 0 <= value < 2**31
+
+
+def machine_from(
+    header: Mapping[str, Any], arrays: Mapping[str, NDArray[Any]]
+) -> tuple[Machine, dict[str, StatePlanes]]:
+    """The machine and the planes of its states, of a checked header and its arrays."""
+    machine = Machine(
+        states=tuple(State(*state) for state in header["states"]),
+        comparisons=tuple(Comparison(*each) for each in header["comparisons"]),
+        looks=tuple(header["looks"]),
+        first=np.array(header["first"], np.int32),
+        **{name: arrays[name] for name, _, _ in layout_of(header, 0, 0)},
+    )
+    planes = {
+        name: StatePlanes(
+            tuple(registers),
+            tuple(values),
+            np.array(bits, np.bool_).reshape(len(values), len(registers)),
+        )
+        for name, registers, values, bits in header["planes"]
+    }
+    return machine, planes
+
+
+def faults(container: Container) -> Iterator[str]:
+    """What is wrong with a container's machine, each as part of a sentence."""
+    machine = container.machine
+    if machine is None:
+        if any(launch.level is not None for launch in container.launches):
+            yield "a launch sets IN, and nothing is compared with it"
+        return
+    target, nodes = container.target, int(machine.first[-1])
+    buckets, slots = len(container.buckets), container.slots
+    rising = bool((np.diff(machine.first) > 0).all()) and machine.first[0] == 0
+    if not rising or len(machine.looks) != len(machine.first) - 2:
+        yield "the stages of its machine are out of order"
+        return
+    if list(machine.looks) != sorted({*machine.looks}) or not all(
+        1 <= n <= slots for n in machine.looks
+    ):
+        yield "the looks of its machine are out of order"
+    for name, dtype, shape in layout_of(
+        {"first": [nodes], "states": machine.states, "outcomes": machine.steps.shape[-1]},
+        buckets, slots,
+    ):  # fmt: skip
+        array = getattr(machine, name)
+        if array.shape != shape or array.dtype != np.dtype(dtype):
+            yield f"its machine has {name} of {array.dtype} {array.shape}"
+            return
+    yield from _step_faults(machine)
+    for comparison in machine.comparisons:
+        if comparison.boundary not in machine.looks:
+            yield f"a comparison at boundary {comparison.boundary}, which is no look"
+        if not (LIGHT <= comparison.signal < buckets):
+            yield f"a comparison of signal {comparison.signal}"
+        if not target.in_low <= comparison.level <= target.in_high:
+            yield f"a comparison with {comparison.level} steps of IN"
+    behaviours = len(container.encoding)
+    if not np.array_equal(np.unique(machine.behaviour), np.arange(behaviours)):
+        yield "its machine has other behaviours than its encoding"
+    yield from _state_faults(container, machine)
+    for launch in container.launches:
+        if launch.level is not None and not target.in_low <= launch.level <= target.in_high:
+            yield f"a launch sets IN to {launch.level} steps"
+
+
+def _step_faults(machine: Machine) -> Iterator[str]:
+    for stage in range(machine.stages):
+        span = machine.nodes(stage)
+        steps = machine.steps[span]
+        if stage == machine.stages - 1:
+            if (steps != -1).any():
+                yield "a node of its machine's last stage leads somewhere"
+            continue
+        outcomes = 1 << len(machine.at(machine.looks[stage]))
+        after = machine.nodes(stage + 1)
+        inside = steps[:, :outcomes]
+        if outcomes > steps.shape[1] or (steps[:, outcomes:] != -1).any():
+            yield "its machine has other outcomes than comparisons"
+        elif ((inside < after.start) | (inside >= after.stop)).any():
+            yield "a node of its machine leads out of the next stage"
+        elif (machine.behaviour[inside] != machine.behaviour[span][:, None]).any():
+            yield "a node of its machine leads to another behaviour"
+
+
+def _state_faults(container: Container, machine: Machine) -> Iterator[str]:
+    names = [state.name for state in machine.states]
+    if len({*names}) != len(names):
+        yield "two states of its machine have one name"
+    for k, state in enumerate(machine.states):
+        values = machine.values[:, k]
+        if not state.low <= state.start <= state.high or (
+            values.size and not (state.low <= values.min() and values.max() <= state.high)
+        ):
+            yield f"the state {state.name[:40]!a} leaves its range"
+        if (state.read or state.kept) != (state.name in container.state_planes):
+            yield f"the state {state.name[:40]!a} has planes, or lacks them"
+    registers = container.target.digital_registers
+    for name, planes in container.state_planes.items():
+        if name not in names or not {*planes.registers} <= {*registers}:
+            yield f"the planes of {name[:40]!a} are those of nothing"
+    if len(machine.start_nodes()) != len(container.encoding):
+        yield "a behaviour of its machine has no start"

@@ -1,0 +1,44 @@
+"""The noise of a comparison."""
+
+from __future__ import annotations
+
+from nscc_runtime.effects.comparator import NO_LOOK, ONLY_LOOKS
+from nscc_runtime.effects.effect import CannotHave, Effect
+from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.full_well import FULL
+from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.views import Pixels, Word
+
+SIGMA = parameter(
+    "comparator_noise_fraction", "comparator", 0.02, "1", 0, 1,
+    "standard deviation of one comparison, in full wells", place=1,
+)  # fmt: skip
+
+
+def _seen(pixels: Pixels, total: Values, word: Word) -> Values:
+    size_e = SIGMA(pixels.sensor) * FULL(pixels.sensor)
+    return total + size_e * pixels.error("comparator_noise", word)
+
+
+def _field(sample: Sampled) -> Field:
+    """nothing in programs without looks, which alone have plans"""
+    return Field()
+
+
+COMPARATOR_NOISE = Effect(
+    name="comparator_noise",
+    stream=18,
+    kind="random",
+    title="noise of the comparators",
+    model="Each `where` compares the sum of its sources and s F z with 0: F the full well, z a "
+    "standard normal number of its own for each pixel and word.",
+    cost="one normal number a comparison, in the reference",
+    applied="to every `where`",
+    absent=NO_LOOK,
+    parameters=(SIGMA, FULL),
+    reference={"compare": _seen},
+    field=_field,
+    sums=CannotHave(ONLY_LOOKS),
+    fused=CannotHave(ONLY_LOOKS),
+    words=CannotHave(ONLY_LOOKS),
+)

@@ -1,0 +1,387 @@
+"""Programs that look, word by word: every pixel has its own bits, because they hang on its light.
+
+As `nscc_runtime.reference.capture`, slot by slot in float64 with the effects that are on; `where`
+compares what pixels hold, IN is what a launch sets, and what a word does in a pixel is decided by
+the FLAG that the pixel has at that moment. Random numbers are keyed by the word, not by the sum of
+words: no plan has to meet them. A frame starts with arbitrary bits in registers that carry neither
+code nor a kept state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.operations import Effect, Op, Phase
+from nscc.words.container import Container
+from nscc.words.cost import word_us
+from nscc.words.legality import decoded
+from nscc.words.machine import Machine
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.parts import Errors
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Pixels, Scene, Word
+from nscc_runtime.emulator.capture import check
+from nscc_runtime.frame_file import Frame, converted
+from nscc_runtime.interface import Exposure
+from nscc_runtime.light import Light
+from nscc_runtime.noise import key, normals, uniforms
+from nscc_runtime.reference.capture import START, most_destinations, scene_of
+from nscc_runtime.reference.charge import Groups, charge_of_rows
+from nscc_runtime.reference.weights import error_sign
+
+Values = NDArray[np.float64]
+Bits = NDArray[np.bool_]
+
+_CELLS = 1 << 21
+"""Most slots x pixels of a chunk of rows."""
+_FIRST_BIT = 256
+"""The group of the first digital register among the streams of START; analog ones stand before."""
+
+
+@dataclass(frozen=True, eq=False)
+class Executed:
+    """One frame: the exposure, and the digital registers that are read or kept, as planes."""
+
+    exposure: Exposure
+    planes: Mapping[str, Bits]
+
+
+@dataclass(frozen=True)
+class Running:
+    """An analog word as it runs: `number` counts those of a frame."""
+
+    number: int
+    after_us: float
+    op: Op
+
+
+@dataclass(frozen=True, eq=False)
+class LookingReference:
+    """A container with a machine, made ready. Raises Rejected for words that cannot run."""
+
+    container: Container
+    sensor: Sensor
+    effects: Selection
+    kernels: tuple[tuple[Op, ...], ...] = field(init=False)
+
+    def __post_init__(self) -> None:
+        if self.container.pixel_codes is None or self.container.machine is None:
+            raise ValueError("a container without pixels or without a machine")
+        object.__setattr__(self, "kernels", decoded(self.container))
+
+    def expose(
+        self,
+        scene: Scene,
+        seed: int,
+        device_seed: int,
+        frame: int,
+        before: Mapping[str, Bits] | None = None,
+    ) -> Executed:
+        """Frame number `frame`; `before` are the planes that the last one left, None at first."""
+        container = self.container
+        rows, cols = scene.light.shape
+        loaded = container.planes()
+        kept = {r for name in self._kept() for r in container.state_planes[name].registers}
+        if before is not None:
+            loaded |= {name: plane for name, plane in before.items() if name in kept}
+        told = {r for planes in container.state_planes.values() for r in planes.registers}
+        exposure = np.empty((len(container.buckets), rows, cols))
+        valid = np.empty((rows, cols), np.bool_)
+        planes = {name: np.empty((rows, cols), np.bool_) for name in sorted(told)}
+        # Nothing is summed over groups of slots: all slots are one.
+        lane = np.zeros((rows, cols), np.intp)
+        groups = Groups(np.zeros((1, container.slots), np.int64), lane)
+        step = max(1, _CELLS // (container.slots * cols))
+        for begin in range(0, rows, step):
+            part = range(begin, min(begin + step, rows))
+            charge, good = charge_of_rows(
+                scene, groups, self.sensor, self.effects, (seed, device_seed), frame, part
+            )
+            chunk = slice(part.start, part.stop)
+            places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
+            pixels = _LookingPixels(
+                sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
+                program=self, code={n: p[chunk].reshape(-1) for n, p in loaded.items()},
+            )  # fmt: skip
+            found = pixels.run(charge.reshape(container.slots, -1))
+            exposure[:, chunk] = found.reshape(-1, len(part), cols)
+            valid[chunk] = good
+            for name, plane in planes.items():
+                plane[chunk] = pixels.bits[name].reshape(len(part), cols)
+        return Executed(Exposure(exposure, np.isfinite(exposure) & valid), planes)
+
+    def _kept(self) -> list[str]:
+        machine = self.container.machine
+        assert machine is not None
+        return [state.name for state in machine.states if state.kept]
+
+
+def looking_frames(
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    effects: Selection,
+    *,
+    seed: int = 0,
+    device_seed: int = 0,
+    count: int = 1,
+    previous: Light | None = None,
+) -> Iterator[Frame]:
+    """Frames 0 .. `count` - 1 of `light`, one after the other: kept states go on from frame to
+    frame. What can be refused is refused before the first one."""
+    check(container, light)
+    reference = LookingReference(container, sensor, effects)
+    scene = scene_of(container, light, previous)
+    return _frames(reference, scene, (seed, device_seed), count)
+
+
+def _frames(
+    reference: LookingReference, scene: Scene, seeds: tuple[int, int], count: int
+) -> Iterator[Frame]:
+    container, planes = reference.container, None
+    for number in range(count):
+        executed = reference.expose(scene, *seeds, number, planes)
+        planes = executed.planes
+        told = told_by(container, planes, scene.light.shape)
+        yield converted(
+            executed.exposure, container.target, reference.sensor, reference.effects, seeds, number,
+            told,
+        )  # fmt: skip
+
+
+def told_by(
+    container: Container, planes: Mapping[str, Bits], shape: tuple[int, int]
+) -> dict[str, NDArray[np.int64]]:
+    """What a frame file says beside the exposure: `states_NAME` (rows, cols) of the states that are
+    read, `open_slots` (buckets, rows, cols)."""
+    machine = container.machine
+    assert machine is not None
+    assert container.pixel_codes is not None
+    found = {
+        state.name: container.state_planes[state.name].read(planes, shape)
+        for state in machine.states
+        if state.read
+    }
+    behaviour = container.table.shutter_of_code[container.pixel_codes]
+    slots, _ = open_times(machine, behaviour, found)
+    return {**{f"states_{name}": each for name, each in found.items()}, "open_slots": slots}
+
+
+def open_times(
+    machine: Machine, behaviour: NDArray[np.int32], states: Mapping[str, NDArray[np.int64]]
+) -> tuple[NDArray[np.int64], Values]:
+    """How many slots each bucket of a pixel was open, and for how many microseconds, (buckets,
+    rows, cols), from its behaviour and the states that were read; -1 where no pixel ends so."""
+    last = machine.nodes(machine.stages - 1)
+    read = [k for k, state in enumerate(machine.states) if state.read]
+    ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
+    known, first = np.unique(ends, axis=0, return_index=True)
+    numbers = {tuple(row): place for row, place in zip(known.tolist(), first.tolist(), strict=True)}
+    pixels = np.stack([behaviour, *(states[machine.states[k].name] for k in read)], axis=-1)
+    distinct, inverse = np.unique(pixels.reshape(-1, pixels.shape[-1]), axis=0, return_inverse=True)
+    rows = np.array([numbers.get(tuple(row), -1) for row in distinct.tolist()], np.intp)
+    buckets = machine.opens.shape[1]
+    slots = np.full((len(distinct), buckets), -1, np.int64)
+    us = np.full((len(distinct), buckets), -1.0)
+    there = rows >= 0
+    slots[there] = machine.open_slots[last][rows[there]]
+    us[there] = machine.open_us[last][rows[there]]
+    shape = (buckets, *behaviour.shape)
+    return slots[inverse.reshape(-1)].T.reshape(shape), us[inverse.reshape(-1)].T.reshape(shape)
+
+
+@dataclass(eq=False, kw_only=True)
+class _LookingPixels(Pixels):
+    """Some pixels while the words of one frame run. All arrays are (pixels,)."""
+
+    program: LookingReference
+    code: Mapping[str, Bits]
+
+    def __post_init__(self) -> None:
+        self.at = self.program.effects.at
+        self.container, target = self.program.container, self.program.container.target
+        self.target = target
+        self.most = most_destinations(target)
+        self.errors_at = {e.name: p.at for e, p in self.program.effects.having(Errors)}
+        names = ("PIX", *target.analog_registers)
+        start = {
+            name: uniforms(key(self.device_seed, START, group=i), self.places)
+            for i, name in enumerate(names)
+        }
+        self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
+        self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
+        self.reset_e = np.zeros(len(self.places))
+        bits = (*target.digital_registers, "FLAG")
+        self.bits = {
+            name: uniforms(key(self.device_seed, START, group=_FIRST_BIT + i), self.places) < 0.5
+            for i, name in enumerate(bits)
+        }
+        nothing = np.zeros(len(self.places), np.bool_)
+        self.bits |= {"SELECT": nothing, "bus": nothing, **self.code}
+        self.written_us = dict.fromkeys(self.bits, 0.0)
+        self.retention_us = min([r(self.sensor) for r in self.at("digital")], default=inf)
+        self.now_us, self.after_us, self.in_e, self.number = 0.0, 0.0, 0.0, 0
+
+    def error(self, name: str, word: Word, destination: int = 0) -> Values:
+        number = word.number
+        if self.errors_at.get(name) == "words":
+            number = number * self.most + destination
+        return self.draw(name, number)
+
+    def draw(self, name: str, number: int) -> Values:
+        effect = next(each for each in self.program.effects.effects if each.name == name)
+        return normals(key(self.seed, effect.stream, 1, self.frame, number), self.places)
+
+    def run(self, charge: Values) -> Values:
+        """The exposures (buckets, pixels) of a frame of `charge` (N, pixels)."""
+        slots, target = self.container.slots, self.target
+        launches = iter(self.container.launches)
+        launch = next(launches, None)
+        for n in range(slots + 1):
+            slot = min(n, slots - 1)
+            self.fallen, self.after_us = 0.0, 0.0
+            while launch is not None and launch.instant == n:
+                if launch.level is not None:
+                    self.in_e = launch.level * target.electrons_per_step
+                self.after_us += target.launch_us
+                for op in self.program.kernels[launch.kernel]:
+                    self.after_us += word_us(op, target)
+                    if op.analog:
+                        self._until(op, charge[slot], self.container.slot_us[slot], n == slots)
+                    self._run(op)
+                launch = next(launches, None)
+            if n < slots:
+                self._fall(charge[n] * (1.0 - self.fallen) if self.fallen else charge[n])
+                for held in self.at("hold"):
+                    kept = held(self, self.container.slot_us[n] * 1e-6)
+                    self.register = {name: v * kept for name, v in self.register.items()}
+                self.now_us += self.container.slot_us[n]
+        return self._read_out()
+
+    def _until(self, op: Op, charge: Values, slot_us: float, at_end: bool) -> None:
+        """The light that falls while words run, up to the end of this one."""
+        for ends_us in self.at("time"):
+            now = ends_us(Running(self.number, self.after_us, op)) / slot_us
+            now = now if at_end else min(now, 1.0)
+            self._fall(charge * (now - self.fallen))
+            self.fallen = now
+
+    def _fall(self, charge: Values) -> None:
+        self.charge = self.charge + charge
+        for held in self.at("well"):
+            self.charge = held(self, self.charge)
+
+    def _run(self, op: Op) -> None:
+        match op.operation.effect:
+            case Effect.NONE:
+                pass
+            case Effect.RESET_PIX:
+                self._reset(op)
+            case Effect.BUS:
+                self._bus(op)
+            case Effect.FLAG_ALL:
+                self._write("FLAG", np.ones(len(self.places), np.bool_))
+            case Effect.FLAG_ANALOG:
+                self._compare(op)
+            case Effect.FLAG_DIGITAL:
+                self._write("FLAG", self._some(op))
+            case Effect.DIGITAL:
+                self._digital(op)
+
+    def _running(self, op: Op) -> Running:
+        self.number += 1
+        return Running(self.number - 1, self.after_us, op)
+
+    def _reset(self, op: Op) -> None:
+        word = self._running(op)
+        here = np.ones(len(self.places), np.bool_)
+        if self.target.reset_honours_flag != "no":
+            here = self._read("FLAG")
+        self.charge = np.where(here, 0.0, self.charge)
+        level = np.zeros(len(self.places))
+        for left in self.at("resets"):
+            level = left(self, level, word)
+        self.reset_e = np.where(here, level, self.reset_e)
+
+    def _total(self, word: Running) -> Values:
+        total = np.zeros(len(self.places))
+        for name in word.op.sources:
+            if name == "IN":
+                total = total + self.in_e
+            elif name == "PIX":
+                level = self.charge + self.reset_e
+                for found in self.at("reads"):
+                    level = found(self, level, word)
+                total = total + level
+            else:
+                total = total + self.register[name]
+        return total
+
+    def _bus(self, op: Op) -> None:
+        word = self._running(op)
+        here = self._read("FLAG")
+        result = self._total(word) / -op.operation.divisor
+        for index, name in enumerate(op.destinations):
+            value = result
+            for written in self.at("words"):
+                value = written(self, value, word, index, error_sign(name, self.container))
+            for held in self.at("registers"):
+                value = held(self, value)
+            self.register[name] = np.where(here, value, self.register[name])
+
+    def _compare(self, op: Op) -> None:
+        word = self._running(op)
+        total = self._total(word)
+        for seen in self.at("compare"):
+            total = seen(self, total, word)
+        found = total > 0
+        if self.target.where_obeys_flag:
+            found &= self._read("FLAG")
+        self._write("FLAG", found)
+
+    def _read(self, name: str) -> Bits:
+        if self.now_us - self.written_us[name] > self.retention_us:
+            return np.zeros(len(self.places), np.bool_)
+        return self.bits[name]
+
+    def _some(self, op: Op) -> Bits:
+        some = np.zeros(len(self.places), np.bool_)
+        for name in op.sources:
+            some = some | self._read(name)
+        return some
+
+    def _digital(self, op: Op) -> None:
+        row = op.operation
+        if row.phase is not Phase.WRITE:
+            self.bits["bus"] = self._some(op) ^ row.inverted
+        if row.phase is Phase.READ:
+            return
+        # What guards the masked register is the mask as it was before this word.
+        masked, mask = self.target.masked_register, self.target.mask_register
+        guard = None if mask is None else self._read(mask)
+        for name in op.destinations:
+            value = self.bits["bus"]
+            if name == masked and guard is not None:
+                value = np.where(guard, value, self._read(name))
+            self._write(name, value)
+
+    def _write(self, name: str, value: Bits) -> None:
+        self.bits[name] = value
+        self.written_us[name] = self.now_us
+
+    def _read_out(self) -> Values:
+        exposures = np.empty((len(self.container.buckets), len(self.places)))
+        for order, readout in enumerate(self.container.readouts):
+            value = self.register[readout.register] * readout.gain
+            for held in self.at("hold"):
+                value = value * held(self, order * self.target.readout_us * 1e-6)
+            bucket = self.container.buckets.index(readout.bucket)
+            for leaves in self.at("readout"):
+                value = leaves(self, value, bucket)
+            exposures[bucket] = value + 0.0  # -0 + 0 is +0
+        return exposures
