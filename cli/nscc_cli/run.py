@@ -92,7 +92,6 @@ def _run_on_emulator(
 ) -> None:
     from nscc_runtime.frame_file import meta
     from nscc_runtime.pieces import simulate_scene
-    from nscc_runtime.response import response_of
     from nscc_runtime.simulate import Listener
 
     request, out = _request(options), frame_path(program, options)
@@ -113,7 +112,7 @@ def _run_on_emulator(
     files = write_frame(
         out, options, keep, container, exposed.light, frame, about,
         f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
-        lambda: response_of(container, sensor, taken.effects), taken.plan_file,
+        lambda: exposed.response(sensor), taken.plan_file,
     )  # fmt: skip
     if taken.plan is not None:
         from nscc_runtime.plan_file import plan_table

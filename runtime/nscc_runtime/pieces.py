@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, fields, replace
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
-
-import numpy as np
-from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
-from nscc_runtime.frame_file import Frame
+from nscc_runtime.frame_file import joined, stacked
 from nscc_runtime.light import Light
 from nscc_runtime.progress import unseen
-from nscc_runtime.scenes import Laid
+from nscc_runtime.response import Response, response_of
+from nscc_runtime.scenes import Laid, Layout
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Listener, Request, Simulated, simulate
 
@@ -26,13 +24,24 @@ class Taken:
     """What became of a scene: frames of the picture's size, with those of colours on a leading
     axis; `container` has a code for every pixel of them, `light` is what the first of them saw.
 
-    `laid` belongs into the frame file's meta.
+    `laid` belongs into the frame file's meta. `program` is the chip's, `where` how it sees the
+    picture.
     """
 
     simulated: Simulated
     container: Container
     light: Light
     laid: dict[str, Any]
+    program: Container
+    where: Layout
+
+    def response(self, sensor: Sensor) -> Response:
+        """What the chip makes of steady light, at every pixel of the picture."""
+        found = response_of(self.program, sensor, self.simulated.effects)
+        open_s, gain, zero_e = (
+            self.where.repeated(values) for values in (found.open_s, found.gain, found.zero_e)
+        )
+        return replace(found, open_s=open_s, gain=gain, zero_e=zero_e)
 
 
 def simulate_scene(
@@ -62,21 +71,15 @@ def simulate_scene(
         for number, light in numbered
     ]
     frames, each = [one.frame for one in made], len(lights) // len(scene)
-    frames = [_joined(frames[k : k + each], where.joined) for k in range(0, len(made), each)]
-    frame = frames[0] if len(scene) == 1 else _joined(frames, np.stack)
+    frames = [joined(frames[k : k + each], where.joined) for k in range(0, len(made), each)]
+    frame = frames[0] if len(scene) == 1 else stacked(frames)
     worst = max(made, key=lambda one: one.plan.predicted_e if one.plan else 0.0)
     broken = next((one.broken for one in made if one.broken), None)
     light = scene[0].light.part(*(slice(0, side) for side in where.size))
     about = {} if where.fit == "crop" else {"laid": where.as_json()}
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
     simulated = replace(worst, frame=frame, broken=broken)
-    return Taken(simulated, where.widened(container), light, about)
-
-
-def _joined(frames: Sequence[Frame], join: Callable[[list[Any]], NDArray[Any]]) -> Frame:
-    """A frame whose every array is made of those of the frames."""
-    names = [field.name for field in fields(Frame)]
-    return Frame(**{name: join([getattr(frame, name) for frame in frames]) for name in names})
+    return Taken(simulated, where.widened(container), light, about, container, where)
 
 
 def _refuse_once(request: Request) -> None:

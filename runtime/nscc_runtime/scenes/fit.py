@@ -66,12 +66,16 @@ class Layout:
         rows = [pieces[r * across : (r + 1) * across] for r in range(down)]
         return self.cut(np.concatenate([np.concatenate(row, axis=-1) for row in rows], axis=-2))
 
+    def repeated(self, values: NDArray[Any]) -> NDArray[Any]:
+        """What every array has (.., rows, cols), at the pixels of the picture."""
+        ahead = (1,) * (values.ndim - 2)
+        return np.ascontiguousarray(self.cut(np.tile(values, (*ahead, *self.arrays))))
+
     def widened(self, container: Container) -> Container:
         """The container with the codes of every pixel of the picture."""
         if container.pixel_codes is None or self.whole:
             return container
-        codes = self.cut(np.tile(container.pixel_codes, self.arrays))
-        return replace(container, pixel_codes=np.ascontiguousarray(codes))
+        return replace(container, pixel_codes=self.repeated(container.pixel_codes))
 
     def as_json(self) -> dict[str, Any]:
         """What a frame file's meta says of it."""
