@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache, partial
 from hashlib import sha256
 from pathlib import Path
 from time import perf_counter
@@ -126,13 +127,20 @@ def decoded_frame(
     """
     rows, cols = frame.shape
     found: NDArray[np.float32] | None = None
+    array = (folder.parts.target.rows, folder.parts.target.cols)
+    shutters = lru_cache(maxsize=4)(partial(_shutters, folder))
     for top in range(0, rows, _BLOCK):
         for left in range(0, cols, _BLOCK):
             down, across = (
                 slice(max(at - _MARGIN, 0), min(at + _BLOCK + _MARGIN, most))
                 for at, most in ((top, rows), (left, cols))
             )
-            made = _decoded(folder, frame[down, across], (down.start, across.start))
+            codes = frame[down, across]
+            made = _decoded(
+                folder,
+                codes,
+                shutters(codes.shape, (down.start % array[0], across.start % array[1])),
+            )
             inside = made[..., top - down.start :, left - across.start :][..., :_BLOCK, :_BLOCK]
             if found is None:
                 found = np.empty((*made.shape[:-2], rows, cols), np.float32)
@@ -143,11 +151,11 @@ def decoded_frame(
 
 @torch.no_grad()
 def _decoded(
-    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32], corner: tuple[int, int]
+    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32], shutters: torch.Tensor
 ) -> NDArray[np.float32]:
-    """The same of a block, whose top left corner lies there on the arrays side by side."""
+    """The same of a block of pixels with these shutters."""
     parts = folder.parts
-    shutters = _shutters(folder, frame.shape, corner).to(parts.device)
+    shutters = shutters.to(parts.device)
     codes = torch.from_numpy(frame.astype(np.float32)).to(parts.device)
     codes = (codes - parts.model.adc_offset_lsb) / parts.model.top_code
     found = parts.decoder(codes[None], shutters)[0].float().cpu().numpy()

@@ -111,9 +111,12 @@ def exposed(found: Subject, settings: Settings, listener: Listener) -> Exposed:
     begin = perf_counter()
     taken = simulate_scene(compiled, laid, sensor, request, listener)
     seconds = perf_counter() - begin
-    camera = _always_open(like)
-    usual = simulate_scene(camera, laid, sensor, request, listener)
-    dark, usual_dark = (_dark(each, sensor, settings, listener) for each in (compiled, camera))
+    target = None if like.target is None else str(like.target)
+    usual_camera = camera(like.slots, like.slot_us, target)
+    usual = simulate_scene(usual_camera, laid, sensor, request, listener)
+    dark, usual_dark = (
+        _dark(each, sensor, settings, listener) for each in (compiled, usual_camera)
+    )
     return Exposed(run, scene, laid, compiled, sensor, taken, dark, usual, usual_dark, seconds)
 
 
@@ -139,11 +142,10 @@ def _laid(
     raise AssertionError("there is an exposure to ask for")
 
 
-def _always_open(like: RunCapture) -> Container:
-    """An ordinary camera with the run's frame."""
-    text = f"nsl 1\nframe {like.slots} slots of {like.slot_us:g}us\nopen when true\n"
-    target = None if like.target is None else str(like.target)
-    made = compile_source(Source("always_open.nsl", text), Path(), Options(level=1, target=target))
+def camera(slots: int, slot_us: float, target: str | None = None) -> Container:
+    """An ordinary camera: every shutter is open in all `slots` of `slot_us`."""
+    text = f"nsl 1\nframe {slots} slots of {slot_us:g}us\nopen when true\n"
+    made = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
     assert made.container is not None  # one shutter fits wherever any does
     return made.container
 
