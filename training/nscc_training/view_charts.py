@@ -53,20 +53,24 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
 def result_sheet(values: dict[str, Any], title: str) -> Figure:
     """A result of a run (`robustness`) or of an evaluation (`items`): PSNR, the worst scenes
     first."""
-    figure, (axes,) = panels(1, (7.0, 3.6), 1)
     changes = _changes(values)
     if changes:
+        figure, (axes,) = panels(1, _PANEL, 1)
         _bars(axes, changes, _ELSEWHERE)
         head(figure, title, "PSNR of the patches that the run was validated on")
         return figure
     scenes: dict[str, list[float]] = {}
     for item in values.get("items", []):
-        crop, value = item.get("crop"), _number(item.get("psnr_db"))
+        value = _number(item.get("psnr_db"))
         if value is not None:
-            name = str(item.get("file")) + ("" if crop is None else f" {crop}")
-            scenes.setdefault(name, []).append(value)
+            scenes.setdefault(str(item.get("file")), []).append(value)
     means = sorted((float(np.mean(found)), name) for name, found in scenes.items())
-    _bars(axes, {name: value for value, name in means[:_MOST_SCENES]}, "by scene")
+    figure, (axes,) = panels(1, (7.0, 0.9 + 0.24 * min(len(means), _MOST_SCENES)), 1)
+    _bars(
+        axes,
+        {name: value for value, name in means[:_MOST_SCENES]},
+        "means by file, the worst first",
+    )
     note = f"protocol {values.get('protocol')}: PSNR in {values.get('domain')}"
     head(figure, title, note)
     return figure
