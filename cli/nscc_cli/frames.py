@@ -118,7 +118,7 @@ def write_frame(
     response: Callable[[], Response], plan: str | None = None,
 ) -> list[Path]:  # fmt: skip
     """Write the frame file, and the picture, plan and timings that were asked for; where frame,
-    picture and plan are. `response` makes that of the frame, where something asks for it."""
+    picture and plan are. `response` gives that of the frame, for the picture."""
     from nscc.prove.shutters import replayed
     from nscc_runtime.formats import file_of
     from nscc_runtime.formats.frames import frame_content
@@ -126,16 +126,13 @@ def write_frame(
 
     with timings.part("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
-        coded = "colours" not in meta
-        linear = response() if (options["png"] and coded) or "response" in keep else None
-        arrays = None if linear is None else linear.arrays()
-        file = FrameFile.of(container, light, frame, meta, keep, shutters, progress, arrays)
+        file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
         content = frame_content(
             file, container, light, lambda: replayed(container), options["tone"]
         )
         products: dict[Path, Product] = {out: file_of(out, content, "a frame")}
         if options["png"]:
-            products[options["png"]] = _picture(container, frame, linear, content, title)
+            products[options["png"]] = _picture(container, frame, response, content, title)
         if plan is not None:
             products[options["plan"]] = plan.encode()
         write_together(products)
@@ -145,17 +142,18 @@ def write_frame(
 
 
 def _picture(
-    container: Container, frame: Frame, response: Response | None, content: Content, title: str
-) -> Product:
+    container: Container, frame: Frame, response: Callable[[], Response], content: Content,
+    title: str,
+) -> Product:  # fmt: skip
     """The picture of `--png`: of the first frame, where there are several."""
     from nscc_runtime.formats.sheet import content_sheet
     from nscc_runtime.merge import readouts
     from nscc_runtime.pictures.frames import frame_sheet
     from nscc_runtime.pictures.sheet import png_of
 
-    if response is None or content.colour:
+    if content.colour:
         return png_of(content_sheet, content, title)
-    return png_of(frame_sheet, readouts(container, frame.first, response), title)
+    return png_of(frame_sheet, readouts(container, frame.first, response()), title)
 
 
 def summary(container: Container, frame: Frame, files: Sequence[Path], *, alike: bool) -> str:

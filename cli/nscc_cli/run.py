@@ -47,8 +47,7 @@ _MOST_REPEATS = 10000
 @click.option("--seed", type=SEED, default=0, help="Seed of a frame's noise.")
 @click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
 @click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames.")
-@click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes,"
-              "response.")  # fmt: skip
+@click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes.")
 @shared.pixels_option
 @shared.scene_options
 @shared.fit_option("crop")

@@ -38,9 +38,10 @@ that are seen too: more than decoders reach."""
 @dataclass(frozen=True, eq=False)
 class FrameRead:
     """What reconstruction needs of a frame file: codes (colours, rows, cols), one colour or red,
-    green and blue; meta; shutters (N, rows, cols) if kept."""
+    green and blue, whether they are saturated, meta, shutters (N, rows, cols) if kept."""
 
     frame: NDArray[np.uint8]
+    saturated: NDArray[np.bool_]
     meta: dict[str, Any]
     shutter: NDArray[np.bool_] | None
 
@@ -93,7 +94,10 @@ def reconstruct(
         raise _no_frame(frame, f"it is of {read.frame[0].shape} pixels, the run's chip has {size}")
     offset = np.zeros(size) if dark is None else read_dark(dark, size)
     begin = perf_counter()
-    made = [decoded_frame(folder, undarkened(codes, offset)) for codes in read.frame]
+    made = [
+        decoded_frame(folder, undarkened(codes, offset), saturated)
+        for codes, saturated in zip(read.frame, read.saturated, strict=True)
+    ]
     colour = len(made) > 1
     light = np.stack(made, axis=-1) if colour else made[0]
     return Reconstruction(light, folder.parts.still, colour, messages, perf_counter() - begin)
@@ -111,15 +115,15 @@ def read_dark(path: Path, size: tuple[int, int]) -> NDArray[np.float64]:
 
     Rejected (NS0819) for one of another size.
     """
-    frame, meta, _ = _frame_arrays(path)
-    codes = frame.reshape(-1, *frame.shape[-3:])
+    file = _frame_arrays(path)
+    codes = file.frame.reshape(-1, *file.frame.shape[-3:])
     if codes.shape[1:] != (1, *size):
         raise _no_frame(path, f"its frames are {codes.shape[1:]}, the array's are {(1, *size)}")
-    return np.asarray(codes.mean(axis=0)[0] - float(meta["adc_offset"]))
+    return np.asarray(codes.mean(axis=0)[0] - float(file.meta["adc_offset"]))
 
 
 def decoded_frame(
-    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32]
+    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32], saturated: NDArray[np.bool_]
 ) -> NDArray[np.float32]:
     """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes.
 
@@ -135,12 +139,9 @@ def decoded_frame(
                 slice(max(at - _MARGIN, 0), min(at + _BLOCK + _MARGIN, most))
                 for at, most in ((top, rows), (left, cols))
             )
-            codes = frame[down, across]
-            made = _decoded(
-                folder,
-                codes,
-                shutters(codes.shape, (down.start % array[0], across.start % array[1])),
-            )
+            codes, full = frame[down, across], saturated[down, across]
+            corner = (down.start % array[0], across.start % array[1])
+            made = _decoded(folder, codes, full, shutters(codes.shape, corner))
             inside = made[..., top - down.start :, left - across.start :][..., :_BLOCK, :_BLOCK]
             if found is None:
                 found = np.empty((*made.shape[:-2], rows, cols), np.float32)
@@ -151,16 +152,20 @@ def decoded_frame(
 
 @torch.no_grad()
 def _decoded(
-    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32], shutters: torch.Tensor
-) -> NDArray[np.float32]:
+    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32],
+    saturated: NDArray[np.bool_], shutters: torch.Tensor,
+) -> NDArray[np.float32]:  # fmt: skip
     """The same of a block of pixels with these shutters."""
     parts = folder.parts
     shutters = shutters.to(parts.device)
     codes = torch.from_numpy(frame.astype(np.float32)).to(parts.device)
-    codes = (codes - parts.model.adc_offset_lsb) / parts.model.top_code
-    found = parts.decoder(codes[None], shutters)[0].float().cpu().numpy()
+    relative = parts.model.relative(codes - parts.model.adc_offset_lsb)
+    # The knee of registers, and light that eats the reset level, make full pixels read less.
+    full = torch.from_numpy(np.ascontiguousarray(saturated)).to(parts.device)
+    relative = torch.where(full, relative.clamp(min=1), relative)
+    found = parts.decoder(relative[None], shutters)[0].float().cpu().numpy()
     slots = 1 if parts.still else parts.slots
-    return np.asarray(found * (parts.model.full_well_e / slots), np.float32)
+    return np.asarray(found * (parts.model.full_e / slots), np.float32)
 
 
 def _shutters(
@@ -178,25 +183,29 @@ def _shutters(
 
 def read_frame(path: Path) -> FrameRead:
     """A frame file of one bucket and one exposure, or three in colours; Rejected (NS0819) else."""
-    found, meta, kept = _frame_arrays(path)
-    if "colours" in meta and found.ndim == 4 and found.shape[:2] == (len(COLOURS), 1):
-        return FrameRead(found[:, 0], meta, None)
+    file = _frame_arrays(path)
+    found, saturated, kept = file.frame, file.saturated, file.shutter
+    if saturated.shape != found.shape or saturated.dtype != np.bool_:
+        raise _no_frame(path, f"`saturated` is {saturated.dtype} {saturated.shape}, no bool of it")
+    if "colours" in file.meta and found.ndim == 4 and found.shape[:2] == (len(COLOURS), 1):
+        return FrameRead(found[:, 0], saturated[:, 0], file.meta, None)
     if found.ndim != 3 or found.shape[0] != 1 or 0 in found.shape:
         raise _no_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
     if kept is not None and kept.shape[:-1] != found.shape:
         raise _no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
     shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
-    return FrameRead(found, meta, shutter)
+    return FrameRead(found, saturated, file.meta, shutter)
 
 
-def _frame_arrays(
-    path: Path,
-) -> tuple[NDArray[np.uint8], dict[str, Any], NDArray[np.uint8] | None]:
-    """Codes, meta and unpacked shutters of a frame file; Rejected (NS0819) for another file."""
+def _frame_arrays(path: Path) -> FrameRead:
+    """The arrays of a frame file as they are stored, shutters unpacked; Rejected (NS0819) for
+    another file."""
     reads(path)
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
             found, meta = file["frame"], json.loads(str(file["meta"]))
+            named = "saturated" in file.files  # without, the codes that say so are
+            saturated = file["saturated"] if named else np.zeros(found.shape, np.bool_)
             kept = None
             if "shutter" in file.files:
                 count = int(file["shutter_shape"][3])
@@ -206,7 +215,7 @@ def _frame_arrays(
         raise _no_frame(path, reason) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA or found.dtype != np.uint8:
         raise _no_frame(path, f"its schema is not {SCHEMA}")
-    return found, meta, kept
+    return FrameRead(found, saturated, meta, kept)
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import closest
 from nscc.files import reads
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
@@ -27,6 +28,7 @@ from nscc_runtime.scenes.fit import Fit, Layout, changes, in_colour, layout, pla
 FramesAre = Literal["integrals", "samples"]
 
 ARRAYS = (".mat", ".npy", ".npz")
+_BUILTINS = ("hdr", "motion", "dark")
 _STRIP = 256
 """Rows of a picture that become light at a time: a large one never exists in double precision and
 in colours."""
@@ -168,10 +170,12 @@ def _existing(spec: str) -> Path:
         reason = "it is not a file" if path.exists() else "there is no such file"
     except (OSError, ValueError) as error:
         reason = str(error)
+    near = spec if spec in _BUILTINS else closest(spec, _BUILTINS)
     raise rejected(
         "NS0730",
         f"the scene '{spec[:200]}' cannot be opened: {reason}",
         helps=(
+            *((f"did you mean builtin:{near}?",) if near and not path.suffix else ()),
             "name a file, a folder of pictures or a builtin scene: builtin:hdr, builtin:motion, "
             "builtin:flat:E, builtin:dark",
         ),
