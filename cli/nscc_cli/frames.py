@@ -71,8 +71,9 @@ def run_capture_of(like: Path | None, options: dict[str, Any]) -> RunCapture | N
     from nscc_training.run_files import run_capture
 
     found = run_capture(like)
+    own_light = str(options["scene"]).startswith(("builtin:dark", "builtin:flat"))
     for name in ("exposure", "transfer", "sensor"):
-        if options[name] is None:
+        if options[name] is None and not (own_light and name == "exposure"):
             options[name] = getattr(found, name)
     if options["target"] is None and found.target is not None:
         options["target"] = str(found.target)

@@ -58,11 +58,11 @@ def test_a_photo_becomes_a_sheet_and_a_picture(folder: Path, run_nscc: RunNscc) 
 
 
 def test_light_of_high_range_is_counted_as_protocols_do(folder: Path, run_nscc: RunNscc) -> None:
-    outcome = run_nscc(["demo", "builtin:hdr", "-o", "hdr"], folder)
+    outcome = run_nscc(["demo", "builtin:hdr", "-o", "lake"], folder)
     said = float(outcome.err.split("reconstructed ")[1].split(" dB")[0])
-    with np.load(folder / "hdr/picture_frame.npz") as frame:
+    with np.load(folder / "lake/picture_frame.npz") as frame:
         truth = frame["truth_e"]
-    data = np.fromfile(folder / "hdr/picture.hdr", np.uint8)
+    data = np.fromfile(folder / "lake/picture.hdr", np.uint8)
     made = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | cv2.IMREAD_COLOR)[..., 0]
     assert mu_psnr(truth, made, np.percentile(truth, 99.9)) == pytest.approx(said, abs=0.1)
     assert said > float(outcome.err.split("always open ")[1].split(" dB")[0]) + 5

@@ -17,7 +17,7 @@ from nscc_training.config import load_config
 from nscc_training.programs import SENSOR_FILE, TARGET_FILE
 from nscc_training.protocols import load_protocol
 
-PROGRAM = "shutter.nsl"
+PROGRAM, CONFIG = "shutter.nsl", "config.resolved.toml"
 _SHIPPED = {"hdr": "hdr_learned_0", "clip": "vid_learned_0"}
 """Runs that come with nscc: what users call them, and their folder in training/results/runs."""
 
@@ -62,14 +62,16 @@ def shipped_runs() -> Mapping[str, Path]:
 
 
 def run_path(given: Path) -> Path:
-    """A run folder, or the one that comes with nscc under that name if there is no such folder."""
-    return given if given.exists() else shipped_runs().get(str(given), given)
+    """A run folder, or the one that comes with nscc under that name if there is no such run."""
+    if (given / CONFIG).is_file():
+        return given
+    return shipped_runs().get(str(given), given)
 
 
 def run_capture(given: Path) -> RunCapture:
     """What a run's frames are like; Rejected (NS0818) for a folder that is none of a run."""
     path = run_path(given)
-    config, program = path / "config.resolved.toml", path / PROGRAM
+    config, program = path / CONFIG, path / PROGRAM
     missing = [file.name for file in (config, program) if not file.is_file()]
     if missing:
         names = ", ".join(shipped_runs())

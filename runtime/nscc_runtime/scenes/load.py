@@ -12,16 +12,16 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
 from nscc.files import reads
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import arrays, exposure, timing
-from nscc_runtime.scenes.colour import Transfer, linear, luminance
+from nscc_runtime.scenes.colour import Transfer, grey
 from nscc_runtime.scenes.crop import Window
-from nscc_runtime.scenes.errors import refuse_no_light, size
+from nscc_runtime.scenes.errors import clamped, refuse_no_light, size
 from nscc_runtime.scenes.exposure import Exposure
 from nscc_runtime.scenes.fit import Fit, Layout, changes, in_colour, layout, placed
 
@@ -377,30 +377,11 @@ def _light(
         peak = float(stored.max()) if stored.dtype.kind == "f" else 0.0
         part = request.window.of(stored, request.name) if where.fit == "crop" else stored
         strips = (part[top : top + _STRIP] for top in range(0, len(part), _STRIP))
-        values = np.concatenate([_grey(strip, transfer, request.channel) for strip in strips])
+        values = np.concatenate([grey(strip, transfer, request.channel) for strip in strips])
         low = float(values.min())
     if low < 0 and low >= -_TINY_NEGATIVE * peak:
         count = int(np.count_nonzero(values < 0))
         values = np.maximum(values, 0.0)
-        request.warn(_clamped(name, count, values.size, low))
+        request.warn(clamped(name, count, values.size, low))
     refuse_no_light(values, name)
     return placed(values, where), where
-
-
-def _grey(stored: NDArray[Any], transfer: Transfer, channel: int | None) -> NDArray[np.float64]:
-    """Luminance (rows, cols), or one of the colours."""
-    if stored.ndim == 3 and channel is not None:
-        stored = stored[..., channel]
-    light = linear(np.ascontiguousarray(stored), transfer)
-    return luminance(light) if light.ndim == 3 else light
-
-
-def _clamped(name: str, count: int, total: int, low: float) -> Diagnostic:
-    return Diagnostic(
-        "NS0740",
-        f"{count} of {total} pixels of '{name}' were negative and are taken as dark",
-        severity=Severity.WARNING,
-        notes=(f"the lowest is {low:.3g}; so little below zero is left by filters, not by light",),
-        helps=("nothing needs to be done; clip the picture at 0 to be rid of this message",),
-        data={"count": count},
-    )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -34,39 +36,46 @@ def merged_light(
 
     `offset` is what the array reads without light, in codes.
     """
-    still = taken.light.kind == "still"
-    codes = taken.simulated.frame.frame[..., 0, :, :]
-    recover = _still if still else _clip
-    made = [
-        recover(each, laid_like(offset, each), taken.container, sensor)
-        for each in codes.reshape(-1, *codes.shape[-2:])
-    ]
+    still, frame = taken.light.kind == "still", taken.simulated.frame
+    codes, saturated = (values[..., 0, :, :] for values in (frame.frame, frame.saturated))
+    share = _open_share(taken.container)
+    made = []
+    for each, full in zip(*(_by_colour(values) for values in (codes, saturated)), strict=True):
+        seen_lsb = each - laid_like(offset, each)
+        made.append(
+            _still(seen_lsb, full, share, sensor) if still else _clip(seen_lsb, taken, sensor)
+        )
     light = made[0] if codes.ndim == 2 else np.stack(made, axis=-1)
     how = "neighbours merged" if still else "total variation (GAP-TV)"
     return np.asarray(light, np.float32), how
 
 
+def _by_colour(values: NDArray[Any]) -> NDArray[Any]:
+    return values.reshape(-1, *values.shape[-2:])
+
+
 def _still(
-    codes: NDArray[np.uint8], offset: NDArray[np.float64], container: Container, sensor: Sensor
-) -> NDArray[np.float64]:
-    slots = np.array(container.slot_us) / sum(container.slot_us)
-    share = container.table.shutters[:, 0] @ slots
-    top = 2**container.target.adc_bits - 1
-    # Pixels at the top of the scale are known by their code: an offset must not hide them.
-    seen = np.where(codes >= top, top, np.maximum(codes - offset, 0.0)).astype(np.float32)
+    seen_lsb: NDArray[np.float64], saturated: NDArray[np.bool_], share: NDArray[np.float64],
+    sensor: Sensor,
+) -> NDArray[np.float64]:  # fmt: skip
     lsb_e = sensor.electrons_per_lsb
-    noise_e = sensor.adc_noise_lsb * lsb_e
-    return merged(seen, share[_lanes(container)], lsb_e, top, noise_e)
+    return merged(seen_lsb, share, lsb_e, saturated, sensor.adc_noise_lsb * lsb_e)
 
 
-def _clip(
-    codes: NDArray[np.uint8], offset: NDArray[np.float64], container: Container, sensor: Sensor
-) -> NDArray[np.float32]:
+def _clip(seen_lsb: NDArray[np.float64], taken: Taken, sensor: Sensor) -> NDArray[np.float32]:
+    container = taken.container
     white_e = sensor.full_well_e / container.slots
     mask = container.table.shutters[:, 0].astype(np.float32)[_lanes(container)]
-    seen = np.maximum(codes - offset, 0.0) * (sensor.electrons_per_lsb / white_e)
+    seen = np.maximum(seen_lsb, 0.0) * (sensor.electrons_per_lsb / white_e)
     found = gap_tv(seen.astype(np.float32), np.ascontiguousarray(np.moveaxis(mask, -1, 0)))
     return np.maximum(found, 0) * np.float32(white_e)
+
+
+def _open_share(container: Container) -> NDArray[np.float64]:
+    """The part of the frame (rows, cols) that each pixel is open for."""
+    slots = np.array(container.slot_us) / sum(container.slot_us)
+    share: NDArray[np.float64] = container.table.shutters[:, 0] @ slots
+    return share[_lanes(container)]
 
 
 def _lanes(container: Container) -> NDArray[np.intp]:

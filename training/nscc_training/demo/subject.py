@@ -22,8 +22,8 @@ _MOST_FRAMES = 600
 """Frames of a clip that are looked through for the part in which most moves."""
 _SIDE = 64
 """Motion is looked for in frames reduced to so many pixels a side."""
-_CUT = 8.0
-"""A step from frame to frame that is so much larger than the median is a cut, and no motion."""
+_CUT = 4.0
+"""A step from frame to frame that is so much larger than both beside it is a cut, no motion."""
 
 
 @dataclass(frozen=True)
@@ -94,7 +94,8 @@ def liveliest(frames: NDArray[np.float32], count: int) -> int:
     """The first of `count` frames in a row in which most moves, of (T, rows, cols); no cut is
     among them if there is such a part."""
     steps = np.abs(np.diff(frames, axis=0)).mean(axis=(1, 2))
-    cuts = steps > _CUT * max(float(np.median(steps)), 1e-9)
+    beside = np.pad(steps, 1)
+    cuts = steps > _CUT * np.maximum(beside[:-2], beside[2:])
     windows = range(len(frames) - count + 1)
     moved = [float(steps[k : k + count - 1].sum()) for k in windows]
     whole = [k for k in windows if not cuts[k : k + count - 1].any()]
