@@ -25,7 +25,7 @@ from __future__ import annotations
 
 import json
 import zipfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import IO, Any
 
@@ -151,12 +151,17 @@ def check_adc(target: Target) -> None:
 
 def stacked(frames: Sequence[Frame]) -> Frame:
     """Several frames of one scene, with an axis in front."""
+    return joined(frames, np.stack)
+
+
+def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray[Any]]) -> Frame:
+    """A frame whose every array `join` makes of those of the frames."""
     return Frame(
-        np.stack([each.frame for each in frames]),
-        np.stack([each.exposure_e for each in frames]),
-        np.stack([each.valid for each in frames]),
-        np.stack([each.saturated_by for each in frames]),
-        told={key: np.stack([each.told[key] for each in frames]) for key in frames[0].told},
+        join([each.frame for each in frames]),
+        join([each.exposure_e for each in frames]),
+        join([each.valid for each in frames]),
+        join([each.saturated_by for each in frames]),
+        told={key: join([each.told[key] for each in frames]) for key in frames[0].told},
     )
 
 

@@ -114,6 +114,12 @@ class Light:
             motion=None if self.motion is None else self.motion.joined(starts),
         )
 
+    def part(self, rows: slice, cols: slice) -> Light:
+        """The light on a rectangle of the pixels."""
+        frames = np.ascontiguousarray(self.frames[:, rows, cols])
+        motion = None if self.motion is None else replace(self.motion, frames=frames)
+        return replace(self, frames=frames, motion=motion)
+
     def dense(self) -> NDArray[np.float32]:
         """All slots (N, rows, cols)."""
         out = np.empty((self.slots, *self.shape), np.float32)

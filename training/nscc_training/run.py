@@ -99,16 +99,16 @@ class Run:
                     f"reconstruct takes one bucket of one exposure, not {shown(frame.frame)}"
                 )
             read, name = (
-                FrameRead(frame.frame[0], frame.saturated[0], frame.meta, None),
+                FrameRead(frame.frame, frame.saturated, frame.meta, None),
                 "the capture",
             )
         else:
             codes = self._codes(frame)
             full = last_codes(codes, self.folder.parts.target) != 0
             return decoded_frame(self.folder, codes, full)
-        made, messages = reconstructed(self.folder, read, name, force=force)
-        warn(messages)
-        return made
+        made = reconstructed(self.folder, read, name, force=force)
+        warn(made.messages)
+        return made.light
 
     def __repr__(self) -> str:
         spec, score = self.encoder.spec, self._score()
