@@ -43,7 +43,7 @@ class FrameRead:
     frame: NDArray[np.uint8]
     saturated: NDArray[np.bool_]
     meta: dict[str, Any]
-    shutter: NDArray[np.bool_] | None
+    shutter: NDArray[Any] | None
 
 
 @dataclass(frozen=True, eq=False)
