@@ -175,7 +175,7 @@ class _Moment:
         return first, op("bus", (register,), (scratch, "PIX"))
 
     def _compare(self) -> None:
-        """Brings the outcome of every comparison into a register, that of the last one into FLAG."""
+        """Brings the outcome of each comparison into a register, that of the last one into FLAG."""
         moment = self.moment
         order = sorted(range(len(moment.comparisons)), key=lambda c: -moment.comparisons[c].signal)
         signal: int | None = None
@@ -229,7 +229,7 @@ class _Moment:
                 board.values[FLAG] = v
             return
         for name, new in self.wanted.items():
-            # A register that holds nothing yet takes its new value at once, and FLAG reads it there.
+            # A register that holds nothing yet takes its new value at once; FLAG reads it there.
             if new == v and not board.values[name]:
                 made = board.make(v, name)
                 if made is not None:

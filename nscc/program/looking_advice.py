@@ -29,7 +29,7 @@ def judge_looking(
         rule = declared.rules[0]
         names = ", ".join(missing)
         helps = (f"`read {names}` tells it",) if missing else (
-            "remember in a state when the shutter closed, and read it: `state closed_at : 0..3 = 0`",
+            "remember in a state when the shutter closed, `state closed_at : 0..3 = 0`: read that",
         )  # fmt: skip
         problems.error(
             "NS0324", "the readout does not tell how long a pixel was open", rule.span,

@@ -210,8 +210,8 @@ class _Builder:
 
     def _field_step(self, sense: Sense, value: int) -> int:
         step = level_steps(value, "lsb", self.target)
-        if not 0 <= step <= self.target.in_high:
-            text = f"IN goes from 0 to {self.target.in_high} steps"
+        if not 1 <= step <= self.target.in_high:
+            text = f"a level has 1 to {self.target.in_high} steps"
             message = f"the level {value} of `{sense.field}` is {step} steps of IN"
             fault = Fault("NS0321", message, sense.span, text)
             raise NoValue([Finding(fault, f"for {sense.field} = {value}", 1)])

@@ -92,7 +92,7 @@ class Looks:
             planes = self.container.state_planes.get(state.name)
             if planes is None or (kept and not state.kept):
                 continue
-            rows = {value: row for value, row in zip(planes.values, planes.bits, strict=True)}
+            rows = dict(zip(planes.values, planes.bits, strict=True))
             values = self.machine.values[nodes, k].tolist()
             if not rows.keys() >= set(values):
                 raise Wrong(f"no bits stand for some value of the state `{state.name}`")
