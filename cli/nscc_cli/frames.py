@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
-from nscc.files import Product, refuse_same, write_together
+from nscc.files import Product, refuse_inputs, refuse_same, write_together
 from nscc_cli.support import progress
 
 if TYPE_CHECKING:
@@ -109,6 +109,7 @@ def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
     check_ending(out, endings(), "a frame")
     if options["png"]:
         check_ending(options["png"], (".png",), "a picture")
+    refuse_inputs(*(path for path in named if path != options["plan"]))
     refuse_same(named, "-o, --png, --timings and --plan")
     return out
 

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import (
@@ -142,6 +143,7 @@ def image_of(frame: Path) -> NDArray[np.float32]:
 
     Raises Rejected (NS0819, status 2) for a file that is no frame whose pixels looked.
     """
+    reads(frame)
     try:
         with np.load(frame, allow_pickle=False) as file:
             arrays: Mapping[str, Any] = {key: file[key] for key in (LIGHT, DEVIATION)}

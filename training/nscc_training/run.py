@@ -106,9 +106,9 @@ class Run:
             codes = self._codes(frame)
             full = last_codes(codes, self.folder.parts.target) != 0
             return decoded_frame(self.folder, codes, full)
-        made = reconstructed(self.folder, read, name, force=force)
-        warn(made.messages)
-        return made.light
+        made, messages = reconstructed(self.folder, read, name, force=force)
+        warn(messages)
+        return made
 
     def __repr__(self) -> str:
         spec, score = self.encoder.spec, self._score()
