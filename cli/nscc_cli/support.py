@@ -5,7 +5,9 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Iterator, Sequence, Sized
-from dataclasses import dataclass, replace
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
+from threading import Event, Thread
 from time import monotonic
 from typing import Any, Literal, TypeVar
 
@@ -16,8 +18,8 @@ from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
 
 Item = TypeVar("Item")
-MessageFormat = Literal["human", "short", "json"]
-FORMATS: tuple[MessageFormat, ...] = ("human", "short", "json")
+MessageFormat = Literal["human", "short", "json", "github", "sarif"]
+FORMATS: tuple[MessageFormat, ...] = ("human", "short", "json", "github", "sarif")
 
 _BAR_DELAY_S = 1.0
 _BAR_REFRESH_S = 0.1
@@ -30,6 +32,8 @@ class Session:
 
     message_format: MessageFormat = "human"
     deny_warnings: bool = False
+    gathered: list[Diagnostic] = field(default_factory=list)
+    """What is said when all is done: a SARIF log is one document."""
 
 
 class NumberRange(click.FloatRange):
@@ -60,13 +64,33 @@ def use_color() -> bool:
     )
 
 
-def show(diagnostics: Sequence[Diagnostic], message_format: MessageFormat | None = None) -> None:
-    """Render diagnostics to standard error, in the session's format if no other is given."""
-    if not diagnostics:
-        return
-    from nscc.diagnostics.render import render
+def show(diagnostics: Sequence[Diagnostic], of: Session | None = None) -> None:
+    """Render diagnostics to standard error as the session has it: the running one if none is given.
 
-    text = render(diagnostics, message_format or session().message_format, use_color())
+    A SARIF log waits for `show_gathered`.
+    """
+    of = of or session()
+    if of.message_format == "sarif":
+        of.gathered += diagnostics
+    elif diagnostics:
+        _write(diagnostics, of.message_format)
+
+
+def show_gathered(of: Session) -> None:
+    """Write the one document of a session whose format has one."""
+    if of.message_format == "sarif":
+        _write(of.gathered, of.message_format)
+
+
+def _write(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> None:
+    if message_format == "github" or message_format == "sarif":
+        from nscc.diagnostics.reports import sarif, workflow_commands
+
+        text = (sarif if message_format == "sarif" else workflow_commands)(diagnostics)
+    else:
+        from nscc.diagnostics.render import render
+
+        text = render(diagnostics, message_format, use_color())
     sys.stderr.write(text if text.endswith("\n") else text + "\n")
     sys.stderr.flush()
 
@@ -84,8 +108,8 @@ def say(diagnostics: Sequence[Diagnostic]) -> None:
 
 
 def done(text: str) -> None:
-    """Tell the user what was done, on standard error; programs (json) read the files instead."""
-    if session().message_format != "json":
+    """Tell the user what was done, on standard error; programs (json, sarif) read the files."""
+    if session().message_format not in ("json", "sarif"):
         click.echo(text, err=True)
 
 
@@ -158,13 +182,53 @@ class Subcommands(CommonCommand, click.Group):
         )
 
 
+@contextmanager
+def waiting(what: str) -> Iterator[None]:
+    """Say on a terminal what is going on and for how long, where nothing can be counted.
+
+    Nothing is drawn in the first second, nor where `progress` would draw nothing.
+    """
+    if not _draws():
+        yield
+        return
+    over = Event()
+
+    def draw() -> None:
+        begin, pause = monotonic(), _BAR_DELAY_S
+        while not over.wait(pause):
+            _redraw(f"{what}: {monotonic() - begin:.0f} s")
+            pause = _BAR_REFRESH_S
+        if pause is not _BAR_DELAY_S:
+            _redraw("")
+
+    drawing = Thread(target=draw, daemon=True)
+    drawing.start()
+    try:
+        yield
+    finally:
+        over.set()
+        drawing.join()
+
+
+def _draws() -> bool:
+    return sys.stderr.isatty() and session().message_format == "human"
+
+
+def _redraw(line: str) -> None:
+    """Replace the line that stands there; one longer than the terminal is cut, or it would stay."""
+    from shutil import get_terminal_size
+
+    sys.stderr.write("\r\x1b[2K" + line[: get_terminal_size().columns - 1])
+    sys.stderr.flush()
+
+
 def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> Iterator[Item]:
     """Hand on the items; draw a bar on standard error if that is a terminal and it takes long.
 
     `total` is the number of items where it is known and `iterable` has no length. Nothing
     is drawn in the first second, nor with a message format other than human.
     """
-    if not sys.stderr.isatty() or session().message_format != "human":
+    if not _draws():
         yield from iterable
         return
     if total is None and isinstance(iterable, Sized):
@@ -176,15 +240,13 @@ def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> 
         for done, item in enumerate(iterable):
             now = monotonic()
             if now >= next_draw:
-                sys.stderr.write("\r\x1b[2K" + bar_line(label, done, total, now - begin))
-                sys.stderr.flush()
+                _redraw(bar_line(label, done, total, now - begin))
                 drawn = True
                 next_draw = now + _BAR_REFRESH_S
             yield item
     finally:
         if drawn:
-            sys.stderr.write("\r\x1b[2K")
-            sys.stderr.flush()
+            _redraw("")
 
 
 def bar_line(label: str, done: int, total: int | None, elapsed_s: float) -> str:
