@@ -10,13 +10,12 @@ import pytest
 from plan_cases import CASES, case
 from reference_programs import program, sensor_of
 
-from nscc_runtime.capture import Capture, capture
+from nscc_runtime import Capture, capture
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of
 from nscc_runtime.scenes import Exposure, load_scene
-from nscc_runtime.sensor import default_sensor
 
 STOPS = """nsl 1
 frame 256 slots of 125us
@@ -39,7 +38,7 @@ def test_exposures_are_a_line_over_the_light(name: str, effects: str) -> None:
     shutter = container.table.shutter_of_code[container.pixel_codes]
     for electrons in (0.0, 300.0):  # in every slot of 500 us
         light = Light.of_clip(np.full((8, 24, 32), electrons, np.float32))
-        taken = capture(light, container, sensor, effects=effects, repeat=12)
+        taken = capture(container, light, sensor=sensor, effects=effects, repeat=12)
         expected = response.zero_e + response.gain * response.open_s * (electrons / 500e-6)
         for lane in np.unique(shutter):
             here = (..., shutter == lane)
@@ -52,8 +51,8 @@ def test_codes_become_the_electrons_that_fell() -> None:
     container = program(STOPS, "edges", SIDE, SIDE)
     sensor = sensor_of(container, adc_offset_lsb=12.0, electrons_per_lsb=140.0)
     light = Light.of_still(np.full((SIDE, SIDE), 3e5, np.float32), np.full(256, 125e-6))
-    taken = capture(light, container, sensor, effects="all")
-    response = response_of(container, sensor, taken.plan.kept)
+    taken = capture(container, light, sensor=sensor, effects="all")
+    response = taken.response
     for row, col, stop in ((0, 0, 256), (0, 1, 64), (1, 0, 16), (1, 1, 4)):
         found = response.electrons(taken.frame)[0, row::2, col::2].mean()
         assert found == pytest.approx(3e5 * stop * 125e-6, abs=25.0)
@@ -66,7 +65,7 @@ def taken(request: pytest.FixtureRequest) -> tuple[Capture, Light]:
     scene = load_scene(
         "builtin:hdr", slot_us=container.slot_us, rows=SIDE, cols=SIDE, exposure=Exposure(1e6)
     )
-    return capture(scene, container, effects=request.param, seed=1), scene
+    return capture(container, scene, effects=request.param, seed=1), scene
 
 
 DECADES = [1e3, 1e4, 1e5, 1e6, 1.9e6]
@@ -76,8 +75,7 @@ def test_the_longest_unsaturated_exposure_of_a_tile_tells_its_light(
     taken: tuple[Capture, Light],
 ) -> None:
     frames, scene = taken
-    container = program(STOPS, "edges", SIDE, SIDE)
-    response = response_of(container, default_sensor(container.target), frames.plan.kept)
+    response = frames.response
     open_s = response.open_s[0]
     rate = response.electrons(frames.frame)[0] / open_s
     truth = scene.total_e() / (256 * 125e-6)
@@ -99,9 +97,7 @@ def test_the_longest_unsaturated_exposure_of_a_tile_tells_its_light(
 
 def test_the_merge_tells_light_everywhere(taken: tuple[Capture, Light]) -> None:
     frames, scene = taken
-    container = program(STOPS, "edges", SIDE, SIDE)
-    response = response_of(container, default_sensor(container.target), frames.plan.kept)
-    (readout,) = readouts(container, frames, response)
+    (readout,) = readouts(frames.container, frames, frames.response)
     light, known = light_estimate(readout)
     assert known.all()
     total_e = scene.total_e()

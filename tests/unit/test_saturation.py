@@ -122,7 +122,7 @@ def test_registers_lose_in_many_small_steps_what_no_single_one_shows() -> None:
     for slot_e, full in ((95.0, False), (150.0, True)):
         light = np.full((256, *SHAPE), slot_e, np.float32)
         assert (lost_e(container, light, **LIMITS) > MUCH_E).all() == full
-        found = capture(light, container, sensor, effects="full_well,register,shot")
+        found = capture(container, light, sensor=sensor, effects="full_well,register,shot")
         assert np.all(found.saturated_by == (REGISTER if full else 0))
         assert found.exposure_e.max() < 0.96 * FULL_E
 
