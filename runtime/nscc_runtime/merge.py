@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
@@ -47,16 +48,31 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Rea
         raise ValueError("a container without pixels has no frame")
     window = tile_of(container.table.shutter_of_code[container.pixel_codes])
     if max(window) > _LARGEST_TILE:
-        window = (3, 3)
+        rows, cols = container.pixel_codes.shape
+        window = min(3, rows), min(3, cols)
     light_e = response.electrons(frame.frame)
     most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
+    open_s = response.open_s if container.machine is None else _told_open_s(container, frame)
     return [
         Readout(
-            name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], response.open_s[b],
-            window,
+            name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], window
         )
         for b, name in enumerate(container.buckets)
     ]  # fmt: skip
+
+
+def _told_open_s(container: Container, frame: Frame) -> Field:
+    """How long pixels that look at the light were open (buckets, rows, cols), as their states say;
+    0 where no pixel ends so."""
+    from nscc_runtime.reference.looks import open_times
+
+    assert container.machine is not None
+    assert container.pixel_codes is not None
+    behaviour = container.table.shutter_of_code[container.pixel_codes]
+    names = {f"states_{state.name}": state.name for state in container.machine.states}
+    states = {names[key]: told for key, told in frame.told.items() if key in names}
+    _, us = open_times(container.machine, behaviour, states)
+    return np.asarray(np.maximum(us, 0.0) * 1e-6)
 
 
 def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
@@ -75,33 +91,40 @@ def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
     is.
 
     Summed electrons over summed open time: with shot noise alone, the best estimate that there is.
-    Pixels whose open neighbours are all saturated get the largest value that the frame can tell.
+    Pixels whose open neighbours are all saturated get the most that one of these could have told.
     """
     opened = readout.open_s > 0
     good = opened & ~readout.saturated
-    time = _box(np.where(good, readout.open_s, 0.0), readout.window)
-    known = _box(good, readout.window) > 0.5
-    light_e = _box(np.where(good, readout.light_e, 0.0), readout.window)
+    time = _box(np.where(good, readout.open_s, 0.0), readout)
+    known = _box(good, readout) > 0.5
+    light_e = _box(np.where(good, readout.light_e, 0.0), readout)
     # Noise may take a dark pixel below nothing.
     light = np.divide(np.maximum(light_e, 0.0), time, out=np.zeros(time.shape), where=known)
-    if opened.any():
-        brightest = (readout.most_e[opened] / readout.open_s[opened]).max()
-        blind = ~known & (_box(opened, readout.window) > 0.5)
-        light[blind] = max(float(brightest), float(light.max()))
+    blind = ~known & (_box(opened, readout) > 0.5)
+    if blind.any():
+        most = np.divide(readout.most_e, readout.open_s, out=np.zeros(time.shape), where=opened)
+        inside = sliding_window_view(most, readout.window).max(axis=(2, 3))
+        light[blind] = _spread(inside, readout)[blind]
         known |= blind
     return light, known
 
 
-def _box(values: NDArray[Any], window: tuple[int, int]) -> Field:
-    """Sums over the window around every pixel; the picture is continued by its mirror image."""
+def _box(values: NDArray[Any], readout: Readout) -> Field:
+    """Sums over the window around every pixel."""
     total = np.asarray(values, np.float64)
-    for axis, width in enumerate(window):
-        before = width // 2
+    for axis, width in enumerate(readout.window):
         pad = [(0, 0), (0, 0)]
-        pad[axis] = (before + 1, width - 1 - before)
-        sums = np.cumsum(np.pad(total, pad, mode="symmetric"), axis=axis)
-        # The pad's first row only serves the difference of the running sums.
+        pad[axis] = (1, 0)
+        sums = np.cumsum(np.pad(total, pad), axis=axis)
         length = total.shape[axis]
-        ends = np.take(sums, range(width, width + length), axis)
-        total = ends - np.take(sums, range(length), axis)
-    return total
+        ends = np.take(sums, range(width, length + 1), axis)
+        total = ends - np.take(sums, range(length + 1 - width), axis)
+    return _spread(total, readout)
+
+
+def _spread(inside: Field, readout: Readout) -> Field:
+    """What windows within the picture have, at the pixels: those at the edge share the nearest."""
+    for axis, width in enumerate(readout.window):
+        first = np.arange(readout.frame.shape[axis]) - width // 2
+        inside = np.take(inside, np.clip(first, 0, inside.shape[axis] - 1), axis)
+    return inside

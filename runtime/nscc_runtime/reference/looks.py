@@ -40,6 +40,7 @@ from nscc_runtime.looked_light import light_of
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
 from nscc_runtime.reference.charge import Groups, charge_of_rows
+from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.weights import error_sign
 
 Values = NDArray[np.float64]
@@ -117,6 +118,7 @@ class LookingReference:
         told = {r for planes in container.state_planes.values() for r in planes.registers}
         exposure = np.empty((len(container.buckets), rows, cols))
         valid = np.empty((rows, cols), np.bool_)
+        saturated_by = np.empty(exposure.shape, np.uint8)
         planes = {name: np.empty((rows, cols), np.bool_) for name in sorted(told)}
         # Nothing is summed over groups of slots: all slots are one.
         lane = np.zeros((rows, cols), np.intp)
@@ -133,12 +135,14 @@ class LookingReference:
                 sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
                 program=self, code={n: p[chunk].reshape(-1) for n, p in loaded.items()},
             )  # fmt: skip
-            found = pixels.run(charge.reshape(len(self.starts), -1))
+            found, marked = pixels.run(charge.reshape(len(self.starts), -1))
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
+            saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
             valid[chunk] = good
             for name, plane in planes.items():
                 plane[chunk] = pixels.bits[name].reshape(len(part), cols)
-        return Executed(Exposure(exposure, np.isfinite(exposure) & valid), planes)
+        valid_here = np.isfinite(exposure) & valid
+        return Executed(Exposure(exposure, valid_here, saturated_by), planes)
 
     def _kept(self) -> list[str]:
         machine = self.container.machine
@@ -248,6 +252,7 @@ class _LookingPixels(Pixels):
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
         self.reset_e = np.zeros(len(self.places))
+        self.marks = Marks(self.program.effects, self.sensor, (*names, "IN"), len(self.places))
         bits = (*target.digital_registers, "FLAG")
         self.bits = {
             name: uniforms(key(self.device_seed, START, group=_FIRST_BIT + i), self.places) < 0.5
@@ -269,8 +274,9 @@ class _LookingPixels(Pixels):
         effect = next(each for each in self.program.effects.effects if each.name == name)
         return normals(key(self.seed, effect.stream, 1, self.frame, number), self.places)
 
-    def run(self, charge: Values) -> Values:
-        """The exposures (buckets, pixels) of a frame of `charge` (intervals, pixels)."""
+    def run(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
+        """The exposures (buckets, pixels) of a frame of `charge` (intervals, pixels), and what cut
+        them off (`nscc_runtime.effects.marks`)."""
         slots, target = self.container.slots, self.target
         launches = iter(self.container.launches)
         launch = next(launches, None)
@@ -305,9 +311,7 @@ class _LookingPixels(Pixels):
             self.fallen = now
 
     def _fall(self, charge: Values) -> None:
-        self.charge = self.charge + charge
-        for held in self.at("well"):
-            self.charge = held(self, self.charge)
+        self.charge = self.marks.fallen(self, self.charge + charge)
 
     def _run(self, op: Op) -> None:
         match op.operation.effect:
@@ -336,6 +340,7 @@ class _LookingPixels(Pixels):
         if self.target.reset_honours_flag != "no":
             here = self._read("FLAG")
         self.charge = np.where(here, 0.0, self.charge)
+        self.marks.empty(here)
         level = np.zeros(len(self.places))
         for left in self.at("resets"):
             level = left(self, level, word)
@@ -359,13 +364,14 @@ class _LookingPixels(Pixels):
         word = self._running(op)
         here = self._read("FLAG")
         result = self._total(word) / -op.operation.divisor
+        full, lost = self.marks.gathered(op)
         for index, name in enumerate(op.destinations):
             value = result
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
-            for held in self.at("registers"):
-                value = held(self, value)
+            value, lost_here = self.marks.held(self, value, lost)
             self.register[name] = np.where(here, value, self.register[name])
+            self.marks.write(name, here, full, lost_here)
 
     def _compare(self, op: Op) -> None:
         word = self._running(op)
@@ -407,8 +413,9 @@ class _LookingPixels(Pixels):
         self.bits[name] = value
         self.written_us[name] = self.now_us
 
-    def _read_out(self) -> Values:
+    def _read_out(self) -> tuple[Values, NDArray[np.uint8]]:
         exposures = np.empty((len(self.container.buckets), len(self.places)))
+        marked = np.empty(exposures.shape, np.uint8)
         for order, readout in enumerate(self.container.readouts):
             value = self.register[readout.register] * readout.gain
             for held in self.at("hold"):
@@ -417,4 +424,5 @@ class _LookingPixels(Pixels):
             for leaves in self.at("readout"):
                 value = leaves(self, value, bucket)
             exposures[bucket] = value + 0.0  # -0 + 0 is +0
-        return exposures
+            marked[bucket] = self.marks.read_out(readout.register, readout.gain)
+        return exposures, marked
