@@ -90,7 +90,8 @@ def of(
     A run that has seen one of the files is refused, unless these are skipped. Baselines of hdr-v1:
     ldr (always open), best-uniform (the single stop that is best in hindsight, in linear PSNR),
     best-uniform-mu (the same in mu-law PSNR), quad (2 x 2 geometric exposures), random, all decoded
-    by merging neighbours; sparse-coding (random, by convolutional sparse coding). Of video-v1:
+    by merging neighbours; sparse-coding (random, by convolutional sparse coding); looks-2, looks-5,
+    looks-9 (pixels that close at the first look above a level, without a decoder). Of video-v1:
     gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks bilinear and thin-out.
     """
     from nscc_training.evaluation.subjects import evaluate

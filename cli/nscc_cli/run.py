@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
 from nscc_cli import options as shared
 from nscc_cli.frames import (
     frame_path,
@@ -27,6 +25,10 @@ if TYPE_CHECKING:
     from nscc_runtime.simulate import Request
 
 _MOST_REPEATS = 10000
+_SIMULATION = (
+    "effects", "tolerance", "plan", "audit", "fidelity", "seed", "device_seed", "repeat",
+)  # fmt: skip
+"""Options that say how to simulate; those not given have the defaults of `nscc_runtime`."""
 
 
 @click.command(name="run", cls=CommonCommand)
@@ -39,8 +41,8 @@ _MOST_REPEATS = 10000
 @click.option("--png", type=PATH, help="Also write a picture of the frame.")
 @click.option("--effects", help="Sensor effects: auto, all, none (the default), or names; +NAME "
               "forces one on, -NAME off.")  # fmt: skip
-@click.option("--seed", type=SEED, default=0, help="Seed of a frame's noise.")
-@click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
+@click.option("--seed", type=SEED, help="Seed of a frame's noise (default: 0).")
+@click.option("--device-seed", type=SEED, help="Seed of fixed patterns (default: 0).")
 @click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames.")
 @click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes.")
 @shared.pixels_option
@@ -48,8 +50,8 @@ _MOST_REPEATS = 10000
 @click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
               help="Where to run: a serial port is a device's.")  # fmt: skip
 @shared.link_options
-@click.option("--fidelity", type=click.Choice(["planned", "reference"]), default="planned",
-              help="reference: effects slot by slot, exactly (slow). planned: to a "
+@click.option("--fidelity", type=click.Choice(["planned", "reference"]),
+              help="reference: effects slot by slot, exactly (slow). planned (default): to a "
               "tolerance.")  # fmt: skip
 @click.option("--tolerance", metavar="5e|0.1lsb",
               help="RMS error that a plan may make (default: 5e).")  # fmt: skip
@@ -107,37 +109,7 @@ def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ..
 
 def _request(options: dict[str, Any]) -> Request:
     """What the options say about effects; NS0739 (status 2) where they contradict each other."""
-    from nscc_runtime.effects import selected
     from nscc_runtime.simulate import Request
 
-    text, plan = options["effects"], options["plan"]
-    asked = [n for n in ("tolerance", "audit", "plan") if options[n] not in (None, False)]
-    effects = selected(text if text is not None else "auto" if asked else "none")
-    reference = options["fidelity"] == "reference"
-    if reference and (asked or effects.auto):
-        named = ", ".join(f"--{name}" for name in asked) or "--effects auto"
-        raise _contradiction(
-            f"{named} with --fidelity reference",
-            "the reference simulates what it is told to, without a plan",
-            f"leave {named} out, or --fidelity reference",
-        )
-    if plan is not None and plan.exists() and (text is not None or "tolerance" in asked):
-        named = "--effects" if text is not None else "--tolerance"
-        raise _contradiction(
-            f"{named} with the plan '{plan}'",
-            "a plan that is used has decided on effects and tolerance",
-            f"leave {named} out, or name a file that does not exist to write a new plan",
-        )
-    same = ("audit", "plan", "seed", "device_seed", "repeat")
-    return Request(
-        effects,
-        planned=not reference and (bool(asked) or not effects.noiseless),
-        tolerance="5e" if options["tolerance"] is None else options["tolerance"],
-        **{name: options[name] for name in same},
-    )
-
-
-def _contradiction(what: str, note: str, help_text: str) -> Rejected:
-    return rejected(
-        "NS0739", f"{what}: these exclude each other", notes=(note,), helps=(help_text,)
-    )
+    given = {name: options[name] for name in _SIMULATION if options[name] is not None}
+    return Request.of(**given, mark="--")

@@ -55,7 +55,7 @@ def command(program: Path | None, **options: Any) -> int:
     holds the error measured against the tolerance asked, a third says what each effect does and
     which are left out. Ends with status 1 where a plan broke its promise.
     """
-    from nscc_runtime.plan.program import Program
+    from nscc_runtime.planner.program import Program
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
     from nscc_runtime.tradeoff.study import measure
     from nscc_runtime.tradeoff.study_text import kept, studies_text
@@ -91,7 +91,7 @@ def _container(
 
 
 def _settings(options: dict[str, Any], sensor: Sensor) -> Settings:
-    from nscc_runtime.plan.tolerance import tolerance_e
+    from nscc_runtime.planner.tolerance import tolerance_e
     from nscc_runtime.tradeoff.study import Settings
 
     asked = {tolerance_e(part, sensor) for part in options["tolerances"].split(",")}

@@ -9,7 +9,8 @@
     meta          text    JSON, see `meta`
 
 A program whose pixels look at the light has `states_NAME` int64 (rows, cols) for every state that
-it reads, and `open_slots` int64 (buckets, rows, cols), how many slots each pixel was open.
+it reads, `open_slots` int64 (buckets, rows, cols), how many slots each pixel was open, and
+`light_e_per_s` and `light_sd_e_per_s` float64 (buckets, rows, cols), the light that this tells.
 
 K repeats put an axis K in front of these arrays. On request also `light` float32 (N, rows,
 cols); `truth_e`, the all-open sum float64 (rows, cols) of a still or the `light` of a clip;
@@ -24,7 +25,7 @@ from __future__ import annotations
 import json
 import zipfile
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import IO, Any
 
 import numpy as np
@@ -58,14 +59,14 @@ class Frame:
     when it was read; 2 register: an analog register held less than was written to it; 4
     converter: the code is the last one; 8 reset level: PIX was full when the level that is
     subtracted was read, so the exposure may be anything down to 0. `told`: what a program that
-    looks has told beside them (`states_NAME`, `open_slots`), by key.
+    looks has told beside them (`states_NAME`, `open_slots`, its light), by key.
     """
 
     frame: NDArray[np.uint8]
     exposure_e: NDArray[np.float64]
     valid: NDArray[np.bool_]
     saturated_by: NDArray[np.uint8]
-    told: Mapping[str, NDArray[np.int64]] = field(default_factory=dict, kw_only=True)
+    told: Mapping[str, NDArray[Any]] = field(default_factory=dict, kw_only=True)
 
     @property
     def saturated(self) -> NDArray[np.bool_]:
@@ -120,11 +121,10 @@ def converted(
     effects: Selection,
     seeds: tuple[int, int],
     frame: int,
-    told: Mapping[str, NDArray[np.int64]] | None = None,
 ) -> Frame:
     """Frame number `frame` read out with the converter's noise, where `effects` have some.
 
-    `seeds` are those of the frames' noise and of the device; `told` as in Frame.
+    `seeds` are those of the frames' noise and of the device.
     """
     noise: NDArray[np.float64] | float = 0.0
     shape = exposure.exposure_e.shape
@@ -133,7 +133,7 @@ def converted(
     for off in effects.at("converter"):
         drawn = [off(where, bucket) for bucket in range(shape[0])]
         noise = noise + np.stack(drawn).reshape(shape)
-    return replace(read_out(exposure, target, sensor, noise), told=told or {})
+    return read_out(exposure, target, sensor, noise)
 
 
 def check_adc(target: Target) -> None:
@@ -274,6 +274,7 @@ def meta(
         "adc_offset": sensor.adc_offset_lsb,
         "exposure_scale_e": light.exposure_scale_e if light else None,
         "open_us": open_us(container) if container else None,
+        **({"frame_us": float(sum(container.slot_us))} if container and container.machine else {}),
         "invalid_pixels": int(np.count_nonzero(~frame.valid)),
         "plan": origin.plan,
         "audit": origin.audit,
@@ -282,7 +283,7 @@ def meta(
 
 def open_us(container: Container) -> list[float] | None:
     """For each bucket how long its pixels are open; None where pixels differ."""
-    if container.pixel_codes is None:
+    if container.pixel_codes is None or container.machine is not None:
         return None
     lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])
     times = container.table.shutters[lanes] @ np.array(container.slot_us, np.float64)

@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.capture import made_ready
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Converter, Leak, SlowWords, Soft, Well, WordGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.frames import made_ready
+from nscc_runtime.planner.program import Program
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign

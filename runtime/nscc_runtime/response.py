@@ -63,7 +63,7 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
     plain = Response(open_s, np.ones(open_s.shape), np.zeros(open_s.shape), sensor)
     if effects.noiseless:
         return plain
-    from nscc_runtime.capture import made_ready
+    from nscc_runtime.planner.frames import made_ready
 
     try:
         program = made_ready(container, sensor)

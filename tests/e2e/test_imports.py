@@ -29,7 +29,8 @@ FLOORS = {
 """From the ground up: each may import those before it."""
 
 ROOMS = (
-    ("columns", "npy", "operations", "requirements", "source", "truth"),
+    ("columns", "html", "npy", "operations", "requirements", "source", "truth", "version"),
+    ("lazy",),
     ("diagnostics", "macros"),
     ("files", "plugins", "toml"),
     ("target",),
@@ -38,12 +39,14 @@ ROOMS = (
     ("syntax",),
     ("installation", "program"),
     ("lower",),
+    ("looks",),
     ("checks",),
     ("pipeline",),
     ("emit", "limits"),
     ("tradeoff",),
     ("compiler",),
     ("containers",),
+    ("shutter_program",),
 )
 """The compiler's rooms from the ground up: one may import those of earlier lines."""
 

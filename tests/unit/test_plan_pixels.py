@@ -12,7 +12,7 @@ from reference_programs import sensor_of
 from nscc.words.container import Container
 from nscc_runtime.effects import optional, selected
 from nscc_runtime.light import Light
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.program import Program
 from nscc_runtime.reference import expose
 from nscc_runtime.sensor import Sensor
 

@@ -9,7 +9,7 @@ from reference_programs import sensor_of
 from saturation_oracle import exposures, lost_e
 
 from nscc.words.container import Container
-from nscc_runtime.capture import Capture, capture
+from nscc_runtime import Capture, capture
 from nscc_runtime.device.chip import frame_of
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
@@ -49,7 +49,7 @@ def lit(request: pytest.FixtureRequest) -> tuple[Container, np.ndarray]:
 def taken(container: Container, light: np.ndarray, effects: str) -> Capture:
     # Crosstalk takes light where the oracle, pixel by pixel, sees none.
     sensor = sensor_of(container, crosstalk_fraction=0.0)
-    found = capture(light, container, sensor, effects=effects, seed=2, device_seed=4)
+    found = capture(container, light, sensor=sensor, effects=effects, seed=2, device_seed=4)
     assert found.saturated_by.dtype == np.uint8
     assert np.array_equal(found.saturated, found.saturated_by > 0)
     return found
@@ -103,7 +103,7 @@ def test_of_a_chip_codes_alone_tell_it(lit: tuple[Container, np.ndarray], knee: 
     container, light = lit
     still = np.broadcast_to(light.mean(axis=0), light.shape)
     sensor = sensor_of(container, crosstalk_fraction=0.0, register_knee_fraction=knee)
-    found = capture(still, container, sensor, effects="all", seed=2, device_seed=4)
+    found = capture(container, still, sensor=sensor, effects="all", seed=2, device_seed=4)
     size = found.frame.shape
     told = frame_of(found.frame.tobytes(), 1, size, sensor, container.target, container)
     most = np.where(found.saturated, 0, found.frame).max()
@@ -135,14 +135,14 @@ def test_the_dark_and_what_never_opens_are_not_saturated() -> None:
     container = program(text + "pixels stop = 4 * (x % 2)\n", "edges", *SHAPE)
     flood = np.full((4, *SHAPE), 1e6, np.float32)
     for effects in ("auto", "all"):
-        assert not capture(flood * 0, container, effects=effects).saturated.any()
-        found = capture(flood, container, effects=effects)
+        assert not capture(container, flood * 0, effects=effects).saturated.any()
+        found = capture(container, flood, effects=effects)
         assert found.saturated[..., 1::2].all()
         assert not found.saturated[..., ::2].any()
 
 
 def test_repeats_follow() -> None:
     container = case("b edges", rows=SHAPE[0], cols=SHAPE[1])
-    found = capture(light_for(container), container, effects="all", repeat=3)
+    found = capture(container, light_for(container), effects="all", repeat=3)
     assert found.saturated.shape == found.saturated_by.shape == (3, 1, *SHAPE)
     assert 0 < (found.saturated[0] != found.saturated[1]).sum() < 0.05 * found.saturated[0].size

@@ -47,20 +47,29 @@ def reconstruct(
     of another program or sensor (with `force` that is a warning, unless its size differs).
     """
     folder = load_run(run, trust_code=trust_code)
-    read = read_frame(frame)
-    doubts = [*_program_doubts(folder, read), *_sensor_doubts(folder, read)]
-    messages = tuple(_doubt(frame, text, warning=force) for text in doubts)
-    if messages and not force:
-        raise Rejected(messages, status=2)
-    size = (folder.parts.target.rows, folder.parts.target.cols)
-    if read.frame.shape != size:
-        raise _no_frame(frame, f"it is of {read.frame.shape} pixels, the run's chip has {size}")
-    made = decoded_frame(folder, read.frame, read.saturated)
+    made, messages = reconstructed(folder, read_frame(frame), str(frame), force=force)
     stream = io.BytesIO()
     key = "image" if folder.parts.still else "video"
     # Savez stamps no times: its entries all have the same date.
     np.savez(stream, **{key: made})  # type: ignore[arg-type]  # numpy types keywords as one kind
     return stream.getvalue(), messages
+
+
+def reconstructed(
+    folder: RunFolder, read: FrameRead, name: str, *, force: bool
+) -> tuple[NDArray[np.float32], tuple[Diagnostic, ...]]:
+    """The picture or clip of a frame, and warnings; `name` is what they call the frame.
+
+    Raises Rejected (NS0819) as `reconstruct`.
+    """
+    doubts = [*_program_doubts(folder, read), *_sensor_doubts(folder, read)]
+    messages = tuple(_doubt(name, text, warning=force) for text in doubts)
+    if messages and not force:
+        raise Rejected(messages, status=2)
+    size = (folder.parts.target.rows, folder.parts.target.cols)
+    if read.frame.shape != size:
+        raise _no_frame(name, f"it is of {read.frame.shape} pixels, the run's chip has {size}")
+    return decoded_frame(folder, read.frame, read.saturated), messages
 
 
 @torch.no_grad()
@@ -142,7 +151,7 @@ def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     yield "its sensor has other values than the run's"
 
 
-def _doubt(path: Path, reason: str, *, warning: bool) -> Diagnostic:
+def _doubt(path: Path | str, reason: str, *, warning: bool) -> Diagnostic:
     return Diagnostic(
         "NS0819",
         f"'{path}' is no frame for this run: {reason}",
@@ -153,7 +162,7 @@ def _doubt(path: Path, reason: str, *, warning: bool) -> Diagnostic:
     )
 
 
-def _no_frame(path: Path, reason: str) -> Exception:
+def _no_frame(path: Path | str, reason: str) -> Exception:
     return rejected(
         "NS0819",
         f"'{path}' is no frame that can be reconstructed",

@@ -68,9 +68,9 @@ class ByParts:
 @dataclass(frozen=True)
 class InLoop:
     """What the loop over the words of single pixels is told of an effect, by the loop's own names
-    (`nscc_runtime.plan.layout`): `switch` turns it on, `numbers` are its figures, `device_key` is
-    that of its stream on the device, `function` what it calls. `cost_ns`: nanoseconds a pixel that
-    leaving it out saves there.
+    (`nscc_runtime.planner.layout`): `switch` turns it on, `numbers` are its figures, `device_key`
+    is that of its stream on the device, `function` what it calls. `cost_ns`: nanoseconds a pixel
+    that leaving it out saves there.
     """
 
     switch: str | None = None
