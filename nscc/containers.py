@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +12,9 @@ from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Options
-from nscc.program.pixels import codes_from_file
+from nscc.program.analyse import ranges_of
+from nscc.program.pixels import Ranges, codes_from_file
+from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.file import read_container
 
@@ -47,7 +50,10 @@ def with_pixels(container: Container, name: str | Path, pixels: Path | None = No
     """
     target, fields = container.target, container.table.fields
     if pixels is not None:
-        codes = codes_from_file(pixels, container.table, target.rows, target.cols)
+        codes = codes_from_file(
+            pixels, container.table, target.rows, target.cols,
+            mode=container.notes.get("codes", ""), ranges=partial(_ranges, container, Path(name)),
+        )  # fmt: skip
         return replace(container, pixel_codes=codes)
     if container.pixel_codes is not None:
         return container
@@ -64,3 +70,9 @@ def with_pixels(container: Container, name: str | Path, pixels: Path | None = No
             f"{arrays}), integers ({target.rows}, {target.cols})",
         ),
     )
+
+
+def _ranges(container: Container, program: Path) -> Ranges:
+    """The ranges of the fields, of the source that a container carries."""
+    source = Source(program.name, "\n".join(container.source_lines))
+    return ranges_of(source, container.target, program.parent)

@@ -28,14 +28,15 @@ def rows(vectors: list[int], count: int) -> NDArray[np.bool_]:
     raw = b"".join(vector.to_bytes(size, "little") for vector in vectors)
     packed = np.frombuffer(raw, dtype=np.uint8).reshape(len(vectors), size)
     bits = np.unpackbits(packed, axis=1, count=count, bitorder="little")
-    return np.ascontiguousarray(bits.T).astype(np.bool_)
+    return np.ascontiguousarray(bits.T).view(np.bool_)
 
 
 def members(vector: int, count: int) -> NDArray[np.intp]:
     """The shutters, of `count`, whose bit is set, in rising order."""
     if vector & (vector - 1) == 0:
         return np.array([vector.bit_length() - 1] if vector else [], dtype=np.intp)
-    return np.flatnonzero(rows([vector], count)[:, 0])
+    packed = np.frombuffer(vector.to_bytes((count + 7) // 8, "little"), dtype=np.uint8)
+    return np.flatnonzero(np.unpackbits(packed, count=count, bitorder="little"))
 
 
 def vector(shutters: NDArray[np.intp]) -> int:

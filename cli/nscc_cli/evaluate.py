@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.files import Product, write_together
-from nscc_cli.options import PATH, together
+from nscc_cli.options import PATH, together, trust_code_option
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say_compiling
 
 if TYPE_CHECKING:
@@ -76,21 +76,28 @@ def sci8(
               help="The folder of scenes.")  # fmt: skip
 @click.option("--protocol", required=True, metavar="P", help="hdr-v1, video-v1 or sci8.")
 @click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
+@click.option("--skip-seen", is_flag=True,
+              help="Leave out files that the run was trained or validated on.")  # fmt: skip
+@trust_code_option
 @_save_option
 @_outputs
-def of(subject: str, data: Path, protocol: str, seed: int, **outputs: Any) -> None:
+def of(
+    subject: str, data: Path, protocol: str, seed: int, skip_seen: bool, trust_code: bool,
+    **outputs: Any,
+) -> None:  # fmt: skip
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
-    A run that has seen one of the files is refused. Baselines of hdr-v1: ldr (always open),
-    best-uniform (the single stop that is best in hindsight, in linear PSNR), best-uniform-mu (the
-    same in mu-law PSNR), quad (2 x 2 geometric exposures), random, all decoded by merging
-    neighbours; sparse-coding (random, by convolutional sparse coding); looks-2, looks-5, looks-9
-    (pixels that close at the first look above a level, without a decoder). Of video-v1: gap-tv,
-    admm-tv, dictionary, adjoint on random bits, and the yardsticks bilinear and thin-out.
+    A run that has seen one of the files is refused, unless these are skipped. Baselines of hdr-v1:
+    ldr (always open), best-uniform (the single stop that is best in hindsight, in linear PSNR),
+    best-uniform-mu (the same in mu-law PSNR), quad (2 x 2 geometric exposures), random, all decoded
+    by merging neighbours; sparse-coding (random, by convolutional sparse coding); looks-2, looks-5,
+    looks-9 (pixels that close at the first look above a level, without a decoder). Of video-v1:
+    gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks bilinear and thin-out.
     """
     from nscc_training.evaluation.subjects import evaluate
 
-    _of_scenes(*evaluate(subject, data, protocol, seed), **outputs)
+    chosen = {"skip_seen": skip_seen, "trust_code": trust_code}
+    _of_scenes(*evaluate(subject, data, protocol, seed, **chosen), **outputs)
 
 
 @command.command("tables", cls=CommonCommand)

@@ -11,5 +11,5 @@ from nscc_cli.support import CommonCommand
 @click.command("explain", cls=CommonCommand)
 @click.argument("code", required=False)
 def command(code: str | None) -> None:
-    """Explain CODE (NS0412, or its name); without one, list all codes."""
+    """Explain CODE (NS0412, 412, or its name); without one, list all codes."""
     click.echo(index() if code is None else page(code), nl=False)

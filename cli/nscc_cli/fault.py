@@ -32,8 +32,8 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     where the input is nested too deeply, NS0904 (2) where a package is missing, else NS0901 (70)
     with a reproducer.
     """
-    if isinstance(error, MemoryError):
-        return _out_of_memory(error), FAILED
+    if isinstance(error, MemoryError | RuntimeError) and _no_memory(error):
+        return _out_of_memory(error, arguments), FAILED
     if isinstance(error, RecursionError):
         deep = "this input is nested more deeply than nscc can follow"
         hint = "use fewer parentheses, or name parts of an expression with `let`"
@@ -61,13 +61,32 @@ def _missing_package(error: ModuleNotFoundError) -> Diagnostic:
     )
 
 
-def _out_of_memory(error: MemoryError) -> Diagnostic:
-    said = " ".join(str(error).split())
+def _no_memory(error: Exception) -> bool:
+    from nscc_training.problems import is_out_of_memory
+
+    return is_out_of_memory(error)
+
+
+_LESS = {
+    "train": "make train.batch or data.patch smaller, for instance --set train.batch=2; or take "
+    "fewer slots, or a narrower decoder (decoder.width)",
+    **dict.fromkeys(
+        ("reconstruct", "evaluate"), "use a run with a smaller decoder, or fewer files at once"
+    ),
+}
+"""What takes less memory, by command."""
+
+
+def _out_of_memory(error: Exception, arguments: Sequence[str]) -> Diagnostic:
+    said = " ".join(str(error).split())[:200]
+    on_gpu = type(error).__name__ == "OutOfMemoryError"
+    less = "use fewer slots, codes or repeats, a smaller array, or leave `--keep` out"
+    processor = "with CUDA_VISIBLE_DEVICES= before the command it runs on the processor, slower"
     return Diagnostic(
         "NS0902",
-        "there is not enough memory for this",
+        f"there is not enough memory {'on the GPU ' if on_gpu else ''}for this",
         notes=(said,) if said else (),
-        helps=("use fewer slots, codes or repeats, a smaller array, or leave `--keep` out",),
+        helps=(_LESS.get(arguments[0] if arguments else "", less), *([processor] * on_gpu)),
     )
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import shlex
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from nscc.words.container import Container
     from nscc_runtime.frame_file import Frame
     from nscc_runtime.light import Light
+    from nscc_runtime.response import Response
     from nscc_runtime.scenes import Scene
     from nscc_runtime.sensor import Sensor
     from nscc_runtime.timings import Timings
@@ -35,6 +37,21 @@ def scene_of(
         )
     named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
     return Scene(*(options[name] for name in named))
+
+
+def refuse_swapped(program: Path, scene: str | None) -> None:
+    """NS0780 where the scene is a program: then the two were likely given the wrong way round."""
+    if scene is None or not scene.lower().endswith((".nsl", ".icw")):
+        return
+    if program.suffix.lower() in (".nsl", ".icw"):
+        message, help_text = (
+            f"--scene '{scene}' is a program, not a scene",
+            "name a file of light: a picture, a clip, an array, or builtin:hdr",
+        )
+    else:
+        message = f"the program and the scene are swapped: '{program}' and --scene '{scene}'"
+        help_text = f"write `nscc run {shlex.quote(scene)} --scene {shlex.quote(str(program))}`"
+    raise rejected("NS0780", message, helps=(help_text,))
 
 
 def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
@@ -75,10 +92,10 @@ def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
 def write_frame(
     out: Path, options: Mapping[str, Any], keep: Sequence[str], container: Container,
     light: Light | None, frame: Frame, meta: Mapping[str, Any], title: str, timings: Timings,
-    plan: str | None = None,
+    response: Callable[[], Response], plan: str | None = None,
 ) -> list[Path]:  # fmt: skip
     """Write the frame file, and the picture, plan and timings that were asked for; where frame,
-    picture and plan are."""
+    picture and plan are. `response` gives that of the frame, for the picture."""
     from nscc.prove.shutters import replayed
     from nscc_runtime.frame_file import FrameFile
 
@@ -87,7 +104,7 @@ def write_frame(
         file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
         products: dict[Path, Product] = {out: file.write}
         if options["png"]:
-            products[options["png"]] = _picture(container, frame, title)
+            products[options["png"]] = _picture(container, frame, response(), title)
         if plan is not None:
             products[options["plan"]] = plan.encode()
         write_together(products)
@@ -96,13 +113,13 @@ def write_frame(
     return [*products]
 
 
-def _picture(container: Container, frame: Frame, title: str) -> Product:
+def _picture(container: Container, frame: Frame, response: Response, title: str) -> Product:
     """The picture of `--png`: of the first frame, where there are several."""
-    from nscc_runtime.pictures.frames import frame_sheet, readouts
+    from nscc_runtime.merge import readouts
+    from nscc_runtime.pictures.frames import frame_sheet
     from nscc_runtime.pictures.sheet import png_of
 
-    first = frame.frame[0] if frame.frame.ndim == 4 else frame.frame
-    return png_of(frame_sheet, readouts(container, first), title)
+    return png_of(frame_sheet, readouts(container, frame.first, response), title)
 
 
 def summary(container: Container, frame: Frame, files: Sequence[Path], *, alike: bool) -> str:

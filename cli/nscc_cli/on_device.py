@@ -23,6 +23,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     from nscc_runtime.device.frames import exposed
     from nscc_runtime.device.link import Link
     from nscc_runtime.frame_file import check_adc
+    from nscc_runtime.response import response_of
     from nscc_runtime.timings import Timings
 
     place, scene = options["place"], options["scene"]
@@ -46,8 +47,12 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     ):
         chip = Chip(link, sensor, progress)
         frame, meta = exposed(chip, container, light, options["repeat"], progress)
+        effects = chip.effects
     title = f"{program.name}  ·  on the device"
-    files = write_frame(out, options, keep, container, light, frame, meta, title, timings)
+    files = write_frame(
+        out, options, keep, container, light, frame, meta, title, timings,
+        lambda: response_of(container, sensor, effects),
+    )  # fmt: skip
     done(summary(container, frame, files, alike=False))
 
 

@@ -109,6 +109,12 @@ def repeats_option(default: int) -> Callable[..., Any]:
                   help="How often everything is timed, in turn: the median counts.")  # fmt: skip
 
 
+trust_code_option = option(
+    "--trust-code", is_flag=True,
+    help="Let a run execute the Python code (module:name) that it names as its own.",
+)  # fmt: skip
+"""Of what loads a run folder."""
+
 made_scenes_option = option(
     "--data", type=PATH, metavar="DIR",
     help="A folder of clips, panoramas or both, instead of made scenes.",

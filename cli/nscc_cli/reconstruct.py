@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from nscc.files import write_whole
-from nscc_cli.options import PATH
+from nscc_cli.options import PATH, trust_code_option
 from nscc_cli.support import CommonCommand, done, say
 
 
@@ -17,7 +17,8 @@ from nscc_cli.support import CommonCommand, done, say
 @click.option("-o", "out", required=True, metavar="OUT.npz", type=PATH)
 @click.option("--force", is_flag=True,
               help="Only warn if the frame is of another program or sensor.")  # fmt: skip
-def command(run: Path, frame: Path | None, out: Path, force: bool) -> None:
+@trust_code_option
+def command(run: Path, frame: Path | None, out: Path, force: bool, trust_code: bool) -> None:
     """Make a picture or a clip of FRAME, which `nscc run RUN/shutter.nsl` wrote.
 
     A frame whose pixels looked at the light needs no RUN: it says itself how long each was open.
@@ -33,7 +34,7 @@ def command(run: Path, frame: Path | None, out: Path, force: bool) -> None:
         return
     from nscc_training.reconstruct import reconstruct
 
-    product, messages = reconstruct(run, frame, force=force)
+    product, messages = reconstruct(run, frame, force=force, trust_code=trust_code)
     say(messages)
     write_whole(out, product)
     done(f"wrote {out.as_posix()}")

@@ -10,7 +10,15 @@ import click
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_cli import options as shared
-from nscc_cli.frames import frame_path, parse_keep, scene_of, sensor_of, summary, write_frame
+from nscc_cli.frames import (
+    frame_path,
+    parse_keep,
+    refuse_swapped,
+    scene_of,
+    sensor_of,
+    summary,
+    write_frame,
+)
 from nscc_cli.options import PATH, SEED
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, done, progress, say
@@ -56,6 +64,7 @@ def command(program: Path, **options: Any) -> None:
     With --on PORT a chip exposes it, or `nscc device serve`, its stand-in.
     """
     keep = parse_keep(options["keep"])
+    refuse_swapped(program, options["scene"])
     if options["place"] == "emulator":
         _run_on_emulator(program, options, keep)
     else:
@@ -66,7 +75,7 @@ def command(program: Path, **options: Any) -> None:
 
 def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
     from nscc_runtime.frame_file import meta
-    from nscc_runtime.plan_file import plan_table
+    from nscc_runtime.response import response_of
     from nscc_runtime.simulate import Listener, simulate
 
     request = _request(options)
@@ -85,9 +94,11 @@ def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ..
     files = write_frame(
         out, options, keep, container, light, frame, meta(container, light, frame, taken.origin),
         f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
-        taken.plan_file,
+        lambda: response_of(container, sensor, taken.effects), taken.plan_file,
     )  # fmt: skip
     if taken.plan is not None:
+        from nscc_runtime.plan_file import plan_table
+
         done(plan_table(taken.plan, taken.audit) + "\n")
     done(summary(container, frame, files, alike=request.effects.noiseless))
     if taken.broken is not None:

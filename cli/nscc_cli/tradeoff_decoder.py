@@ -28,8 +28,9 @@ from nscc_cli.tradeoff_files import output_files, write_files
               metavar="S", help="Seconds after which repeats end; the first is done in any "
               "case.")  # fmt: skip
 @shared.made_seed_option
+@shared.trust_code_option
 @shared.tradeoff_options
-def command(runs: tuple[Path, ...], **options: Any) -> int:
+def command(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     """Measure what decoding time buys: PSNR and SSIM against milliseconds a scene.
 
     Decoders that need no training, by their iterations: GAP-TV, ADMM-TV, a dictionary; for stills
@@ -46,7 +47,7 @@ def command(runs: tuple[Path, ...], **options: Any) -> int:
     files = output_files(options)
     named = ("data", "scenes", "size", "repeats", "budget", "seed")
     settings = Settings(*(options[name] for name in named))
-    folders = [load_run(path) for path in dict.fromkeys(runs)]
+    folders = [load_run(path, trust_code=trust_code) for path in dict.fromkeys(runs)]
     todo = cases(folders, settings)
     say_compiling(denoise, "the loop of total variation")
     points, repeats = measure(todo, settings, lambda turns: progress(turns, "decoding"))

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import re
+
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.render import PAGES, names
 from nscc.diagnostics.suggest import closest
 
+_CODE = re.compile(r"(?:(?:error|warning|note)\[)?(?:NS)?0*(\d{1,4})(?:\]:?.*)?", re.IGNORECASE)
+"""A code as it is typed or copied: `NS0412`, `ns412`, `412`, `error[NS0412]: ..`."""
+
 
 def page(code_or_name: str) -> str:
-    """The page of a code (`NS0412`, any case) or of a name (`too-many-shutters`).
+    """The page of a code (`NS0412`, any case; `412`) or of a name (`too-many-shutters`).
 
     Raises Rejected (NS0790, status 2) where there is none.
     """
     known = names()
     wanted = code_or_name.strip()
-    code = wanted.upper()
+    match = _CODE.fullmatch(wanted)
+    code = f"NS{int(match[1]):04d}" if match else ""
     if code not in known:
         code = next((c for c, name in known.items() if name == wanted.lower()), "")
     if not code:

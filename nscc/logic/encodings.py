@@ -197,7 +197,7 @@ def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encodi
         raise GaveUp("one field is as good as the shutters' numbers")
     planes: Planes = []
     for name, values in problem.values.items():
-        rank = np.searchsorted(np.unique(values), values)
+        _, rank = np.unique(values, return_inverse=True)
         planes += binary_planes(f"{name}, Gray bit", gray(rank), int(rank.max()).bit_length())
     if len(planes) > machine.registers - 1:
         raise GaveUp(f"{len(planes)} bits of fields leave no register to compute with")

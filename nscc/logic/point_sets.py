@@ -40,7 +40,8 @@ class Planes:
         cubes, masks, size = cubes[first], masks[order][first], size[order][first]
         price = np.array([words_of(n, limit) for n in range(len(planes) + 1)])[size]
         self.groups = [
-            (int(words), cubes[price == words], masks[price == words]) for words in np.unique(price)
+            (words, cubes[price == words], masks[price == words])
+            for words in sorted(set(price.tolist()))
         ]
 
 

@@ -110,6 +110,8 @@ def _all_gates(script: Script) -> Iterator[Gate]:
 
 @dataclass
 class _Walker:
+    """One way along a script's demands."""
+
     problem: Problem
     machine: Machine
     script: Script

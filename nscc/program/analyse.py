@@ -20,6 +20,7 @@ from nscc.program.program import Codes, Program
 from nscc.program.scopes import constants_scope, require_scope, rule_scope
 from nscc.program.table import Rules
 from nscc.source import Source
+from nscc.syntax.parse import parse
 from nscc.syntax.tree import File, TargetByName, TargetFromFile
 from nscc.target.target import Target
 
@@ -54,6 +55,16 @@ def analyse(
     digits = {name: book for name, book in books.items() if book is not None}
     known = Rules(sound, requires, rules, digits, len(frame.slot_us))
     return Completion(problems, declared, chosen, frame, known, planes, codes, looking).run()
+
+
+def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int, int]]:
+    """The ranges of the fields that a text declares; what cannot be told is left out."""
+    problems = Problems(source)
+    declared = gather(parse(source)[0], problems)
+    constants = resolve_constants(declared, target, problems)
+    books = make_books(declared.books, constants["N"], base, problems)
+    fields = make_fields(declared, constants_scope(declared, constants), books, problems)
+    return {name: (each.low, each.high) for name, each in fields.items() if each is not None}
 
 
 def _load_target(declared: Declarations, base: Path, problems: Problems) -> Target | None:

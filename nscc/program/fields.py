@@ -36,6 +36,8 @@ def make_fields(
 
 @dataclass(eq=False, repr=False)
 class _Maker:
+    """What codes' fields are made from."""
+
     declared: Declarations
     scope: Scope
     books: Mapping[str, NDArray[np.bool_] | None]

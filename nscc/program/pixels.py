@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -49,14 +49,27 @@ def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
     return np.flatnonzero(seen) + low, (np.cumsum(seen) - 1)[offsets]
 
 
+Ranges = Mapping[str, tuple[int, int]]
+"""The least and the largest value that each field may have."""
+
+
 def codes_from_file(
-    path: Path, table: DecodeTable, rows: int, cols: int, *, shown: str | None = None
+    path: Path,
+    table: DecodeTable,
+    rows: int,
+    cols: int,
+    *,
+    shown: str | None = None,
+    mode: str = "fixed",
+    ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
     """Codes for a program that is compiled already: the row of `table.codes` at each pixel.
 
-    The file holds an integer array (rows, cols) for each field of `table`, by name. `shown` is the
-    path for messages. Raises Rejected: NS0313 and NS0314 for the file, NS0319 (first pixel and
-    count) where the program was not compiled for a pixel's code.
+    The file holds an integer array (rows, cols) for each field of `table`, by name. For messages,
+    `shown` is the path, `mode` says whether `table` holds every legal code ("open"), and `ranges`
+    is asked for what the fields may be. Raises Rejected: NS0313 and NS0314 for the file; with the
+    first such pixel and their number, NS0311 for a value out of its field's range, NS0312 for a
+    code that the program forbids, NS0319 for one that it was not compiled for.
     """
     shape = (rows, cols)
     file = ArraysFile(path, str(path) if shown is None else shown)
@@ -71,16 +84,45 @@ def codes_from_file(
     )
     missing |= unknown
     if missing.any():
-        raise _not_compiled(file, table, planes, missing)
+        known = ranges()
+        for name, plane in zip(table.fields, planes, strict=True):
+            if name in known:
+                refuse_outside(file, name, plane, known[name])
+        raise _unknown(file, table, planes, missing, mode)
     return rows_of_table
 
 
-def _not_compiled(
-    file: ArraysFile, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_]
+def refuse_outside(file: ArraysFile, name: str, plane: Plane, values: tuple[int, int]) -> None:
+    """NS0311 where a pixel of a file has a value that its field cannot have."""
+    low, high = values
+    outside = (plane < low) | (plane > high)
+    if outside.any():
+        y, x = first_place(outside)
+        count = int(outside.sum())
+        raise rejected(
+            "NS0311",
+            f'in "{file.shown}" the {pixel_text(x, y)} has {name} = {plane[y, x]}, '
+            f"outside {low}..{high}",
+            notes=(f"{counted(count, 'pixel is', 'pixels are')} outside the range",),
+            helps=(f"give values from {low} to {high}, or widen `code {name}` in the program",),
+            data={"field": name, "x": x, "y": y, "pixels": count},
+        )
+
+
+def _unknown(
+    file: ArraysFile, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
 ) -> Rejected:
     y, x = first_place(missing)
     count = int(missing.sum())
     code = ", ".join(f"{n} = {p[y, x]}" for n, p in zip(table.fields, planes, strict=True))
+    if mode == "open":
+        return rejected(
+            "NS0312",
+            f'in "{file.shown}" the {pixel_text(x, y)} has {code}, which the program forbids',
+            notes=(f"{counted(count, 'pixel has', 'pixels have')} such codes",),
+            helps=("give codes within the fields' ranges that fulfil every `require`",),
+            data={"x": x, "y": y, "pixels": count},
+        )
     return rejected(
         "NS0319",
         f'the program was not compiled for a code of "{file.shown}": {pixel_text(x, y)} has {code}',
@@ -88,7 +130,7 @@ def _not_compiled(
             f"{counted(count, 'pixel has', 'pixels have')} such codes; "
             f"the program knows {counted(len(table.codes), 'code')}",
         ),
-        helps=("`nscc build --codes open` compiles for every code that the program allows",),
+        helps=("`--codes open` compiles the program (.nsl) for every code that it allows",),
         data={"x": x, "y": y, "pixels": count},
     )
 

@@ -49,6 +49,8 @@ def make_planes(
 
 @dataclass(eq=False, repr=False)
 class _Maker:
+    """What planes are made from."""
+
     declared: Declarations
     fields: Mapping[str, Field | None]
     constants: Mapping[str, Meaning]

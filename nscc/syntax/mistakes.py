@@ -3,11 +3,12 @@ mistake is a common one, what was probably meant."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
 from nscc.diagnostics.suggest import closest
 from nscc.source import Span
+from nscc.syntax import habits
 from nscc.syntax.grammar import END, spellings
 from nscc.syntax.lexer import Tokens
 from nscc.syntax.statement import Stuck
@@ -19,14 +20,15 @@ from nscc.syntax.words import (
     statement_words,
 )
 
-_UNITS = ("ns", "us", "ms", "s")
 _SIGNS = {
     ";": ("statements need no semicolon", ""),
-    "&": ("`and` joins conditions", "and"),
+    "&": ("`and` joins conditions; bit i of a field `code NAME : bit[K]` is NAME[i]", "and"),
     "&&": ("`and` joins conditions", "and"),
     "|": ("`or` joins conditions", "or"),
     "||": ("`or` joins conditions", "or"),
     "!": ("`not` turns a condition round", "not "),
+    "~": ("`not` turns a condition round", "not "),
+    "?": ("a choice is written `A if CONDITION else B`", None),
     "^": ("`xor` means one or the other; there are no powers", None),
     "\u2264": ("it is written `<=`", "<="),
     "\u2265": ("it is written `>=`", ">="),
@@ -54,7 +56,7 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
             message = "these quotes are never closed"
             return Diagnostic("NS0114", message, source=tokens.source, label=place, helps=helps)
         if kind == "STRAY":
-            return _stray(tokens, stuck.token)
+            return _stray(tokens, stuck.token, stuck.expected)
         if END in stuck.expected and kind == "NAME":
             return unknown_statement(tokens, stuck.token)
         if _is_word(kind) and stuck.expected <= {"NAME", "TARGET_NAME", "TEXT", "from"}:
@@ -108,7 +110,7 @@ def _is_word(kind: str) -> bool:
     return kind in spellings().values() and kind.isalnum()
 
 
-def _stray(tokens: Tokens, token: int) -> Diagnostic:
+def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
     text, span = tokens.text(token), tokens.span(token)
     doubled = text + tokens.text(token + 1) if token + 1 < len(tokens.kinds) else ""
     if doubled in _SIGNS and tokens.span(token + 1).start == span.end:
@@ -122,6 +124,11 @@ def _stray(tokens: Tokens, token: int) -> Diagnostic:
             helps=("names are made of the letters a-z and A-Z, digits and `_`",),
         )
     hint, instead = _SIGNS.get(text, ("take it out; comments begin with `#`", None))
+    file = habits.file_hint(tokens, token) if text == "." else None
+    if text == ";" and "]" in expected:
+        hint, instead = "rows and values are parted by commas", ","
+    elif file is not None:
+        hint = file
     return Diagnostic(
         "NS0108",
         f"the sign {shown(text)} means nothing here",
@@ -161,7 +168,7 @@ def _unexpected(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnost
         label=Label(place, f"expected {expected}"),
         related=_left_open(tokens, first, stuck),
         notes=_forms(statement),
-        helps=tuple(_hints(tokens, first, last, stuck)),
+        helps=(*_hints(tokens, first, last, stuck), *habits.hints(tokens, first, last, stuck)),
         fixes=tuple(_fixes(tokens, first, last, stuck)),
     )
 
@@ -194,7 +201,7 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
         return
     kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
     if kind == "MALFORMED":
-        yield from _number_hints(text)
+        yield from habits.number_hints(tokens, stuck.token)
     elif kind == "GROUPED":
         yield "only the rows of `shutters` have digits in groups"
     elif kind == "TIME" and tokens.kinds[first] != "frame":
@@ -213,26 +220,16 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
         yield f"no bracket is open that this {shown(text)} could close"
 
 
-def _number_hints(text: str) -> Iterator[str]:
-    if text.endswith(_UNITS) or "." in text:
-        yield "decimals stand only in times, with the unit ns, us, ms or s: 1.6ms"
-    elif "_" in text:
-        yield "only the rows of `shutters` have digits in groups: 1111_0000"
-    else:
-        yield "numbers are digits, names begin with a letter, times end in ns, us, ms or s"
-
-
 def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]:
     """Changes that would surely put right what the statement got stuck on."""
     if stuck.token >= last:
         return
     kind, text, span = tokens.kinds[stuck.token], tokens.text(stuck.token), tokens.span(stuck.token)
-    after = tokens.text(stuck.token + 1) if stuck.token + 1 < last else ""
-    if kind == "=" and "COMPARISON" in stuck.expected:
+    usual = list(habits.fixes(tokens, last, stuck))
+    if usual:
+        yield from usual
+    elif kind == "=" and "COMPARISON" in stuck.expected:
         yield Fix("equality is written `==`", span, "==")
-    elif kind == "INTEGER" and "TIME" in stuck.expected and after in _UNITS:
-        whole = span.to(tokens.span(stuck.token + 1))
-        yield Fix(f"no blank before the unit: `{text}{after}`", whole, text + after)
     elif kind == "NAME":
         near = closest(text, (word for word in stuck.expected if _is_word(word)))
         if near is not None:

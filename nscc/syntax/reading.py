@@ -14,8 +14,8 @@ MOST_BYTES = 256 * 1024
 def read_source(path: Path) -> Source:
     """The text of a program, without a byte order mark.
 
-    Raises Rejected: NS0101 (status 2) where the file cannot be read; NS0103 where it is over
-    256 KiB, NS0102 where it is not UTF-8 text (status 1). The size is checked before anything else.
+    Raises Rejected: NS0101 (status 2) where the file cannot be read, else as `source_of` does. No
+    more than 256 KiB are looked at.
     """
     name = path.as_posix()
     try:
@@ -25,15 +25,28 @@ def read_source(path: Path) -> Source:
         reason = getattr(error, "strerror", None) or str(error)
         help_text = "name a shutter program, a text file that ends in .nsl"
         raise rejected("NS0101", f"cannot read '{name}': {reason}", helps=(help_text,)) from None
+    return source_of(path, data)
+
+
+def source_of(path: Path, data: bytes) -> Source:
+    """The text that a program's file holds, without a byte order mark.
+
+    Raises Rejected (status 1): NS0103 where it is over 256 KiB, NS0102 where it is not UTF-8 text.
+    """
+    name = path.as_posix()
     if len(data) > MOST_BYTES:
-        raise Rejected(too_large(name))
+        raise (
+            _not_text(path, f"byte {data.index(0)} is zero")
+            if 0 in data
+            else Rejected(too_large(name))
+        )
     try:
         text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         place = f"byte {error.start} (0x{data[error.start]:02x})"
-        raise _not_text(name, f"{place} is not UTF-8") from None
+        raise _not_text(path, f"{place} is not UTF-8") from None
     if "\0" in text:
-        raise _not_text(name, f"byte {data.index(0)} is zero")
+        raise _not_text(path, f"byte {data.index(0)} is zero")
     return Source(name, text)
 
 
@@ -46,7 +59,16 @@ def too_large(name: str) -> Diagnostic:
     )
 
 
-def _not_text(name: str, reason: str) -> Rejected:
+def _not_text(path: Path, reason: str) -> Rejected:
+    name, ending = path.as_posix(), path.suffix.lower()
     message = f"'{name}' is not a text in UTF-8: {reason}"
     helps = ("save the program as UTF-8 text; a compiled program ends in .icw",)
+    if ending == ".icw":
+        helps = (
+            "it is compiled already: `nscc run`, `view`, `prove`, `shutters` and `disasm` take it; "
+            "this needs the .nsl that it was compiled from",
+        )
+    elif ending != ".nsl":
+        helps = ("name a shutter program, a text file that ends in .nsl; `nscc run PROGRAM.nsl "
+                 "--scene SCENE` takes pictures and clips",)  # fmt: skip
     return rejected("NS0102", message, helps=helps, status=1)

@@ -11,6 +11,10 @@ from functools import partial
 from math import isfinite
 from typing import Any, Protocol
 
+LEAST = 1e-9
+"""The least that "above 0" takes. Quotients and squares of what is next to 0 leave the range of
+floats, and no time, charge or current that nscc knows is as small."""
+
 
 class Kind(Protocol):
     """A set of values."""
@@ -32,7 +36,7 @@ class Number(Kind):
     """A finite number within `low`..`high`; the bounds themselves may be excluded.
 
     A float, or an int where it is `whole`. None is "any" of `unlimited` ones, "auto" of `automatic`
-    ones.
+    ones. Where 0 is an excluded bound, the range ends at LEAST instead.
     """
 
     low: float
@@ -48,6 +52,14 @@ class Number(Kind):
     def _word(self) -> str:
         """What stands for None, if anything."""
         return "any" if self.unlimited else "auto" if self.automatic else ""
+
+    def __post_init__(self) -> None:
+        for end, excluded, least in (
+            ("low", "low_excluded", LEAST), ("high", "high_excluded", -LEAST)
+        ):  # fmt: skip
+            if getattr(self, end) == 0 and getattr(self, excluded):
+                object.__setattr__(self, end, least)
+                object.__setattr__(self, excluded, False)
 
     @property
     def range(self) -> str:

@@ -14,7 +14,7 @@ from nscc.words.container import Container, Kernel
 from nscc.words.cost import FrameCost, frame_cost
 from nscc.words.disassembly import instruction_lines
 from nscc.words.file import to_bytes
-from nscc.words.text import number_text, ranges_text
+from nscc.words.text import name_text, number_text, ranges_text
 
 _LONGEST_LISTING = 4096
 _MOST_LINES = 200
@@ -200,10 +200,16 @@ def _notes(first: Container, second: Container) -> Iterator[str]:
     for key in sorted(first.notes.keys() | second.notes.keys()):
         old, new = first.notes.get(key), second.notes.get(key)
         if old != new:
-            yield _change(key, _quoted(old), _quoted(new))
+            yield _change(name_text(key), _quoted(old), _quoted(new))
     if first.source_lines != second.source_lines:
         yield "the program's source:"
-        yield from _text_change(first.source_lines, second.source_lines, 1)
+        old_lines, new_lines = ([*map(_visible, c.source_lines)] for c in (first, second))
+        yield from _text_change(old_lines, new_lines, 1)
+
+
+def _visible(line: str) -> str:
+    """A line of somebody's text, with nothing in it that a terminal would act on."""
+    return line if line.isprintable() else ascii(line)[1:-1]
 
 
 def _quoted(text: str | None) -> str:

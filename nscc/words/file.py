@@ -200,11 +200,14 @@ def from_bytes(data: bytes, name: str) -> Container:
 
 
 def _rejected(code: str, name: str, what: str) -> Rejected:
+    again = "build the program again: `nscc build PROGRAM.nsl -o FILE.icw`"
+    if name.endswith(".nsl"):
+        again = f"it is a program: compile it first, `nscc build {name}`, and name the .icw"
     return rejected(
         code,
         f"'{name}' cannot be used: {what}",
         status=1,
-        helps=("build the program again: `nscc build PROGRAM.nsl -o FILE.icw`",),
+        helps=(again,),
         data={"file": name},
     )
 

@@ -23,7 +23,7 @@ def faults(container: Container) -> list[str]:
     five 32-bit integers and that all must fit the target's store.
     """
     parts = (
-        _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults,
+        _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults,
         machine_file.faults,
     )  # fmt: skip
     return [fault for part in parts for fault in part(container)]
@@ -126,6 +126,16 @@ def _pixel_faults(container: Container) -> Iterator[str]:
             )
         elif not _within(pixels, len(container.table.codes)):
             yield f"a pixel holds a code that is not among the {len(container.table.codes)}"
+
+
+def _text_faults(container: Container) -> Iterator[str]:
+    """Free text may hold any character, but no half of one: no file and no terminal takes that."""
+    for what, text in (
+        ("its program's source", "".join(container.source_lines)),
+        ("a note", "".join(part for note in container.notes.items() for part in note)),
+    ):
+        if any("\ud800" <= c <= "\udfff" for c in text):
+            yield f"{what} holds half a character (a lone surrogate)"
 
 
 def _within(indices: np.ndarray[tuple[int, ...], np.dtype[np.int32]], count: int) -> bool:

@@ -41,8 +41,8 @@ _programs: WeakKeyDictionary[Container, dict[Sensor, Program]] = WeakKeyDictiona
 class Capture(Frame):
     """One scene captured; with `repeat` the arrays have a leading axis.
 
-    `frame` uint8, `exposure_e` float64, `valid` bool, each (buckets, rows, cols) as in a frame
-    file; `plan` says what was simulated.
+    `frame` uint8, `exposure_e` float64, `valid` and `saturated` bool, `saturated_by` uint8, each
+    (buckets, rows, cols) as in a frame file; `plan` says what was simulated.
     """
 
     plan: Plan
@@ -80,7 +80,7 @@ def capture(
     count = 1 if repeat is None else repeat
     frames = [*planned_frames(made, scene, plan, seed, device_seed, count, threads)]
     found = frames[0] if repeat is None else stacked(frames)
-    return Capture(found.frame, found.exposure_e, found.valid, plan)
+    return Capture(found.frame, found.exposure_e, found.valid, found.saturated_by, plan)
 
 
 def captures(

@@ -1,9 +1,12 @@
 """The frame file: what one exposure (or K of them) leaves behind, as an .npz of a fixed layout.
 
-    frame       uint8   (buckets, rows, cols)  the readout: 8 bits a pixel
-    exposure_e  float64 (buckets, rows, cols)  electrons before the ADC
-    valid       bool    (buckets, rows, cols)  False where the exposure means nothing
-    meta        text    JSON, see `meta`
+    frame         uint8   (buckets, rows, cols)  the readout: 8 bits a pixel
+    exposure_e    float64 (buckets, rows, cols)  electrons before the ADC
+    valid         bool    (buckets, rows, cols)  False where the exposure means nothing
+    saturated     bool    (buckets, rows, cols)  True where light was lost: it was at least so much
+    saturated_by  uint8   (buckets, rows, cols)  to what, a bit each: 1 well, 2 register,
+                                                 4 converter, 8 reset level; see `Frame`
+    meta          text    JSON, see `meta`
 
 A program whose pixels look at the light has `states_NAME` int64 (rows, cols) for every state that
 it reads, `open_slots` int64 (buckets, rows, cols), how many slots each pixel was open, and
@@ -33,6 +36,7 @@ from nscc.target.target import Target
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc_runtime.effects import Effect, Selection, everything, registered
 from nscc_runtime.effects.parts import Moving
+from nscc_runtime.effects.registry import marks
 from nscc_runtime.effects.views import Where
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
@@ -48,14 +52,35 @@ _BLOCK_BYTES = 1 << 24
 
 @dataclass(frozen=True, eq=False)
 class Frame:
-    """The three arrays of a frame file, and what a program that looks has told beside them
-    (`states_NAME`, `open_slots`, its light), by key; with repeats each has a leading axis K.
+    """The arrays of a frame file, each (buckets, rows, cols); repeats have an axis K in front.
+
+    `frame`: codes of the converter; `exposure_e`: electrons before it; `valid`: False where these
+    mean nothing. `saturated_by`: 0, or the bits of what cut the exposure off. 1 well: PIX was full
+    when it was read; 2 register: an analog register held less than was written to it; 4
+    converter: the code is the last one; 8 reset level: PIX was full when the level that is
+    subtracted was read, so the exposure may be anything down to 0. `told`: what a program that
+    looks has told beside them (`states_NAME`, `open_slots`, its light), by key.
     """
 
     frame: NDArray[np.uint8]
     exposure_e: NDArray[np.float64]
     valid: NDArray[np.bool_]
+    saturated_by: NDArray[np.uint8]
     told: Mapping[str, NDArray[Any]] = field(default_factory=dict, kw_only=True)
+
+    @property
+    def saturated(self) -> NDArray[np.bool_]:
+        """Where there was more light than the exposure tells."""
+        return np.asarray(self.saturated_by != 0)
+
+    @property
+    def first(self) -> Frame:
+        """The first frame of repeats; a single frame itself."""
+        arrays = (self.frame, self.exposure_e, self.valid, self.saturated_by)
+        if self.frame.ndim == 3:
+            return self
+        told = {key: values[0] for key, values in self.told.items()}
+        return Frame(*(each[0] for each in arrays), told=told)
 
 
 def read_out(
@@ -77,7 +102,16 @@ def read_out(
     electrons = np.where(known, exposure.exposure_e, 0.0)
     found = codes(sensor, electrons, noise_lsb, 2**target.adc_bits - 1)
     frame = np.where(known, found, 0.0).astype(np.uint8)
-    return Frame(frame, exposure.exposure_e, exposure.valid & known)
+    saturated_by = last_codes(frame, target)
+    if exposure.saturated_by is not None:
+        saturated_by |= exposure.saturated_by
+    return Frame(frame, exposure.exposure_e, exposure.valid & known, saturated_by)
+
+
+def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
+    """The bits of `saturated_by` that codes tell by themselves: which is the last of the scale."""
+    bit = marks()["codes"].bit
+    return np.where(frame == 2**target.adc_bits - 1, np.uint8(bit), np.uint8(0))
 
 
 def converted(
@@ -120,6 +154,7 @@ def stacked(frames: Sequence[Frame]) -> Frame:
         np.stack([each.frame for each in frames]),
         np.stack([each.exposure_e for each in frames]),
         np.stack([each.valid for each in frames]),
+        np.stack([each.saturated_by for each in frames]),
         told={key: np.stack([each.told[key] for each in frames]) for key in frames[0].told},
     )
 
@@ -130,26 +165,31 @@ def repeated(frame: Frame, count: int) -> Frame:
     def stack(values: NDArray[Any]) -> NDArray[Any]:
         return np.broadcast_to(values, (count, *values.shape))
 
-    return Frame(stack(frame.frame), stack(frame.exposure_e), stack(frame.valid))
+    arrays = (frame.frame, frame.exposure_e, frame.valid, frame.saturated_by)
+    return Frame(*(stack(each) for each in arrays))
 
 
 def frame_lines(container: Container, frame: Frame) -> list[str]:
     """What a person wants to know first, a line a bucket; of the first frame where there are K."""
-    top = 2**container.target.adc_bits - 1
     width = max(len(name) for name in container.buckets)
-    lines = []
+    lines, first = [], frame.first
     for b, name in enumerate(container.buckets):
-        place = (0, b) if frame.frame.ndim == 4 else (b,)
-        codes, valid = frame.frame[place], frame.valid[place]
-        values = frame.exposure_e[place][valid]
-        invalid = valid.size - values.size
-        full = int((codes == top).sum())
-        text = f"{name:<{width}}  {full} of {codes.size} pixels saturated"
+        values = first.exposure_e[b][first.valid[b]]
+        invalid = first.valid[b].size - values.size
+        text = f"{name:<{width}}  {saturation_text(first.saturated_by[b])}"
         if values.size:
             text += f", electrons {values.min():.6g} to {values.max():.6g}"
             text += f", mean {values.mean():.6g}"
         lines.append(text + (f", {invalid} invalid" if invalid else ""))
     return lines
+
+
+def saturation_text(saturated_by: NDArray[np.uint8]) -> str:
+    """How many pixels of an array are saturated, and by what."""
+    text = f"{np.count_nonzero(saturated_by)} of {saturated_by.size} pixels saturated"
+    counts = {m.name: np.count_nonzero(saturated_by & m.bit) for m in marks().values()}
+    named = ", ".join(f"{name} {count}" for name, count in counts.items() if count)
+    return f"{text} ({named})" if named else text
 
 
 @dataclass(frozen=True)
@@ -296,14 +336,17 @@ class FrameFile:
         with zipfile.ZipFile(file, "w", zipfile.ZIP_STORED) as archive:
             for key in ("frame", "exposure_e", "valid"):
                 _put_array(archive, key, getattr(self.frame, key))
+            marked = self.frame.saturated_by
+            blocks = (each != 0 for each in marked)  # of many repeats, never all at once
+            _put(archive, "saturated", marked.shape, np.dtype(np.bool_), blocks)
+            _put_array(archive, "saturated_by", marked)
             for key, values in self.frame.told.items():
                 _put_array(archive, key, values)
             _put_array(archive, "meta", np.array(json.dumps(self.meta, allow_nan=False)))
             for key, light in self.slots.items():
                 shape = (light.slots, *light.shape)
                 numbers = self.progress(range(light.slots), f"writing {key}", light.slots)
-                blocks = (light.slot(n) for n in numbers)
-                _put(archive, key, shape, np.dtype("<f4"), blocks)
+                _put(archive, key, shape, np.dtype("<f4"), (light.slot(n) for n in numbers))
             for key, values in self.kept.items():
                 _put_array(archive, key, values)
 

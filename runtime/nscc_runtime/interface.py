@@ -19,11 +19,13 @@ class Exposure:
 
     `exposure_e` float64 (buckets, rows, cols): electrons, in the order of `Container.buckets`; a
     pixel that never opens is +0. `valid` bool, the same shape: False where the value means nothing
-    (it is not finite).
+    (it is not finite). `saturated_by` uint8, the same shape: the bits of what cut the value off on
+    its way here (`nscc_runtime.effects.marks`); None: nothing could.
     """
 
     exposure_e: NDArray[np.float64]
     valid: NDArray[np.bool_]
+    saturated_by: NDArray[np.uint8] | None = None
 
 
 class Exposer(Protocol):

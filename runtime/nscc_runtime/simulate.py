@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, field
 from hashlib import sha256
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
@@ -18,12 +19,13 @@ from nscc_runtime import frame_file
 from nscc_runtime.effects import Selection
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
-from nscc_runtime.plan.audit import Audit
-from nscc_runtime.plan.plan import Plan
-from nscc_runtime.plan_file import plan_text, read_plan
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
+
+if TYPE_CHECKING:  # a frame without effects starts without the planner
+    from nscc_runtime.plan.audit import Audit
+    from nscc_runtime.plan.plan import Plan
 
 
 @dataclass(frozen=True)
@@ -63,12 +65,14 @@ class Listener:
 class Simulated:
     """What became of it: the frame(s) and where they come from.
 
-    With a plan: the plan, its audit if there was one, the text of a plan's file to be written, and
-    what to raise once the frame is written if the audit says that the promise was broken.
+    `effects` are those that were simulated. With a plan: the plan, its audit if there was one, the
+    text of a plan's file to be written, and what to raise once the frame is written if the audit
+    says that the promise was broken.
     """
 
     frame: Frame
     origin: Provenance
+    effects: Selection
     plan: Plan | None = None
     audit: Audit | None = None
     plan_file: str | None = None
@@ -94,7 +98,7 @@ def simulate(
     digest = sha256(to_bytes(container)).hexdigest()
     plan = frame_file.unplanned(request.effects, light.motion is not None)
     seeds = request.seed, request.device_seed
-    return Simulated(frame, Provenance(digest, sensor, *seeds, fidelity, plan))
+    return Simulated(frame, Provenance(digest, sensor, *seeds, fidelity, plan), request.effects)
 
 
 def _looking(
@@ -123,7 +127,8 @@ def _looking(
     plan = frame_file.unplanned(request.effects, light.motion is not None)
     plan["slot_loop_reasons"] = ["pixels look at the light: their words are executed one by one"]
     seeds = request.seed, request.device_seed
-    return Simulated(frame, Provenance(digest, sensor, *seeds, "reference", plan))
+    origin = Provenance(digest, sensor, *seeds, "reference", plan)
+    return Simulated(frame, origin, request.effects)
 
 
 def _exact(
@@ -160,6 +165,7 @@ def _planned(
     from nscc_runtime.plan.fused_loop import fused
     from nscc_runtime.plan.pixel_loop import run_pixels
     from nscc_runtime.plan.tolerance import tolerance_e
+    from nscc_runtime.plan_file import plan_text, read_plan
 
     timings, device_seed = listener.timings, request.device_seed
     tolerance = tolerance_e(request.tolerance, sensor)
@@ -194,7 +200,7 @@ def _planned(
         None if report is None else asdict(report),
     )  # fmt: skip
     text = plan_text(plan, digest, sensor) if request.plan is not None and not given else None
-    return Simulated(frame, origin, plan, report, text, broken)
+    return Simulated(frame, origin, plan.kept, plan, report, text, broken)
 
 
 def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:

@@ -175,7 +175,7 @@ def test_codes_alone_stand_for_electrons(info: Info) -> None:
     assert channels_of(info) == 3
     channels = channels_of(replace(info, capabilities=0))
     assert channels == 1
-    frame = frame_of(bytes([0, 1, 255]), channels, (1, 1, 3), default_sensor(TARGET))
+    frame = frame_of(bytes([0, 1, 255]), channels, (1, 1, 3), default_sensor(TARGET), TARGET)
     assert frame.frame.tolist() == [[[0, 1, 255]]]
     assert frame.exposure_e.tolist() == [[[0.0, 30000 / 255, 30000.0]]]
     assert frame.valid.all()

@@ -14,7 +14,13 @@ from nscc.diagnostics.render import PAGES, names
 from nscc.diagnostics.suggest import closest
 
 
-@pytest.mark.parametrize("asked", ["NS0107", "ns0107", " NS0107 ", "syntax", "SYNTAX"])
+@pytest.mark.parametrize(
+    "asked",
+    [
+        "NS0107", "ns0107", " NS0107 ", "syntax", "SYNTAX", "107", "0107", "NS107",
+        "error[NS0107]", "error[NS0107]: in this `frame` statement: expected `slots`",
+    ],
+)  # fmt: skip
 def test_a_page_is_found_by_code_and_by_name(asked: str) -> None:
     assert page(asked) == (PAGES / "NS0107-syntax.md").read_text(encoding="utf-8")
 
@@ -23,7 +29,7 @@ def test_the_index_names_every_code_once() -> None:
     assert [line.split()[:2] for line in index().splitlines()] == [*map(list, names().items())]
 
 
-@pytest.mark.parametrize(("asked", "meant"), [("NS107", "NS0107"), ("sytax", "syntax")])
+@pytest.mark.parametrize(("asked", "meant"), [("NS0197", "NS0107"), ("sytax", "syntax")])
 def test_a_misspelt_code_is_guessed(asked: str, meant: str) -> None:
     with pytest.raises(Rejected) as caught:
         page(asked)
@@ -61,6 +67,8 @@ def test_explaining_needs_no_arrays() -> None:
         ("stop", [], None),
         ("b" * 10_000, ["b" * 10_000 + "c"], None),
         ("ab", ["ac", "aa"], "aa"),
+        ("len", ["N", "n"], None),
+        ("N", ["n"], "n"),
     ],
 )
 def test_the_closest_name(name: str, candidates: list[str], meant: str | None) -> None:

@@ -26,12 +26,20 @@ SETS = (
 def compared(
     container: Container, light: Light, sensor: Sensor, effects: str, places: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """What the loop and the reference give (buckets, places)."""
+    """What the loop and the reference give (buckets, places); what cut it off is the same."""
     chosen = selected(effects)
     program = Program.of(container, sensor)
-    full = expose(container, light, sensor, chosen, **SEEDS).exposure_e  # type: ignore[arg-type]
-    found = program.words(chosen).exposures(light, program.slot_s, places, chosen, **SEEDS)  # type: ignore[arg-type]
-    return found, full.reshape(len(full), -1)[:, places]
+    exposed = expose(container, light, sensor, chosen, **SEEDS)  # type: ignore[arg-type]
+    found, marked = program.words(chosen).exposures(
+        light,
+        program.slot_s,
+        places,
+        chosen,
+        **SEEDS,  # type: ignore[arg-type]
+    )
+    buckets = len(container.buckets)
+    assert np.array_equal(marked, exposed.saturated_by.reshape(buckets, -1)[:, places])
+    return found, exposed.exposure_e.reshape(buckets, -1)[:, places]
 
 
 def sensor_near(container: Container, **values: float) -> Sensor:
@@ -158,12 +166,12 @@ def test_order_and_threads_change_no_bit_and_nothing_is_asked_for_twice() -> Non
     sensor = sensor_near(container)
     program = Program.of(container, sensor)
     places = np.arange(600)
-    once = program.pixels.exposures(light, program.slot_s, places, selected("all"))
+    once, _ = program.pixels.exposures(light, program.slot_s, places, selected("all"))
     order = np.random.default_rng(2).permutation(600)
     for threads in (2, 7):
-        again = program.pixels.exposures(
+        again, _ = program.pixels.exposures(
             light, program.slot_s, order, selected("all"), threads=threads
         )
         assert again.tobytes() == once[:, order].tobytes()
-    none = program.pixels.exposures(light, program.slot_s, places[:0], selected("all"))
-    assert none.shape == (1, 0)
+    none, marked = program.pixels.exposures(light, program.slot_s, places[:0], selected("all"))
+    assert none.shape == marked.shape == (1, 0)

@@ -7,14 +7,17 @@ import io
 import struct
 import zipfile
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from nscc_command import invoke
 from program_oracle import program_of
 
-from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.program.pixels import codes_from_file
 from nscc.program.program import Program
+from nscc.words.container import DecodeTable
 
 FRAME = "nsl 1 frame 8 slots of 1ms "
 PIXELS = FRAME + "code a : 0..7 code b : 0..8 open when a <= n < b "
@@ -177,6 +180,29 @@ def test_codes_for_a_compiled_program(tmp_path: Path) -> None:
     np.testing.assert_array_equal(found, wanted)
 
 
+def outside_of(folder: Path, table: DecodeTable, **known: Any) -> Diagnostic:
+    with pytest.raises(Rejected) as caught:
+        codes_from_file(folder / "f.npz", table, 4, 6, shown="f.npz", **known)
+    (found,) = caught.value.diagnostics
+    assert not any("--codes open" in each for each in found.helps)
+    return found
+
+
+def test_values_beyond_the_ranges_of_a_compiled_program(tmp_path: Path) -> None:
+    """The container knows its codes; its fields are in the source that it carries."""
+    text = "nsl 1\nframe 8 slots of 1ms\nlet top = 7\ncode stop : 1..top + 1\nopen when n < stop\n"
+    (tmp_path / "p.nsl").write_text(text + "pixels stop = 4\n")
+    assert invoke(["build", "p.nsl", "-o", "p.icw"], tmp_path).status == 0
+    for value, code in ((9, "NS0311"), (3, "NS0319")):
+        save(tmp_path, stop=np.full((256, 256), value))
+        for program in ("p.nsl", "p.icw"):
+            found = invoke(
+                ["run", program, "--scene", "builtin:dark", "--pixels", "f.npz"], tmp_path
+            )
+            assert (found.status, found.codes) == (2, [code])
+            assert ("1..8" in found.err) == (code == "NS0311")
+
+
 def test_a_code_that_was_not_compiled(tmp_path: Path) -> None:
     table = program_of(FRAME + "code a : 0..7 open when n < a pixels a = 2 + 2 * (x % 3)").table
     codes = np.full((4, 6), 4)
@@ -190,6 +216,9 @@ def test_a_code_that_was_not_compiled(tmp_path: Path) -> None:
     assert "x = 5, y = 2 (row 2, column 5) has a = 5" in found.message
     assert found.data["pixels"] == 3
     assert "--codes open" in found.helps[0]
+    # What no way of compiling would help is not said to be helped by one.
+    assert outside_of(tmp_path, table, ranges=lambda: {"a": (0, 7)}).code == "NS0311"
+    assert outside_of(tmp_path, table, mode="open").code == "NS0312"
     with pytest.raises(Rejected, match="NS0314"):
         codes_from_file(tmp_path / "f.npz", table, 6, 4)
     with pytest.raises(Rejected, match="NS0313"):

@@ -46,6 +46,52 @@ def oracle(file: str) -> np.ndarray:
     return (data["light"].astype(np.float64) * opened).sum(axis=0)
 
 
+@pytest.mark.parametrize(
+    ("shape", "words"),
+    [
+        ((8, 6, 4), "np.moveaxis(a, -1, 0)"),
+        ((8, 6, 9), "np.moveaxis(a, -1, 0)"),
+        ((8, 6, 3), "luminance"),
+        ((4, 8, 6, 3), "luminance"),
+        ((4, 8, 6, 2), "two or three dimensions"),
+        ((6, 8), "the array is 8 x 6"),
+    ],
+)
+def test_light_with_the_axes_of_other_tools(
+    shape: tuple[int, ...], words: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    np.savez("s.npz", light=np.ones(shape, np.float32))
+    status, err = run("ok.nsl", "--scene", "s.npz", capsys=capsys)
+    assert status == 2
+    assert words in err
+
+
+def test_light_that_fits_is_not_taken_for_colour(capsys: pytest.CaptureFixture[str]) -> None:
+    """Three slots of 3 x 3 pixels have the shape of a colour picture."""
+    text = Path("small.toml").read_text().replace("rows = 8", "rows = 3")
+    Path("small.toml").write_text(text.replace("cols = 6", "cols = 3"))
+    Path("three.nsl").write_text(PROGRAM.replace("frame 4", "frame 3") + "pixels stop = 1 + x % 3")
+    np.savez("s.npz", light=np.ones((3, 3, 3), np.float32))
+    assert run("three.nsl", "--scene", "s.npz", capsys=capsys)[0] == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("photo.hdr", "--scene", "ok.nsl"), "write `nscc run ok.nsl --scene photo.hdr`"),
+        (("my photo.png", "--scene", "ok.icw"), "write `nscc run ok.icw --scene 'my photo.png'`"),
+        (("ok.nsl", "--scene", "ok.nsl"), "--scene 'ok.nsl' is a program"),
+    ],
+)
+def test_swapped_arguments(
+    arguments: tuple[str, ...], words: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    status, err = run(*arguments, capsys=capsys)
+    assert status == 2
+    assert "NS0780" in err
+    assert words in err
+
+
 def test_a_frame_is_the_sum_of_open_slots(capsys: pytest.CaptureFixture[str]) -> None:
     for scene in ("builtin:hdr", "builtin:motion", "builtin:flat:100"):
         arguments = ("ok.nsl", "--scene", scene, "-o", "f.npz", "--png", "f.png")

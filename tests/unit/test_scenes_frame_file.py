@@ -14,6 +14,7 @@ import pytest
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
 from nscc.words.container import Container, DecodeTable, packed_shutters
+from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import (
     FrameFile,
     Provenance,
@@ -23,10 +24,12 @@ from nscc_runtime.frame_file import (
 )
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.pictures.frames import light_estimate, readouts, tile_of
+from nscc_runtime.merge import light_estimate, readouts, tile_of
 from nscc_runtime.pictures.shutters import shutters_of
+from nscc_runtime.response import response_of
 from nscc_runtime.sensor import default_sensor
 
+NONE = selected("none")
 ROWS, COLS, SLOTS = 6, 8, 11
 TARGET = replace(builtin_target("scamp5"), rows=ROWS, cols=COLS)
 
@@ -116,8 +119,11 @@ def test_layout_of_the_file() -> None:
     data = np.load(io.BytesIO(written(keep)))
     assert data["frame"].dtype == np.uint8
     assert data["exposure_e"].dtype == np.float64
-    assert data["valid"].dtype == np.bool_
-    for key in ("frame", "exposure_e", "valid"):
+    assert data["valid"].dtype == data["saturated"].dtype == np.bool_
+    assert data["saturated_by"].dtype == np.uint8
+    np.testing.assert_array_equal(data["saturated_by"], np.where(data["frame"] == 255, 4, 0))
+    np.testing.assert_array_equal(data["saturated"], data["frame"] == 255)
+    for key in ("frame", "exposure_e", "valid", "saturated", "saturated_by"):
         assert data[key].shape == (2, ROWS, COLS)
     np.testing.assert_array_equal(data["light"], light().dense())
     np.testing.assert_array_equal(data["truth_e"], light().dense())
@@ -150,7 +156,7 @@ def test_truth_of_a_still_is_its_all_open_sum() -> None:
 
 def test_repeats_have_an_axis_in_front() -> None:
     once, thrice = np.load(io.BytesIO(written())), np.load(io.BytesIO(written(repeat=3)))
-    for key in ("frame", "exposure_e", "valid"):
+    for key in ("frame", "exposure_e", "valid", "saturated", "saturated_by"):
         assert thrice[key].shape == (3, 2, ROWS, COLS)
         for k in range(3):
             np.testing.assert_array_equal(thrice[key][k], once[key])
@@ -175,13 +181,13 @@ def test_smallest_tile(tile: tuple[int, int]) -> None:
 def test_light_is_estimated_from_unsaturated_neighbours() -> None:
     target = replace(TARGET, rows=12, cols=12)
     program = container(1, target=target)
-    rate = 4.5e5  # codes a second
+    rate = 5e7  # electrons a second
     slot_s = np.array(program.slot_us) * 1e-6
     shutter = program.table.shutter_of_code[program.pixel_codes]
-    codes = (program.table.shutters @ slot_s)[:, 0][shutter] * rate
-    frame = np.clip(np.rint(codes), 0, 255).astype(np.uint8)[None]
-    assert 0 < (frame == 255).mean() < 1
-    (readout,) = readouts(program, frame)
+    exposure_e = (program.table.shutters @ slot_s)[:, 0][shutter] * rate
+    frame = read_out(exposure(exposure_e[None]), target)
+    assert 0 < frame.saturated.mean() < 1
+    (readout,) = readouts(program, frame, response_of(program, default_sensor(target), NONE))
     assert readout.window == (2, 2)
     estimate, known = light_estimate(readout)
     assert known.all()

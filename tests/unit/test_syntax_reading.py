@@ -56,3 +56,16 @@ def test_what_cannot_be_read(tmp_path: Path) -> None:
     loop = tmp_path / "loop.nsl"
     loop.symlink_to(loop)
     assert refusal(loop) == ("NS0101", 2)
+
+
+@pytest.mark.parametrize("size", [100, MOST_BYTES + 1])
+@pytest.mark.parametrize(("name", "words"), [("p.icw", "compiled already"), ("p.hdr", "--scene")])
+def test_files_of_other_kinds_are_told_apart(
+    name: str, words: str, size: int, tmp_path: Path
+) -> None:
+    (tmp_path / name).write_bytes(b"\0" * size)
+    with pytest.raises(Rejected) as caught:
+        read_source(tmp_path / name)
+    (found,) = caught.value.diagnostics
+    assert found.code == "NS0102"
+    assert words in found.helps[0]

@@ -117,9 +117,24 @@ def test_what_was_seen_is_not_scored(tmp_path: Path) -> None:
     trained(tmp_path / "r", shutter={"slots": 256, "tile": [2, 2]}, data=data)
     (tmp_path / "e").mkdir()
     (tmp_path / "d/p.hdr").rename(tmp_path / "e/renamed.hdr")
-    refused = invoke(["evaluate", "r", "--data", "e", "--protocol", "hdr-v1"], tmp_path)
+    evaluate = ["evaluate", "r", "--data", "e", "--protocol", "hdr-v1"]
+    refused = invoke(evaluate, tmp_path)
     assert (refused.status, refused.codes) == (2, ["NS0820"])
     assert "renamed.hdr" in refused.err
+    # There is nothing else in the folder, so that skipping is no way out.
+    assert "--skip-seen" not in refused.err
+    assert invoke([*evaluate, "--skip-seen"], tmp_path).codes == ["NS0820"]
+    light = np.exp(rng.uniform(-4, 4, (512, 1024, 1)))
+    cv2.imwrite(str(tmp_path / "e/new.hdr"), np.repeat(light, 3, 2).astype(np.float32))
+    refused = invoke(evaluate, tmp_path)
+    assert "1 of these 2 files" in refused.err
+    assert "--skip-seen" in refused.err
+    outcome = invoke([*evaluate, "--skip-seen", "--json"], tmp_path)
+    assert outcome.status == 0, outcome.err
+    found = json.loads(outcome.out)
+    assert [entry["file"] for entry in found["data"]] == ["new.hdr"]
+    assert {item["file"] for item in found["items"]} == {"new.hdr"}
+    assert [entry["file"] for entry in found["left_out"]] == ["renamed.hdr"]
 
 
 def read_by_hand(truth: np.ndarray, share: np.ndarray, seed: int) -> np.ndarray:
@@ -177,7 +192,7 @@ def test_other_parts_saturated_are_reported_too(subject: str, tmp_path: Path) ->
             if subject == "run":
                 made = decoded_by(tmp_path / "run", frame, stops)
             else:
-                made = merged(frame, share, 30000 / 255, 255, 0.65 * 30000 / 255) / 30000
+                made = merged(frame, share, 30000 / 255, frame >= 255, 0.65 * 30000 / 255) / 30000
             scores.append(scored_by_hand(truth, made))
         for name in ("mean_psnr_db", "mean_mu_psnr_db"):
             # the darkest pixels of a 2 x 2 pattern make 0.3 dB of difference from noise to noise
@@ -410,7 +425,7 @@ def test_the_best_uniform_stops_are_the_best_of_what_they_are_named_for(tmp_path
         codes = charge / 30000 * 255 + 0.65 * rng.standard_normal(charge.shape)
         frame = np.clip(np.rint(codes), 0, 255).astype(np.float32)
         share = np.full(frame.shape, stop / 256)
-        made = merged(frame, share, 30000 / 255, 255, 0.65 * 30000 / 255) / 30000
+        made = merged(frame, share, 30000 / 255, frame >= 255, 0.65 * 30000 / 255) / 30000
         pair = [np.clip(x / peak, 0, 1) for x in (truth, made)]
         linear[stop] = -10 * np.log10(np.mean((pair[0] - pair[1]) ** 2))
         pair = [np.log1p(5000 * x) / np.log1p(5000) for x in pair]

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from nscc_command import invoke
 
 torch = pytest.importorskip("torch")
 
@@ -14,6 +16,7 @@ from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data.sources import load_scenes  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.settings import DataSettings  # noqa: E402
 
 CODE = """
@@ -67,6 +70,14 @@ a_float = lambda made, truth: 1.0
 detached = lambda made, truth: (made - truth).square().mean().detach()
 failing = lambda made, truth: {}["x"]
 one_argument = lambda made: made.mean()
+
+torch_is_full = lambda made, truth: torch.empty(1 << 50).sum()
+numpy_is_full = lambda made, truth: torch.from_numpy(np.empty(1 << 50)).sum()
+
+
+def gpu_is_full(made, truth):
+    raise torch.OutOfMemoryError("CUDA out of memory. Tried to allocate 20.00 GiB.")
+
 
 nothing = lambda **about: None
 pictures_alone = lambda **about: [np.ones((20, 20))]
@@ -144,9 +155,51 @@ def test_what_fails_is_said_to_be_the_users(folder: Path, section: str, name: st
     assert not (folder / "run/result.json").exists()
 
 
+@pytest.mark.parametrize("section", ["decoder", "loss"])
+def test_a_run_executes_nothing_until_it_is_trusted(folder: Path, section: str) -> None:
+    """A run folder comes from anybody, and modules are looked for in the current folder."""
+    name = "good" if section == "decoder" else "squared"
+    assert outcome(folder, section, name) == []
+    (folder / "own_code_of_tests.py").write_text(CODE + "open('executed', 'w').close()\n")
+    sys.modules.pop("own_code_of_tests")
+    np.savez(folder / "f.npz", frame=np.zeros((1, 256, 256), np.uint8))
+    for command in (
+        ["reconstruct", "run", "f.npz", "-o", "out.npz"],
+        ["evaluate", "run", "--data", ".", "--protocol", "hdr-v1"],
+        ["tradeoff", "decoder", "--run", "run", "--csv", "t.csv"],
+    ):
+        found = invoke(command, folder)
+        assert (found.status, found.codes) == (2, ["NS0823"]), found.err
+        assert f"own_code_of_tests:{name}" in found.err
+        assert "--trust-code" in found.err
+        assert not (folder / "executed").exists()
+    with pytest.raises(Rejected, match="NS0823"):
+        load_run(folder / "run")
+    assert load_run(folder / "run", trust_code=True).parts.still
+    assert (folder / "executed").exists()
+    # With trust it is the frame that is wrong.
+    assert invoke(["reconstruct", "run", "f.npz", "-o", "out.npz", "--trust-code"],
+                  folder).codes == ["NS0819"]  # fmt: skip
+
+
 @pytest.mark.parametrize("name", ["complex_light", "too_bright"])
 def test_light_that_is_none_is_refused(folder: Path, name: str) -> None:
     assert outcome(folder, "data", name) == ["NS0811"]
+
+
+@pytest.mark.parametrize("name", ["torch_is_full", "numpy_is_full", "gpu_is_full"])
+def test_memory_that_runs_out_is_nobodys_fault(folder: Path, name: str) -> None:
+    """Neither nscc's (70) nor the user's code: it says what takes less."""
+    small = {"shutter.slots": 8, "shutter.tile": "[2,2]", "data.patch": 16, "data.scenes": 2,
+             "data.val_items": 1, "train.steps": 1, "train.batch": 1, "train.device": "cpu",
+             "loss.name": f"own_code_of_tests:{name}"}  # fmt: skip
+    (folder / "c.toml").write_text("")
+    changes = [part for key, value in small.items() for part in ("--set", f"{key}={value}")]
+    found = invoke(["train", "c.toml", "--out", "run", *changes], folder)
+    assert (found.status, found.codes) == (3, ["NS0902"])
+    assert "train.batch" in found.err
+    assert ("on the GPU" in found.err) == ("CUDA_VISIBLE_DEVICES" in found.err) == ("gpu" in name)
+    assert not list(folder.glob("*.zip"))
 
 
 def test_nothing_to_learn_is_refused(folder: Path) -> None:

@@ -12,7 +12,7 @@ from typing import Any
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc_training.problems import said
+from nscc_training.problems import is_out_of_memory, said
 
 
 def is_import_path(text: str) -> bool:
@@ -58,6 +58,8 @@ def own_code(text: str, what: str) -> Iterator[None]:
     except Rejected:
         raise
     except Exception as error:  # the user's code may raise anything
+        if is_out_of_memory(error):
+            raise
         last = traceback.extract_tb(error.__traceback__)[-1]
         place = f"{Path(last.filename).name}, line {last.lineno}"
         raise own_failed(text, what, f"{type(error).__name__}: {said(error)} ({place})") from error

@@ -19,6 +19,17 @@ def said(error: object, most: int = 200) -> str:
     return " ".join(str(error).split())[:most]
 
 
+def is_out_of_memory(error: Exception) -> bool:
+    """Whether numpy, Python or torch had no memory left, on the GPU or beside it.
+
+    Told without torch: its error on a GPU has a name, that of its allocator on the host only words.
+    """
+    return isinstance(error, MemoryError) or (
+        isinstance(error, RuntimeError)
+        and (type(error).__name__ == "OutOfMemoryError" or "DefaultCPUAllocator" in str(error))
+    )
+
+
 def unreadable(code: str, message: str, error: Exception, help_text: str) -> Rejected:
     """A file that its reader could not read, with the reader's words."""
     notes = (f"the reader says: {said(error)}",) if said(error) else ()

@@ -13,9 +13,11 @@ import torch
 from nscc.diagnostics.rejection import rejected
 from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
+from nscc_training.import_paths import is_import_path
 from nscc_training.loop.setup import Parts, make_parts
 from nscc_training.problems import said
 from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE, Chip
+from nscc_training.settings import Settings
 
 _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
 """What a result has digests of, and reconstructions depend on."""
@@ -33,16 +35,25 @@ class RunFolder:
     result: dict[str, Any]
 
 
-def load_run(path: Path) -> RunFolder:
-    """The run in a folder. Rejected (NS0818) where there is none, or it did not finish."""
+def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
+    """The run in a folder. Rejected (NS0818) where there is none, or it did not finish.
+
+    A run may name Python code of its maker's, `module:name`, as its decoder or loss. To load it
+    imports and runs that code, which only `trust_code` allows; else Rejected (NS0823).
+    """
     from safetensors.torch import load_file
 
     needed = ("config.resolved.toml", "decoder.safetensors", "shutter.nsl", "split.json",
               "result.json")  # fmt: skip
+    if not path.is_dir():
+        what = "it is a file: the run's folder is named first" if path.is_file() else ""
+        raise _no_run(path, what or "there is no such folder")
     missing = [name for name in needed if not (path / name).is_file()]
     if missing:
         raise _no_run(path, f"it has no {', '.join(missing)}")
     settings = load_config(path / "config.resolved.toml")
+    if not trust_code:
+        _refuse_code(path, settings)
     # Codes, chip and sensor are the run's own, wherever they once came from. Such files may also
     # be of another run that was in this folder before.
     shutter, sensor = replace(settings.shutter, init="uniform"), settings.sensor
@@ -72,6 +83,26 @@ def load_run(path: Path) -> RunFolder:
         raise _no_run(path, f"decoder.safetensors: {error}") from error
     parts.decoder.eval()
     return RunFolder(path, parts, program, seen, result)
+
+
+def _refuse_code(path: Path, settings: Settings) -> None:
+    """NS0823 where to load the run would run code that is not nscc's."""
+    named = {"decoder": [settings.decoder.name], "loss": settings.loss.name.split("+")}
+    code = [
+        f"its {what} is `{name.strip()[:100]}`"
+        for what, names in named.items()
+        for name in names
+        if is_import_path(name)
+    ]
+    if code:
+        raise rejected(
+            "NS0823",
+            f"the run '{path}' names Python code of its own, which using the run would execute",
+            notes=(f"{', '.join(code)}, looked for in the current folder and among what is "
+                   "installed",),
+            helps=("if you trust that code, because it is yours or you have read it, add "
+                   "--trust-code; in Python, `trust_code=True`",),
+        )  # fmt: skip
 
 
 def _check_whole(path: Path, result: dict[str, Any]) -> None:

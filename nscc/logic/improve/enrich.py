@@ -6,11 +6,11 @@ register. So wherever a register can be spared, it may hold any truth vector fro
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
-
-import networkx as nx
+from itertools import chain
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.code import REFRESH_WORDS, Illegal, Op, flatten, states_before, unflatten
@@ -89,37 +89,40 @@ def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Soluti
 def _promising(run: Run) -> list[int]:
     """Truth vectors, those first that would save most words if they were there from the start."""
     frame = run.frame
-    makers, flow = _flow(run)
+    makers, feeds, readers = _flow(run)
     held = set(frame.start[: frame.planes])
-    gains = {v: _saved(run, numbers, flow) for v, numbers in makers.items() if v not in held}
+    gains = {
+        v: _saved(run, numbers, feeds, readers) for v, numbers in makers.items() if v not in held
+    }
     worth = [vector for vector, gain in gains.items() if gain > REFRESH_WORDS]
     return sorted(worth, key=lambda vector: -gains[vector])
 
 
-def _flow(run: Run) -> tuple[dict[int, list[int]], nx.DiGraph]:
-    """Which items write each vector; and the run's data flow.
+def _flow(run: Run) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]:
+    """Which items write each vector; whose values each item reads; and how many read its own.
 
-    An edge leads from the item that writes a value to each item that reads it, and to (register,)
-    if it is what a plane holds at the end.
+    A plane that holds an item's value at the end counts as one that reads it.
     """
     frame = run.frame
     makers: dict[int, list[int]] = {}
-    flow = nx.DiGraph()
+    feeds: list[set[int]] = []
     writer = [-1] * (frame.flag + 1)
     for k, item in enumerate(run.items):
         read = item.sources if isinstance(item, Op) else (frame.flag,) * (item.need is not None)
-        flow.add_node(k)
-        flow.add_edges_from((writer[r], k) for r in read if writer[r] >= 0)
+        feeds.append({writer[r] for r in read if writer[r] >= 0})
         if isinstance(item, Op):
             value = run.before[k + 1][item.destination]
             assert value is not None
             makers.setdefault(value, []).append(k)
             writer[item.destination] = k
-    flow.add_edges_from((writer[r], (r,)) for r in range(frame.planes) if writer[r] >= 0)
-    return makers, flow
+    readers = Counter(chain.from_iterable(feeds))
+    readers.update(writer[r] for r in range(frame.planes) if writer[r] >= 0)
+    return makers, feeds, readers
 
 
-def _saved(run: Run, numbers: Sequence[int], flow: nx.DiGraph) -> int:
+def _saved(
+    run: Run, numbers: Sequence[int], feeds: Sequence[set[int]], readers: Mapping[int, int]
+) -> int:
     """Words that fall away with items whose results could be read elsewhere.
 
     These are the items' fan-out-free cone: what feeds nothing else falls away with them.
@@ -133,8 +136,8 @@ def _saved(run: Run, numbers: Sequence[int], flow: nx.DiGraph) -> int:
     while gone:
         k = gone.pop()
         saved += run.frame.words(run.items[k])
-        for source in flow.predecessors(k):
-            left[source] = left.get(source, flow.out_degree(source)) - 1
+        for source in feeds[k]:
+            left[source] = left.get(source, readers[source]) - 1
             if left[source] == 0 and source not in seen:
                 seen.add(source)
                 gone.append(source)

@@ -15,8 +15,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-import networkx as nx
-
 from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op, op
 from nscc.truth import set_bits
 
@@ -182,8 +180,12 @@ class _Painter:
             if value.home >= 0
         }
         astray = {plane: at for plane, at in where.items() if plane != at}
-        if astray and frame.ends is not None:
+        if not astray:
+            return out
+        if frame.ends is not None:
             return None
+        import networkx as nx  # most builds end without it, a tenth of a second sooner
+
         segment = max(
             (item.segment for item in out if isinstance(item, Op) and item.place == CLOSING),
             default=0,

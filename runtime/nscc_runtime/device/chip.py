@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.file import to_bytes
 from nscc_runtime.device import tasks
 from nscc_runtime.device.host import Task
@@ -17,7 +18,8 @@ from nscc_runtime.device.link import Link
 from nscc_runtime.device.messages import Capability, Captured, Channel, Info, State, bytes_a_pixel
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.trouble import check_fits, no_program, rejected
-from nscc_runtime.frame_file import Frame
+from nscc_runtime.effects import Selection, everything, selected
+from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.interface import Exposure
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor, default_sensor
@@ -59,7 +61,14 @@ class Chip:
         """One frame of `container`; the device sees what is before it, so `light` is not used."""
         self.upload(container)
         shot = self.capture(container)
-        return Exposure(shot.frame.exposure_e, shot.frame.valid)
+        return Exposure(shot.frame.exposure_e, shot.frame.valid, shot.frame.saturated_by)
+
+    @property
+    def effects(self) -> Selection:
+        """What becomes of light behind an open port: everything, or nothing in a stand-in."""
+        info = self.link.host.info
+        exact = info is not None and channels_of(info) & Channel.EXPOSURE
+        return selected("none") if exact else everything()
 
     def info(self) -> Info:
         """What the loader says of itself, asked anew."""
@@ -102,7 +111,7 @@ class Chip:
     def capture(self, container: Container) -> Shot:
         """One frame of the program that was uploaded, which is sent again should it be lost."""
         program = self._program(container)
-        return self._shot(container.target, len(container.readouts), program)
+        return self._shot(container.target, container, program)
 
     def capture_held(self, target: Target) -> Shot:
         """One frame of whatever program the device holds; NS0771 if it holds none."""
@@ -112,7 +121,7 @@ class Chip:
             raise no_program(self.link.path)
         return self._shot(target, None, None)
 
-    def _shot(self, target: Target, readouts: int | None, program: Upload | None) -> Shot:
+    def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
         host = self.link.host
         self._number += 1
         number, channels = self._number, 0
@@ -127,7 +136,7 @@ class Chip:
 
         taken = self.link.run(work)
         captured = taken.captured
-        wrong = readouts is not None and captured.readouts != readouts
+        wrong = container is not None and captured.readouts != len(container.readouts)
         expected = captured.readouts * target.rows * target.cols * bytes_a_pixel(channels)
         if wrong or not captured.readouts or len(taken.data) != expected:
             raise rejected(
@@ -137,7 +146,8 @@ class Chip:
                 "put the loader that came with this nscc on the device",
             )
         shape = (captured.readouts, target.rows, target.cols)
-        frame = frame_of(taken.data, channels, shape, self.sensor or default_sensor(target))
+        sensor = self.sensor or default_sensor(target)
+        frame = frame_of(taken.data, channels, shape, sensor, target, container)
         return Shot(frame, captured)
 
 
@@ -147,13 +157,35 @@ def channels_of(info: Info) -> int:
     return Channel.CODES | Channel.EXPOSURE if exact else Channel.CODES
 
 
-def frame_of(data: bytes, channels: int, shape: tuple[int, ...], sensor: Sensor) -> Frame:
-    """A frame from its channels' bytes; without EXPOSURE electrons are those of the codes."""
+def frame_of(
+    data: bytes, channels: int, shape: tuple[int, ...], sensor: Sensor, target: Target,
+    container: Container | None = None,
+) -> Frame:  # fmt: skip
+    """A frame from its channels' bytes; without EXPOSURE electrons are those of the codes.
+
+    What is saturated the codes tell: the last of the scale, and with the program those that a full
+    well or register reads. A loader with EXPOSURE stands in for a chip without either.
+    """
     pixels = int(np.prod(shape))
     codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(shape)
+    saturated_by = last_codes(codes, target)
     if channels & Channel.EXPOSURE:
         exposure = np.frombuffer(data, "<f8", pixels, offset=pixels).astype(np.float64)
         exposure = exposure.reshape(shape)
     else:
         exposure = (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb
-    return Frame(codes, exposure, np.isfinite(exposure))
+        if container is not None:
+            saturated_by |= _full(codes, container, sensor)
+    return Frame(codes, exposure, np.isfinite(exposure), saturated_by)
+
+
+def _full(
+    codes: NDArray[np.uint8], container: Container, sensor: Sensor
+) -> NDArray[np.uint8] | np.uint8:
+    """The bits of what the codes tell by the sensor's figures."""
+    from nscc_runtime.full_codes import marked_by_codes
+
+    try:
+        return marked_by_codes(codes, container, sensor)
+    except Rejected:  # NS0442: words that open no shutters
+        return np.uint8(0)

@@ -9,6 +9,7 @@ import numpy as np
 from nscc.target.target import Target
 from nscc_runtime.effects.effect import AfterExposure, ByParts, Effect, InLoop
 from nscc_runtime.effects.field import Values
+from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Codes
 from nscc_runtime.effects.sensor import Sensor
@@ -55,4 +56,5 @@ ADC = Effect(
     fused=ByParts(),
     words=InLoop(),
     always=True,
+    marks={"codes": Mark(4, "converter")},
 )

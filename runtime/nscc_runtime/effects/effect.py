@@ -12,10 +12,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
+from dataclasses import field as field_of
 from typing import Any, Literal, TypeVar, get_args
 
 from nscc_runtime.effects.field import Field, Sampled
+from nscc_runtime.effects.marks import MARKED, Mark
 from nscc_runtime.effects.parameters import HEADINGS, Parameter
 from nscc_runtime.effects.parts import Part
 from nscc_runtime.effects.sensor import Sensor
@@ -72,7 +74,7 @@ class InLoop:
     """
 
     switch: str | None = None
-    numbers: Mapping[str, Callable[[Sensor], float]] = field(default_factory=dict)
+    numbers: Mapping[str, Callable[[Sensor], float]] = field_of(default_factory=dict)
     device_key: str | None = None
     function: Callable[..., float] | None = None
     cost_ns: float = 0.0
@@ -105,7 +107,8 @@ class Effect:
     planner and, by its docstring, for people. `sums`: its parts in sums over slots; `fused`: in the
     loop that does a simple plan in one go; `words`: in the loop over the words of single pixels.
     `cost_ns`: nanoseconds a pixel that leaving it out saves, measured, to a factor of about two.
-    `always` effects cannot be left out.
+    `always` effects cannot be left out. `marks`: how a frame tells where it cut values off, by what
+    is marked (`nscc_runtime.effects.marks`).
     """
 
     name: str
@@ -124,6 +127,7 @@ class Effect:
     parameters: tuple[Parameter, ...] = ()
     cost_ns: float = 0.0
     always: bool = False
+    marks: Mapping[str, Mark] = field_of(default_factory=dict)
 
     @property
     def predicted(self) -> str:
@@ -186,6 +190,11 @@ class Effect:
             found.append("`fused` that is CannotHave, as `sums` is")
         if not isinstance(self.words, InLoop | CannotHave):
             found.append("`words`, InLoop(..) or CannotHave(reason)")
+        found += [
+            f"`marks` of {', '.join(MARKED)} only, each a Mark(..) at a stage of `reference`"
+            for at, mark in self.marks.items()
+            if at not in MARKED or MARKED[at][0] not in self.reference or not isinstance(mark, Mark)
+        ]
         if not (isinstance(self.cost_ns, int | float) and 0 <= self.cost_ns < math.inf):
             found.append("`cost_ns`, a number from 0 on")
         return found

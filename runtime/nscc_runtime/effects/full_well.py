@@ -6,6 +6,7 @@ import numpy as np
 
 from nscc_runtime.effects.effect import ByParts, ByWords, Effect, InLoop
 from nscc_runtime.effects.field import Values
+from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Well
 from nscc_runtime.effects.views import Pixels
@@ -37,4 +38,5 @@ FULL_WELL = Effect(
     sums=(Well(FULL),),
     fused=ByParts(),
     words=InLoop("holds", {"well": FULL}),
+    marks={"well": Mark(1, "well"), "subtracted": Mark(8, "reset level")},
 )

@@ -8,6 +8,7 @@ import numpy as np
 
 from nscc_runtime.effects.effect import ByParts, ByWords, Effect, InLoop
 from nscc_runtime.effects.field import Values
+from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
@@ -69,6 +70,12 @@ def _lost(sensor: Sensor, size: Values) -> Values:
     return np.asarray(over - room * np.tanh(over / room))
 
 
+def _much(sensor: Sensor) -> float:
+    """What a register has lost where it keeps half of what is added: tanh' = 1/2 there."""
+    half = math.acosh(math.sqrt(2.0))
+    return (half - math.tanh(half)) * (_high(sensor) - _linear(sensor))
+
+
 def _held(pixels: Pixels, value: Values) -> Values:
     return soft(value, pixels.sensor)
 
@@ -96,4 +103,5 @@ REGISTER = Effect(
         {"lowest": LOWEST, "highest": HIGHEST, "knee": KNEE},
         function=soft_in_loop,
     ),
+    marks={"registers": Mark(2, "register", _much)},
 )

@@ -23,6 +23,7 @@ from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.full_well import FULL_WELL
 from nscc_runtime.effects.lag import LAG
 from nscc_runtime.effects.leakage import LEAKAGE
+from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.motion import MOTION
 from nscc_runtime.effects.parameters import Parameter
 from nscc_runtime.effects.parts import Errors, Part
@@ -70,6 +71,9 @@ def _clashes(effect: Effect) -> list[str]:
     ]
     if effect not in _OURS and isinstance(effect.words, InLoop):
         found.append("`words` that is CannotHave: that loop is compiled, for the effects it knows")
+    bits = [mark.bit for each in (*_registered.values(), effect) for mark in each.marks.values()]
+    if not {*bits} <= {1 << k for k in range(8)} or len({*bits}) < len(bits):
+        found.append("`marks` with bits of their own: powers of two from 1 to 128")
     if effect not in _OURS and effect.always:
         found.append("`always` that is False: without effects the words are executed exactly")
     for other in _registered.values():
@@ -79,6 +83,10 @@ def _clashes(effect: Effect) -> list[str]:
             found.append(f"a stream of its own: {other.stream} is that of `{other.name}`")
         if {"codes"} & effect.reference.keys() & other.reference.keys():
             found.append(f"`reference` without `codes`: it is that of `{other.name}`")
+        found += [
+            f"`marks` without `{at}`: it is that of `{other.name}`"
+            for at in effect.marks.keys() & other.marks.keys()
+        ]
         for part in effect.parts(Part):
             if other.parts(type(part)) and not isinstance(part, Errors):
                 kind = type(part).__name__
@@ -112,6 +120,11 @@ def by_name() -> dict[str, Effect]:
 def optional() -> tuple[str, ...]:
     """The names of those that can be left out."""
     return tuple(effect.name for effect in registered() if not effect.always)
+
+
+def marks() -> dict[str, Mark]:
+    """What frames mark as saturated, by what is marked."""
+    return {at: mark for effect in registered() for at, mark in effect.marks.items()}
 
 
 def always_on() -> frozenset[str]:

@@ -11,6 +11,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
 from nscc_runtime.effects.effect import RESERVED, Effect
+from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parts import Errors, Part
 from nscc_runtime.effects.registry import always_on, by_name, optional, registered
 from nscc_runtime.remembered import remembered
@@ -42,9 +43,17 @@ class Selection:
         """The effects that are on, in the order in which they are registered."""
         return tuple(effect for effect in registered() if effect in self)
 
+    def acting(self, stage: str) -> list[tuple[Effect, Callable[..., Any]]]:
+        """Those that act in the reference at a stage, with what they do."""
+        return [(each, each.reference[stage]) for each in self.effects if stage in each.reference]
+
     def at(self, stage: str) -> list[Callable[..., Any]]:
         """What they do in the reference at a stage."""
-        return [each.reference[stage] for each in self.effects if stage in each.reference]
+        return [does for _, does in self.acting(stage)]
+
+    def marking(self, at: str) -> Mark | None:
+        """How those that are on mark what is cut off there (`nscc_runtime.effects.marks`)."""
+        return next((each.marks[at] for each in self.effects if at in each.marks), None)
 
     @remembered
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:

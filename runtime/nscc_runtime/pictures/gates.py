@@ -11,26 +11,27 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from nscc_runtime.pictures.sheet import FAINT, GRID, INK, blank, head, place
+from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.sheet import blank, head, place
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from networkx import DiGraph
 
-_COLUMNS = 34
+_COLUMNS = 23
 """Gates and demands in a line."""
-_MOST = 12 * _COLUMNS
+_MOST = 16 * _COLUMNS
 """More than so many are not drawn: whole boundaries, from the first one on."""
 _LEAST = 14
 """Columns of a narrow picture, which has room for its heading."""
-_COLUMN, _STAVE = 0.28, 0.19
+_COLUMN, _STAVE = 0.32, 0.21
 """Inches."""
 _ABOVE, _BELOW = 0.42, 0.42
 _HOLDER = 40
 """Letters of what a register holds."""
-_BAR = "#bcc8da"
-_GATES = {"WHERE": "#2f9268", "NOR": "#2563a8", "NOT": "#2563a8", "OR": "#d9722b", "MOV": "#d9722b"}
+_SERIES = {"NOR": 0, "NOT": 0, "OR": 1, "MOV": 1, "WHERE": 2}
+"""The look's colour for each kind of gate."""
 
 
 @dataclass(frozen=True)
@@ -112,19 +113,19 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
     end = score.column[shown[-1]] + 1
     _draw_bands(axes, score, shown, first)
     rows = list(score.row.values())
-    axes.hlines(rows, 0, end - first, color=GRID, linewidth=0.7, zorder=1)
+    axes.hlines(rows, 0, end - first, color=look().grid, linewidth=0.7, zorder=1)
     for register, row in score.row.items():
-        axes.text(-0.25, row, register, size=7, color=INK, ha="right", va="center")
+        axes.text(-0.25, row, register, size=7, color=look().ink, ha="right", va="center")
     bars = []
     for node, until in score.until.items():
         row = score.row[nodes[node]["register"]]
         if nodes[node]["kind"] == "plane":
             holder = _short(nodes[node]["holder"])
-            axes.text(-1.6, row, holder, size=6, color=FAINT, ha="right", va="center")
+            axes.text(-1.6, row, holder, size=6.5, color=look().faint, ha="right", va="center")
         left, right = max(score.column.get(node, -1) + 0.5, first), min(until + 0.5, end)
         if left < right:
             bars.append((row, left - first, right - first))
-    axes.hlines(*zip(*bars, strict=True), color=_BAR, linewidth=4, zorder=2)
+    axes.hlines(*zip(*bars, strict=True), color=look().bar, linewidth=4, zorder=2)
     _draw_gates(axes, score, [node for node in shown if nodes[node]["kind"] == "gate"], first)
     _draw_demands(axes, score, [n for n in shown if nodes[n]["kind"] == "demand"], first)
 
@@ -137,15 +138,17 @@ def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None
         inside = list(group)
         left = score.column[inside[0]] - first
         if every.index(boundary) % 2 == 0:
-            axes.axvspan(left, left + len(inside), color="#f4f6f9", zorder=0)
-        axes.text(left + 0.1, top - 0.75, f"{boundary}", size=7, color=INK, va="bottom")
-        axes.plot([left, left], [top - 1.2, bottom], color=GRID, linewidth=0.7, clip_on=False)
+            axes.axvspan(left, left + len(inside), color=look().closed, zorder=0)
+        axes.text(left + 0.1, top - 0.75, f"{boundary}", size=7, color=look().ink, va="bottom")
+        axes.plot(
+            [left, left], [top - 1.2, bottom], color=look().grid, linewidth=0.7, clip_on=False
+        )
     kernel = None
     for node in shown:
         if nodes[node].get("kernel", kernel) != kernel:
             kernel = nodes[node]["kernel"]
             x = score.column[node] - first + 0.1
-            axes.text(x, top - 0.1, f"k{kernel}", size=5.5, color=FAINT, va="bottom")
+            axes.text(x, top - 0.1, f"k{kernel}", size=6.5, color=look().faint, va="bottom")
 
 
 def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None:
@@ -154,13 +157,15 @@ def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None
         x = score.column[node] - first + 0.5
         row = score.row[nodes[node]["register"]]
         read = [score.row[nodes[value]["register"]] for value in score.network.predecessors(node)]
-        colour = _GATES.get(nodes[node]["function"], FAINT)
+        kind = _SERIES.get(nodes[node]["function"])
+        colour = look().faint if kind is None else look().series[kind]
         # The box hides the dot on the stave that is written.
         axes.plot([x] * (1 + len(read)), sorted([row, *read]), color=colour, linewidth=1, zorder=3,
                   marker="o", markersize=3)  # fmt: skip
         axes.text(
-            x, row, nodes[node]["function"], size=4.6, color="white", ha="center", va="center",
-            zorder=5, bbox={"boxstyle": "round,pad=0.25", "color": colour, "linewidth": 0},
+            x, row, nodes[node]["function"], size=5.6, color=look().on(colour),
+            ha="center", va="center", zorder=5,
+            bbox={"boxstyle": "round,pad=0.25", "color": colour, "linewidth": 0},
         )  # fmt: skip
 
 
@@ -168,10 +173,10 @@ def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> 
     row = len(score.row) - 1
     for node in demands:
         x = score.column[node] - first + 0.5
-        axes.plot([x, x], [row, row + 0.85], color=INK, linewidth=0.8, zorder=3, clip_on=False,
-                  marker="v", markersize=4, markevery=[1])  # fmt: skip
+        axes.plot([x, x], [row, row + 0.85], color=look().ink, linewidth=0.8, zorder=3,
+                  clip_on=False, marker="v", markersize=4, markevery=[1])  # fmt: skip
         edge = score.network.nodes[node]["edge"]
-        axes.text(x, row + 1.2, edge, size=5.5, color=INK, ha="center", va="top")
+        axes.text(x, row + 1.2, edge, size=6.5, color=look().ink, ha="center", va="top")
 
 
 def _short(holder: str) -> str:

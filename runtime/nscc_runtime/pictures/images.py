@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from nscc_runtime.pictures import sheet
+from nscc_runtime.pictures.look import look
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -55,7 +56,7 @@ def image_sheet(rows: Sequence[Sequence[Image]], title: str) -> Figure:
         axes.set_title("\n".join(lines(image.title)), pad=4)
         axes.annotate(
             "\n".join(lines(image.note)), (0, 0), (0, -4), "axes fraction",
-            textcoords="offset points", va="top", color=sheet.FAINT,
+            textcoords="offset points", va="top", color=look().faint,
         )  # fmt: skip
     sheet.head(figure, title, "")
     return figure

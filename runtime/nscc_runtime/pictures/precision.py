@@ -1,7 +1,8 @@
 """Work-precision diagrams: error against time, a panel for each problem, a line for each method.
 
 Settings of a method are marks joined in their order, each on a band from its shortest to its
-longest time; a hollow one is dominated. Dashed lines in a method's colour are proved bounds.
+longest time; a hollow one is dominated. Dashed lines in a method's colour are proved bounds. Names
+stand beside their lines; only those that have no room there are in the legend.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 
 from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.pictures import sheet
+from nscc_runtime.pictures.labels import Label, place_labels
+from nscc_runtime.pictures.look import look
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -81,7 +84,7 @@ def precision_diagram(problems: Sequence[Panel], title: str, note: str, reading:
     lines = reading.lines(points)
     if not lines:
         raise ValueError("no points to draw")
-    looks = {name: sheet.series(number) for number, name in enumerate(lines)}
+    looks = {name: look().of(number) for number, name in enumerate(lines)}
     guides = {guide.name: guide for panel in problems for guide in panel.guides}
     times = [time for part in lines.values() for point in part for time in reading.times(point)]
     times += [g.time_ms * reading.per_ms for p in problems for g in p.guides if g.time_ms]
@@ -99,28 +102,36 @@ def precision_diagram(problems: Sequence[Panel], title: str, note: str, reading:
             axes.set_ylabel(panel.error)
         if number + columns >= len(problems):
             axes.set_xlabel(reading.time)
-    handles = [Line2D([], [], label=name, **look) for name, look in looks.items()]
-    if any(point.bound for part in lines.values() for point in part):
-        handles.append(Line2D([], [], label="proved bound", color=sheet.FAINT, linestyle="--"))
-    handles += [Line2D([], [], label=g.name, color=sheet.INK, ls=g.dashes) for g in guides.values()]
     figure.align_ylabels(grid)
+    sheet.lay_out(figure)
+    homeless = {
+        label.text
+        for axes, texts in zip(grid, labels, strict=True)
+        for label in place_labels(axes, texts)
+        if label.name
+    }
+    handles = [Line2D([], [], label=n, **one) for n, one in looks.items() if n in homeless]
+    if any(point.bound for part in lines.values() for point in part):
+        handles.append(Line2D([], [], label="proved bound", color=look().faint, linestyle="--"))
+    handles += [
+        Line2D([], [], label=g.name, color=look().ink, ls=g.dashes) for g in guides.values()
+    ]
     sheet.head(figure, title, note, handles)
-    for axes, texts in zip(grid, labels, strict=True):
-        sheet.label_points(axes, texts)
     return figure
 
 
 def _draw(
     axes: Axes, panel: Panel, looks: dict[str, dict[str, Any]], reading: Reading,
     beaten: dict[int, bool],
-) -> list[tuple[float, float, str, str]]:  # fmt: skip
-    """Draws lines and guides; the texts that go with points, those that nothing beats first."""
+) -> list[Label]:  # fmt: skip
+    """Draws lines and guides; their names, then the texts that go with points, those that nothing
+    beats first."""
     lines = reading.lines(panel.points)
     bounds = {name: part[0].bound for name, part in lines.items() if part[0].bound}
     heights = [point.error for part in lines.values() for point in part]
     heights += [*bounds.values(), *(guide.error for guide in panel.guides if guide.error)]
     bottom = _set_errors(axes, heights or [1.0], reading.linear)
-    labels = []
+    names, labels = [], []
     for name, part in lines.items():
         colour, marker = looks[name]["color"], looks[name]["marker"]
         times = [reading.times(point) for point in part]
@@ -132,21 +143,23 @@ def _draw(
             hollow = beaten[id(point)]
             axes.plot(
                 time, error, marker if point.error >= bottom else "v", color=colour,
-                markerfacecolor="white" if hollow else colour, clip_on=False, zorder=3,
+                markerfacecolor=look().paper if hollow else colour, clip_on=False, zorder=3,
             )  # fmt: skip
-            labels.append((hollow, (time, error, reading.text(point), colour)))
+            labels.append((hollow, Label(reading.text(point), [(time, error)], colour)))
+        ends = [*zip(medians, errors, strict=True)]
+        names.append(Label(name, [ends[-1], ends[0], *ends[1:-1]], colour, name=True))
         if name in bounds:
             axes.axhline(bounds[name], color=colour, linewidth=1, linestyle="--")
             left, right = axes.get_xlim()
             edge = left * (right / left) ** 0.05
-            labels.append((False, (edge, bounds[name], f"{bounds[name]:g}", colour)))
+            labels.append((False, Label(f"{bounds[name]:g}", [(edge, bounds[name])], colour)))
     for guide in panel.guides:
-        look: dict[str, Any] = {"color": sheet.INK, "lw": 1.1, "ls": guide.dashes, "zorder": 1}
+        line: dict[str, Any] = {"color": look().ink, "lw": 1.1, "ls": guide.dashes, "zorder": 1}
         if guide.time_ms:
-            axes.axvline(guide.time_ms * reading.per_ms, **look)
+            axes.axvline(guide.time_ms * reading.per_ms, **line)
         elif guide.error:
-            axes.axhline(guide.error, **look)
-    return [label for _, label in sorted(labels, key=lambda pair: pair[0])]
+            axes.axhline(guide.error, **line)
+    return names + [label for _, label in sorted(labels, key=lambda pair: pair[0])]
 
 
 def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> float:

@@ -1,4 +1,4 @@
-"""What all pictures share: colours and type, the heading, places in inches, and how they are saved.
+"""What all pictures share: type, the heading, places in inches, and how they are saved.
 
 A kind of picture is a function that returns a matplotlib figure of the size of its panels; what
 stands around them (heading, legend, names of rows) grows outwards, and saving takes it all in.
@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.pictures.look import Look, look
+
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
     from matplotlib.axes import Axes
@@ -23,50 +25,60 @@ if TYPE_CHECKING:
 
 P = ParamSpec("P")
 
-INK, FAINT, GRID, CLOSED = "#1d2129", "#5b6270", "#e3e7ee", "#f1f3f6"
-COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#1d2129", "#56b4e9", "#e69f00")
-"""Okabe and Ito's colours, which the colour-blind tell apart, without their yellow: white paper."""
-MARKERS = "osD^vP"
-"""As many as have no divisor in common with COLOURS: 42 series differ in one of both."""
 SCALE = "viridis"
 """Of what has an order; its lightness grows steadily."""
-WIDTH = 9.3
+WIDTH = 8.4
 """Inches of the panels' room: at the width of a README the type is still read."""
 DPI = 150
-_SIZE = 8.5
+SIZE = 8.5
+"""Points of the type."""
 _MARGIN = 0.15
 
-_STYLE: Any = {
-    "figure.dpi": DPI, "savefig.dpi": "figure", "font.size": _SIZE, "text.color": INK,
-    "axes.edgecolor": FAINT, "axes.labelcolor": INK, "axes.axisbelow": True, "axes.grid": True,
-    "axes.spines.top": False, "axes.spines.right": False, "axes.titlelocation": "left",
-    "axes.titlesize": _SIZE + 1, "axes.titleweight": "bold", "grid.color": GRID,
-    "grid.linewidth": 0.7, "xtick.color": FAINT, "ytick.color": FAINT, "legend.frameon": False,
-    "legend.borderpad": 0, "legend.borderaxespad": 0, "legend.handletextpad": 0.5,
-    "legend.columnspacing": 1.4, "lines.linewidth": 1.4, "lines.markersize": 5,
-}  # fmt: skip
+
+def _settings(chosen: Look) -> dict[str, Any]:
+    return {
+        "figure.dpi": DPI, "savefig.dpi": "figure", "font.size": SIZE, "text.color": chosen.ink,
+        "figure.facecolor": chosen.paper, "axes.facecolor": chosen.paper,
+        "axes.edgecolor": chosen.faint, "axes.labelcolor": chosen.ink, "axes.axisbelow": True,
+        "axes.grid": True, "axes.spines.top": False, "axes.spines.right": False,
+        "axes.titlelocation": "left", "axes.titlesize": SIZE + 1, "axes.titleweight": "bold",
+        "grid.color": chosen.grid, "grid.linewidth": 0.7, "xtick.color": chosen.faint,
+        "ytick.color": chosen.faint, "legend.frameon": False, "legend.borderpad": 0,
+        "legend.borderaxespad": 0, "legend.handletextpad": 0.5, "legend.columnspacing": 1.4,
+        "lines.linewidth": 1.4, "lines.markersize": 5, "svg.hashsalt": "nscc",
+    }  # fmt: skip
 
 
 @contextmanager
 def style() -> Iterator[None]:
-    """The one style, whatever the user's plotting settings; figures are made and saved in it."""
+    """The one style in the present look, whatever the user's plotting settings; figures are made
+    and saved in it."""
     import matplotlib
 
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
-        matplotlib.rcParams.update(_STYLE)
+        matplotlib.rcParams.update(_settings(look()))
         yield
 
 
 def png_of(draw: Callable[P, Figure], *args: P.args, **options: P.kwargs) -> bytes:
     """The figure that `draw` makes, as PNG: the same arguments give the same bytes."""
-    data = io.BytesIO()
     with style():
-        figure = draw(*args, **options)
-        box = figure.get_tightbbox().padded(_MARGIN)
-        # Whole dots, or else images between them would blur.
-        box.set_points(np.round(box.get_points() * DPI) / DPI)
-        figure.savefig(data, format="png", bbox_inches=box, metadata={"Software": None})
+        return _saved(draw(*args, **options), "png", {"Software": None})
+
+
+def svg_of(draw: Callable[P, Figure], *args: P.args, **options: P.kwargs) -> bytes:
+    """The same as SVG, its letters as outlines: no font is needed to see it as it was laid out."""
+    with style():
+        return _saved(draw(*args, **options), "svg", {"Date": None, "Creator": None})
+
+
+def _saved(figure: Figure, kind: str, metadata: dict[str, Any]) -> bytes:
+    data = io.BytesIO()
+    box = figure.get_tightbbox().padded(_MARGIN)
+    # Whole dots, or else images between them would blur.
+    box.set_points(np.round(box.get_points() * DPI) / DPI)
+    figure.savefig(data, format=kind, bbox_inches=box, metadata=metadata)
     return data.getvalue()
 
 
@@ -118,13 +130,18 @@ def show_pixels(axes: Axes, image: NDArray[Any]) -> None:
     axes.grid(False)
 
 
+def lay_out(figure: Figure) -> None:
+    """Fix where all panels are, once all that they hold is drawn: labels are placed after that."""
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+
+
 def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) -> None:
     """Title, a line on what is shown, and legend, one on the other above the figure.
 
     It comes after all that the panels hold, and lays them out for good.
     """
-    figure.draw_without_rendering()
-    figure.set_layout_engine("none")
+    lay_out(figure)
     width, height = figure.get_size_inches()
     left, bottom = figure.get_tightbbox().x0 / width, 1 + 0.12 / height
     for columns in range(len(handles), 0, -1):
@@ -137,17 +154,13 @@ def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) 
             break
         legend.remove()
     # A letter is about half as wide as its size.
-    note = textwrap.fill(note, max(40, int(width * 72 / (0.56 * _SIZE))))
-    for text, size, weight, colour in ((note, _SIZE, "normal", FAINT), (title, 14, "bold", INK)):
+    note = textwrap.fill(note, max(40, int(width * 72 / (0.56 * SIZE))))
+    parts = ((note, SIZE, "normal", look().faint), (title, 14, "bold", look().ink))
+    for text, size, weight, colour in parts:
         if text:
             written = figure.text(left, bottom, text, size=size, weight=weight, color=colour)
             written.set_verticalalignment("bottom")
             bottom += (written.get_window_extent().height / DPI + 0.07) / height
-
-
-def series(number: int) -> dict[str, Any]:
-    """The colour and marker of a series."""
-    return {"color": COLOURS[number % len(COLOURS)], "marker": MARKERS[number % len(MARKERS)]}
 
 
 def round_ticks(axis: Axis, most: int = 7) -> None:
@@ -164,33 +177,3 @@ def round_ticks(axis: Axis, most: int = 7) -> None:
         subs = next((steps for steps in choices if len(steps) * decades <= most), (1,))
         axis.set_major_locator(LogLocator(subs=subs, numticks=most))
     axis.set_major_formatter(lambda value, _: f"{value:g}")
-
-
-def label_points(axes: Axes, labels: Sequence[tuple[float, float, str, str]]) -> None:
-    """Texts (x, y, text, colour) beside their points: above, below, left or right.
-
-    Each is where it covers no other text and no point; where there is no such place it is left out.
-    The figure has its head: it is laid out.
-    """
-    from matplotlib.patheffects import withStroke
-    from matplotlib.transforms import Bbox
-
-    reach = 3.0
-    points = axes.transData.transform([(x, y) for x, y, _, _ in labels] or np.empty((0, 2)))
-    taken = [Bbox([point - reach, point + reach]) for point in points]
-    sides = (((0, 5), "center", "bottom"), ((0, -5), "center", "top"), ((-6, 0), "right", "center"),
-             ((6, 0), "left", "center"))  # fmt: skip
-    for x, y, words, colour in labels:
-        for offset, across, upwards in sides if words else ():
-            text = axes.annotate(
-                words, (x, y), offset, textcoords="offset points", ha=across, va=upwards,
-                size=7, color=colour, path_effects=[withStroke(linewidth=2, foreground="white")],
-            )  # fmt: skip
-            text.set_in_layout(False)
-            box = text.get_window_extent()
-            inside = axes.bbox.containsx(box.x0) and axes.bbox.containsx(box.x1)
-            inside &= axes.bbox.containsy(box.y0) and axes.bbox.containsy(box.y1)
-            if inside and not box.count_overlaps(taken):
-                taken.append(box)
-                break
-            text.remove()

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.merge import tile_of
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.frames import tile_of
+from nscc_runtime.pictures.look import look
 from nscc_runtime.scenes.shapes import Field
 
 if TYPE_CHECKING:
@@ -100,7 +101,7 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     if len(chosen) < count:
         note += f"   ·   {len(chosen)} of them shown, evenly chosen"
     bars = enumerate(container.buckets) if lanes > 1 else ()
-    handles = [Patch(color=sheet.series(b)["color"], label=name) for b, name in bars]
+    handles = [Patch(color=look().of(b)["color"], label=name) for b, name in bars]
     sheet.head(figure, title, note, handles)
     return figure
 
@@ -151,13 +152,14 @@ def _draw_chart(axes: Axes, container: Container, rows: NDArray[np.bool_], own: 
     scale, unit = _unit(float(edges_us[-1]))
     edges = edges_us * scale
     columns = edges if slots <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
-    buckets = [to_rgb(sheet.series(lane)["color"]) for lane in range(lanes)]
-    image = np.ones((count, lanes + 1, len(columns) - 1, 3))  # the last lane is the gap
+    buckets = [to_rgb(look().of(lane)["color"]) for lane in range(lanes)]
+    image = np.empty((count, lanes + 1, len(columns) - 1, 3))
+    image[:] = to_rgb(look().paper)  # the last lane stays: it is the gap
     for row, lane in np.ndindex(count, lanes):
         open_until = np.concatenate(([0.0], np.cumsum(np.diff(edges) * rows[row, lane])))
         share = np.diff(np.interp(columns, edges, open_until)) / np.diff(columns)
         colour = own[row] if lanes == 1 else buckets[lane]
-        image[row, lane] = np.outer(1 - share, to_rgb(sheet.CLOSED)) + np.outer(share, colour)
+        image[row, lane] = np.outer(1 - share, to_rgb(look().closed)) + np.outer(share, colour)
     lines = np.linspace(-_BAR / 2, _BAR / 2, lanes + 1)
     heights = (np.arange(count)[:, None] + lines).ravel()
     axes.pcolorfast(columns, heights, image.reshape(count * (lanes + 1), -1, 3)[:-1].clip(0, 1))
@@ -165,10 +167,10 @@ def _draw_chart(axes: Axes, container: Container, rows: NDArray[np.bool_], own: 
     axes.set_ylim(count - 0.5, -0.5)
     axes.grid(False)
     if slots <= _MOST_BOUNDARIES:
-        axes.vlines(edges[1:-1], -0.5, count - 0.5, colors="white", linewidth=0.7)
+        axes.vlines(edges[1:-1], -0.5, count - 0.5, colors=look().paper, linewidth=0.7)
     axes.spines[:].set_visible(False)
     axes.set_xlabel(f"time in the frame, {unit}")
-    axes.tick_params(axis="y", length=0, pad=13, labelcolor=sheet.INK)
+    axes.tick_params(axis="y", length=0, pad=13, labelcolor=look().ink)
     axes.scatter(
         np.full(count, -0.009), np.arange(count), s=36, c=own, marker="s", clip_on=False,
         transform=axes.get_yaxis_transform(),
@@ -224,7 +226,8 @@ def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Ma
 
 
 def _draw_map(axes: Axes, drawing: _Map) -> None:
-    """The part, and in each cell its field values, a line each, in ink or white, as reads best."""
+    """The part, and in each cell its field values, a line each, in what shows best on it."""
+    from matplotlib.colors import to_hex
     from matplotlib.ticker import MaxNLocator
 
     rows, cols = drawing.colours.shape[:2]
@@ -236,16 +239,16 @@ def _draw_map(axes: Axes, drawing: _Map) -> None:
         axis.set_major_locator(MaxNLocator(max(1, int(dots / 55)), integer=True))
         axis.set_visible(dots > 55)
     if max(rows, cols) <= 2 * _CORNER:
-        axes.hlines(np.arange(rows - 1) + 0.5, -0.5, cols - 0.5, colors="white")
-        axes.vlines(np.arange(cols - 1) + 0.5, -0.5, rows - 0.5, colors="white")
+        axes.hlines(np.arange(rows - 1) + 0.5, -0.5, cols - 0.5, colors=look().paper)
+        axes.vlines(np.arange(cols - 1) + 0.5, -0.5, rows - 0.5, colors=look().paper)
     if drawing.codes is None:
         return
     widest = max(len(str(value)) for value in drawing.codes.flat)
     cell = extent.width / cols / sheet.DPI * 72
     size = min(18.0, 0.9 * cell / max(0.7 * widest, 1.3 * drawing.codes.shape[2], 1.6))
-    for (row, col), colour in np.ndenumerate(drawing.colours @ np.array([0.2126, 0.7152, 0.0722])):
+    for row, col in np.ndindex(rows, cols):
         if size >= 4.5:
             axes.text(
                 col, row, "\n".join(map(str, drawing.codes[row, col])), ha="center", va="center",
-                size=size, color=sheet.INK if colour > 0.5 else "white",
+                size=size, color=look().on(to_hex(drawing.colours[row, col])),
             )  # fmt: skip

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nscc_runtime.pictures import sheet
+from nscc_runtime.pictures.labels import Label, halo, place_labels
+from nscc_runtime.pictures.look import look
 from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
 from nscc_runtime.tradeoff import study as studied
 from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, Study
@@ -21,7 +23,6 @@ if TYPE_CHECKING:
 
     from nscc_runtime.plan.plan import Decision, Plan
 
-_KEPT, _DROPPED = sheet.COLOURS[:2]
 _LOWEST = 30.0
 """Errors so many times below the least tolerance are drawn at the edge, with their number."""
 _SIDE = 6.2
@@ -32,7 +33,7 @@ _COLUMNS = 3
 _NAMES = {
     studied.SUMMED: "f32 sum",
     studied.DRAWN: "per-slot Poisson",
-    PLANNED: "planned (numbers: tolerance in e)",
+    PLANNED: "planned",
     studied.WITH_PLANNING: "with planning",
 }
 _ERRORS = {ELECTRONS: "RMS error, e", studied.LSB: "RMS error after the ADC, LSB"}
@@ -55,8 +56,8 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
     times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
     return precision_diagram(
         panels, "What the emulator's time buys",
-        "against the reference with all effects, same draws (hollow: dominated); "
-        f"{times} on {device}",
+        "against the reference with all effects, same draws (hollow: dominated; numbers: tolerance "
+        f"in e); {times} on {device}",
         Reading(
             "time of one frame, ms", line=lambda point: _NAMES.get(point.method, ""),
             text=lambda p: p.setting.removesuffix("e") if p.method == PLANNED else "",
@@ -85,34 +86,35 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
     axes.set(xscale="log", yscale="log", xlim=(least, most), ylim=(low, high))
     axes.set(xlabel="tolerance asked, e", ylabel="error, e")
     line, above = [least, most], [SLACK * least, SLACK * most]
-    axes.fill_between(line, above, high, color=sheet.CLOSED)
-    axes.plot(line, line, color=sheet.INK)
-    axes.plot(line, above, color=sheet.INK, linestyle="--")
+    axes.fill_between(line, above, high, color=look().closed)
+    axes.plot(line, line, color=look().ink)
+    axes.plot(line, above, color=look().ink, linestyle="--")
     scenes = list(dict.fromkeys(scene for scene, *_ in plans))
     labels = []
     for (scene, *_, measured), x, ends in zip(plans, asked, errors.clip(low, high), strict=True):
         number = scenes.index(scene)
         # Scenes side by side, so that none hides another.
         x *= 1.05 ** (number - (len(scenes) - 1) / 2)
-        look = sheet.series(number)
-        axes.plot([x, x], ends, color=look["color"], linewidth=1)
-        axes.plot(x, ends[0], markersize=9, fillstyle="none", clip_on=False, **look)
-        axes.plot(x, ends[1], markersize=4, clip_on=False, **look)
-        labels.append((x, ends[1], f"{measured:.1g}" if measured < low else "", look["color"]))
+        own = look().of(number)
+        axes.plot([x, x], ends, color=own["color"], linewidth=1)
+        axes.plot(x, ends[0], markersize=9, fillstyle="none", clip_on=False, **own)
+        axes.plot(x, ends[1], markersize=4, clip_on=False, **own)
+        if measured < low:
+            labels.append(Label(f"{measured:.1g}", [(x, ends[1])], own["color"]))
     sheet.round_ticks(axes.xaxis)
     sheet.round_ticks(axes.yaxis)
-    dot: dict[str, Any] = {"color": sheet.FAINT, "linestyle": "", "marker": "o"}
+    dot: dict[str, Any] = {"color": look().faint, "linestyle": "", "marker": "o"}
     sheet.head(
         figure, "What was asked, what came of it", "RMS electrons before the ADC, worst bucket",
         [
-            Line2D([], [], color=sheet.INK, label="y = x"),
-            Line2D([], [], color=sheet.INK, ls="--", label=f"y = {SLACK:g} x: the promise"),
+            Line2D([], [], color=look().ink, label="y = x"),
+            Line2D([], [], color=look().ink, ls="--", label=f"y = {SLACK:g} x: the promise"),
             Line2D([], [], markersize=4, label="measured", **dot),
             Line2D([], [], markersize=9, fillstyle="none", label="predicted", **dot),
-            *(Line2D([], [], ls="", label=s, **sheet.series(i)) for i, s in enumerate(scenes)),
+            *(Line2D([], [], ls="", label=s, **look().of(i)) for i, s in enumerate(scenes)),
         ],
     )  # fmt: skip
-    sheet.label_points(axes, labels)
+    place_labels(axes, labels)
     return figure
 
 
@@ -124,6 +126,7 @@ def budget_diagram(studies: Sequence[Study]) -> Figure:
 
     if not studies:
         raise ValueError("no budgets to draw")
+    kept, dropped, *_ = look().series
     budgets = [study.budget for study in studies]
     values = [each.predicted_rms_e for plan in budgets for each in plan.decisions]
     known = [e for e in values if e] + [plan.tolerance_e for plan in budgets]
@@ -137,10 +140,10 @@ def budget_diagram(studies: Sequence[Study]) -> Figure:
         figure, "Error budgets: what each effect does, and what is left out",
         "RMS electrons of each effect; at the right, ms a frame that leaving it out saves (model)",
         [
-            Patch(facecolor=_KEPT, edgecolor=_KEPT, label="simulated"),
-            Patch(facecolor="white", edgecolor=_DROPPED, label="left out"),
-            Line2D([], [], color=sheet.INK, label="tolerance asked"),
-            Line2D([], [], color=sheet.INK, linestyle="--", label="predicted error"),
+            Patch(facecolor=kept, edgecolor=kept, label="simulated"),
+            Patch(facecolor=look().paper, edgecolor=dropped, label="left out"),
+            Line2D([], [], color=look().ink, label="tolerance asked"),
+            Line2D([], [], color=look().ink, linestyle="--", label="predicted error"),
         ],
     )  # fmt: skip
     return figure
@@ -152,7 +155,8 @@ def _decisions(plan: Plan) -> list[Decision]:
 
 def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
     decisions = _decisions(plan)
-    colours = {"kept": _KEPT, "dropped": _DROPPED, "absent": sheet.FAINT}
+    kept, dropped, *_ = look().series
+    colours = {"kept": kept, "dropped": dropped, "absent": look().faint}
     axes.set(xscale="log", xlim=span, ylim=(len(decisions) - 0.4, -0.6))
     axes.set_xlabel(f"RMS, e; {plan.tolerance_e:g} asked, {plan.predicted_e:.3g} predicted")
     axes.grid(False, axis="y")
@@ -162,19 +166,22 @@ def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
     for i, each in enumerate(decisions):
         rms_e, colour = each.predicted_rms_e, colours[each.decision]
         if each.decision == "absent":
-            axes.text(span[0], i, " absent", size=7.5, color=colour, va="center", style="italic")
+            axes.text(
+                span[0], i, " absent", size=7.5, color=colour, va="center", style="italic",
+                path_effects=halo(),
+            )  # fmt: skip
         elif rms_e is not None and rms_e > span[0]:
-            face = colour if each.decision == "kept" else "white"
+            face = colour if each.decision == "kept" else look().paper
             axes.barh(i, rms_e - span[0], 0.62, span[0], facecolor=face, edgecolor=colour)
-    axes.axvline(plan.tolerance_e, color=sheet.INK)
-    axes.axvline(plan.predicted_e, color=sheet.INK, linestyle="--")
+    axes.axvline(plan.tolerance_e, color=look().ink)
+    axes.axvline(plan.predicted_e, color=look().ink, linestyle="--")
     axes.set_yticks(range(len(decisions)), [each.name for each in decisions])
     costs.set_yticks(range(len(decisions)), [_saves(each) for each in decisions])
     for side in (axes, costs):
         side.tick_params(axis="y", length=0)
         for label, each in zip(side.get_yticklabels(), decisions, strict=True):
             drawn = side is axes and each.decision != "absent"
-            label.set_color(sheet.INK if drawn else colours[each.decision])
+            label.set_color(look().ink if drawn else colours[each.decision])
 
 
 def _saves(each: Decision) -> str:

@@ -26,7 +26,7 @@ from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, poisson
-from nscc_runtime.plan.fused import Fused
+from nscc_runtime.plan.fused import ROUNDING, Fused
 from nscc_runtime.plan.plan import Plan
 from nscc_runtime.plan.pool import processors
 from nscc_runtime.plan.prepared import Prepared
@@ -35,6 +35,7 @@ from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.reference.noise import SUM
 
 Values = NDArray[np.float64]
+Marked = NDArray[np.uint8]
 
 
 class Planned(Prepared):
@@ -49,28 +50,31 @@ class Planned(Prepared):
         """Frame number `frame`; threads change no bit."""
         if self.fused is not None:
             simple = self.fused.expose(seed, frame, read_out=False)
-            return Exposure(simple.exposure_e, simple.valid)
+            return Exposure(simple.exposure_e, simple.valid, simple.saturated_by)
         if self.plan.slot_loop == "reference":
             return self._reference.expose(
                 scene_of(self.program.container, self.light), seed, self.device_seed, frame
             )
         shape = (len(self.program.container.buckets), *self.light.shape)
         if self.plan.slot_loop == "all":
-            found = self._words(self.places, self.kept, seed, frame)
+            found, marked = self._words(self.places, self.kept, seed, frame)
         else:
-            found = self._sums(seed, frame)
+            found, marked = self._sums(seed, frame)
         if len(self.saturating):
-            found[:, self.saturating] = self._words(
+            found[:, self.saturating], marked[:, self.saturating] = self._words(
                 self.saturating, self.plan.kept_in_words, seed, frame
             )
         found += 0.0
-        return Exposure(found.reshape(shape), np.isfinite(found).reshape(shape))
+        valid = np.isfinite(found)
+        return Exposure(found.reshape(shape), valid.reshape(shape), marked.reshape(shape))
 
     @cached_property
     def _reference(self) -> Reference:
         return Reference.of(self.program.container, self.program.sensor, self.kept)
 
-    def _words(self, chosen: NDArray[np.int64], kept: Selection, seed: int, frame: int) -> Values:
+    def _words(
+        self, chosen: NDArray[np.int64], kept: Selection, seed: int, frame: int
+    ) -> tuple[Values, Marked]:
         program = self.program
         return program.words(kept).exposures(
             self.light,
@@ -83,12 +87,17 @@ class Planned(Prepared):
             threads=self.threads,
         )
 
-    def _sums(self, seed: int, frame: int) -> Values:
-        """Exposures (buckets, pixels) by sums over the slots."""
+    def _sums(self, seed: int, frame: int) -> tuple[Values, Marked]:
+        """Exposures (buckets, pixels) by sums over the slots, and what cut them off."""
         program, kept = self.program, self.kept
         away = self._counts(seed, frame)
         found = self.expected + self._spread(away) if away else self.expected.copy()
+        marked = np.zeros(found.shape, np.uint8)
+        mark = kept.marking("well")
         if kept.part(Well) and not kept.part(Soft):
+            if mark is not None:
+                # A well that is just full has lost nothing, however its charge was added up.
+                marked[found > self.limits * (1.0 + ROUNDING)] = mark.bit
             np.minimum(found, self.limits, out=found)
         if kept.part(WordGain):
             found += self.patterns
@@ -100,7 +109,7 @@ class Planned(Prepared):
                     z = normals(key(seed, effect.stream, SUM, frame, draw), self.places)
                     for bucket in range(len(found)):
                         found[bucket] += factor[program.lanes, bucket, draw] * z
-        return found
+        return found, marked
 
     def _counts(self, seed: int, frame: int) -> dict[int, Values]:
         """How far the counts of each group are from their means."""

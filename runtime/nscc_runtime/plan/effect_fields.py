@@ -182,10 +182,11 @@ class _Near:
     def _held(self, kept: Selection) -> Values:
         """What the words make of pixels that may saturate: noise alone may take them there."""
         program = self.scene.program
-        return program.pixels.exposures(
+        exposures, _ = program.pixels.exposures(
             self.scene.scene,
             program.slot_s,
             self.scene.places[self.scene.sample.near],
             kept,
             device_seed=self.scene.device.device_seed,
         )
+        return exposures

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import CannotHave
 from nscc_runtime.effects.counts import LIGHT, count_key
 from nscc_runtime.effects.parts import Codes, Converter, CountedLight, Soft, Well
-from nscc_runtime.frame_file import Frame
+from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
@@ -27,6 +27,8 @@ from nscc_runtime.plan.program import Program
 from nscc_runtime.plan.sums import on_frames
 from nscc_runtime.reference.noise import SUM
 
+ROUNDING = 1e-12
+"""Of sums of charge: the part by which a well that is just full may seem to hold more."""
 _NO_TABLE, _NO_MASKS = np.zeros((1, 1), np.float32), np.zeros(1, np.uint8)
 _MUCH = 1 << 21
 """Pixels x frames from which on a second thread is worth waking."""
@@ -79,7 +81,7 @@ class Fused:
             single = program.tables.single(program.model(kept))
             limit_e = np.where(np.isnan(single), np.inf, single * scene.full_e)
         counters, converters = kept.having(CountedLight), kept.having(Converter)
-        codes = kept.part(Codes)
+        codes, mark = kept.part(Codes), kept.marking("well")
         given = {
             "factor": scene.factor,
             "rate_cap": RATE_CAP,
@@ -93,6 +95,8 @@ class Fused:
             "uneven": scene.response is not None,
             "counted": len(counters),
             "clipped": clipped,
+            "well_bit": mark.bit if mark else 0,
+            "full": 1.0 + ROUNDING,
             "readout_noisy": len(converters),
         }
         buckets = tuple(
@@ -112,9 +116,15 @@ class Fused:
     def expose(self, seed: int, frame: int, *, read_out: bool) -> Frame:
         """Frame number `frame`; without `read_out` its codes are left 0."""
         shape = (len(self.buckets), *self.scene.light.shape)
-        found = Frame(np.zeros(shape, np.uint8), np.empty(shape), np.ones(shape, np.bool_))
+        found = Frame(
+            np.zeros(shape, np.uint8), np.empty(shape), np.ones(shape, np.bool_),
+            np.zeros(shape, np.uint8),
+        )  # fmt: skip
         for bucket in range(len(self.buckets)):
             self._fill(found, bucket, seed, frame, read_out)
+        if read_out:
+            target = self.scene.program.container.target
+            np.bitwise_or(found.saturated_by, last_codes(found.frame, target), found.saturated_by)
         return found
 
     def _fill(self, found: Frame, bucket: int, seed: int, frame: int, read_out: bool) -> None:
@@ -134,6 +144,7 @@ class Fused:
             "exposure": found.exposure_e[bucket].reshape(-1),
             "frame": found.frame[bucket].reshape(-1),
             "valid": found.valid[bucket].view(np.uint8).reshape(-1),
+            "marked": found.saturated_by[bucket].reshape(-1),
         }
 
         def run(begin: int, end: int) -> None:

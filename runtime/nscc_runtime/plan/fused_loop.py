@@ -237,6 +237,9 @@ class Simple:
     clipped: int
     readout_noisy: int
     read_out: int
+    well_bit: int
+    """What marks pixels that are clipped: those above `full` times their limit."""
+    full: float
     factor: float
     """Of all light."""
     rate_cap: float
@@ -335,13 +338,14 @@ def fused(
     exposure: Written[Annotated[Floats, "pixels"]],
     frame: Written[Annotated[Bytes, "pixels"]],
     valid: Written[Annotated[Bytes, "pixels"]],
+    marked: Written[Annotated[Bytes, "pixels"]],
 ) -> None:
     """One bucket of one frame.
 
     `masks` (rows, pixels) and `table` (frames, lanes) where a frame's kind asks for them,
     `response` (pixels,) where it is given. `part`, `values`, `few`, `places`: scratch for `BLOCK`
     pixels; `scratch` for four times as many. `valid` comes filled with 1, and is 0 where light is
-    no number.
+    no number; `marked` with 0, and is `well_bit` where it is clipped.
     """
     lane_count = plan.lane_count
     for first in range(plan.begin, plan.end, BLOCK):
@@ -360,6 +364,7 @@ def fused(
         if plan.clipped:
             for i in range(stop - first):
                 most = limit[lanes[first + i]]
+                marked[first + i] = plan.well_bit if values[i] > most * plan.full else 0
                 values[i] = values[i] if values[i] < most else most
         for source in range(plan.sources):
             _noisy(

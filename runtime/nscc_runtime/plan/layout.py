@@ -41,6 +41,11 @@ class Sizes:
     word_errors: int
     bends: int
     leaks: int
+    well_bit: int
+    """Of `saturated_by`: where a full PIX was added, where it was subtracted, where registers lost
+    too much; 0: is not marked."""
+    subtracted_bit: int
+    registers_bit: int
 
 
 @record
@@ -70,6 +75,8 @@ class Numbers:
     knee: float
     leak: float
     leak_variance: float
+    least_lost: float
+    """What registers have lost that is too much."""
 
 
 @record

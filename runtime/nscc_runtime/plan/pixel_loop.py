@@ -36,6 +36,8 @@ from nscc_runtime.plan.layout import Entry, Keys, Numbers, Sizes
 _READS, _RESETS, _WORDS = 0, 1, 2
 ERRORS = 3
 """Kinds of small errors."""
+_ADDED, _SUBTRACTED = 1, 2
+"""Of what a register holds: it has a full PIX in it."""
 _bent = in_loop("bends")
 """What a register holds of a value, by the effect that bends it."""
 
@@ -101,36 +103,45 @@ def _error(
 def _execute(
     sizes: Sizes, numbers: Numbers, keys: Keys, place: int, e: int, entries: Entries,
     operands: Ints, weights: Floats, signs: Floats, missing: Floats, pattern: float,
-    registers: Floats,
+    registers: Floats, full: Ints, lost: Floats,
 ) -> None:  # fmt: skip
     """Run one word. PIX is register `registers`, its reset level the next one, then IN."""
     entry, pix = entries[e], sizes.registers
     if entry.resets:
         registers[pix] = 0.0
+        full[pix] = 0
         if sizes.reset_errors:
             z = _error(sizes, keys.part_resets, place, e, entries, weights, _RESETS, 0, missing)
             registers[pix + 1] = numbers.reset_error * z
         return
-    total = 0.0
+    total, gathered, lost_e = 0.0, 0, 0.0
     for i in range(entry.sources):
         source = operands[entry.operands + i]
         total += registers[source]
+        gathered |= full[source]
+        lost_e += lost[source]
         if source == pix:
             total += registers[pix + 1]
             if sizes.read_errors:
                 z = _error(sizes, keys.part_reads, place, e, entries, weights, _READS, 0, missing)
                 total += numbers.read_error * z
     result = total / -entry.divisor
+    lost_e /= entry.divisor
     for i in range(entry.destinations):
         register = operands[entry.operands + entry.sources + i]
-        value = result
+        value, here_e = result, lost_e
         if sizes.word_errors:
             z = _error(sizes, keys.part_words, place, e, entries, weights, _WORDS, i + 1, missing)
             error = pattern + numbers.word_error * z
             value = numbers.gain * value + signs[register] * error
         if sizes.bends:
-            value = _bent(value, numbers.lowest, numbers.highest, numbers.knee)
+            held = _bent(value, numbers.lowest, numbers.highest, numbers.knee)
+            here_e += abs(value - held)
+            value = held
         registers[register] = value
+        # What is added of the negative was subtracted.
+        full[register] = (gathered & _ADDED) * _SUBTRACTED | (gathered // _SUBTRACTED)
+        lost[register] = here_e
 
 
 @compiled
@@ -146,9 +157,15 @@ def _surround(sizes: Sizes, place: int, places: Ints) -> None:
 
 
 @compiled
-def _begin(sizes: Sizes, numbers: Numbers, keys: Keys, place: int, registers: Floats) -> None:
+def _begin(
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, registers: Floats, full: Ints,
+    lost: Floats,
+) -> None:  # fmt: skip
     """What registers hold when a frame begins."""
     pix = sizes.registers
+    for register in range(pix + 3):
+        full[register] = 0
+        lost[register] = 0.0
     for register in range(pix + 1):
         # PIX comes first in the stream of what registers hold at the start.
         stream = np.uint64(0 if register == pix else register + 1)
@@ -160,12 +177,13 @@ def _begin(sizes: Sizes, numbers: Numbers, keys: Keys, place: int, registers: Fl
 
 
 @compiled
-def _fall(sizes: Sizes, numbers: Numbers, charge_e: float, registers: Floats) -> None:
+def _fall(sizes: Sizes, numbers: Numbers, charge_e: float, registers: Floats, full: Ints) -> None:
     """Charge falls on PIX."""
     pix = sizes.registers
     registers[pix] += charge_e
     if sizes.holds and registers[pix] > numbers.well:
         registers[pix] = numbers.well
+        full[pix] = _ADDED
 
 
 @compiled
@@ -173,7 +191,7 @@ def _run(
     sizes: Sizes, numbers: Numbers, keys: Keys, place: int, leak: float, first: int, stop: int,
     start_s: Floats, groups: Ints32, present: Bytes, lanes: Ints32, group_ids: Words,
     entries: Entries, operands: Ints, weights: Floats, signs: Floats, rates: Floats, heap: Floats,
-    stamps: Ints, missing: Floats, registers: Floats, places: Ints,
+    stamps: Ints, missing: Floats, registers: Floats, full: Ints, lost: Floats, places: Ints,
 ) -> None:  # fmt: skip
     """Run a pixel through its words, the charge of the slots falling meanwhile."""
     slots, pattern = sizes.slots, 0.0
@@ -194,7 +212,7 @@ def _run(
                 sizes, numbers, keys, places, at, at + 1, rates, groups, present,
                 lanes, group_ids, heap, stamps,
             )  # fmt: skip
-            _fall(sizes, numbers, fallen_e, registers)
+            _fall(sizes, numbers, fallen_e, registers, full)
             if sizes.leaks:
                 kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
                 for register in range(sizes.registers):
@@ -209,22 +227,31 @@ def _run(
                 sizes, numbers, keys, places, slot, slot + 1, rates, groups, present,
                 lanes, group_ids, heap, stamps,
             )  # fmt: skip
-            _fall(sizes, numbers, fallen_e, registers)
+            _fall(sizes, numbers, fallen_e, registers, full)
             fallen = now
         _execute(
             sizes, numbers, keys, place, e, entries, operands, weights, signs, missing, pattern,
-            registers,
+            registers, full, lost,
         )  # fmt: skip
 
 
 @compiled
 def _read_out(
-    sizes: Sizes, i: int, leak: float, readout_register: Ints, readout_gain: Floats,
-    readout_wait_s: Floats, registers: Floats, out: Floats,
+    sizes: Sizes, numbers: Numbers, i: int, leak: float, readout_register: Ints,
+    readout_gain: Floats, readout_wait_s: Floats, registers: Floats, full: Ints, lost: Floats,
+    out: Floats, marked: Bytes,
 ) -> None:  # fmt: skip
     """The exposures of pixel chosen[i]: what its registers hold when their turn has come."""
     for bucket in range(sizes.buckets):
-        value = registers[readout_register[bucket]] * readout_gain[bucket]
+        register = readout_register[bucket]
+        value = registers[register] * readout_gain[bucket]
+        negative = readout_gain[bucket] < 0.0
+        bits = sizes.registers_bit if lost[register] > numbers.least_lost else 0
+        if full[register] & _ADDED:
+            bits |= sizes.subtracted_bit if negative else sizes.well_bit
+        if full[register] & _SUBTRACTED:
+            bits |= sizes.well_bit if negative else sizes.subtracted_bit
+        marked[bucket * sizes.pixels + i] = np.uint8(bits)
         if sizes.leaks:
             value *= math.exp(-leak * readout_wait_s[bucket])
         out[bucket * sizes.pixels + i] = value + 0.0
@@ -260,10 +287,14 @@ def run_pixels(
     tags: Written[Ints],
     missing: Written[Floats],
     registers: Written[Annotated[Floats, "registers+3"]],
+    full: Written[Annotated[Ints, "registers+3"]],
+    lost: Written[Annotated[Floats, "registers+3"]],
     places: Written[Ints],
     out: Written[Annotated[Floats, "buckets pixels"]],
+    marked: Written[Annotated[Bytes, "buckets pixels"]],
 ) -> None:
-    """out[b, i] := the exposure of pixel chosen[i] in bucket b, in electrons.
+    """out[b, i] := the exposure of pixel chosen[i] in bucket b, in electrons, and marked[b, i] what
+    cut it off.
 
     `lanes`: the lane of each pixel. `groups`: the index of the group of each slot; `group_ids`:
     what keys call them. The words of lane l are entry_start[l] .. entry_start[l + 1] of `entries`;
@@ -303,10 +334,13 @@ def run_pixels(
         if sizes.leaks:
             z = normal(uniform(keys.leak, place))
             leak = numbers.leak * log_normal_in_loop(numbers.leak_variance, z)
-        _begin(sizes, numbers, keys, place, registers)
+        _begin(sizes, numbers, keys, place, registers, full, lost)
         _run(
             sizes, numbers, keys, place, leak, first, stop, start_s, groups, present, lanes,
             group_ids, entries, operands, weights, signs, rates, heap, stamps, missing, registers,
-            places,
+            full, lost, places,
         )  # fmt: skip
-        _read_out(sizes, i, leak, readout_register, readout_gain, readout_wait_s, registers, out)
+        _read_out(
+            sizes, numbers, i, leak, readout_register, readout_gain, readout_wait_s, registers,
+            full, lost, out, marked,
+        )  # fmt: skip

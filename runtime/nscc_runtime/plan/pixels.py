@@ -88,8 +88,9 @@ class Pixels:
         device_seed: int = 0,
         frame: int = 0,
         threads: int = 1,
-    ) -> NDArray[np.float64]:
-        """Electrons (buckets, pixels) at the places `chosen` = row * cols + col.
+    ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+        """Electrons (buckets, pixels) at the places `chosen` = row * cols + col, and what cut them
+        off (`nscc_runtime.effects.marks`).
 
         The frame before was the same scene. Threads and the order of places change no bit.
         ValueError for effects that the loop cannot have.
@@ -134,15 +135,17 @@ class Pixels:
         )
 
         out = np.empty((len(container.buckets), len(chosen)))
+        marked = np.empty(out.shape, np.uint8)
 
         def fill(begin: int, end: int) -> None:
             sizes = self._sizes(end - begin, light, frame, effects)
             part = np.empty((len(container.buckets), end - begin))
-            bound(sizes=sizes, chosen=chosen[begin:end], out=part, **_scratch(sizes))
-            out[:, begin:end] = part
+            bits = np.empty(part.shape, np.uint8)
+            bound(sizes=sizes, chosen=chosen[begin:end], out=part, marked=bits, **_scratch(sizes))
+            out[:, begin:end], marked[:, begin:end] = part, bits
 
         in_parts(fill, len(chosen), threads, _FEWEST)
-        return out
+        return out, marked
 
     def _sizes(self, count: int, light: Light, frame: int, effects: Selection) -> Sizes:
         container = self.program.container
@@ -152,6 +155,7 @@ class Pixels:
         # What the charge of one site takes: rates, counts and their stamps, of light and dark.
         each = 16 * (container.slots + 2 * 2 * whole * groups)
         switches = {loop.switch: effect in effects for effect, loop in _in_loop() if loop.switch}
+        marks = {at: effects.marking(at) for at in ("well", "subtracted", "registers")}
         return Sizes(
             pixels=count,
             slots=container.slots,
@@ -166,6 +170,7 @@ class Pixels:
             kept_cols=cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
             frame=frame,
             **switches,
+            **{f"{at}_bit": mark.bit if mark else 0 for at, mark in marks.items()},
         )
 
 
@@ -205,7 +210,9 @@ def _numbers(sensor: Sensor, effects: Selection) -> Numbers:
         for effect, loop in _in_loop()
         for name, figure in loop.numbers.items()
     }
+    mark = effects.marking("registers")
     return Numbers(
+        least_lost=mark.least_e(sensor) if mark else 0.0,
         pix_start=sensor.full_well_e,
         register_start=sensor.register_max_e,
         rate_cap=RATE_CAP,
@@ -248,5 +255,7 @@ def _scratch(sizes: Sizes) -> dict[str, NDArray[Any]]:
         "tags": np.full(sites, -1, np.int64),
         "missing": np.empty(ERRORS * sizes.buckets),
         "registers": np.empty(sizes.registers + 3),
+        "full": np.empty(sizes.registers + 3, np.int64),
+        "lost": np.empty(sizes.registers + 3),
         "places": np.empty(SITES, np.int64),
     }

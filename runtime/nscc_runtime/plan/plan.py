@@ -9,9 +9,11 @@ from types import UnionType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from nscc_runtime.effects import CannotHave, Selection, registered
+from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.registry import always_on
 from nscc_runtime.plan import leak_nodes
+from nscc_runtime.plan.tolerance import LEAST_E
 
 Choice = Literal["kept", "dropped", "absent"]
 Loop = Literal["none", "some", "all", "reference"]
@@ -118,7 +120,7 @@ class Plan:
         named = [(each.name, each.kind) for each in plan.decisions]
         if named != [(effect.name, effect.kind) for effect in registered()]:
             raise ValueError("its effects are not those of this version")
-        if not plan.tolerance_e > 0:
+        if not LEAST_E <= plan.tolerance_e <= MOST_E:
             raise ValueError(f"tolerance_e is {plan.tolerance_e}")
         if not 1 <= plan.leak_nodes <= leak_nodes.MOST:
             raise ValueError(f"leak_nodes is {plan.leak_nodes}")

@@ -121,7 +121,8 @@ class Tables:
     @remembered
     def single(self, full: Model) -> Weights:
         """The coefficient (lanes, buckets) of the one read through which all charge reaches the
-        bucket; NaN where there are several such reads.
+        bucket; NaN where there are several such reads, as where light falls on PIX between a reset
+        and the read of its level.
         """
         container = self.container
         shape = len(container.encoding), len(container.buckets)
@@ -133,7 +134,8 @@ class Tables:
                 reset_at = np.where(word.lanes, word.boundary, reset_at)
             elif word.number in reads:
                 weight = reads[word.number]
-                loaded = (weight != 0.0) & (reset_at < word.boundary)[:, None]
+                after = (reset_at < word.boundary) | full.dead_time
+                loaded = (weight != 0.0) & after[:, None]
                 count += loaded
                 found = np.where(loaded, weight, found)
         return np.where(count > 1, np.nan, found)

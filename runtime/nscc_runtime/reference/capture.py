@@ -28,6 +28,7 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, uniforms
 from nscc_runtime.reference.charge import Groups, charge_of_rows
+from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.noise import SpreadNoise
 from nscc_runtime.reference.trace import AnalogWord, analog_words
 from nscc_runtime.reference.weights import Backward, Weights, backward, error_sign, orthonormal
@@ -101,6 +102,7 @@ class Reference:
         cols = scene.light.shape[1]
         exposure = np.empty((len(container.buckets), len(rows), cols))
         valid = np.empty((len(rows), cols), np.bool_)
+        saturated_by = np.empty(exposure.shape, np.uint8)
         step = max(1, _CELLS // (container.slots * cols))
         for begin in range(rows.start, rows.stop, step):
             part = range(begin, min(begin + step, rows.stop))
@@ -113,10 +115,11 @@ class Reference:
                 sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
                 program=self,
             )  # fmt: skip
-            found = pixels.run(charge.reshape(container.slots, -1))
+            found, marked = pixels.run(charge.reshape(container.slots, -1))
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
+            saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
             valid[chunk] = good
-        return Exposure(exposure, np.isfinite(exposure) & valid)
+        return Exposure(exposure, np.isfinite(exposure) & valid, saturated_by)
 
 
 def expose(
@@ -203,6 +206,7 @@ class _Pixels(Pixels):
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
         self.reset_e = np.zeros(len(self.places))
+        self.marks = Marks(self.program.effects, self.sensor, (*names, "IN"), len(self.places))
         self.noise = {
             effect.name: SpreadNoise(
                 self.seed, effect.stream, self.frame, self.program.draws[part.at],
@@ -211,8 +215,9 @@ class _Pixels(Pixels):
             for effect, part in self.program.effects.having(Errors)
         }  # fmt: skip
 
-    def run(self, charge: Values) -> Values:
-        """The exposures (buckets, pixels) of a frame of `charge` (N, pixels)."""
+    def run(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
+        """The exposures (buckets, pixels) of a frame of `charge` (N, pixels), and what cut them off
+        (`nscc_runtime.effects.marks`)."""
         slots = self.container.slots
         words = iter(self.program.words)
         word = next(words, None)
@@ -243,8 +248,10 @@ class _Pixels(Pixels):
 
     def _fall(self, charge: Values) -> None:
         self.charge = self.charge + charge
-        for held in self.at("well"):
-            self.charge = held(self, self.charge)
+        for effect, held in self.program.effects.acting("well"):
+            given, self.charge = self.charge, held(self, self.charge)
+            if "well" in effect.marks:
+                self.marks.fill(self.charge < given)
 
     def _run(self, word: AnalogWord) -> None:
         here = word.lanes[self.lanes]
@@ -252,6 +259,7 @@ class _Pixels(Pixels):
             return
         if word.resets:
             self.charge = np.where(here, 0.0, self.charge)
+            self.marks.empty(here)
             level = np.zeros(len(self.lanes))
             for left in self.at("resets"):
                 level = left(self, level, word)
@@ -261,13 +269,18 @@ class _Pixels(Pixels):
         for name in word.op.sources:
             total = total + self._source(name, word)
         result = total / -word.op.operation.divisor
+        full, lost = self.marks.gathered(word.op)
         for index, name in enumerate(word.op.destinations):
             value = result
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
-            for held in self.at("registers"):
-                value = held(self, value)
+            here_lost = lost
+            for effect, held in self.program.effects.acting("registers"):
+                given, value = value, held(self, value)
+                if "registers" in effect.marks:
+                    here_lost = here_lost + np.abs(given - value)
             self.register[name] = np.where(here, value, self.register[name])
+            self.marks.write(name, here, full, here_lost)
 
     def _source(self, name: str, word: AnalogWord) -> Values:
         if name == "IN":
@@ -279,8 +292,9 @@ class _Pixels(Pixels):
             level = found(self, level, word)
         return level
 
-    def _read_out(self) -> Values:
+    def _read_out(self) -> tuple[Values, NDArray[np.uint8]]:
         exposures = np.empty((len(self.container.buckets), len(self.lanes)))
+        marked = np.empty(exposures.shape, np.uint8)
         for order, readout in enumerate(self.container.readouts):
             value = self.register[readout.register] * readout.gain
             for held in self.at("hold"):
@@ -290,4 +304,5 @@ class _Pixels(Pixels):
                 value = leaves(self, value, bucket)
             # -0 + 0 is +0.
             exposures[bucket] = value + 0.0
-        return exposures
+            marked[bucket] = self.marks.read_out(readout.register, readout.gain)
+        return exposures, marked

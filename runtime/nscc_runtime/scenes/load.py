@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import closest
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import arrays, exposure, timing
@@ -24,6 +25,7 @@ from nscc_runtime.scenes.exposure import Exposure
 FramesAre = Literal["integrals", "samples"]
 
 ARRAYS = (".mat", ".npy", ".npz")
+_BUILTINS = ("hdr", "motion", "dark")
 _TINY_NEGATIVE = 1e-3
 """Samples below 0 by at most this part of a picture's peak are filter ringing: set to 0."""
 
@@ -113,10 +115,12 @@ def _existing(spec: str) -> Path:
         reason = "it is not a file" if path.exists() else "there is no such file"
     except (OSError, ValueError) as error:
         reason = str(error)
+    near = spec if spec in _BUILTINS else closest(spec, _BUILTINS)
     raise rejected(
         "NS0730",
         f"the scene '{spec[:200]}' cannot be opened: {reason}",
         helps=(
+            *((f"did you mean builtin:{near}?",) if near and not path.suffix else ()),
             "name a file, a folder of pictures or a builtin scene: builtin:hdr, builtin:motion, "
             "builtin:flat:E, builtin:dark",
         ),
@@ -200,6 +204,7 @@ def _electrons(request: _Request, found: NDArray[np.float32]) -> Light:
 def _check_light(request: _Request, shape: tuple[int, ...]) -> None:
     """The shape that a `light` array must have for this program."""
     need = (request.window.rows, request.window.cols)
+    _refuse_other_axes(request, shape, need)
     if len(shape) not in (2, 3):
         raise rejected(
             "NS0733",
@@ -224,6 +229,29 @@ def _check_light(request: _Request, shape: tuple[int, ...]) -> None:
             helps=("use a program of as many slots, or a still: (rows, cols), electrons a second",),
             data={"frames": shape[0], "needed": request.slots},
         )
+
+
+def _refuse_other_axes(request: _Request, shape: tuple[int, ...], need: tuple[int, int]) -> None:
+    """NS0733 for light whose axes are those of other tools: time or colour last."""
+    count = shape[-1] if len(shape) in (3, 4) else 0
+    if shape[-3:-1] != need or tuple(shape[-2:]) == need:
+        return
+    found = f"'light' in '{request.name}' is {size(shape)}"
+    grey = "light has no colour: `a @ [0.2126, 0.7152, 0.0722]` makes luminance of red, green, blue"
+    ahead = "time comes first: `np.moveaxis(a, -1, 0)`"
+    if count in (3, 4):
+        message = f"{found}: a colour picture, it seems, and light is one number a pixel"
+        helps = (grey, ahead) if len(shape) == 3 and count == request.slots else (grey,)
+    elif len(shape) == 3:
+        message, helps = f"{found}: (rows, cols, slots), it seems", (ahead,)
+    else:
+        return
+    raise rejected(
+        "NS0733",
+        message,
+        notes=(f"a still is (rows, cols) = {size(need)}, a clip (slots, rows, cols)",),
+        helps=helps,
+    )
 
 
 def _still(request: _Request, path: Path) -> Light:

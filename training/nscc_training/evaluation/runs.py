@@ -15,12 +15,14 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from nscc.diagnostics.rejection import rejected
+from nscc.program.problems import counted
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.evaluation import hdr, video
 from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
 from nscc_training.evaluation.sci8 import read_sci_clip, sci_clips
 from nscc_training.measures import frame_scores
+from nscc_training.problems import listed
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
 from nscc_training.sensor_model import frame_of, laid
@@ -46,19 +48,26 @@ def key_of(settings: Settings) -> Key:
 
 
 def evaluate_run(
-    folder: RunFolder, data: Path, protocol: Protocol, seed: int
+    folder: RunFolder, data: Path, protocol: Protocol, seed: int, *, skip_seen: bool = False
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """The result of a run, with its hard shutters, and the arrays it made, by name.
 
-    Raises Rejected: NS0820 where the run has seen a file of `data`, NS0821 where it was trained
-    for something else than the protocol exposes, NS0811 for a folder without data.
+    With `skip_seen`, files that the run has seen are left out, and the result says so. Raises
+    Rejected: NS0820 where it has seen a file of `data`, or with `skip_seen` all of them, NS0821
+    where it was trained for something else than the protocol exposes, NS0811 for a folder without
+    data.
     """
     parts = folder.parts
     _check_kind(folder, protocol)
     find = {"hdr-v1": hdr.panoramas, "video-v1": video.clips_of, "sci8": sci_clips}
     files = find[protocol.name](data)
-    check_unseen(folder, files)
-    left_out: list[dict[str, Any]] = []
+    seen = seen_of(folder, files)
+    if not (skip_seen and len(seen) < len(files)):
+        check_unseen(folder, files)
+    files = [path for path in files if path not in seen]
+    left_out: list[dict[str, Any]] = [
+        {"file": path.name, "reason": "the run has seen it"} for path in seen
+    ]
     more: dict[str, Any] = {}
     decode = partial(_made, folder, seed)
     if protocol.name == "hdr-v1":
@@ -119,22 +128,33 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
         )
 
 
+def seen_of(folder: RunFolder, files: list[Path]) -> list[Path]:
+    """Those of the files that the run learned from or was chosen by."""
+    return [path for path in files if sha256(path.read_bytes()).hexdigest() in folder.seen]
+
+
 def check_unseen(folder: RunFolder, files: list[Path]) -> None:
     """Rejected (NS0820) where the run has seen one of these files."""
-    shared = [p.name for p in files if sha256(p.read_bytes()).hexdigest() in folder.seen]
+    shared = [path.name for path in seen_of(folder, files)]
     if shared:
+        others = counted(len(files) - len(shared), "other file")
+        skip = (f"`nscc evaluate RUN --skip-seen` scores it on the {others} of the folder",)
         raise rejected(
             "NS0820",
-            f"'{folder.path}' was trained or validated on {len(shared)} of these files",
-            notes=(f"they are {', '.join(shared[:8])}",),
-            helps=("evaluate on other files: split.json in the run lists what it has seen",),
+            f"'{folder.path}' was trained or validated on {len(shared)} of these "
+            f"{counted(len(files), 'file')}",
+            notes=(f"it has seen {listed(shared, 8)}",),
+            helps=(
+                *(skip if len(shared) < len(files) else ()),
+                "evaluate on other files: split.json in the run lists what it has seen",
+            ),
             data={"files": shared},
         )
 
 
 @torch.no_grad()
 def _decoded(folder: RunFolder, frame: Tensor, shutters: Tensor) -> tuple[NDArray[Any], float]:
-    """What the decoder makes of codes over the top code (rows, cols), and its seconds."""
+    """What the decoder makes of a frame (rows, cols), 1 where saturated, and its seconds."""
     parts = folder.parts
     begin = perf_counter()
     made = parts.decoder(frame[None].to(parts.device), shutters.to(parts.device))
@@ -146,9 +166,9 @@ def _made(folder: RunFolder, seed: int, scene: Scene, index: int) -> tuple[NDArr
     """Electrons over the frame, or a slot, of a scene's capture with noise; the seconds."""
     parts = folder.parts
     tile = parts.encoder.hard().cpu()
-    frame = frame_of(scene.light_e, tile, parts.model, 1000 * seed + index) / parts.model.top_code
-    made, seconds = _decoded(folder, frame, laid(tile, *frame.shape))
-    return made * (parts.model.full_well_e / (1 if parts.still else parts.slots)), seconds
+    codes = frame_of(scene.light_e, tile, parts.model, 1000 * seed + index)
+    made, seconds = _decoded(folder, parts.model.relative(codes), laid(tile, *codes.shape))
+    return made * (parts.model.full_e / (1 if parts.still else parts.slots)), seconds
 
 
 def _sci(folder: RunFolder, files: list[Path], protocol: Protocol) -> Iterator[Scored]:

@@ -8,6 +8,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import meant
 from nscc_training.evaluation import hdr_baselines, hdr_looks, video_baselines
 from nscc_training.evaluation.runs import evaluate_run
 from nscc_training.protocols import load_protocol
@@ -20,10 +21,12 @@ _OF_PROTOCOL = {
 
 
 def evaluate(
-    subject: str, data: Path, protocol: str, seed: int
-) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    subject: str, data: Path, protocol: str, seed: int, *,
+    trust_code: bool = False, skip_seen: bool = False,
+) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:  # fmt: skip
     """The result of a baseline or of a run folder, and the arrays it made, by name.
 
+    Of a run, `trust_code` is as `load_run`'s and `skip_seen` as `evaluate_run`'s.
     Raises Rejected: NS0806 for the protocol, NS0810 for a subject that it does not know, NS0811
     for a folder without its data, and what `load_run` and `evaluate_run` raise.
     """
@@ -36,12 +39,13 @@ def evaluate(
             return hdr_baselines.evaluate_hdr_baseline(subject, data, seed)
         return video_baselines.evaluate_video_baseline(subject, data, seed)
     if Path(subject).is_dir():
-        return evaluate_run(load_run(Path(subject)), data, chosen, seed)
+        folder = load_run(Path(subject), trust_code=trust_code)
+        return evaluate_run(folder, data, chosen, seed, skip_seen=skip_seen)
     raise rejected(
         "NS0810",
         f"there is no '{subject[:60]}' to evaluate under protocol {chosen.name}",
         notes=(f"its baselines are {', '.join(known)}",) if known else (),
-        helps=("name one of them, or a run folder of nscc train",)
+        helps=meant(subject, known, "name one of them, or a run folder of nscc train")
         if known
         else ("name a run folder; `nscc evaluate sci8 CLIP.mat` evaluates the baselines",),
     )

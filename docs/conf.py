@@ -1,0 +1,67 @@
+"""The site: `make docs`. Sources are the repository's own pages, so that a link means the same here
+and where the files are read."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from pathlib import Path
+
+DOCS = Path(__file__).resolve().parent
+BUILD = DOCS.parent / "build"
+sys.path.insert(0, str(DOCS))
+
+import nscc  # noqa: E402
+from nscc_site.digest import source_digest  # noqa: E402
+
+project = "nscc"
+author = "nscc contributors"
+copyright = "nscc contributors"
+release = version = nscc.__version__
+
+extensions = ["sphinx.ext.autodoc", "myst_nb", "nscc_site"]
+root_doc = "docs/index"
+include_patterns = [
+    "*.md",
+    "docs/*.md",
+    "docs/**/*.md",
+    "examples/README.md",
+    "runtime/PROTOCOL.md",
+    "runtime/firmware/README.md",
+    "training/results/README.md",
+]
+myst_enable_extensions = ["colon_fence", "deflist"]
+myst_heading_anchors = 4
+
+# Notebooks run where they leave nothing behind, with nobody's own settings; what they gave is kept
+# until cells or nscc change.
+nb_execution_mode = "cache"
+nb_execution_cache_path = str(BUILD / "site-notebooks" / source_digest())
+nb_execution_in_temp = True
+nb_execution_raise_on_error = True
+nb_execution_timeout = 600
+nb_merge_streams = True
+_first = BUILD / "site-ipython" / "profile_default" / "startup" / "first.py"
+_first.parent.mkdir(parents=True, exist_ok=True)
+shutil.copy(DOCS / "nscc_site" / "kernel.py", _first)
+os.environ["IPYTHONDIR"] = str(_first.parents[2])
+
+# What the packages themselves offer leads somewhere; what lies below that, or is others', need not.
+nitpicky = True
+nitpick_ignore_regex = [("py:.*", r"(?!nscc\w*\.\w+$).*")]
+suppress_warnings = ["misc.highlighting_failure"]  # of cells that write files of other languages
+default_role = "literal"
+autodoc_member_order = "bysource"
+autodoc_typehints_format = "short"
+autodoc_preserve_defaults = True
+python_use_unqualified_type_names = True
+linkcheck_timeout = 20
+
+html_theme = "furo"
+html_title = f"nscc {version}"
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_extra_path = ["static/index.html"]
+html_copy_source = False
+html_show_sphinx = False

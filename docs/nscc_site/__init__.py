@@ -1,0 +1,54 @@
+"""What the site makes of nscc itself: reference pages, gallery, pictures, and how programs look.
+
+Pages go into `docs/generated` before Sphinx reads its sources; none of them is kept.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from nscc_site.digest import source_digest
+from nscc_site.gallery import gallery_pages
+from nscc_site.lexer import NslLexer
+from nscc_site.pictures import draw_pictures, pair_pictures
+from nscc_site.reference import reference_pages
+
+if TYPE_CHECKING:
+    from sphinx.application import Sphinx
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+GENERATED = REPOSITORY / "docs" / "generated"
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """What Sphinx asks an extension for."""
+    app.add_lexer("nsl", NslLexer)
+    app.connect("builder-inited", generate)
+    app.connect("doctree-read", pair_pictures)
+    return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def generate(_app: Sphinx) -> None:
+    """Write every generated page and picture that is not as it should be, and remove the others.
+
+    Where nothing that they are made of has changed, they are as they should be.
+    """
+    made_of, stamp = source_digest(), GENERATED / "made_of"
+    if stamp.is_file() and stamp.read_text() == made_of:
+        return
+    pages: dict[str, str | bytes] = {}
+    pages |= reference_pages()
+    pages |= gallery_pages(REPOSITORY / "examples")
+    pages |= draw_pictures(REPOSITORY)
+    for name, content in pages.items():
+        path = GENERATED / name
+        data = content.encode() if isinstance(content, str) else content
+        if not path.is_file() or path.read_bytes() != data:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(data)
+    pages["made_of"] = made_of
+    for path in GENERATED.rglob("*"):
+        if path.is_file() and path.relative_to(GENERATED).as_posix() not in pages:
+            path.unlink()
+    stamp.write_text(made_of)

@@ -1,0 +1,19 @@
+"""What generated pages, and the outputs of notebooks besides their cells, are made of."""
+
+from __future__ import annotations
+
+from hashlib import sha256
+from pathlib import Path
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+
+
+def source_digest() -> str:
+    """The digest of all four packages, the examples, the results, and what makes the site."""
+    running = sha256()
+    for folder in ("nscc", "runtime", "training", "cli", "grammars", "examples", "docs/nscc_site"):
+        for path in sorted((REPOSITORY / folder).rglob("*")):
+            if path.suffix in (".py", ".toml", ".lark", ".nsl", ".md", ".csv"):
+                running.update(path.relative_to(REPOSITORY).as_posix().encode())
+                running.update(path.read_bytes())
+    return running.hexdigest()[:16]

@@ -1,0 +1,91 @@
+"""The pictures of pages: drawn for the site, light and dark, where the repository keeps one."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
+
+from docutils import nodes
+
+from nscc.tradeoff.points import Point
+from nscc_runtime.pictures.look import LOOKS, looking
+from nscc_runtime.pictures.sheet import png_of
+from nscc_site.tool import said
+from nscc_training.tradeoff.diagrams import decoder_diagram
+
+if TYPE_CHECKING:
+    from sphinx.application import Sphinx
+
+GENERATED = "docs/generated/pictures"
+
+
+def _shown(command: str) -> Callable[[Path], bytes]:
+    """The picture `OUT` that a command writes."""
+
+    def draw(repository: Path) -> bytes:
+        with TemporaryDirectory() as made:
+            out = Path(made) / "out.png"
+            said(command.replace("OUT", out.as_posix()), repository)
+            return out.read_bytes()
+
+    return draw
+
+
+def _decoders(repository: Path) -> bytes:
+    """The diagram of the measurements that are kept beside it."""
+    file = repository / "training/results/evaluations/decoders.csv"
+    rows = [*csv.DictReader(file.read_text().splitlines())]
+    points = [
+        Point(*row["method"].rsplit(", ", 1), row["setting"], float(row["error"]),
+              row["error_unit"], (float(row["time_ms"]),), more_is_better=True)
+        for row in rows if row["error"]
+    ]  # fmt: skip
+    return png_of(decoder_diagram, points, 1, rows[0]["device"])
+
+
+KEPT: dict[str, Callable[[Path], bytes]] = {
+    "docs/images/hdr.png": _shown(
+        "run examples/hdr_2x2.nsl --scene builtin:hdr --exposure 1000000 -o OUT.npz --png OUT"
+    ),
+    "docs/images/hdr_shutters.png": _shown("view examples/hdr_2x2.nsl -o OUT"),
+    "docs/images/gates.png": _shown("view examples/skip_one.nsl --gates -o OUT"),
+    "training/results/figures/decoders.png": _decoders,
+}
+"""Pictures that are kept for those who read the pages as files, and what draws them."""
+
+
+def draw_pictures(repository: Path) -> dict[str, str | bytes]:
+    """Those of KEPT in both looks, by their path in `docs/generated`."""
+    pictures: dict[str, str | bytes] = {}
+    for name, draw in KEPT.items():
+        for look_name, look in LOOKS.items():
+            with looking(look):
+                pictures[f"pictures/{Path(name).stem}_{look_name}.png"] = draw(repository)
+    return pictures
+
+
+def pair_pictures(app: Sphinx, doctree: nodes.document) -> None:
+    """Show each picture that there is in both looks in that of the reader."""
+    for image in [*doctree.findall(nodes.image)]:
+        name = image["uri"]
+        if name in KEPT:
+            name = f"{GENERATED}/{Path(name).stem}_light.png"
+        dark = name.replace("_light.", "_dark.")
+        if dark == name or not (Path(app.srcdir) / dark).is_file():
+            continue
+        twin = image.deepcopy()
+        for each, uri, kind in ((image, name, "only-light"), (twin, dark, "only-dark")):
+            each["uri"], each["candidates"] = uri, {"*": uri}
+            each["classes"] = [*each["classes"], kind]
+            app.env.images.add_file(app.env.docname, uri)
+        image.parent.insert(image.parent.index(image) + 1, twin)
+
+
+if __name__ == "__main__":
+    root = Path(__file__).resolve().parents[2]
+    for kept, draw in KEPT.items():
+        (root / kept).write_bytes(draw(root))
+        print(f"wrote {kept}")

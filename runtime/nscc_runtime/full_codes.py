@@ -1,0 +1,170 @@
+"""Which code of the converter means "full", where codes are all that is known: of a real chip.
+
+A full well comes through a program's words, their gain and the registers' knee, and reads below the
+converter's last code. How far below is found by running the words over steady light, brighter and
+brighter, with the sensor's figures in the mean, until a frame would mark it
+(`nscc_runtime.effects.marks`). Noise may take a full pixel some standard deviations lower.
+
+Light that changes within the frame may fill PIX before a late shutter opens, and light that is
+bright enough fills it before its reset level is read. Such a pixel reads less, and no code tells.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.capture import made_ready
+from nscc_runtime.effects import everything
+from nscc_runtime.effects.parts import Converter, Leak, SlowWords, Soft, Well, WordGain
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.plan.program import Program
+from nscc_runtime.reference.marks import Marks
+from nscc_runtime.reference.trace import AnalogWord
+from nscc_runtime.reference.weights import error_sign
+
+Values = NDArray[np.float64]
+
+_LEVELS = np.geomspace(0.5, 16.0, 241)
+"""Of steady light, in full wells over what PIX sees."""
+_ALIKE = 7
+"""Levels within which what fills first is not told from what fills next: 10 % of light."""
+_SIGMAS = 4.0
+_MOST_LANES = 256
+"""Shutters that are looked at together."""
+
+
+def marked_by_codes(
+    frame: NDArray[np.uint8], container: Container, sensor: Sensor
+) -> NDArray[np.uint8]:
+    """The bits of `saturated_by` that the codes (.., buckets, rows, cols) of a chip's frame tell
+    beside the last code of the scale.
+
+    Raises Rejected for words that open no shutters (NS0442).
+    """
+    found = np.zeros(frame.shape, np.uint8)
+    for bit, codes in full_codes(container, sensor).items():
+        found |= np.where(frame >= codes, np.uint8(bit), np.uint8(0))
+    return found
+
+
+@lru_cache(maxsize=2)
+def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
+    """The codes (buckets, rows, cols) from which on pixels may be full, by bit of `saturated_by`;
+    infinite where no code tells. Raises as `marked_by_codes` does.
+    """
+    program = made_ready(container, sensor)
+    used, places = np.unique(program.lanes, return_inverse=True)
+    parts = np.array_split(used, -(-len(used) // _MOST_LANES))
+    told = [_codes_of(program, part) for part in parts]
+    shape = program.reference.groups.lane.shape
+    return {
+        bit: np.concatenate([each[bit] for each in told], axis=1)[:, places].reshape(-1, *shape)
+        for bit in told[0]
+    }
+
+
+def _codes_of(program: Program, lanes: NDArray[np.integer]) -> dict[int, Values]:
+    """The codes (buckets, lanes) by bit."""
+    exposure, marked = _steady(program, lanes)
+    noise_e = _SIGMAS * _noise_e(program)[lanes].T
+    sensor, effects = program.sensor, everything()
+    begin = (marked != 0).argmax(axis=1)
+    found = {}
+    for at in ("well", "registers"):
+        mark = effects.marking(at)
+        if mark is None:
+            continue
+        full = (marked & mark.bit) != 0
+        first = np.where(full.any(axis=1), full.argmax(axis=1), len(_LEVELS))
+        # In brighter light late shutters read less again: PIX is full before they open.
+        at = np.minimum(first, len(_LEVELS) - 1)[:, None]
+        least = np.take_along_axis(exposure, at, axis=1)[:, 0] - noise_e
+        least = np.where(first < begin + _ALIKE, least, np.inf)
+        found[mark.bit] = np.floor(least / sensor.electrons_per_lsb + sensor.adc_offset_lsb)
+    return found
+
+
+def _noise_e(program: Program) -> Values:
+    """The standard deviation (lanes, buckets) of a reading that no light disturbs."""
+    effects, sensor = everything(), program.sensor
+    model = program.full
+    variance = np.zeros(program.tables.pattern(model).shape)
+    for _, part in effects.errors():
+        factor, rest = program.tables.noise(part.at, model)
+        variance += part.sigma_e(sensor) ** 2 * ((factor * factor).sum(axis=2) + rest)
+    variance += (effects.the(WordGain).spread_e(sensor) * program.tables.pattern(model)) ** 2
+    converter = effects.the(Converter).sigma_lsb(sensor)
+    return np.asarray(np.sqrt(variance + sensor.electrons_per_lsb**2 * (converter**2 + 1 / 12)))
+
+
+def _steady(program: Program, lanes: NDArray[np.integer]) -> tuple[Values, NDArray[np.uint8]]:
+    """The exposures (buckets, levels, lanes) of steady light in the mean, and their marks."""
+    container, sensor, effects = program.container, program.sensor, everything()
+    seen_s = program.slot_s @ program.tables.seen()[:, lanes]
+    never = seen_s <= 0
+    scale = effects.the(Well).full_e(sensor) / np.where(never, 1.0, seen_s)
+    rate = (_LEVELS[:, None] * np.where(never, 0.0, scale)).reshape(-1)
+    pixels = _Pixels(program, rate, np.tile(lanes, len(_LEVELS)))
+    for word in program.tables.decayed:
+        pixels.run(word)
+    shape = len(container.buckets), len(_LEVELS), len(lanes)
+    exposure, marked = np.empty((shape[0], rate.size)), np.empty((shape[0], rate.size), np.uint8)
+    tau_s = effects.the(Leak).tau_s(sensor)
+    for order, readout in enumerate(container.readouts):
+        bucket = container.buckets.index(readout.bucket)
+        waited_s = order * container.target.readout_us * 1e-6
+        kept = readout.gain * np.exp(-(pixels.since_s() + waited_s) / tau_s)
+        exposure[bucket] = pixels.register[readout.register] * kept
+        marked[bucket] = pixels.marks.read_out(readout.register, readout.gain)
+    return exposure.reshape(shape), marked.reshape(shape)
+
+
+class _Pixels:
+    """Pixels in steady light, electrons a second `rate`, while words run; arrays are (pixels,)."""
+
+    def __init__(self, program: Program, rate: Values, lanes: NDArray[np.integer]) -> None:
+        self.program, self.rate, self.lanes = program, rate, lanes
+        self.sensor, self.effects = program.sensor, everything()
+        self.start_s = np.concatenate(([0.0], np.cumsum(program.slot_s)))
+        self.now_s = 0.0
+        names = (*program.container.target.analog_registers, "IN")
+        self.register = {name: np.zeros(len(rate)) for name in names}
+        self.charge = np.zeros(len(rate))
+        self.marks = Marks(self.effects, self.sensor, (*names, "PIX"), len(rate))
+
+    def since_s(self) -> float:
+        """Seconds from the last word to the end of the frame."""
+        return max(0.0, float(self.start_s[-1]) - self.now_s)
+
+    def run(self, word: AnalogWord) -> None:
+        """The light up to a word's end, and the word."""
+        slow = self.effects.part(SlowWords) is not None
+        ends_s = float(self.start_s[word.boundary]) + slow * word.after_us * 1e-6
+        passed_s = max(0.0, ends_s - self.now_s)
+        self.now_s += passed_s
+        charge, full_e = self.charge + self.rate * passed_s, self.effects.the(Well).full_e
+        self.charge = np.minimum(charge, full_e(self.sensor))
+        self.marks.fill(self.charge < charge)
+        kept = np.exp(-passed_s / self.effects.the(Leak).tau_s(self.sensor))
+        self.register = {name: value * kept for name, value in self.register.items()}
+        here = word.lanes[self.lanes]
+        if word.resets:
+            self.charge = np.where(here, 0.0, self.charge)
+            self.marks.empty(here)
+            return
+        total = sum(self.charge if n == "PIX" else self.register[n] for n in word.op.sources)
+        gain, soft = self.effects.the(WordGain), self.effects.the(Soft)
+        exact = -gain.gain(self.sensor) * total / word.op.operation.divisor
+        full, lost_e = self.marks.gathered(word.op)
+        for name in word.op.destinations:
+            sign = error_sign(name, self.program.container)
+            value = exact + sign * gain.mean_e(self.sensor)
+            over_e = soft.lost_e(self.sensor, np.abs(value))
+            value = value - np.copysign(over_e, value)
+            self.register[name] = np.where(here, value, self.register[name])
+            self.marks.write(name, here, full, lost_e + over_e)

@@ -1,0 +1,252 @@
+"""Texts beside the marks and lines that they belong to: none on another, on a mark, or outside.
+
+Every text tries places around its anchors, from near to far. Those where it would lie on a text or
+a mark, or stick out of the panel, are none, nor are small texts' on lines; of the others it takes
+the cheapest: near, off the lines, and nearer to its own mark than to others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.pictures.look import look
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.text import Annotation
+
+Points = NDArray[np.float64]
+"""(n, 2): x and y in dots."""
+Boxes = NDArray[np.float64]
+"""(n, 4): left, bottom, right and top in dots."""
+
+_NAME, _SMALL = 7.8, 7.0
+"""Points of the type of names, and of the rest."""
+_NEAR, _FAR = (3.0, 5.5), (4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 52.0, 66.0)
+"""Points between a mark and its text, or the name of its line."""
+_LEADER = 9.0
+"""A name further off than so many points is joined to its anchor."""
+_CLEAR = 1.5
+"""Dots that stay free around a text."""
+_STEP = 3.0
+"""Dots between the points by which lines are known."""
+_ON_LINE, _CROSSED, _NEXT, _ASTRAY = 3.0, 1.5, 5.0, 2.0
+"""Cost, in points of distance: of a line's point below a text or a leader, of a later anchor, of a
+point nearer to another mark than to one's own."""
+
+
+@dataclass(frozen=True)
+class Label:
+    """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first.
+
+    The `name` of a line is larger and may stand further off, joined to its anchor by a thin line.
+    """
+
+    text: str
+    anchors: Sequence[tuple[float, float]]
+    colour: str
+    name: bool = False
+
+
+class _Tally:
+    """Points of a panel, to be counted in boxes however many there are: by sums over its area."""
+
+    def __init__(self, axes: Axes, points: Points) -> None:
+        room = axes.bbox
+        self._corner = np.array([room.x0, room.y0])
+        shape = (int(room.width) + 1, int(room.height) + 1)
+        at = np.floor(points - self._corner).astype(np.int64)
+        at = at[((at >= 0) & (at < shape)).all(1)]
+        counts = np.zeros((shape[0] + 1, shape[1] + 1), np.int64)
+        np.add.at(counts, tuple(at.T + 1), 1)
+        self._sums = counts.cumsum(0).cumsum(1)
+
+    def held(self, boxes: Boxes) -> NDArray[np.int64]:
+        """How many of the points each of the boxes holds, to a dot."""
+        most = np.array(self._sums.shape * 2) - 1
+        corners = np.rint(boxes - np.tile(self._corner, 2)).astype(np.int64)
+        left, bottom, right, top = np.clip(corners, 0, most).T
+        sums = self._sums
+        counted: NDArray[np.int64] = (
+            sums[right, top] - sums[left, top] - sums[right, bottom] + sums[left, bottom]
+        )
+        return counted
+
+
+@dataclass
+class _Drawn:
+    """What a panel holds: boxes of texts and of marks, points along its lines, and along leaders
+    to names."""
+
+    texts: Boxes
+    marks: Boxes
+    lines: _Tally
+    leaders: Points = field(default_factory=lambda: np.empty((0, 2)))
+
+
+def place_labels(axes: Axes, labels: Sequence[Label]) -> list[Label]:
+    """Write the labels, in this order; those that had no room anywhere.
+
+    The figure is laid out (`sheet.lay_out`): nothing in it moves any more.
+    """
+    drawn = _drawn(axes)
+    return [label for label in labels if label.text and not _written(axes, label, drawn)]
+
+
+def halo() -> list[Any]:
+    """The effect of a text (`path_effects`) that stays legible on lines."""
+    from matplotlib.patheffects import withStroke
+
+    return [withStroke(linewidth=2, foreground=look().paper)]
+
+
+def _written(axes: Axes, label: Label, drawn: _Drawn) -> bool:
+    dots = axes.figure.dpi / 72
+    text = axes.annotate(
+        label.text, label.anchors[0], (0, 0), textcoords="offset points", ha="left", va="bottom",
+        size=_NAME if label.name else _SMALL, weight="bold" if label.name else "normal",
+        color=look().type_in(label.colour), path_effects=halo(),
+    )  # fmt: skip
+    text.set_in_layout(False)
+    extent = text.get_window_extent()
+    places = _places(axes, label, (extent.width, extent.height), dots)
+    best = _cheapest(label, places, drawn, _costs(axes, label, places, drawn, dots))
+    if best is None:
+        text.remove()
+        return False
+    box, anchor, corner = places.boxes[best], places.anchors[best], places.nearest[best]
+    text.xy = label.anchors[places.number[best]]
+    text.set_position(tuple((box[:2] - anchor) / dots))
+    if label.name and places.gaps[best] > _LEADER:
+        drawn.leaders = np.vstack([drawn.leaders, _between(anchor, corner)])
+        _join(axes, text, (corner - anchor) / dots, label.colour)
+    drawn.texts = np.vstack([drawn.texts, box])
+    return True
+
+
+def _join(axes: Axes, text: Annotation, reach: Points, colour: str) -> None:
+    """A thin line from near a text's anchor to near the text, `reach` points away."""
+    length = np.hypot(*reach)
+    leader = axes.annotate(
+        "", text.xy, tuple(reach * (1 - 1 / length)), textcoords="offset points",
+        arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.7, "shrinkA": 0,
+                    "shrinkB": 4, "zorder": 1.5},
+    )  # fmt: skip
+    leader.set_in_layout(False)
+
+
+@dataclass
+class _Places:
+    """Where a text may go: its box, and the box's point that is nearest to the anchor."""
+
+    boxes: Boxes
+    anchors: Points
+    nearest: Points
+    gaps: NDArray[np.float64]
+    number: NDArray[np.int64]
+    turn: NDArray[np.float64]
+
+
+def _places(axes: Axes, label: Label, size: tuple[float, float], dots: float) -> _Places:
+    """All places around all anchors; sizes and boxes in dots, gaps in points."""
+    gaps = np.array(_FAR if label.name else _NEAR)
+    angles = np.arange(16) * np.pi / 8
+    number, gap, angle = (
+        part.ravel() for part in np.meshgrid(np.arange(len(label.anchors)), gaps, angles)
+    )
+    anchors = axes.transData.transform(np.array(label.anchors, float))[number]
+    ahead = np.column_stack([np.cos(angle), np.sin(angle)])
+    # At a slant the box's corner is nearest, straight ahead the middle of its side.
+    leaning = np.clip(1.6 * ahead, -1, 1) * np.array(size) / 2
+    middle = anchors + ahead * (gap[:, None] + 2.5) * dots + leaning
+    boxes = np.hstack([middle - np.array(size) / 2, middle + np.array(size) / 2])
+    nearest = np.clip(anchors, boxes[:, :2], boxes[:, 2:])
+    # Names go on to the right, the rest stands above or below.
+    turn = 1 - np.cos(angle) if label.name else 1 - np.abs(np.sin(angle))
+    return _Places(boxes, anchors, nearest, gap, number, turn)
+
+
+def _costs(
+    axes: Axes, label: Label, places: _Places, drawn: _Drawn, dots: float
+) -> NDArray[np.float64]:
+    """What each place costs, in points; infinite where it would cover something or stick out."""
+    boxes = places.boxes
+    room = axes.bbox
+    free = (boxes[:, :2] > [room.x0, room.y0]).all(1) & (boxes[:, 2:] < [room.x1, room.y1]).all(1)
+    grown = boxes + _CLEAR * np.array([-1, -1, 1, 1])
+    free &= ~_overlaps(grown, np.vstack([drawn.texts, drawn.marks])).any(1)
+    free &= _held(grown, drawn.leaders) == 0
+    costs = places.gaps + _NEXT * places.number + 2 * places.turn
+    covered = drawn.lines.held(boxes)
+    if not label.name:
+        free &= covered == 0
+    costs += _ON_LINE * covered
+    middles = (drawn.marks[:, :2] + drawn.marks[:, 2:]) / 2
+    own = np.hypot(*(places.nearest - places.anchors).T)
+    for middle in middles:
+        off = np.hypot(*(np.clip(middle, boxes[:, :2], boxes[:, 2:]) - middle).T)
+        costs += _ASTRAY / dots * np.maximum(own - off, 0)
+    return np.where(free, costs, np.inf)
+
+
+def _cheapest(
+    label: Label, places: _Places, drawn: _Drawn, costs: NDArray[np.float64]
+) -> int | None:
+    """The place that costs least with what its leader crosses; None if there is none."""
+    best, least = None, np.inf
+    for place in map(int, np.argsort(costs, kind="stable")):
+        if costs[place] >= least:
+            break
+        cost = costs[place]
+        if label.name and places.gaps[place] > _LEADER:
+            leader = _between(places.anchors[place], places.nearest[place])
+            if _held(drawn.texts, leader).any():
+                continue
+            cost += _CROSSED * np.count_nonzero(drawn.lines.held(_around(leader, _STEP)))
+        if cost < least:
+            best, least = place, cost
+    return best
+
+
+def _drawn(axes: Axes) -> _Drawn:
+    dots = axes.figure.dpi / 72
+    marks, lines = [np.empty((0, 4))], [np.empty((0, 2))]
+    for line in axes.lines:
+        points = line.get_transform().transform(line.get_xydata())
+        points = points[np.isfinite(points).all(1)]
+        if line.get_marker() not in (None, "None", "", " "):
+            marks.append(_around(points, (line.get_markersize() / 2 + 0.5) * dots))
+        if line.get_linestyle() != "None":
+            lines += [_between(*pair) for pair in pairwise(points)]
+    texts = [text.get_window_extent().extents for text in axes.texts if text.get_text()]
+    return _Drawn(np.array(texts).reshape(-1, 4), np.vstack(marks), _Tally(axes, np.vstack(lines)))
+
+
+def _between(start: Points, end: Points) -> Points:
+    """Points on the way from one to the other."""
+    steps = max(1, int(np.abs(end - start).max() / _STEP))
+    return start + np.linspace(0, 1, steps + 1)[:, None] * (end - start)
+
+
+def _around(points: Points, reach: float) -> Boxes:
+    return np.hstack([points - reach, points + reach])
+
+
+def _overlaps(some: Boxes, others: Boxes) -> NDArray[np.bool_]:
+    """Which of (n, 4) overlap which of (m, 4): (n, m)."""
+    a, b = some[:, None], others[None]
+    found: NDArray[np.bool_] = (a[..., :2] < b[..., 2:]).all(2) & (b[..., :2] < a[..., 2:]).all(2)
+    return found
+
+
+def _held(boxes: Boxes, points: Points) -> NDArray[np.int64]:
+    """How many of the points each box holds."""
+    inside: Any = (boxes[:, None, :2] < points).all(2) & (points < boxes[:, None, 2:]).all(2)
+    counted: NDArray[np.int64] = inside.sum(1)
+    return counted

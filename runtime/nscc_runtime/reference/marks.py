@@ -1,0 +1,70 @@
+"""What cut the pixels' values off while their words run (`nscc_runtime.effects.marks`)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.operations import Op
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.sensor import Sensor
+
+Full = NDArray[np.uint8]
+Lost = NDArray[np.float64]
+
+ADDED, SUBTRACTED = 1, 2
+
+
+class Marks:
+    """Of some pixels, by register and PIX: `full`, whether what it holds has a full PIX ADDED or
+    SUBTRACTED, and `lost`, electrons that registers lost on its way. Arrays are (pixels,).
+    """
+
+    def __init__(
+        self, effects: Selection, sensor: Sensor, registers: Iterable[str], pixels: int
+    ) -> None:
+        self.sensor = sensor
+        self.mark = {at: effects.marking(at) for at in ("well", "subtracted", "registers")}
+        self.full = {name: np.zeros(pixels, np.uint8) for name in registers}
+        self.lost = {name: np.zeros(pixels) for name in registers}
+
+    def fill(self, full: NDArray[np.bool_]) -> None:
+        """PIX is full there."""
+        self.full["PIX"] = self.full["PIX"] | full.astype(np.uint8) * np.uint8(ADDED)
+
+    def empty(self, here: NDArray[np.bool_]) -> None:
+        """PIX is reset there."""
+        self.full["PIX"] = np.where(here, np.uint8(0), self.full["PIX"])
+
+    def gathered(self, op: Op) -> tuple[Full, Lost]:
+        """What the result of a bus word has of its sources'."""
+        full, lost = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
+        for name in op.sources:
+            full, lost = full | self.full[name], lost + self.lost[name]
+        return inverted(full), lost / op.operation.divisor
+
+    def write(self, name: str, here: NDArray[np.bool_], full: Full, lost: Lost) -> None:
+        """A register holds that there."""
+        self.full[name] = np.where(here, full, self.full[name])
+        self.lost[name] = np.where(here, lost, self.lost[name])
+
+    def read_out(self, name: str, gain: float) -> NDArray[np.uint8]:
+        """The bits of `saturated_by` (pixels,) of a register's readout."""
+        full = inverted(self.full[name]) if gain < 0 else self.full[name]
+        found = np.zeros_like(full)
+        for at, where in (("well", full & ADDED), ("subtracted", full & SUBTRACTED)):
+            mark = self.mark[at]
+            if mark is not None:
+                found |= np.where(where, np.uint8(mark.bit), np.uint8(0))
+        mark = self.mark["registers"]
+        if mark is not None:
+            much = self.lost[name] > mark.least_e(self.sensor)
+            found |= np.where(much, np.uint8(mark.bit), np.uint8(0))
+        return found
+
+
+def inverted(full: Full) -> Full:
+    """What is added of the negative was subtracted."""
+    return np.asarray((full & ADDED) * SUBTRACTED | (full & SUBTRACTED) // SUBTRACTED, np.uint8)
