@@ -70,6 +70,17 @@ def told_by(
     return {**states, "open_slots": slots, **light}
 
 
+def open_us_of(container: Container, told: Mapping[str, NDArray[Any]]) -> Values:
+    """How long each bucket of a pixel was open, in microseconds (buckets, rows, cols), from what
+    `told_by` says of a frame; -1 where the states are those of no pixel."""
+    assert container.machine is not None
+    assert container.pixel_codes is not None
+    behaviour = container.table.shutter_of_code[container.pixel_codes]
+    prefix = "states_"
+    states = {k.removeprefix(prefix): v for k, v in told.items() if k.startswith(prefix)}
+    return open_times(container.machine, behaviour, states)[1]
+
+
 def open_times(
     machine: Machine, behaviour: NDArray[np.int32], states: Mapping[str, NDArray[np.int64]]
 ) -> tuple[NDArray[np.int64], Values]:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.frame_file import Frame
+from nscc_runtime.looked_light import LIGHT, open_us_of
 from nscc_runtime.response import Response
 
 Field = NDArray[np.float64]
@@ -45,6 +46,8 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Rea
     """The buckets of one frame of a container with pixels."""
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
+    if container.machine is not None:
+        return _looked(container, frame, response)
     window = tile_of(container.table.shutter_of_code[container.pixel_codes])
     if max(window) > _LARGEST_TILE:
         window = (3, 3)
@@ -57,6 +60,18 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Rea
         )
         for b, name in enumerate(container.buckets)
     ]  # fmt: skip
+
+
+def _looked(container: Container, frame: Frame, response: Response) -> list[Readout]:
+    """The same where pixels looked: each knows how long it was open, and asks no neighbour."""
+    open_s = np.maximum(open_us_of(container, frame.told), 0.0) * 1e-6
+    light_e = np.nan_to_num(frame.told[LIGHT]) * open_s
+    most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
+    arrays = (frame.frame, frame.saturated, light_e, most_e, open_s)
+    return [
+        Readout(name, *(each[b] for each in arrays), (1, 1))
+        for b, name in enumerate(container.buckets)
+    ]
 
 
 def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
@@ -75,7 +90,8 @@ def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
     is.
 
     Summed electrons over summed open time: with shot noise alone, the best estimate that there is.
-    Pixels whose open neighbours are all saturated get the largest value that the frame can tell.
+    Pixels whose open neighbours are all saturated get the largest value that the frame can tell;
+    where no pixel asks its neighbours, the least that it can have seen itself.
     """
     opened = readout.open_s > 0
     good = opened & ~readout.saturated
@@ -84,7 +100,10 @@ def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
     light_e = _box(np.where(good, readout.light_e, 0.0), readout.window)
     # Noise may take a dark pixel below nothing.
     light = np.divide(np.maximum(light_e, 0.0), time, out=np.zeros(time.shape), where=known)
-    if opened.any():
+    if readout.window == (1, 1):
+        np.divide(readout.light_e, readout.open_s, out=light, where=opened & ~known)
+        known |= opened
+    elif opened.any():
         brightest = (readout.most_e[opened] / readout.open_s[opened]).max()
         blind = ~known & (_box(opened, readout.window) > 0.5)
         light[blind] = max(float(brightest), float(light.max()))
