@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nscc.emit.looks import looks_lines
 from nscc.lower.ledger import ledger
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
@@ -24,6 +25,10 @@ def summary(name: str, compiled: Compiled) -> str:
         f"codes      {_codes_text(program)}, "
         f"{counted(len(table.shutters), 'shutter')}, {counted(len(program.frame.slot_us), 'slot')}"
     )
+    if program.machine is not None:
+        names = tuple(bucket.name for bucket in program.buckets)
+        told = looks_lines(program.machine, names, program.target)
+        lines += [f"{'looks' * (not k):<11}{text}" for k, text in enumerate(told)]
     if lowered is None or proof is None:
         return "\n  ".join([f"{name}: passes, unless its words do not fit", *lines])
     schedule = lowered.schedule
@@ -38,7 +43,9 @@ def summary(name: str, compiled: Compiled) -> str:
         f"time       shortest slot {time_text(shortest)}, longest instructions "
         f"{time_text(lowered.shortest_slot_us)}",
         f"proved     {counted(proof.codes, 'code')} x {counted(proof.slots, 'slot')}, "
-        f"{counted(proof.frames, 'frame')}",
+        f"{counted(proof.frames, 'frame')}"
+        + f", {counted(proof.transitions, 'answer')}"
+        * (program.machine is not None),
     ]
     return "\n  ".join([f"{name}: fits {program.target.name}", *lines])
 

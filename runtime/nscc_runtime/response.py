@@ -52,7 +52,8 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
     """The response of a program with pixels, under `effects` (default: all, as a chip has them).
 
     What words make of light that they compare is not foretold: there `gain` is 1 and `zero_e` 0,
-    as without effects, and `open_s` is NaN, for it hangs on the light. ValueError for a container without pixels.
+    as without effects, and `open_s` is NaN, for it hangs on the light. ValueError for a container
+    without pixels.
     """
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no response")
