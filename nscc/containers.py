@@ -57,11 +57,15 @@ def with_pixels(
     """
     target, fields = container.target, container.table.fields
     if pixels is not None:
-        read = codes_from_file if isinstance(pixels, Path) else codes_from_arrays
+        read = (
+            partial(codes_from_file, pixels)
+            if isinstance(pixels, Path)
+            else partial(codes_from_arrays, pixels)
+        )
         codes = read(
-            pixels, container.table, target.rows, target.cols,
+            container.table, target.rows, target.cols,
             mode=container.notes.get("codes", ""), ranges=partial(_ranges, container, Path(name)),
-        )  # type: ignore[operator]  # fmt: skip
+        )  # fmt: skip
         return replace(container, pixel_codes=codes)
     if container.pixel_codes is not None:
         return container

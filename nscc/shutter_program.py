@@ -113,7 +113,7 @@ class ShutterProgram:
 
         With `pixels`, the shutter of every pixel: bool (buckets, slots, rows, cols), the mask of
         snapshot compressive imaging. Raises Rejected: NS0741 for `pixels` without data, NS0442 for
-        words that open no shutters.
+        words that open no shutters, and for pixels that look at the light.
         """
         table = self.container.table
         at_code = self._replayed[table.shutter_of_code].transpose(1, 0, 2)
@@ -211,6 +211,13 @@ class ShutterProgram:
 
     @cached_property
     def _replayed(self) -> NDArray[np.bool_]:
+        if self.container.machine is not None:
+            raise rejected(
+                "NS0442",
+                f"the shutters of '{self.name}' depend on the light: before it there are none",
+                helps=("a frame of it tells how many slots each pixel was open: `open_slots`",),
+                status=1,
+            )
         return replayed(self.container, f"'{self.name}'")
 
     @cached_property
