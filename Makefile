@@ -2,6 +2,7 @@
 # make test       set up the test environment (torch included); lint, types and tests
 # make quick      lint and the tests of the compiler's front and of the house: within a minute
 # make test-slow  the tests that take minutes
+# make docs       the site in build/site: runs the tutorials, draws the gallery; some minutes
 # make bench      measure: speed beside numpy, words of logic beside the best known; minutes
 # make lint       ruff; make types: mypy; make format: put right what ruff can
 # make clean      remove what was built; the environment stays
@@ -23,7 +24,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test quick test-slow bench lint format types clean
+.PHONY: help demo test quick test-slow bench docs linkcheck pictures lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -46,6 +47,11 @@ $(VENV)/.installed: $(VENV)/.made pyproject.toml constraints.txt
 $(VENV)/.test-installed: $(VENV)/.installed
 	@echo "installing the test environment, torch included: this takes some minutes, once"
 	$(PIP) --no-build-isolation --editable '.[test]'
+	@touch $@
+
+$(VENV)/.docs-installed: $(VENV)/.installed
+	@echo "installing what makes the site, torch included: this takes some minutes, once"
+	$(PIP) --no-build-isolation --editable '.[docs]'
 	@touch $@
 
 # Compiled ahead, so that no command has to wait for a compiler, even where Python may not cache.
@@ -103,5 +109,21 @@ bench: $(VENV)/.test-installed $(VENV)/.compiled
 	@status=0; for file in tests/benchmarks/bench_*.py; do \
 	  echo "$$file"; $(BIN)/python $$file || status=1; done; exit $$status
 
+# Sources are the repository's own pages; a warning is an error. Tutorials find nscc on the path.
+SITE = PATH="$(abspath $(BIN)):$$PATH" $(BIN)/sphinx-build --quiet --fail-on-warning --keep-going \
+  --conf-dir docs --doctree-dir $(OUT)/site-trees
+
+docs: $(VENV)/.docs-installed $(VENV)/.compiled
+	$(SITE) --builder html . $(OUT)/site
+	@echo "the site: $(abspath $(OUT))/site/index.html"
+
+# Asks every server that a page names: not a part of what every change has to pass.
+linkcheck: $(VENV)/.docs-installed $(VENV)/.compiled
+	$(SITE) --builder linkcheck . $(OUT)/site-links
+
+# The pictures that pages keep beside them, for those who read them as files.
+pictures: $(VENV)/.docs-installed $(VENV)/.compiled
+	PYTHONPATH=docs $(BIN)/python -m nscc_site.pictures
+
 clean:
-	rm -rf $(OUT) dist .pytest_cache .mypy_cache .ruff_cache .hypothesis
+	rm -rf $(OUT) docs/generated dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -3,10 +3,13 @@ and where the files are read."""
 
 from __future__ import annotations
 
+import os
+import shutil
 import sys
 from pathlib import Path
 
 DOCS = Path(__file__).resolve().parent
+BUILD = DOCS.parent / "build"
 sys.path.insert(0, str(DOCS))
 
 import nscc  # noqa: E402
@@ -31,17 +34,23 @@ include_patterns = [
 myst_enable_extensions = ["colon_fence", "deflist"]
 myst_heading_anchors = 4
 
-# Notebooks run where they leave nothing behind; what they gave is kept until cells or nscc change.
+# Notebooks run where they leave nothing behind, with nobody's own settings; what they gave is kept
+# until cells or nscc change.
 nb_execution_mode = "cache"
-nb_execution_cache_path = str(DOCS.parent / "build" / "site-notebooks" / source_digest())
+nb_execution_cache_path = str(BUILD / "site-notebooks" / source_digest())
 nb_execution_in_temp = True
 nb_execution_raise_on_error = True
 nb_execution_timeout = 600
 nb_merge_streams = True
+_first = BUILD / "site-ipython" / "profile_default" / "startup" / "first.py"
+_first.parent.mkdir(parents=True, exist_ok=True)
+shutil.copy(DOCS / "nscc_site" / "kernel.py", _first)
+os.environ["IPYTHONDIR"] = str(_first.parents[2])
 
-# Every name of nscc's own leads somewhere; what others document is not looked up.
+# What the packages themselves offer leads somewhere; what lies below that, or is others', need not.
 nitpicky = True
-nitpick_ignore_regex = [("py:.*", r"(?!nscc).*")]
+nitpick_ignore_regex = [("py:.*", r"(?!nscc\w*\.\w+$).*")]
+suppress_warnings = ["misc.highlighting_failure"]  # of cells that write files of other languages
 default_role = "literal"
 autodoc_member_order = "bysource"
 autodoc_typehints_format = "short"

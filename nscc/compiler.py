@@ -13,9 +13,6 @@ from nscc.program.program import Codes, Program
 from nscc.source import Source
 from nscc.syntax.parse import read_source
 
-QUICK_LEVEL = 1
-"""Several programs are compiled for one error message: with no more effort than this each."""
-
 
 def compile_file(
     path: Path, options: Options | None = None, see: Observer | None = None
@@ -49,14 +46,13 @@ def _with_ways_out(
 
     alike = replace(options, target=program.target, price_all=False, unproved_is_error=True)
 
-    def attempt(source: Source, codes: Codes, *, patient: bool = False) -> Lowered | None:
-        level = options.level if patient else min(options.level, QUICK_LEVEL)
+    def attempt(source: Source, codes: Codes, level: int) -> Lowered | None:
         try:
             return run_passes(source, base, replace(alike, codes=codes, level=level)).lowered
         except Rejected:
             return None
 
-    ways = ways_out(program, attempt)
+    ways = ways_out(program, attempt, options.level)
     texts = tuple(way.text for way in ways)
     data = {key: value for way in ways for key, value in way.data.items()}
     return [

@@ -76,6 +76,7 @@ def command(
     found = calibrate.calibrate_files(flats, darks, chip, crosstalk, progress)
     chosen = calibrate.parameters(found, chip, chain)
     say(calibrate.messages(found))
+    shown = calibrate.as_json(found, chosen) if as_json else calibrate.as_table(found)
     write_whole(out, calibrate.as_toml(found, chosen).encode())
-    click.echo(calibrate.as_json(found, chosen) if as_json else calibrate.as_table(found))
+    click.echo(shown)
     done(f"wrote {out}")

@@ -95,18 +95,16 @@ def write_frame(
     response: Callable[[], Response], plan: str | None = None,
 ) -> list[Path]:  # fmt: skip
     """Write the frame file, and the picture, plan and timings that were asked for; where frame,
-    picture and plan are. `response` makes that of the frame, where something asks for it."""
+    picture and plan are. `response` gives that of the frame, for the picture."""
     from nscc.prove.shutters import replayed
     from nscc_runtime.frame_file import FrameFile
 
     with timings.part("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
-        linear = response() if options["png"] or "response" in keep else None
-        arrays = None if linear is None else linear.arrays()
-        file = FrameFile.of(container, light, frame, meta, keep, shutters, progress, arrays)
+        file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
         products: dict[Path, Product] = {out: file.write}
-        if options["png"] and linear is not None:
-            products[options["png"]] = _picture(container, frame, linear, title)
+        if options["png"]:
+            products[options["png"]] = _picture(container, frame, response(), title)
         if plan is not None:
             products[options["plan"]] = plan.encode()
         write_together(products)

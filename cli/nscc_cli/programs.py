@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import AbstractContextManager, nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected
+from nscc_cli.support import waiting
 
 if TYPE_CHECKING:
     from nscc.diagnostics.diagnostic import Diagnostic
@@ -30,8 +32,10 @@ def compile_program(path: Path, options: Mapping[str, Any], **more: Any) -> Comp
     """
     from nscc.compiler import compile_file
 
-    see = more.pop("see", None)
-    return compile_file(path, compile_options(options, **more), see)
+    see, chosen = more.pop("see", None), compile_options(options, **more)
+    # What an observer prints and a line that is drawn would disturb each other.
+    with nullcontext() if see is not None else _compiling(path, chosen):
+        return compile_file(path, chosen, see)
 
 
 def compile_options(options: Mapping[str, Any], **more: Any) -> Options:
@@ -61,10 +65,16 @@ def load_program(
             notes=("build's options take effect where a program becomes words",),
             helps=(f"give the .nsl file instead, or leave {names} out",),
         )
-    container, messages = load_container(path, compile_options(options))
+    chosen = compile_options(options)
+    with _compiling(path, chosen):
+        container, messages = load_container(path, chosen)
     if "pixels" in options:
         container = with_pixels(container, path, options["pixels"])
     return container, messages
+
+
+def _compiling(path: Path, options: Options) -> AbstractContextManager[None]:
+    return waiting(f"compiling {path.name} at -O{options.level}")
 
 
 def _given(options: Mapping[str, Any], *names: str) -> dict[str, Any]:

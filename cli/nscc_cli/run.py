@@ -44,8 +44,7 @@ _SIMULATION = (
 @click.option("--seed", type=SEED, help="Seed of a frame's noise (default: 0).")
 @click.option("--device-seed", type=SEED, help="Seed of fixed patterns (default: 0).")
 @click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames.")
-@click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes,"
-              "response.")  # fmt: skip
+@click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes.")
 @shared.pixels_option
 @shared.scene_options
 @click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",

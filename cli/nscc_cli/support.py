@@ -5,7 +5,9 @@ from __future__ import annotations
 import os
 import sys
 from collections.abc import Iterable, Iterator, Sequence, Sized
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from threading import Event, Thread
 from time import monotonic
 from typing import Any, Literal, TypeVar
 
@@ -158,13 +160,53 @@ class Subcommands(CommonCommand, click.Group):
         )
 
 
+@contextmanager
+def waiting(what: str) -> Iterator[None]:
+    """Say on a terminal what is going on and for how long, where nothing can be counted.
+
+    Nothing is drawn in the first second, nor where `progress` would draw nothing.
+    """
+    if not _draws():
+        yield
+        return
+    over = Event()
+
+    def draw() -> None:
+        begin, pause = monotonic(), _BAR_DELAY_S
+        while not over.wait(pause):
+            _redraw(f"{what}: {monotonic() - begin:.0f} s")
+            pause = _BAR_REFRESH_S
+        if pause is not _BAR_DELAY_S:
+            _redraw("")
+
+    drawing = Thread(target=draw, daemon=True)
+    drawing.start()
+    try:
+        yield
+    finally:
+        over.set()
+        drawing.join()
+
+
+def _draws() -> bool:
+    return sys.stderr.isatty() and session().message_format == "human"
+
+
+def _redraw(line: str) -> None:
+    """Replace the line that stands there; one longer than the terminal is cut, or it would stay."""
+    from shutil import get_terminal_size
+
+    sys.stderr.write("\r\x1b[2K" + line[: get_terminal_size().columns - 1])
+    sys.stderr.flush()
+
+
 def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> Iterator[Item]:
     """Hand on the items; draw a bar on standard error if that is a terminal and it takes long.
 
     `total` is the number of items where it is known and `iterable` has no length. Nothing
     is drawn in the first second, nor with a message format other than human.
     """
-    if not sys.stderr.isatty() or session().message_format != "human":
+    if not _draws():
         yield from iterable
         return
     if total is None and isinstance(iterable, Sized):
@@ -176,15 +218,13 @@ def progress(iterable: Iterable[Item], label: str, total: int | None = None) -> 
         for done, item in enumerate(iterable):
             now = monotonic()
             if now >= next_draw:
-                sys.stderr.write("\r\x1b[2K" + bar_line(label, done, total, now - begin))
-                sys.stderr.flush()
+                _redraw(bar_line(label, done, total, now - begin))
                 drawn = True
                 next_draw = now + _BAR_REFRESH_S
             yield item
     finally:
         if drawn:
-            sys.stderr.write("\r\x1b[2K")
-            sys.stderr.flush()
+            _redraw("")
 
 
 def bar_line(label: str, done: int, total: int | None, elapsed_s: float) -> str:

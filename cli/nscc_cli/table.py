@@ -8,6 +8,7 @@ COMMANDS = {
     "run": "Expose one frame of a scene with a program.",
     "shutters": "Write every pixel's shutter, found by replay.",
     "prove": "Replay a container against its own decode table.",
+    "fmt": "Write programs in the one style of the language.",
     "view": "Draw a program's shutters and its map of codes.",
     "asm": "Assemble a listing into a container or words.",
     "disasm": "List a container's words as assembly text.",

@@ -2,10 +2,21 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.suggest import closest
+
+_KINDS = {
+    "integer range": "a whole number",
+    "integer": "a whole number",
+    "float range": "a number",
+    "float": "a number",
+}
+"""What click calls kinds of numbers, and what everybody does."""
 
 
 def usage_diagnostic(error: click.ClickException) -> Diagnostic:
@@ -26,6 +37,8 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
         helps = (f"did you mean {guess}?", *helps) if guess else helps
     elif isinstance(error, click.MissingParameter):
         code, message = "NS0780", f"`{name}` needs {_parameter(error) or 'one more argument'}"
+        if isinstance(error.param, click.Option) and error.param.help:
+            notes = (f"{_parameter(error)}: {error.param.help}", *notes)
     elif isinstance(error, click.BadParameter):
         parameter = _parameter(error)
         code = "NS0783"
@@ -34,7 +47,18 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
         code, message = "NS0784", _said(error.format_message())
     else:
         code, message = "NS0780", _said(error.format_message())
+        helps = (*_scene_meant(context, message), *helps)
     return Diagnostic(code, message, notes=notes, helps=helps)
+
+
+def _scene_meant(context: click.Context | None, message: str) -> tuple[str, ...]:
+    """The help for a scene that stands where no argument does."""
+    extra = re.fullmatch(r"got unexpected extra argument \((.*)\)", message)
+    if extra is None or "--scene" not in _options(context):
+        return ()
+    if extra[1].startswith("builtin:") or Path(extra[1]).suffix:
+        return (f"did you mean `--scene {extra[1]}`?",)
+    return ("a value with blanks in it stands in quotes",)
 
 
 def _options(context: click.Context | None) -> list[str]:
@@ -56,4 +80,7 @@ def _parameter(error: click.BadParameter) -> str:
 def _said(text: str) -> str:
     """Click's own words as the rest of a line: no capital at the start, no full stop."""
     text = " ".join(text.split()).rstrip(".")
-    return text[:1].lower() + text[1:]
+    for kind, plain in _KINDS.items():
+        text = text.replace(f"is not a valid {kind}", f"is not {plain}")
+    first = text.partition(" ")[0].rstrip(",")
+    return text if first.isupper() else text[:1].lower() + text[1:]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 _LONGEST = 64
@@ -18,7 +19,9 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
         return None
     by_folded: dict[str, str] = {}
     for candidate in sorted(set(candidates)):
-        if len(candidate) <= _LONGEST and candidate != name:
+        # A single letter is like every name that holds it.
+        alike = len(candidate) > 1 or len(name) <= 2
+        if alike and len(candidate) <= _LONGEST and candidate != name:
             by_folded.setdefault(candidate.casefold(), candidate)
     folded = name.casefold()
     if folded in by_folded:
@@ -27,6 +30,9 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     from difflib import SequenceMatcher  # only where a name is wrong: keeps start-up short
 
     matcher = SequenceMatcher(None, "", folded, autojunk=False)
+    part = next((by_folded[p] for p in re.split("[-_ ]", folded) if p in by_folded), None)
+    if part is not None:
+        return part
     best, least = None, 0.5 if len(folded) <= 3 else 0.65
     for candidate, original in by_folded.items():
         matcher.set_seq1(candidate)

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from nscc.lower.ledger import ledger
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
 
 if TYPE_CHECKING:
     from nscc.pipeline import Compiled
+    from nscc.program.program import Program
 
 
 def summary(name: str, compiled: Compiled) -> str:
@@ -30,8 +33,7 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
         ("class", f"{program.class_name}: {program.class_reason}"),
         (
             "codes",
-            f"{len(table.codes)} {'in use' if program.mode == 'fixed' else 'legal'}, "
-            f"{counted(len(table.shutters), 'shutter')}, "
+            f"{_codes_text(program)}, {counted(len(table.shutters), 'shutter')}, "
             f"{counted(len(program.frame.slot_us), 'slot')}",
         ),
     ]
@@ -61,6 +63,17 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
             f"{counted(proof.frames, 'frame')}",
         ),
     ]
+
+
+def _codes_text(program: Program) -> str:
+    """How many codes are compiled for, and how many others there are: in the fields' ranges where
+    only the codes in use are, among the legal ones where all are."""
+    count, legal = len(program.table.codes), program.legal_codes
+    if program.mode == "fixed":
+        more = legal is not None and legal > count
+        return f"{count} in use" + (f" of {legal} legal" if more else "")
+    used = count if program.pixel_codes is None else len(np.unique(program.pixel_codes))
+    return f"{count} legal" + (f", {used} in use" if used < count else "")
 
 
 def cost_text(compiled: Compiled) -> str:

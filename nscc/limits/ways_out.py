@@ -34,6 +34,9 @@ from nscc.program.program import Codes, Program
 from nscc.source import Source
 
 MOST_SHOWN = 3
+QUICK_LEVEL = 1
+"""Several programs are compiled for one error message: with no more effort than this each, but for
+the rows of a codebook."""
 _FRAME_TRIALS = 8
 _ROW_TRIALS = 10
 _BOOK_ROWS = 64
@@ -45,8 +48,8 @@ _MOST_DIGITS = 1 << 13
 class Attempt(Protocol):
     """Compiles a program for the target at hand; None if it does not fit."""
 
-    def __call__(self, source: Source, codes: Codes, *, patient: bool = False) -> Lowered | None:
-        """Quickly, or as `patient`ly as the user asked for the program that did not fit."""
+    def __call__(self, source: Source, codes: Codes, level: int) -> Lowered | None:
+        """What the program becomes at a level of effort."""
 
 
 @dataclass(frozen=True)
@@ -57,28 +60,32 @@ class WayOut:
     data: Mapping[str, Any] = field(default_factory=dict)
 
 
-def ways_out(program: Program, attempt: Attempt) -> list[WayOut]:
-    """Nearby programs that were compiled and fit, those first that change least."""
-    return list(islice(_candidates(program, attempt), MOST_SHOWN))
+def ways_out(program: Program, attempt: Attempt, level: int) -> list[WayOut]:
+    """Nearby programs that were compiled and fit, those first that change least.
+
+    `level` is that of the program that does not fit; prices say at which level they are found.
+    """
+    return list(islice(_candidates(program, attempt, level), MOST_SHOWN))
 
 
-def _candidates(program: Program, attempt: Attempt) -> Iterator[WayOut]:
+def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOut]:
+    level = min(most, QUICK_LEVEL)
     if program.mode == "open" and program.pixel_codes is not None:
-        lowered = attempt(program.source, "fixed")
+        lowered = attempt(program.source, "fixed", level)
         if lowered is not None:
             in_use = counted(len(lowered.program.table.shutters), "shutter")
-            yield _way_out("`--codes fixed`", f"only the {in_use} in use", lowered)
-    yield from _fewer_rows(program, attempt)
-    yield from _fewer_slots(program, attempt)
+            yield _way_out("`--codes fixed`", f"only the {in_use} in use", lowered, level)
+    yield from _fewer_rows(program, attempt, most)
+    yield from _fewer_slots(program, attempt, level)
     for rule, what, why in _simpler(program):
-        lowered = attempt(_source(program, rule, len(program.frame.slot_us)), "open")
+        lowered = attempt(_source(program, rule, len(program.frame.slot_us)), "open", level)
         if lowered is not None:
-            yield _way_out(what, why, lowered)
+            yield _way_out(what, why, lowered, level)
 
 
-def _way_out(what: str, why: str, lowered: Lowered, **data: int) -> WayOut:
+def _way_out(what: str, why: str, lowered: Lowered, level: int, **data: int) -> WayOut:
     words = lowered.schedule.words_total / len(lowered.program.frame.slot_us)
-    return WayOut(f"{what:<24}{why}: {words:.3g} words a slot", data)
+    return WayOut(f"{what:<24}{why}: {words:.3g} words a slot at -O{level}", data)
 
 
 def _source(program: Program, rule: str, slots: int) -> Source:
@@ -87,7 +94,7 @@ def _source(program: Program, rule: str, slots: int) -> Source:
     return Source("way-out.nsl", program_text(slots, f"{max(slot_us, 0.001):.3f}us", rule))
 
 
-def _fewer_rows(program: Program, attempt: Attempt) -> Iterator[WayOut]:
+def _fewer_rows(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
     """The most rows, from the first in use on, that a codebook may have in the same frame."""
     if program.class_name != "codebook" or len(program.fields) != 1:
         return
@@ -99,7 +106,7 @@ def _fewer_rows(program: Program, attempt: Attempt) -> Iterator[WayOut]:
     untried = "" if most == rows - 1 else f" ({most} was the most tried)"
     most = largest_with(lambda count: _different(program, count), 1 << registers, 1, most)
     build = partial(_book_source, program)
-    count, lowered = _largest(1, most, build, partial(attempt, patient=True), _ROW_TRIALS)
+    count, lowered = _largest(1, most, build, partial(attempt, level=level), _ROW_TRIALS)
     if lowered is None:
         return
     field, last = program.fields[0], table.codes[count - 1, 0]
@@ -109,11 +116,15 @@ def _fewer_rows(program: Program, attempt: Attempt) -> Iterator[WayOut]:
     if count == most:
         why += untried
     why += f", at most {max(lowered.words_per_boundary)} words in a slot"
-    yield _way_out(f"K = {count}", why, lowered, rows=count)
+    yield _way_out(f"K = {count}", why, lowered, level, rows=count)
 
 
 def _largest(
-    least: int, most: int, source: Callable[[int], Source], attempt: Attempt, budget: int
+    least: int,
+    most: int,
+    source: Callable[[int], Source],
+    attempt: Callable[[Source, Codes], Lowered | None],
+    budget: int,
 ) -> tuple[int, Lowered | None]:
     """The largest size that fits as `nscc.limits.search.largest` finds it, and what it became."""
     built: dict[int, Lowered | None] = {}
@@ -149,7 +160,7 @@ def _book_source(program: Program, count: int) -> Source:
     return Source("way-out.nsl", "\n".join(lines) + "\n")
 
 
-def _fewer_slots(program: Program, attempt: Attempt) -> Iterator[WayOut]:
+def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:
     """The most slots found for the whole class, where the frame has more."""
     slots = len(program.frame.slot_us)
     registers = len(program.target.digital_registers)
@@ -170,10 +181,11 @@ def _fewer_slots(program: Program, attempt: Attempt) -> Iterator[WayOut]:
         case _:
             return
     build = partial(_source, program, rule)
-    count, lowered = _largest(least, most, build, attempt, _FRAME_TRIALS)
+    quick = partial(attempt, level=level)
+    count, lowered = _largest(least, most, build, quick, _FRAME_TRIALS)
     if lowered is not None:
         why = f"{counted(slots - count, 'slot')} fewer, {kept} still possible"
-        yield _way_out(f"frame {count} slots", why, lowered)
+        yield _way_out(f"frame {count} slots", why, lowered, level)
 
 
 def _simpler(program: Program) -> Iterator[tuple[str, str, str]]:

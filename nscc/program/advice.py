@@ -10,7 +10,6 @@ from nscc.program.expressions import Checked
 from nscc.program.names import Declarations, Rule
 from nscc.program.problems import Problems, counted
 from nscc.program.program import Field
-from nscc.source import Span
 from nscc.syntax.tree import Bucket
 from nscc.words.container import DecodeTable
 
@@ -82,18 +81,3 @@ def judge_bumps(found: Recognised, rule: Rule, table: DecodeTable, problems: Pro
             notes=(found.reason,),
             helps=("end the range of starts at N - len: `code start : 0..N - len`",),
         )
-
-
-def judge_codes(in_use: int, legal: int | None, place: Span, problems: Problems) -> None:
-    """Notes in one summary how many legal codes no pixel uses (NS0353)."""
-    if legal is None or in_use >= legal:
-        return
-    unused = legal - in_use
-    problems.note(
-        "NS0353",
-        f"the pixels use {in_use} of {counted(legal, 'code')}; {unused} "
-        f"{'is' if unused == 1 else 'are'} never used",
-        place,
-        f"{counted(in_use, 'code')} in use",
-        data={"in_use": in_use, "legal": legal, "unused": unused},
-    )

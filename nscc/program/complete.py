@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Label, Rejected
-from nscc.program.advice import judge_bumps, judge_codes, judge_names, judge_rules
+from nscc.program.advice import judge_bumps, judge_names, judge_rules
 from nscc.program.classes import Recognised, recognise
 from nscc.program.expressions import names_in
 from nscc.program.limits import SURVEY_LIMIT
-from nscc.program.looking_advice import judge_looking, shutters_in_the_dark
 from nscc.program.looking import Looking
+from nscc.program.looking_advice import judge_looking, shutters_in_the_dark
 from nscc.program.machine import build_machine
 from nscc.program.names import Declarations, Rule
 from nscc.program.open_time import with_open_times
@@ -73,12 +73,10 @@ class Completion:
             table, at_pixel = self._open(in_use, at_pixel)
             survey, legal = table, len(table.codes)
         found = self._class(survey, table)
-        self._advise(found, survey, table, len(in_use), legal)
+        self._advise(found, survey, table)
         return self._program(table, legal, at_pixel, found)
 
-    def _looking(
-        self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]
-    ) -> Program:
+    def _looking(self, looking: Looking, in_use: CodeArray, at_pixel: NDArray[np.int32]) -> Program:
         """The program whose shutters depend on the light."""
         codes, legal = in_use, None
         if self.mode == "open":
@@ -223,14 +221,7 @@ class Completion:
             basis = "in all codes that the fields allow"
         return recognise(self.rules, [b.name for b in self.buckets], survey, basis)
 
-    def _advise(
-        self,
-        found: Recognised,
-        survey: DecodeTable,
-        table: DecodeTable,
-        in_use: int,
-        legal: int | None,
-    ) -> None:
+    def _advise(self, found: Recognised, survey: DecodeTable, table: DecodeTable) -> None:
         problems, declared, fields = self.problems, self.declared, self.rules.fields
         basis = "for every code in use" if self.mode == "fixed" else "for every code"
         judge_rules(declared.rules, bool(fields), table, survey, basis, problems)
@@ -238,8 +229,6 @@ class Completion:
             declared, fields, self.rules.rules, _names_read(declared), self.rules.books, problems
         )
         judge_bumps(found, declared.rules[0], survey, problems)
-        if fields and declared.has_pixels:
-            judge_codes(in_use, legal, self._pixels_span(), problems)
 
     def _refused(self, problem: NoValue | TooMuch, span: Span, mode: Codes = "fixed") -> Rejected:
         if isinstance(problem, TooMuch):

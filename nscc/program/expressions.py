@@ -226,11 +226,12 @@ class _Checker:
                 first = k if k == 0 or node.ops[k - 1] in ("==", "!=") else k + 1
                 self._want("integer", given[first : k + 2], parts[first : k + 2], f"`{op}`")
             elif left is not None and right is not None and left != right:
+                bit = any(isinstance(p, tree.Int) and p.value < 2 for p in parts[k : k + 2])
                 self._mismatch(
                     parts[k].span.to(parts[k + 1].span),
                     f"`{op}` compares {_a(left)} with {_a(right)}",
                     "integers and booleans do not mix",
-                    _CONVERT["boolean"] if "boolean" in (left, right) else (),
+                    _ALONE if bit else _CONVERT["boolean"],
                 )
 
     def _branches(self, node: tree.IfElse, then: Type | None, other: Type | None) -> Type | None:
@@ -267,6 +268,8 @@ class _Checker:
 
     def _unknown(self, node: tree.Name, what: str, known: Iterable[str]) -> None:
         self.sound = False
+        constant = node.text.lower()
+        known = (constant,) if constant in ("true", "false") else known
         self.problems.unknown(what, node.text, node.span, known)
 
     def _error(self, code: str, message: str, span: Span, label: str, **more: Any) -> None:
@@ -281,6 +284,9 @@ _CONVERT: dict[Type, tuple[str, ...]] = {
     "integer": ("`1 if CONDITION else 0` makes an integer of a boolean",),
     "boolean": ("a comparison makes a boolean of integers: `A != 0`, `A < B`",),
 }
+
+
+_ALONE = ("a condition stands by itself: write it for `== 1`, and `not` before it for `== 0`",)
 
 
 def _a(type_: Type) -> str:

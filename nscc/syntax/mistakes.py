@@ -3,13 +3,12 @@ mistake is a common one, what was probably meant."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterator
-from fractions import Fraction
+from collections.abc import Iterator, Set
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
 from nscc.diagnostics.suggest import closest
 from nscc.source import Span
+from nscc.syntax import habits
 from nscc.syntax.grammar import END, spellings
 from nscc.syntax.lexer import Tokens
 from nscc.syntax.statement import Stuck
@@ -21,25 +20,15 @@ from nscc.syntax.words import (
     statement_words,
 )
 
-_UNITS = {
-    **dict.fromkeys(("ns", "nsec", "nsecs", "nanosecond", "nanoseconds"), "ns"),
-    **dict.fromkeys(("us", "\u00b5s", "\u03bcs", "usec", "usecs", "\u00b5sec", "\u03bcsec"), "us"),
-    **dict.fromkeys(("mus", "microsecond", "microseconds"), "us"),
-    **dict.fromkeys(("ms", "msec", "msecs", "millisecond", "milliseconds"), "ms"),
-    **dict.fromkeys(("s", "sec", "secs", "second", "seconds"), "s"),
-}
-"""What people write for a unit of time, in lower case (the micro sign and the Greek letter are two
-characters that look alike), and the unit."""
-_NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d_]+)")
-_MOST_PARTS = 1000
-"""Decimals that are simple fractions are written as one; others are not guessed at."""
 _SIGNS = {
     ";": ("statements need no semicolon", ""),
-    "&": ("`and` joins conditions", "and"),
+    "&": ("`and` joins conditions; bit i of a field `code NAME : bit[K]` is NAME[i]", "and"),
     "&&": ("`and` joins conditions", "and"),
     "|": ("`or` joins conditions", "or"),
     "||": ("`or` joins conditions", "or"),
     "!": ("`not` turns a condition round", "not "),
+    "~": ("`not` turns a condition round", "not "),
+    "?": ("a choice is written `A if CONDITION else B`", None),
     "^": ("`xor` means one or the other; there are no powers", None),
     "\u2264": ("it is written `<=`", "<="),
     "\u2265": ("it is written `>=`", ">="),
@@ -67,7 +56,7 @@ def mistake(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnostic:
             message = "these quotes are never closed"
             return Diagnostic("NS0114", message, source=tokens.source, label=place, helps=helps)
         if kind == "STRAY":
-            return _stray(tokens, stuck.token)
+            return _stray(tokens, stuck.token, stuck.expected)
         if END in stuck.expected and kind == "NAME":
             return unknown_statement(tokens, stuck.token)
         if _is_word(kind) and stuck.expected <= {"NAME", "TARGET_NAME", "TEXT", "from"}:
@@ -121,7 +110,7 @@ def _is_word(kind: str) -> bool:
     return kind in spellings().values() and kind.isalnum()
 
 
-def _stray(tokens: Tokens, token: int) -> Diagnostic:
+def _stray(tokens: Tokens, token: int, expected: Set[str]) -> Diagnostic:
     text, span = tokens.text(token), tokens.span(token)
     doubled = text + tokens.text(token + 1) if token + 1 < len(tokens.kinds) else ""
     if doubled in _SIGNS and tokens.span(token + 1).start == span.end:
@@ -135,6 +124,11 @@ def _stray(tokens: Tokens, token: int) -> Diagnostic:
             helps=("names are made of the letters a-z and A-Z, digits and `_`",),
         )
     hint, instead = _SIGNS.get(text, ("take it out; comments begin with `#`", None))
+    file = habits.file_hint(tokens, token) if text == "." else None
+    if text == ";" and "]" in expected:
+        hint, instead = "rows and values are parted by commas", ","
+    elif file is not None:
+        hint = file
     return Diagnostic(
         "NS0108",
         f"the sign {shown(text)} means nothing here",
@@ -174,7 +168,7 @@ def _unexpected(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Diagnost
         label=Label(place, f"expected {expected}"),
         related=_left_open(tokens, first, stuck),
         notes=_forms(statement),
-        helps=tuple(_hints(tokens, first, last, stuck)),
+        helps=(*_hints(tokens, first, last, stuck), *habits.hints(tokens, first, last, stuck)),
         fixes=tuple(_fixes(tokens, first, last, stuck)),
     )
 
@@ -206,8 +200,8 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
     if stuck.token >= last:
         return
     kind, text = tokens.kinds[stuck.token], tokens.text(stuck.token)
-    if kind == "MALFORMED" and _time(text, "") is None:
-        yield from _number_hints(tokens, stuck.token)
+    if kind == "MALFORMED":
+        yield from habits.number_hints(tokens, stuck.token)
     elif kind == "GROUPED":
         yield "only the rows of `shutters` have digits in groups"
     elif kind == "TIME" and tokens.kinds[first] != "frame":
@@ -222,44 +216,8 @@ def _hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]
         yield f"functions are `min` and `max`; a bit of a field, or a digit of a row, is {name}[..]"
     elif kind == "INTEGER" and "]" in stuck.expected and tokens.kinds[first] == "shutters":
         yield "rows are parted by commas; groups of digits are joined by `_`: 1111_0000"
-    elif kind == "[" and "tile" in stuck.expected:
-        yield "rows of values are a tile, which is repeated over the array: `tile [[4, 3], [2, 1]]`"
     elif kind in ("]", ")") and not _open_brackets(tokens, first, stuck):
         yield f"no bracket is open that this {shown(text)} could close"
-
-
-def _number_hints(tokens: Tokens, token: int) -> Iterator[str]:
-    text = tokens.text(token)
-    if re.fullmatch(r"[0-9]{1,9}\.[0-9]{1,9}", text):
-        yield "numbers are whole; decimals stand only in times, with a unit: 1.6ms"
-        yield from _quotient(tokens, token)
-    elif "." in text:
-        yield "decimals stand only in times, with the unit ns, us, ms or s: 1.6ms"
-    elif "_" in text:
-        yield "only the rows of `shutters` have digits in groups: 1111_0000"
-    else:
-        yield "numbers are digits, names begin with a letter, times end in ns, us, ms or s"
-
-
-def _quotient(tokens: Tokens, token: int) -> Iterator[str]:
-    """How to multiply with a decimal, or to divide by it, in whole numbers."""
-    kinds, number = tokens.kinds, tokens.text(token)
-    before, after = kinds[token - 1], kinds[token + 1 : token + 2]
-    part = Fraction(number)
-    if not part or part.denominator > _MOST_PARTS or part.numerator > _MOST_PARTS:
-        return
-    other = token - 2
-    if before == "/":
-        part = 1 / part
-    elif before != "*":
-        if after != ["*"]:
-            return
-        before, other = "*", token + 2
-    name = tokens.text(other) if kinds[other : other + 1] == ["NAME"] else "A"
-    times = f"* {part.numerator}" if part.numerator > 1 or part.denominator == 1 else ""
-    over = f"/ {part.denominator}" if part.denominator > 1 else ""
-    whole = " ".join(filter(None, (name, times, over)))
-    yield f"`{name} {before} {number}` is written `{whole}`; `/` rounds down"
 
 
 def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]:
@@ -267,24 +225,12 @@ def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]
     if stuck.token >= last:
         return
     kind, text, span = tokens.kinds[stuck.token], tokens.text(stuck.token), tokens.span(stuck.token)
-    after = tokens.text(stuck.token + 1) if stuck.token + 1 < last else ""
-    if kind == "=" and "COMPARISON" in stuck.expected:
+    usual = list(habits.fixes(tokens, last, stuck))
+    if usual:
+        yield from usual
+    elif kind == "=" and "COMPARISON" in stuck.expected:
         yield Fix("equality is written `==`", span, "==")
-    elif "TIME" in stuck.expected and (time := _time(text, "")) is not None:
-        yield Fix(f"units are ns, us, ms and s: `{time}`", span, time)
-    elif "TIME" in stuck.expected and (time := _time(text, after)) is not None:
-        whole = span.to(tokens.span(stuck.token + 1))
-        yield Fix(f"no blank before the unit: `{time}`", whole, time)
-    elif kind == "[" and "tile" in stuck.expected and after == "[":
-        yield Fix("write `tile` before the rows", Span(span.start, span.start), "tile ")
     elif kind == "NAME":
         near = closest(text, (word for word in stuck.expected if _is_word(word)))
         if near is not None:
             yield Fix(f"did you mean `{near}`?", span, near)
-
-
-def _time(number: str, unit: str) -> str | None:
-    """A time as the language writes it, of a number and a unit as people do; None for others."""
-    found = _NUMBER_AND_UNIT.fullmatch(number + unit)
-    meant = _UNITS.get(found[2].lower()) if found else None
-    return f"{found[1]}{meant}" if found and meant else None

@@ -14,8 +14,8 @@ MOST_BYTES = 256 * 1024
 def read_source(path: Path) -> Source:
     """The text of a program, without a byte order mark.
 
-    Raises Rejected: NS0101 (status 2) where the file cannot be read; NS0103 where it is over
-    256 KiB, NS0102 where it is not UTF-8 text (status 1). No more than 256 KiB are looked at.
+    Raises Rejected: NS0101 (status 2) where the file cannot be read, else as `source_of` does. No
+    more than 256 KiB are looked at.
     """
     name = path.as_posix()
     try:
@@ -25,6 +25,15 @@ def read_source(path: Path) -> Source:
         reason = getattr(error, "strerror", None) or str(error)
         help_text = "name a shutter program, a text file that ends in .nsl"
         raise rejected("NS0101", f"cannot read '{name}': {reason}", helps=(help_text,)) from None
+    return source_of(path, data)
+
+
+def source_of(path: Path, data: bytes) -> Source:
+    """The text that a program's file holds, without a byte order mark.
+
+    Raises Rejected (status 1): NS0103 where it is over 256 KiB, NS0102 where it is not UTF-8 text.
+    """
+    name = path.as_posix()
     if len(data) > MOST_BYTES:
         raise (
             _not_text(path, f"byte {data.index(0)} is zero")

@@ -200,11 +200,14 @@ def from_bytes(data: bytes, name: str) -> Container:
 
 
 def _rejected(code: str, name: str, what: str) -> Rejected:
+    again = "build the program again: `nscc build PROGRAM.nsl -o FILE.icw`"
+    if name.endswith(".nsl"):
+        again = f"it is a program: compile it first, `nscc build {name}`, and name the .icw"
     return rejected(
         code,
         f"'{name}' cannot be used: {what}",
         status=1,
-        helps=("build the program again: `nscc build PROGRAM.nsl -o FILE.icw`",),
+        helps=(again,),
         data={"file": name},
     )
 
@@ -238,7 +241,9 @@ def _check_header(header: Any, version: int) -> None:
     """Check the shape of a header; ValueError names what is wrong."""
     _need(isinstance(header, dict), "the header is no table")
     names = {"target", "buckets", "fields", "kernels", "code_registers", "readouts"}
-    names |= {"source_lines", "notes", "counts"} | ({"machine"} if version == VERSIONS[1] else set())
+    names |= {"source_lines", "notes", "counts"} | (
+        {"machine"} if version == VERSIONS[1] else set()
+    )
     _need(header.keys() == names, "the header has other keys than a container's")
     for name in ("buckets", "fields", "code_registers", "source_lines"):
         values = header[name]

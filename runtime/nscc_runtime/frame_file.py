@@ -14,9 +14,7 @@ it reads, and `open_slots` int64 (buckets, rows, cols), how many slots each pixe
 K repeats put an axis K in front of these arrays. On request also `light` float32 (N, rows,
 cols); `truth_e`, the all-open sum float64 (rows, cols) of a still or the `light` of a clip;
 `shutter` uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the lowest
-bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols); `gain` and
-`zero_e` float64 (buckets, rows, cols), with which an exposure that is not saturated is `zero_e` +
-`gain` x the light that fell while its pixel was open (`nscc_runtime.response`).
+bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols).
 
 Same frame, same bytes: the archive holds no times, and its entries have a fixed order.
 """
@@ -45,7 +43,7 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256
 
 SCHEMA = "nscc-frame-1"
-KEEP = ("light", "truth", "shutter", "codes", "response")
+KEEP = ("light", "truth", "shutter", "codes")
 _MOST_BITS = 8
 """`frame` is uint8: a wider ADC does not fit."""
 _BLOCK_BYTES = 1 << 24
@@ -72,7 +70,7 @@ class Frame:
     @property
     def saturated(self) -> NDArray[np.bool_]:
         """Where there was more light than the exposure tells."""
-        return self.saturated_by != 0
+        return np.asarray(self.saturated_by != 0)
 
     @property
     def first(self) -> Frame:
@@ -312,12 +310,10 @@ class FrameFile:
         keep: Sequence[str] = (),
         shutters: NDArray[np.bool_] | None = None,
         progress: Progress = unseen,
-        response: Mapping[str, NDArray[np.float64]] | None = None,
     ) -> FrameFile:
         """The file of a frame, with what of KEEP is named in `keep`; without light none is kept.
 
-        `shutters` as in `packed_shutters`, `response` as `Response.arrays` gives it, needed where
-        `keep` names them.
+        `shutters` as in `packed_shutters`, needed where `keep` names them.
         """
         kept: dict[str, NDArray[Any]] = {}
         slots: dict[str, Light] = {}
@@ -332,8 +328,6 @@ class FrameFile:
             kept["shutter"], kept["shutter_shape"] = packed_shutters(container, shutters)
         if "codes" in keep:
             kept |= fields_at_pixels(container)
-        if "response" in keep and response is not None:
-            kept |= response
         return cls(frame, meta, kept, slots, progress)
 
     def write(self, file: IO[bytes]) -> None:

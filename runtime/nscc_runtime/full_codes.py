@@ -18,11 +18,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.planner.frames import made_ready
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Converter, Leak, SlowWords, Soft, Well, WordGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.frame_file import last_codes
+from nscc_runtime.planner.frames import made_ready
 from nscc_runtime.planner.program import Program
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.trace import AnalogWord
@@ -30,10 +29,10 @@ from nscc_runtime.reference.weights import error_sign
 
 Values = NDArray[np.float64]
 
-_LEVELS = np.geomspace(0.5, 16.0, 121)
+_LEVELS = np.geomspace(0.5, 16.0, 241)
 """Of steady light, in full wells over what PIX sees."""
-_WITHIN = 2.0
-"""Of light so many times brighter than what is just not marked, everything is to be told."""
+_ALIKE = 7
+"""Levels within which what fills first is not told from what fills next: 10 % of light."""
 _SIGMAS = 4.0
 _MOST_LANES = 256
 """Shutters that are looked at together."""
@@ -42,11 +41,12 @@ _MOST_LANES = 256
 def marked_by_codes(
     frame: NDArray[np.uint8], container: Container, sensor: Sensor
 ) -> NDArray[np.uint8]:
-    """The bits of `saturated_by` that the codes (.., buckets, rows, cols) of a chip's frame tell.
+    """The bits of `saturated_by` that the codes (.., buckets, rows, cols) of a chip's frame tell
+    beside the last code of the scale.
 
     Raises Rejected for words that open no shutters (NS0442).
     """
-    found = last_codes(frame, container.target)
+    found = np.zeros(frame.shape, np.uint8)
     for bit, codes in full_codes(container, sensor).items():
         found |= np.where(frame >= codes, np.uint8(bit), np.uint8(0))
     return found
@@ -73,15 +73,18 @@ def _codes_of(program: Program, lanes: NDArray[np.integer]) -> dict[int, Values]
     exposure, marked = _steady(program, lanes)
     noise_e = _SIGMAS * _noise_e(program)[lanes].T
     sensor, effects = program.sensor, everything()
+    begin = (marked != 0).argmax(axis=1)
     found = {}
     for at in ("well", "registers"):
         mark = effects.marking(at)
         if mark is None:
             continue
         full = (marked & mark.bit) != 0
-        first = np.where(full.any(axis=1), full.argmax(axis=1), len(_LEVELS) - 1)
-        near = _LEVELS[:, None] <= _WITHIN * _LEVELS[first][:, None, :]
-        least = np.where(full & near, exposure, np.inf).min(axis=1) - noise_e
+        first = np.where(full.any(axis=1), full.argmax(axis=1), len(_LEVELS))
+        # In brighter light late shutters read less again: PIX is full before they open.
+        at = np.minimum(first, len(_LEVELS) - 1)[:, None]
+        least = np.take_along_axis(exposure, at, axis=1)[:, 0] - noise_e
+        least = np.where(first < begin + _ALIKE, least, np.inf)
         found[mark.bit] = np.floor(least / sensor.electrons_per_lsb + sensor.adc_offset_lsb)
     return found
 

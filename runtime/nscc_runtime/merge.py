@@ -50,11 +50,13 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Rea
         window = (3, 3)
     light_e = response.electrons(frame.frame)
     most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
-    arrays = (frame.frame, frame.saturated, light_e, most_e, response.open_s)
     return [
-        Readout(name, *(each[b] for each in arrays), window)
+        Readout(
+            name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], response.open_s[b],
+            window,
+        )
         for b, name in enumerate(container.buckets)
-    ]
+    ]  # fmt: skip
 
 
 def tile_of(codes: NDArray[Any]) -> tuple[int, int]:

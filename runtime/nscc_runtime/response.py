@@ -41,10 +41,6 @@ class Response:
     zero_e: Values
     sensor: Sensor
 
-    def arrays(self) -> dict[str, Values]:
-        """What `--keep response` puts into a frame file."""
-        return {"gain": self.gain, "zero_e": self.zero_e}
-
     def electrons(self, frame: NDArray[np.integer]) -> Values:
         """The light (.., buckets, rows, cols) that fell while pixels were open, from codes of the
         converter. What is saturated had more."""

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import io
 import json
+import zipfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -182,7 +184,7 @@ def test_the_same_frame_twice(stacks: tuple[list[Stack], list[Stack]]) -> None:
 
 def _bad_files(folder: Path) -> dict[str, str]:
     codes = np.full((2, 8, 8), 7, np.uint8)
-    rng = np.random.default_rng(0)
+    rng, times = np.random.default_rng(0), {}
     np.save(folder / "ok.npy", codes)
     np.save(folder / "real.npy", codes + 0.25)
     np.save(folder / "nan.npy", np.full((2, 8, 8), np.nan))
@@ -204,7 +206,31 @@ def _bad_files(folder: Path) -> dict[str, str]:
     meta = {"schema": "nscc-frame-1", "open_us": None}
     np.savez(folder / "differ.npz", frame=codes[:1], meta=json.dumps(meta))
     np.savez(folder / "buckets.npz", frame=codes, meta=json.dumps(meta))
-    return {
+    for open_us in (
+        "NaN",
+        "Infinity",
+        "-Infinity",
+        "-1",
+        "true",
+        "1e300",
+        "1e-300",
+        "1" + "0" * 400,
+    ):
+        text = f'{{"schema": "nscc-frame-1", "open_us": [{open_us}]}}'
+        np.savez(folder / f"open{open_us[:9]}.npz", frame=codes[:, None], meta=text)
+        times[f"open{open_us[:9]}.npz"] = "no time"
+    # Headers of what would take gigabytes: none of it is there, so none of it is read.
+    for name, shape in (("huge", (60000, 60000)), ("many", (1 << 22, 256, 256))):
+        header = io.BytesIO()
+        np.lib.format.write_array_header_1_0(
+            header, {"descr": "|u1", "fortran_order": False, "shape": shape}
+        )
+        (folder / f"{name}.npy").write_bytes(header.getvalue())
+        with zipfile.ZipFile(folder / f"{name}.npz", "w") as archive:
+            archive.writestr("frame.npy", header.getvalue())
+        for ending in ("npy", "npz"):
+            times[f"{name}.{ending}"] = "at most 16,777,216 pixels" if name == "huge" else "256 GiB"
+    return times | {
         "nowhere.npy": "no such file", "real.npy": "not whole", "nan.npy": "not whole",
         "high.npy": "700 to 700", "negative.npy": "-1 to -1", "flags.npy": "bool",
         "line.npy": "not frames", "none.npy": "not frames", "objects.npy": "cannot be read",

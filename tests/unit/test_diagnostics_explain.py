@@ -67,6 +67,8 @@ def test_explaining_needs_no_arrays() -> None:
         ("stop", [], None),
         ("b" * 10_000, ["b" * 10_000 + "c"], None),
         ("ab", ["ac", "aa"], "aa"),
+        ("len", ["N", "n"], None),
+        ("N", ["n"], "n"),
     ],
 )
 def test_the_closest_name(name: str, candidates: list[str], meant: str | None) -> None:

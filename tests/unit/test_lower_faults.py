@@ -94,7 +94,7 @@ def check_ways_out(found, slots, more=None):
     }
     assert found.ways_out
     for text in found.ways_out:
-        what, price = text[:24].strip(), re.search(r": ([0-9.]+) words a slot$", text)
+        what, price = text[:24].strip(), re.search(r": ([0-9.]+) words a slot at -O1$", text)
         frame, rows = re.fullmatch(r"frame (\d+) slots", what), re.fullmatch(r"K = (\d+)", what)
         if frame and what not in ways:
             ways[what] = lambda slots=int(frame[1]): bump(slots)

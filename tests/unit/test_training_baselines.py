@@ -116,9 +116,10 @@ def test_merging_asks_unsaturated_neighbours() -> None:
     light = np.full((8, 8), 120000.0)
     share = np.tile(np.array([[1.0, 0.25], [0.0625, 1 / 64]]), (4, 4))
     codes = np.minimum(np.rint(light * share / 30000 * 255), 255).astype(np.float32)
-    made = merged(codes, share, 30000 / 255, 255, 76.0)
+    made = merged(codes, share, 30000 / 255, codes >= 255, 76.0)
     np.testing.assert_allclose(made, light, rtol=0.02)
-    nothing = merged(np.full((4, 4), 255, np.float32), np.ones((4, 4)), 30000 / 255, 255, 76.0)
+    full = np.full((4, 4), 255, np.float32)
+    nothing = merged(full, np.ones((4, 4)), 30000 / 255, full >= 255, 76.0)
     np.testing.assert_allclose(nothing, 30000.0)
 
 

@@ -192,7 +192,7 @@ def test_other_parts_saturated_are_reported_too(subject: str, tmp_path: Path) ->
             if subject == "run":
                 made = decoded_by(tmp_path / "run", frame, stops)
             else:
-                made = merged(frame, share, 30000 / 255, 255, 0.65 * 30000 / 255) / 30000
+                made = merged(frame, share, 30000 / 255, frame >= 255, 0.65 * 30000 / 255) / 30000
             scores.append(scored_by_hand(truth, made))
         for name in ("mean_psnr_db", "mean_mu_psnr_db"):
             # the darkest pixels of a 2 x 2 pattern make 0.3 dB of difference from noise to noise
@@ -425,7 +425,7 @@ def test_the_best_uniform_stops_are_the_best_of_what_they_are_named_for(tmp_path
         codes = charge / 30000 * 255 + 0.65 * rng.standard_normal(charge.shape)
         frame = np.clip(np.rint(codes), 0, 255).astype(np.float32)
         share = np.full(frame.shape, stop / 256)
-        made = merged(frame, share, 30000 / 255, 255, 0.65 * 30000 / 255) / 30000
+        made = merged(frame, share, 30000 / 255, frame >= 255, 0.65 * 30000 / 255) / 30000
         pair = [np.clip(x / peak, 0, 1) for x in (truth, made)]
         linear[stop] = -10 * np.log10(np.mean((pair[0] - pair[1]) ** 2))
         pair = [np.log1p(5000 * x) / np.log1p(5000) for x in pair]

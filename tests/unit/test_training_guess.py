@@ -135,7 +135,7 @@ def test_a_still_is_what_the_merging_baseline_makes_of_it() -> None:
     frame = np.clip(np.rint(light * share * 255), 0, 255).astype(np.float32)
     assert 0.2 < (frame == 255).mean() < 0.6
     well = 30000.0
-    wanted = merged(frame, share, well / 255, 255, 0.65 * well / 255) / well
+    wanted = merged(frame, share, well / 255, frame >= 255, 0.65 * well / 255) / well
     found = still_guess(torch.from_numpy(frame / 255)[None], torch.from_numpy(share).float())
     np.testing.assert_allclose(found[0], wanted, rtol=5e-3)
     # and both say something about the light

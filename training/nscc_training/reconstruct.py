@@ -29,9 +29,11 @@ from nscc_training.sensor_model import laid
 
 @dataclass(frozen=True, eq=False)
 class FrameRead:
-    """What reconstruction needs of a frame file: codes (rows, cols), meta, shutters if kept."""
+    """What reconstruction needs of a frame file: codes (rows, cols), whether they are saturated,
+    meta, shutters if kept."""
 
     frame: NDArray[np.uint8]
+    saturated: NDArray[np.bool_]
     meta: dict[str, Any]
     shutter: NDArray[np.bool_] | None
 
@@ -67,19 +69,24 @@ def reconstructed(
     size = (folder.parts.target.rows, folder.parts.target.cols)
     if read.frame.shape != size:
         raise _no_frame(name, f"it is of {read.frame.shape} pixels, the run's chip has {size}")
-    return decoded_frame(folder, read.frame), messages
+    return decoded_frame(folder, read.frame, read.saturated), messages
 
 
 @torch.no_grad()
-def decoded_frame(folder: RunFolder, frame: NDArray[np.uint8]) -> NDArray[np.float32]:
+def decoded_frame(
+    folder: RunFolder, frame: NDArray[np.uint8], saturated: NDArray[np.bool_]
+) -> NDArray[np.float32]:
     """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes."""
     parts = folder.parts
     shutters = laid(parts.encoder.hard(), *frame.shape).to(parts.device)
     codes = torch.from_numpy(frame.astype(np.float32)).to(parts.device)
-    codes = (codes - parts.model.adc_offset_lsb) / parts.model.top_code
-    found = parts.decoder(codes[None], shutters)[0].float().cpu().numpy()
+    relative = parts.model.relative(codes - parts.model.adc_offset_lsb)
+    # The knee of registers, and light that eats the reset level, make full pixels read less.
+    full = torch.from_numpy(saturated).to(parts.device)
+    relative = torch.where(full, relative.clamp(min=1), relative)
+    found = parts.decoder(relative[None], shutters)[0].float().cpu().numpy()
     slots = 1 if parts.still else parts.slots
-    return np.asarray(found * (parts.model.full_well_e / slots), np.float32)
+    return np.asarray(found * (parts.model.full_e / slots), np.float32)
 
 
 def read_frame(path: Path) -> FrameRead:
@@ -87,6 +94,8 @@ def read_frame(path: Path) -> FrameRead:
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
             found, meta = file["frame"], json.loads(str(file["meta"]))
+            named = "saturated" in file.files  # without, the codes that say so are
+            saturated = file["saturated"] if named else np.zeros(found.shape, np.bool_)
             kept = None
             if "shutter" in file.files:
                 count = int(file["shutter_shape"][3])
@@ -98,10 +107,12 @@ def read_frame(path: Path) -> FrameRead:
         raise _no_frame(path, f"its schema is not {SCHEMA}")
     if found.ndim != 3 or found.shape[0] != 1 or 0 in found.shape:
         raise _no_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
+    if saturated.shape != found.shape or saturated.dtype != np.bool_:
+        raise _no_frame(path, f"`saturated` is {saturated.dtype} {saturated.shape}, no bool of it")
     if kept is not None and kept.shape[:-1] != found.shape:
         raise _no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
     shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
-    return FrameRead(found[0], meta, shutter)
+    return FrameRead(found[0], saturated[0], meta, shutter)
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:

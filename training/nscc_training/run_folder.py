@@ -45,6 +45,9 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
 
     needed = ("config.resolved.toml", "decoder.safetensors", "shutter.nsl", "split.json",
               "result.json")  # fmt: skip
+    if not path.is_dir():
+        what = "it is a file: the run's folder is named first" if path.is_file() else ""
+        raise _no_run(path, what or "there is no such folder")
     missing = [name for name in needed if not (path / name).is_file()]
     if missing:
         raise _no_run(path, f"it has no {', '.join(missing)}")

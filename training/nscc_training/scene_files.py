@@ -36,7 +36,10 @@ def protocol_files(
         raise rejected(
             "NS0811",
             f"'{folder}' holds no data for protocol {protocol}",
-            notes=(f"{what} {', '.join(endings)}",),
+            notes=(
+                *(() if folder.is_dir() else ("there is no such folder",)),
+                f"{what} {', '.join(endings)}",
+            ),
             helps=(f"name a folder of {wanted}",),
         )
     return found

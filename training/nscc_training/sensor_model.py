@@ -75,6 +75,24 @@ class SensorModel:
         """The largest code of the ADC."""
         return (1 << self.adc_bits) - 1
 
+    @property
+    def full_e(self) -> float:
+        """Electrons from which on a pixel is saturated: a full well, or where the ADC ends before.
+        Decoders call this 1."""
+        codes = max(self.top_code - self.adc_offset_lsb, 1.0)
+        end_e = codes * self.electrons_per_lsb
+        return self.full_well_e if end_e > self.full_well_e * (1 - 1e-9) else end_e
+
+    @property
+    def full_code(self) -> int:
+        """The code above the offset that saturated pixels read, but for noise."""
+        return round(self.full_e / self.electrons_per_lsb)
+
+    def relative(self, codes: Tensor) -> Tensor:
+        """Codes above the offset as decoders see a frame: over `full_e`, 1 where saturated."""
+        found = codes / (self.full_e / self.electrons_per_lsb)
+        return torch.where(codes >= self.full_code, found.clamp(min=1), found)
+
 
 class _Masked(Function):
     """The sum over slots of light times shutters: float64, gradients in the light's precision."""

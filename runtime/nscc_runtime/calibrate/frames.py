@@ -9,13 +9,13 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from math import isfinite
+from math import prod
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.scenes.arrays import NPY_HEADERS
 from nscc_runtime.scenes.errors import size
 
 Codes = NDArray[np.uint16]
@@ -31,6 +32,7 @@ TIME_KEY = "exposure_us"
 KEYS = ("frame", "frames")
 _SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 _TIMED = re.compile(r"(.+)@([0-9.]+(?:e[+-]?[0-9]+)?)(s|ms|us)")
+_MOST_PIXELS, _MOST_BYTES = 1 << 24, 1 << 30
 _no_frames = partial(rejected, "NS0757")
 _SAME_PROGRAM = ("program_sha256", "scene_sha256", "sensor_sha256", "device_seed")
 
@@ -113,7 +115,7 @@ def _timed(given: str) -> tuple[Path, float | None]:
         seconds = float(match[2]) * _SECONDS[match[3]]
     except ValueError:
         return Path(given), None
-    if not isfinite(seconds):
+    if not _is_time(seconds * 1e6):
         raise _wrong_time(given, f"{match[2]}{match[3]}")
     return Path(match[1]), seconds
 
@@ -121,9 +123,14 @@ def _timed(given: str) -> tuple[Path, float | None]:
 def _time_of_key(name: str, value: NDArray[Any]) -> float:
     with suppress(ValueError, TypeError):
         seconds = float(np.asarray(value, np.float64).reshape(())) * 1e-6
-        if isfinite(seconds) and seconds >= 0:
+        if _is_time(seconds * 1e6):
             return seconds
     raise _wrong_time(name, f"`{TIME_KEY}`")
+
+
+def _is_time(us: float) -> bool:
+    """Whether pixels can be open so long: not at all, or from a picosecond to thirty years."""
+    return us == 0 or 1e-6 <= us <= 1e15
 
 
 def _wrong_time(name: str, what: str) -> Rejected:
@@ -137,22 +144,59 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
     """Everything in the file that is needed, by key; an .npy file's array is `frame`."""
     try:
         if path.suffix.lower() == ".mat":
-            from scipy.io import loadmat
+            from scipy.io import loadmat, whosmat
 
+            for key, shape, _ in whosmat(path):
+                _check_size(path, key, shape, shape[:2], 1)
             found = loadmat(path)
             return {key: value for key, value in found.items() if isinstance(value, np.ndarray)}
         if path.suffix.lower() == ".npy":
+            with open(path, "rb") as file:
+                _check_header(path, KEYS[0], file)
             return {KEYS[0]: np.load(path, allow_pickle=False)}
         with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
             names = set(archive.files)
             if "meta" in names:  # the exposures in electrons are what a chip does not give
                 names &= {KEYS[0], "valid", "meta", TIME_KEY}
+            for key in sorted(names):
+                with archive.zip.open(f"{key}.npy") as entry:
+                    _check_header(path, key, entry)
             return {key: archive[key] for key in sorted(names)}
+    except Rejected:
+        raise
     except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
         raise _no_frames(
             f"the frames '{path}' cannot be read: {' '.join(str(error).split())[:200]}",
             helps=("check that the file is whole and that its ending says what it is",),
         ) from error
+
+
+def _check_header(path: Path, key: str, file: IO[bytes]) -> None:
+    """Refuse an array by what the beginning of its .npy says, before it is read."""
+    version = np.lib.format.read_magic(file)
+    if version in NPY_HEADERS:  # of other versions numpy has its own opinion
+        shape, _, dtype = NPY_HEADERS[version](file)
+        _check_size(path, key, shape, shape[-2:], dtype.itemsize)
+
+
+def _check_size(
+    path: Path, key: str, shape: Sequence[int], frame: Sequence[int], itemsize: int
+) -> None:
+    """NS0757 for frames larger than any chip, and for more of them than memory should be asked for.
+
+    `frame` are the axes of `shape` that a frame has.
+    """
+    if prod(frame) > _MOST_PIXELS:
+        raise _no_frames(
+            f"'{key}' in '{path}' is {size(shape)}: a frame has at most {_MOST_PIXELS:,} pixels",
+            helps=("cut out a part of the array: photon transfer needs some thousand pixels",),
+        )
+    if prod(shape) * itemsize > _MOST_BYTES:
+        raise _no_frames(
+            f"'{key}' in '{path}' is {size(shape)}: {prod(shape) * itemsize / 2**30:.3g} GiB",
+            notes=(f"frames of one level take at most {_MOST_BYTES >> 30} GiB",),
+            helps=("a few hundred frames a level are plenty; save codes as uint8 or uint16",),
+        )
 
 
 def _chosen(name: str, found: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[Any]]:
@@ -200,7 +244,9 @@ def _ours(
             notes=("photon transfer compares pixels of one light and one exposure time",),
             helps=("expose flats and darks with a program without codes: `open when n < N`",),
         )
-    return shaped[:, 0], float(times[0]) * 1e-6
+    if isinstance(times[0], bool) or not _is_time(times[0]):
+        raise _wrong_time(name, f"`open_us` of its meta is {times[0]}"[:80])
+    return shaped[:, 0], times[0] * 1e-6
 
 
 def _valid(found: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.bool_] | None:

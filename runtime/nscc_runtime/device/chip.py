@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from hashlib import sha256
 from random import SystemRandom
 from typing import TYPE_CHECKING, Any
@@ -147,9 +147,7 @@ class Chip:
             )
         shape = (captured.readouts, target.rows, target.cols)
         sensor = self.sensor or default_sensor(target)
-        frame = frame_of(taken.data, channels, shape, sensor, target)
-        if container is not None and not channels & Channel.EXPOSURE:
-            frame = replace(frame, saturated_by=_marked(frame, container, sensor))
+        frame = frame_of(taken.data, channels, shape, sensor, target, container)
         return Shot(frame, captured)
 
 
@@ -160,27 +158,34 @@ def channels_of(info: Info) -> int:
 
 
 def frame_of(
-    data: bytes, channels: int, shape: tuple[int, ...], sensor: Sensor, target: Target
-) -> Frame:
+    data: bytes, channels: int, shape: tuple[int, ...], sensor: Sensor, target: Target,
+    container: Container | None = None,
+) -> Frame:  # fmt: skip
     """A frame from its channels' bytes; without EXPOSURE electrons are those of the codes.
 
-    Saturated is what reads the last code: nothing else is certain without the program.
+    What is saturated the codes tell: the last of the scale, and with the program those that a full
+    well or register reads. A loader with EXPOSURE stands in for a chip without either.
     """
     pixels = int(np.prod(shape))
     codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(shape)
+    saturated_by = last_codes(codes, target)
     if channels & Channel.EXPOSURE:
         exposure = np.frombuffer(data, "<f8", pixels, offset=pixels).astype(np.float64)
         exposure = exposure.reshape(shape)
     else:
         exposure = (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb
-    return Frame(codes, exposure, np.isfinite(exposure), last_codes(codes, target))
+        if container is not None:
+            saturated_by |= _full(codes, container, sensor)
+    return Frame(codes, exposure, np.isfinite(exposure), saturated_by)
 
 
-def _marked(frame: Frame, container: Container, sensor: Sensor) -> NDArray[np.uint8]:
-    """What a chip's codes tell with the program and the sensor's figures."""
+def _full(
+    codes: NDArray[np.uint8], container: Container, sensor: Sensor
+) -> NDArray[np.uint8] | np.uint8:
+    """The bits of what the codes tell by the sensor's figures."""
     from nscc_runtime.full_codes import marked_by_codes
 
     try:
-        return marked_by_codes(frame.frame, container, sensor)
-    except Rejected:  # words that open no shutters have no codes to foretell
-        return frame.saturated_by
+        return marked_by_codes(codes, container, sensor)
+    except Rejected:  # NS0442: words that open no shutters
+        return np.uint8(0)

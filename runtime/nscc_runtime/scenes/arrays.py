@@ -23,10 +23,11 @@ from nscc_runtime.scenes.errors import Census, damaged, size
 KEY = "light"
 MAT_CLIP_KEY = "orig"
 _BLOCK_BYTES = 1 << 24
-_HEADERS = {
+NPY_HEADERS = {
     (1, 0): np.lib.format.read_array_header_1_0,
     (2, 0): np.lib.format.read_array_header_2_0,
 }
+"""What reads shape, order and type at the beginning of an .npy file, by its version."""
 
 Check = Callable[[tuple[int, ...]], None]
 """Raises Rejected where a light array of that shape does not fit the program and the array."""
@@ -85,9 +86,9 @@ def missing_key(path: Path, have: list[str], wanted: tuple[str, ...]) -> Rejecte
 
 def _read_npy(file: IO[bytes], path: Path, check: Check, progress: Progress) -> NDArray[np.float32]:
     version = np.lib.format.read_magic(file)
-    if version not in _HEADERS:
+    if version not in NPY_HEADERS:
         raise ValueError(f"npy format version {version}")
-    shape, fortran, dtype = _HEADERS[version](file)
+    shape, fortran, dtype = NPY_HEADERS[version](file)
     check_type(path, KEY, dtype)
     check(shape)
     if fortran:  # one block: the first axis is scattered over the whole file

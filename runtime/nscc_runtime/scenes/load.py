@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import closest
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import arrays, exposure, timing
@@ -24,6 +25,7 @@ from nscc_runtime.scenes.exposure import Exposure
 FramesAre = Literal["integrals", "samples"]
 
 ARRAYS = (".mat", ".npy", ".npz")
+_BUILTINS = ("hdr", "motion", "dark")
 _TINY_NEGATIVE = 1e-3
 """Samples below 0 by at most this part of a picture's peak are filter ringing: set to 0."""
 
@@ -113,10 +115,12 @@ def _existing(spec: str) -> Path:
         reason = "it is not a file" if path.exists() else "there is no such file"
     except (OSError, ValueError) as error:
         reason = str(error)
+    near = spec if spec in _BUILTINS else closest(spec, _BUILTINS)
     raise rejected(
         "NS0730",
         f"the scene '{spec[:200]}' cannot be opened: {reason}",
         helps=(
+            *((f"did you mean builtin:{near}?",) if near and not path.suffix else ()),
             "name a file, a folder of pictures or a builtin scene: builtin:hdr, builtin:motion, "
             "builtin:flat:E, builtin:dark",
         ),

@@ -12,10 +12,10 @@ _OWN = 8.0
 
 
 def merged(
-    frame: NDArray[np.float32], open_share: Picture, electrons_per_lsb: float, top_code: float,
-    read_noise_e: float,
+    frame: NDArray[np.floating], open_share: Picture, electrons_per_lsb: float,
+    saturated: NDArray[np.bool_], read_noise_e: float,
 ) -> Picture:  # fmt: skip
-    """Light over the whole frame in electrons (rows, cols), from a frame's codes.
+    """Light over the whole frame in electrons (rows, cols), from a frame's codes above the offset.
 
     `open_share` is the part of the frame for which each pixel was open. Every pixel's light is the
     mean of the measurements around it, weighted by their precision; saturated ones have none. The
@@ -24,7 +24,7 @@ def merged(
     """
     exposure = frame.astype(np.float64) * electrons_per_lsb
     share = np.where(open_share > 0, open_share, 1.0)
-    usable = (frame < top_code) & (open_share > 0)
+    usable = ~saturated & (open_share > 0)
     variance = (exposure + read_noise_e**2 + electrons_per_lsb**2 / 12) / share**2
     precision = np.where(usable, 1.0 / variance, 0.0)
     light = exposure / share
@@ -38,8 +38,7 @@ def merged(
         found[here] = value[here] / total[here]
         reach *= 2
     found = np.where(np.isnan(found), light, found)
-    saturated = (frame >= top_code) & (open_share > 0)
-    return np.where(saturated, np.maximum(found, light), found)
+    return np.where(saturated & (open_share > 0), np.maximum(found, light), found)
 
 
 def _tent(values: Picture, reach: int) -> Picture:

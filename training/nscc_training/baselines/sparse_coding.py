@@ -56,8 +56,8 @@ def sparse_coded(
 
 
 def coded_still(
-    frame: NDArray[np.float32], open_share: Picture, coarse_e: Picture, electrons_per_lsb: float,
-    top_code: float, full_well_e: float, iterations: int = ITERATIONS,
+    frame: NDArray[np.floating], open_share: Picture, coarse_e: Picture, electrons_per_lsb: float,
+    saturated: NDArray[np.bool_], full_well_e: float, iterations: int = ITERATIONS,
 ) -> Picture:  # fmt: skip
     """Light over the frame in electrons (rows, cols), from a frame's codes and a coarse result.
 
@@ -66,14 +66,13 @@ def coded_still(
     """
     share = np.where(open_share > 0, open_share, 1.0)
     seen = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
-    usable = (frame < top_code) & (open_share > 0)
+    usable = ~saturated & (open_share > 0)
     root = sparse_coded(
         np.sqrt(np.maximum(coarse_e, 0) / full_well_e), np.sqrt(seen),
         np.where(usable, share**0.25, 0.0), made_filters(), iterations,
     )  # fmt: skip
     found = np.square(np.maximum(root, 0.0))
-    saturated = (frame >= top_code) & (open_share > 0)
-    return np.where(saturated, np.maximum(found, seen), found) * full_well_e
+    return np.where(saturated & (open_share > 0), np.maximum(found, seen), found) * full_well_e
 
 
 @lru_cache(maxsize=2)

@@ -80,13 +80,15 @@ def _decoded(
         frame = frame_of(crop.light_e, tile, sensor, 1000 * seed + index).numpy()
         repeats = [-(-side // part) for side, part in zip(frame.shape, stops.shape, strict=True)]
         share = np.tile(stops / slots, repeats)[: frame.shape[0], : frame.shape[1]]
+        # What saturates has to be told by the frame alone.
+        saturated = frame >= sensor.full_code
         made = merged(
-            frame, share, sensor.electrons_per_lsb, sensor.top_code,
+            frame, share, sensor.electrons_per_lsb, saturated,
             sensor.adc_noise_lsb * sensor.electrons_per_lsb,
         )  # fmt: skip
         if method == "sparse-coding":
             made = coded_still(
-                frame, share, made, sensor.electrons_per_lsb, sensor.top_code, sensor.full_well_e
+                frame, share, made, sensor.electrons_per_lsb, saturated, sensor.full_well_e
             )
         return made, 0.0
 

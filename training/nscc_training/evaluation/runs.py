@@ -154,7 +154,7 @@ def check_unseen(folder: RunFolder, files: list[Path]) -> None:
 
 @torch.no_grad()
 def _decoded(folder: RunFolder, frame: Tensor, shutters: Tensor) -> tuple[NDArray[Any], float]:
-    """What the decoder makes of codes over the top code (rows, cols), and its seconds."""
+    """What the decoder makes of a frame (rows, cols), 1 where saturated, and its seconds."""
     parts = folder.parts
     begin = perf_counter()
     made = parts.decoder(frame[None].to(parts.device), shutters.to(parts.device))
@@ -166,9 +166,9 @@ def _made(folder: RunFolder, seed: int, scene: Scene, index: int) -> tuple[NDArr
     """Electrons over the frame, or a slot, of a scene's capture with noise; the seconds."""
     parts = folder.parts
     tile = parts.encoder.hard().cpu()
-    frame = frame_of(scene.light_e, tile, parts.model, 1000 * seed + index) / parts.model.top_code
-    made, seconds = _decoded(folder, frame, laid(tile, *frame.shape))
-    return made * (parts.model.full_well_e / (1 if parts.still else parts.slots)), seconds
+    codes = frame_of(scene.light_e, tile, parts.model, 1000 * seed + index)
+    made, seconds = _decoded(folder, parts.model.relative(codes), laid(tile, *codes.shape))
+    return made * (parts.model.full_e / (1 if parts.still else parts.slots)), seconds
 
 
 def _sci(folder: RunFolder, files: list[Path], protocol: Protocol) -> Iterator[Scored]:

@@ -8,6 +8,7 @@ from typing import Any
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import meant
 from nscc_training.evaluation import hdr_baselines, video_baselines
 from nscc_training.evaluation.runs import evaluate_run
 from nscc_training.protocols import load_protocol
@@ -39,7 +40,7 @@ def evaluate(
         "NS0810",
         f"there is no '{subject[:60]}' to evaluate under protocol {chosen.name}",
         notes=(f"its baselines are {', '.join(known)}",) if known else (),
-        helps=("name one of them, or a run folder of nscc train",)
+        helps=meant(subject, known, "name one of them, or a run folder of nscc train")
         if known
         else ("name a run folder; `nscc evaluate sci8 CLIP.mat` evaluates the baselines",),
     )

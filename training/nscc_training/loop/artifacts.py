@@ -181,7 +181,7 @@ def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
         else:
             light = Light.of_clip(whole)
         exposure = torch.from_numpy(expose(container, light).exposure_e[:, :down, :across].copy())
-        frame = (read_out(exposure, ideal) - ideal.adc_offset_lsb) / ideal.top_code
+        frame = ideal.relative(read_out(exposure, ideal) - ideal.adc_offset_lsb)
         shutters = laid(tile[:, :down, :across], down, across).to(parts.device)
         prediction = parts.decoder(frame.to(parts.device), shutters).float()
         truth, peak = batch.truth[0, ..., :rows, :cols], batch.peak.item()

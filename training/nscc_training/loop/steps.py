@@ -49,8 +49,9 @@ def decoded(
     """What the decoder makes of a capture of `light` with `shutters`, a tile that repeats."""
     with torch.autocast(parts.device.type, enabled=False):
         exposure = exposed(light, shutters)
-        frame = read_out(exposure, model, generator)
-        frame = (frame - model.adc_offset_lsb) / model.top_code
+        codes = read_out(exposure, model, generator) - model.adc_offset_lsb
+        # What a frame means is the run's to say, under another sensor too.
+        frame = parts.model.relative(codes)
     mixed = parts.settings.train.dtype == "bf16"
     with torch.autocast(parts.device.type, torch.bfloat16, enabled=mixed):
         found: Tensor = parts.decoder(frame, shutters)

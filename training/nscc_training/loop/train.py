@@ -94,7 +94,7 @@ def _start(settings: Settings, out: Path, resume: str, ranks: Ranks) -> Run:
     parts = make_parts(settings)
     scenes = load_scenes(settings.data, parts.still, parts.slots, settings.train.seed)
     batches = Batches(
-        scenes, settings.data, slots=parts.slots, full_well_e=parts.model.full_well_e,
+        scenes, settings.data, slots=parts.slots, full_well_e=parts.model.full_e,
         batch=settings.train.batch, seed=settings.train.seed,
     )  # fmt: skip
     run = Run(parts, batches, scenes, _optimiser(parts), ranks, Progress())

@@ -160,7 +160,7 @@ def _captured(
     for index, scene in enumerate(chosen):
         frame = frame_of(scene.light_e, tile, model, 1000 * settings.seed + index).numpy()
         mask = laid(tile, *frame.shape).numpy().astype(np.float32)
-        found.append(Taken(scene, frame, mask, model))
+        found.append(Taken(scene, frame, frame >= model.full_code, mask, model))
     return tuple(found)
 
 

@@ -31,16 +31,21 @@ _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
 
 @dataclass(frozen=True, eq=False)
 class Taken:
-    """A scene captured: `frame` (rows, cols) in codes above the offset, `mask` (N, rows, cols)."""
+    """A scene captured: `frame` (rows, cols) in codes above the offset, `saturated` of them,
+    `mask` (N, rows, cols)."""
 
     scene: Scene
     frame: NDArray[np.float32]
+    saturated: NDArray[np.bool_]
     mask: NDArray[np.float32]
     model: SensorModel
 
     def corner(self, size: int) -> Taken:
         """The same capture, its upper left corner only."""
-        return replace(self, frame=self.frame[:size, :size], mask=self.mask[:, :size, :size])
+        part = np.s_[..., :size, :size]
+        return replace(
+            self, frame=self.frame[part], saturated=self.saturated[part], mask=self.mask[part]
+        )
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,19 +103,13 @@ def clip_light(loop: Loop, taken: Taken) -> Light:
     return np.asarray(loop(measurement, taken.mask), np.float64) * white_e
 
 
-def merged_still(taken: Taken, saturates_lsb: float | None = None) -> Light:
-    """Electrons over the frame from the neighbours' codes; from `saturates_lsb` up none is used."""
+def merged_still(taken: Taken) -> Light:
+    """Electrons over the frame from the neighbours' codes that are not saturated."""
     model = taken.model
     return merged(
-        taken.frame, _share(taken), model.electrons_per_lsb,
-        _top(model) if saturates_lsb is None else saturates_lsb,
+        taken.frame, _share(taken), model.electrons_per_lsb, taken.saturated,
         model.adc_noise_lsb * model.electrons_per_lsb,
     )  # fmt: skip
-
-
-def _top(model: SensorModel) -> float:
-    """The largest code, above the offset."""
-    return model.top_code - model.adc_offset_lsb
 
 
 def _share(taken: Taken) -> Light:
@@ -121,17 +120,17 @@ def _sparse(taken: Taken, iterations: int) -> Light:
     model = taken.model
     return coded_still(
         taken.frame, _share(taken), merged_still(taken), model.electrons_per_lsb,
-        _top(model), model.full_well_e, iterations,
+        taken.saturated, model.full_well_e, iterations,
     )  # fmt: skip
 
 
 def _network(folder: RunFolder, net: torch.nn.Module, dtype: str) -> Callable[[Taken], Light]:
     parts = folder.parts
-    slot_e = parts.model.full_well_e / (1 if parts.still else parts.slots)
+    slot_e = parts.model.full_e / (1 if parts.still else parts.slots)
 
     @torch.no_grad()
     def run(taken: Taken) -> Light:
-        frame = torch.from_numpy(taken.frame / np.float32(parts.model.top_code))
+        frame = parts.model.relative(torch.from_numpy(taken.frame))
         shutters = torch.from_numpy(np.ascontiguousarray(taken.mask))
         with torch.autocast(parts.device.type, torch.bfloat16, enabled=dtype == "bf16"):
             made = net(frame[None].to(parts.device), shutters.to(parts.device))

@@ -1,0 +1,61 @@
+"""`nscc fmt`: programs in the one style of the language."""
+
+from __future__ import annotations
+
+import sys
+from difflib import unified_diff
+from pathlib import Path
+
+import click
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.files import write_whole
+from nscc.syntax.format import format_source
+from nscc.syntax.reading import MOST_BYTES, read_source, source_of
+from nscc_cli.options import PATH
+from nscc_cli.support import CommonCommand, done
+
+_STANDARD_INPUT = Path("-")
+
+
+@click.command("fmt", cls=CommonCommand)
+@click.argument("files", nargs=-1, required=True, metavar="FILE...|-", type=PATH)
+@click.option("--check", is_flag=True, help="Write nothing; exit 1 where a file would change.")
+@click.option("--diff", is_flag=True, help="Write nothing; print what would change.")
+def command(files: tuple[Path, ...], check: bool, diff: bool) -> int:
+    """Write programs in the one style of the language; `-` is standard input, to standard output.
+
+    Statements, comments and groups of lines stay as they are; blanks and line ends change. A file
+    with an error is left alone.
+    """
+    wrong: list[Diagnostic] = []
+    status = changed = 0
+    for path in files:
+        piped = path == _STANDARD_INPUT
+        try:
+            source = (
+                source_of(path, sys.stdin.buffer.read(MOST_BYTES + 1))
+                if piped
+                else read_source(path)
+            )
+            text = format_source(source)
+        except Rejected as rejected:
+            wrong.extend(rejected.diagnostics)
+            status = max(status, rejected.status)
+            continue
+        differs = text != source.text
+        changed += differs
+        if diff:
+            lines = source.text.splitlines(keepends=True), text.splitlines(keepends=True)
+            click.echo("".join(unified_diff(*lines, source.name, source.name)), nl=False)
+        elif check:
+            if differs:
+                done(f"{path.as_posix()} would change")
+        elif piped:
+            click.echo(text, nl=False)
+        elif differs:
+            write_whole(path, text.encode())
+            done(f"wrote {path.as_posix()}")
+    if wrong:
+        raise Rejected(wrong, status)
+    return 1 if check and changed else 0

@@ -1,0 +1,358 @@
+"""A program's text in the one style of the language, for `nscc fmt`.
+
+Tokens and comments stay what they are and where they are in order; blanks, line ends and the
+commas that end lists are the style's. One statement begins a line. Groups of lines stay groups: one
+empty line is kept, more become one. Comments after statements stand in one column within a group. A
+statement with a comment inside keeps its own line ends.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from itertools import groupby, pairwise
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.source import Source
+from nscc.syntax import tree
+from nscc.syntax.lexer import Tokens, lex
+from nscc.syntax.parse import parse
+
+WIDTH = 100
+"""No line is longer, unless a token or a comment is."""
+_INDENT = "    "
+_COMMENTS_AT = 36
+"""The column, from 0, of comments after statements; further right by fours where lines are long."""
+_COMMENT = re.compile(r"#[^\r\n]*")
+_OPERANDS = frozenset(("NAME", "INTEGER", "true", "false", ")", "]"))
+"""What ends an operand: a minus after anything else is a sign."""
+_LOOSEST_FIRST = (
+    ("if", "else"), ("or",), ("xor",), ("and",), ("COMPARISON", "in"), ("<<",), ("+", "-"),
+    ("*", "/", "%"),
+)  # fmt: skip
+"""Before what a long line is broken."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Token:
+    """A token of a statement.
+
+    `line` is that which it is on, from 0 at the statement's first; `comments` are those before it,
+    by their lines. `close`: no blank comes before it. `sign`: a minus that takes one operand.
+    """
+
+    kind: str
+    text: str
+    line: int
+    comments: tuple[tuple[int, str], ...]
+    close: bool
+    sign: bool
+
+
+@dataclass
+class _Line:
+    """A line to be: its text, the comment after it. Without either it parts two groups."""
+
+    text: str = ""
+    comment: str = ""
+
+
+def format_source(source: Source) -> str:
+    """The text of a program in the one style, ending in a line end.
+
+    Raises Rejected, with the errors of `parse`, for what is no program.
+    """
+    file, errors = parse(source)
+    if errors:
+        raise Rejected(errors)
+    found = Source(source.name, _Writer(source, file).text())
+    again, wrong = parse(found)
+    if wrong or _bare(again.statements) != _bare(file.statements):
+        raise AssertionError(f"formatting {source.name!r} would change its meaning")
+    if _comments(found) != _comments(source):
+        raise AssertionError(f"formatting {source.name!r} would change its comments")
+    return found.text
+
+
+def _bare(value: object) -> object:
+    """A tree without its places."""
+    if isinstance(value, tree.Node):
+        return (type(value), *(_bare(getattr(value, name)) for name in value.fields[1:]))
+    return tuple(map(_bare, value)) if isinstance(value, tuple) else value
+
+
+def _comments(source: Source) -> list[str]:
+    """The comments of a text, in order."""
+    tokens = lex(source)
+    spans = [tokens.span(k) for k in range(len(tokens.kinds))]
+    gaps = zip(
+        [0, *(span.end for span in spans)], [*(span.start for span in spans), None], strict=True
+    )
+    found = (_COMMENT.findall(source.text[begin:end]) for begin, end in gaps)
+    return [comment.rstrip() for each in found for comment in each]
+
+
+@dataclass
+class _Writer:
+    """Writes the statements of a tree, with the comments that its source has between tokens."""
+
+    source: Source
+    file: tree.File
+    lines: list[_Line] = field(default_factory=list)
+
+    def text(self) -> str:
+        tokens = lex(self.source)
+        starts = {statement.span.start for statement in self.file.statements}
+        first = [k for k in range(len(tokens.kinds)) if tokens.span(k).start in starts]
+        end = 0
+        for begin, last in pairwise([*first, len(tokens.kinds)]):
+            self._between(end, tokens.span(begin).start)
+            self.lines += _statement_lines(list(_tokens(tokens, begin, last)))
+            end = tokens.span(last - 1).end
+        self._between(end, len(self.source.text))
+        while self.lines and self.lines[-1] == _Line():
+            self.lines.pop()
+        return "".join(f"{line}\n" for line in _with_comments(self.lines))
+
+    def _between(self, begin: int, end: int) -> None:
+        """The comments and empty lines between two statements."""
+        gap = self.source.text[begin:end]
+        at = 0
+        for comment in _COMMENT.finditer(gap):
+            line_ends = _line_ends(gap[at : comment.start()])
+            text = comment.group().rstrip()
+            if line_ends == 0 and self.lines:
+                self.lines[-1].comment = text
+            else:
+                self._part(line_ends)
+                self.lines.append(_Line("", text))
+            at = comment.end()
+        self._part(_line_ends(gap[at:]))
+
+    def _part(self, line_ends: int) -> None:
+        if line_ends > 1 and self.lines and self.lines[-1] != _Line():
+            self.lines.append(_Line())
+
+
+def _line_ends(blank: str) -> int:
+    return len(re.findall(r"\r\n|\r|\n", blank))
+
+
+def _tokens(tokens: Tokens, begin: int, last: int) -> Iterator[_Token]:
+    """The tokens of one statement."""
+    text, kinds = tokens.source.text, tokens.kinds
+    line, end, sign = 0, tokens.span(begin).start, False
+    for k in range(begin, last):
+        span = tokens.span(k)
+        gap = text[end : span.start]
+        comments = tuple(
+            (line + _line_ends(gap[: found.start()]), found.group().rstrip())
+            for found in _COMMENT.finditer(gap)
+        )
+        line += _line_ends(gap)
+        close = k > begin and (sign or _close(kinds[begin], kinds[k - 1], kinds[k], k - begin))
+        sign = kinds[k] == "-" and kinds[k - 1] not in _OPERANDS
+        yield _Token(kinds[k], tokens.text(k), line, comments, close, sign)
+        end = span.end
+
+
+def _close(statement: str, before: str, kind: str, place: int) -> bool:
+    """Whether there is no blank between two tokens, the second being the statement's `place`th."""
+    if kind in (",", ")", "]", "..") or before in ("(", "[", ".."):
+        return True
+    if kind == "(":
+        return before in ("min", "max")
+    indexed = before == "NAME" and not (statement == "shutters" and place == 2)
+    return kind == "[" and (before == "bit" or indexed)
+
+
+def _with_comments(lines: Sequence[_Line]) -> Iterator[str]:
+    """The text of lines, those comments of a group that follow something in one column."""
+    for empty, group in groupby(lines, key=_Line().__eq__):
+        run = list(group)
+        if empty:
+            yield from ("" for _ in run)
+            continue
+        longest = max((len(each.text) for each in run if each.text and each.comment), default=0)
+        column = max(_COMMENTS_AT, -(-(longest + 2) // 4) * 4)
+        for each in run:
+            yield (
+                f"{each.text:{column}}{each.comment}"
+                if each.text and each.comment
+                else (each.text or each.comment)
+            )
+
+
+def _statement_lines(tokens: list[_Token]) -> list[_Line]:
+    followers = [token.kind for token in tokens[1:]] + [""]
+    tokens = [
+        token for token, after in zip(tokens, followers, strict=True)
+        if token.kind != "," or token.comments or after not in ("]", ")", "")
+    ]  # fmt: skip
+    rows = _Rows.of(tokens)
+    found = None if rows is None else rows.book() if rows.is_book else rows.tile()
+    if found is not None:
+        return found
+    if any(token.comments for token in tokens):
+        return _as_it_stands(tokens)
+    return [_Line(text) for text in _wrapped(tokens, "")]
+
+
+def _as_it_stands(tokens: Sequence[_Token]) -> list[_Line]:
+    """The lines of a statement that has comments inside, each with its blanks put right."""
+    runs: dict[int, list[_Token]] = {}
+    comments: dict[int, str] = {}
+    for token in tokens:
+        comments |= dict(token.comments)
+        runs.setdefault(token.line, []).append(token)
+    found = []
+    for number in sorted(runs.keys() | comments.keys()):
+        run, comment = runs.get(number, []), comments.get(number, "")
+        if not run:
+            found.append(_Line(_INDENT + comment))
+            continue
+        indent = "" if not found or [token.kind for token in run] == ["]"] else _INDENT
+        found.append(_Line(indent + _joined(run), comment))
+    return found
+
+
+@dataclass
+class _Rows:
+    """A codebook or a tile: what comes before its rows, `[` included; the rows; comments.
+
+    `after[k]` is the comment after row k - 1, or after `head` for k = 0; `above[k]` are those on
+    lines of their own above row k, the last ones above the `]` at the end.
+    """
+
+    head: str
+    rows: list[list[_Token]]
+    above: list[list[str]]
+    after: list[str]
+    is_book: bool
+
+    @classmethod
+    def of(cls, tokens: list[_Token]) -> _Rows | None:
+        """None for other statements, and where comments are inside of rows."""
+        kinds = [token.kind for token in tokens]
+        is_book = kinds[0] == "shutters" and "[" in kinds
+        if not is_book and not (kinds[0] == "pixels" and "tile" in kinds):
+            return None
+        opening = kinds.index("[")
+        rows = _parts(tokens[opening + 1 : -1])
+        if not all(rows):  # a comma at the end stayed, for the comment before it
+            return None
+        above: list[list[str]] = []
+        after: list[str] = []
+        ends = [tokens[opening], *(row[-1] for row in rows)]
+        for end, begin in zip(ends, [*(row[0] for row in rows), tokens[-1]], strict=True):
+            behind = [text for line, text in begin.comments if line == end.line]
+            after.append("".join(behind))
+            above.append([text for line, text in begin.comments if line != end.line])
+        told = sum(map(len, above)) + sum(map(bool, after))
+        if told != sum(len(token.comments) for token in tokens):
+            return None
+        return cls(_joined(tokens[: opening + 1]), rows, above, after, is_book)
+
+    def book(self) -> list[_Line] | None:
+        """A row a line; None for a single one."""
+        if len(self.rows) == 1:
+            return None
+        found = [_Line(self.head, self.after[0])]
+        for row, above, after in zip(self.rows, self.above, self.after[1:], strict=False):
+            found += [_Line(_INDENT + text) for text in above]
+            found.append(_Line(f"{_INDENT}{_joined(row)},", after))
+        return [*found, *(_Line(_INDENT + text) for text in self.above[-1]), _Line("]")]
+
+    def tile(self) -> list[_Line] | None:
+        """A row a line, each value under that above it; None where that does not fit."""
+        if self.above[0] or self.above[-1] or self.after[0]:
+            return None
+        values = [[_joined(value) for value in _parts(row[1:-1])] for row in self.rows]
+        columns = max(map(len, values))
+        widths = [max(len(row[k]) for row in values if k < len(row)) for k in range(columns)]
+        if len(self.head) + sum(widths) + 2 * columns + 2 > WIDTH:
+            return None
+        found: list[_Line] = []
+        for k, (row, after) in enumerate(zip(values, self.after[1:], strict=True)):
+            found += [_Line(" " * len(self.head) + text) for text in self.above[k]]
+            cells = ", ".join(
+                f"{value:>{width}}" for value, width in zip(row, widths, strict=False)
+            )
+            begin = " " * len(self.head) if found else self.head
+            end = "]]" if k + 1 == len(values) else "],"
+            found.append(_Line(f"{begin}[{cells}{end}", after))
+        return found
+
+
+def _parts(tokens: Sequence[_Token]) -> list[list[_Token]]:
+    """What stands between the commas outside of all brackets."""
+    parts: list[list[_Token]] = [[]]
+    depth = 0
+    for token in tokens:
+        depth += (token.kind in ("(", "[")) - (token.kind in (")", "]"))
+        if token.kind == "," and depth == 0:
+            parts.append([])
+        else:
+            parts[-1].append(token)
+    return parts
+
+
+def _wrapped(tokens: Sequence[_Token], indent: str) -> list[str]:
+    """A statement, or a part of one, in lines that fit; those after the first are further in."""
+    whole = indent + _joined(tokens)
+    if len(whole) <= WIDTH:
+        return [whole]
+    deeper = indent + _INDENT if len(indent) < 4 * len(_INDENT) else indent
+    clauses = ("at", "when") if tokens[0].kind in ("sense", "next") else ()
+    for depth in range(_depth(tokens) + 1):
+        for kinds in (clauses, *_LOOSEST_FIRST, (",",)):
+            pieces = _broken(tokens, kinds, depth)
+            if len(pieces) > 1:
+                if kinds not in (clauses, ("if", "else")):
+                    pieces = _together(pieces, len(deeper))
+                if len(pieces) > 1:
+                    first, *rest = pieces
+                    inner = (line for piece in rest for line in _wrapped(piece, deeper))
+                    return [*_wrapped(first, indent), *inner]
+    return [whole]
+
+
+def _together(pieces: Sequence[list[_Token]], taken: int) -> list[list[_Token]]:
+    """Pieces that fit into a line in one."""
+    found: list[list[_Token]] = []
+    for piece in pieces:
+        if found and taken + len(_joined([*found[-1], *piece])) <= WIDTH:
+            found[-1] = [*found[-1], *piece]
+        else:
+            found.append(list(piece))
+    return found
+
+
+def _depth(tokens: Sequence[_Token]) -> int:
+    now = deepest = 0
+    for token in tokens:
+        now += (token.kind in ("(", "[")) - (token.kind in (")", "]"))
+        deepest = max(deepest, now)
+    return deepest
+
+
+def _broken(tokens: Sequence[_Token], kinds: Sequence[str], depth: int) -> list[list[_Token]]:
+    """Tokens parted before operators, or after commas, of these kinds within so many brackets."""
+    pieces: list[list[_Token]] = [[]]
+    now = 0
+    for token in tokens:
+        now += (token.kind in ("(", "[")) - (token.kind in (")", "]"))
+        here = token.kind in kinds and now == depth and not token.sign
+        if here and token.kind != "," and pieces[-1]:
+            pieces.append([])
+        pieces[-1].append(token)
+        if here and token.kind == ",":
+            pieces.append([])
+    return [piece for piece in pieces if piece]
+
+
+def _joined(tokens: Sequence[_Token]) -> str:
+    """Tokens in one line."""
+    first, *more = tokens
+    return first.text + "".join(f"{'' if each.close else ' '}{each.text}" for each in more)

@@ -1,0 +1,146 @@
+"""Habits from other languages, and units as people write them: what a statement that got stuck on
+one most likely means, in the words of this language."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+
+from nscc.diagnostics.diagnostic import Fix
+from nscc.diagnostics.suggest import closest
+from nscc.source import Span
+from nscc.syntax.lexer import Tokens
+from nscc.syntax.statement import Stuck
+
+_UNITS = {
+    **dict.fromkeys(("ns", "nsec", "nsecs", "nanosecond", "nanoseconds"), "ns"),
+    **dict.fromkeys(("us", "\u00b5s", "\u03bcs", "usec", "usecs", "\u00b5sec", "\u03bcsec"), "us"),
+    **dict.fromkeys(("mus", "microsecond", "microseconds"), "us"),
+    **dict.fromkeys(("ms", "msec", "msecs", "millisecond", "milliseconds"), "ms"),
+    **dict.fromkeys(("s", "sec", "secs", "second", "seconds"), "s"),
+}
+"""What people write for a unit of time, in lower case (the micro sign and the Greek letter are two
+characters that look alike), and the unit."""
+_NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d_]+)")
+_MOST_PARTS = 1000
+"""Decimals that are simple fractions are written as one; others are not guessed at."""
+_CHOICE = "a choice is written `A if CONDITION else B`"
+_COMPARISONS = {"<>": "!=", "=<": "<=", "=>": ">="}
+
+
+def fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
+    """Changes that would surely put right what a statement up to token `last` got stuck on."""
+    at = stuck.token
+    text, span, after = tokens.text(at), tokens.span(at), _text(tokens, at + 1, last)
+    if "TIME" in stuck.expected and (time := _time(text, "")) is not None:
+        yield Fix(f"units are ns, us, ms and s: `{time}`", span, time)
+    elif "TIME" in stuck.expected and (time := _time(text, after)) is not None:
+        yield Fix(f"no blank before the unit: `{time}`", span.to(tokens.span(at + 1)), time)
+    elif text == "[" and "tile" in stuck.expected and after == "[":
+        yield Fix("write `tile` before the rows", Span(span.start, span.start), "tile ")
+    for begin in (at - 1, at):
+        pair = _text(tokens, begin, last) + _text(tokens, begin + 1, last)
+        if pair in _COMPARISONS and tokens.span(begin).end == tokens.span(begin + 1).start:
+            right = _COMPARISONS[pair]
+            whole = tokens.span(begin).to(tokens.span(begin + 1))
+            yield Fix(f"it is written `{right}`", whole, right)
+
+
+def hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
+    """What else to say of a statement of the tokens `first` up to `last` that got stuck."""
+    at, statement = stuck.token, tokens.kinds[first]
+    if statement == "code" and ".." in stuck.expected:
+        yield from _range_hints(tokens, first, at)
+    if at >= last:
+        return
+    kind, text, before = tokens.kinds[at], tokens.text(at), tokens.text(at - 1)
+    if kind == "INTEGER" and "TIME" in stuck.expected:
+        if _time(text, _text(tokens, at + 1, last)) is None:
+            yield f"every time has a unit: {text[:20]}us, {text[:20]}ms"
+    elif kind == "if" and "INTEGER" in stuck.expected:
+        yield _CHOICE
+    elif kind == "row" and "INTEGER" in stuck.expected:
+        yield "`y` is a pixel's row, `x` its column"
+    elif before + text == ">>":
+        yield "there is no `>>`: `A / (1 << n)` shifts; bit i of a field `code NAME : bit[K]` is " \
+              "NAME[i]"  # fmt: skip
+    elif kind == "[" and before == "]":
+        yield "one index is enough: `book[id]` is the digit of slot n in row id"
+    elif kind == "[" and statement == "code":
+        yield "a range is written LO..HI: `1..8`"
+    elif kind == "[" and "tile" in stuck.expected:
+        yield "rows of values are a tile, which is repeated over the array: `tile [[4, 3], [2, 1]]`"
+    elif stuck.expected == {"["} and statement == "pixels":
+        yield "a tile is a list of rows: `tile [[4, 3], [2, 1]]`, a single row `tile [[4, 3]]`"
+    elif kind == "from" and statement == "pixels":
+        yield '`pixels from "codes.npz"` takes every field that is not given otherwise, by its name'
+    elif kind == "(" and before.lower().startswith(("rand", "rnd")):
+        yield 'random codes are data: save them with numpy.savez, and `pixels from "codes.npz"`'
+
+
+def number_hints(tokens: Tokens, at: int) -> Iterator[str]:
+    """What to say of token `at`, which begins like a number and is none of the language's."""
+    text = tokens.text(at)
+    if re.fullmatch(r"[0-9]{1,9}\.[0-9]{1,9}", text):
+        yield "numbers are whole; decimals stand only in times, with a unit: 1.6ms"
+        yield from _quotient(tokens, at)
+    elif "." in text:
+        yield "decimals stand only in times, with the unit ns, us, ms or s: 1.6ms"
+    elif re.fullmatch("0[xX][0-9a-fA-F]{1,15}|0[bB][01]{1,60}|0[oO][0-7]{1,20}", text):
+        yield f"numbers are decimal: {int(text, 0)}"
+    elif "_" in text:
+        yield "only the rows of `shutters` have digits in groups: 1111_0000"
+    elif _time(text, "") is None:
+        yield "numbers are digits, names begin with a letter, times end in ns, us, ms or s"
+
+
+def file_hint(tokens: Tokens, at: int) -> str | None:
+    """What to say of the dot at token `at` if it stands within the name of a file."""
+    beside = tokens.text(at - 1) if at else "", _text(tokens, at + 1, len(tokens.kinds))
+    touching = at and tokens.span(at - 1).end == tokens.span(at).start
+    if touching and beside[1] in ("npz", "npy", "toml", "mat"):
+        return f'the name of a file stands in quotes: "{beside[0]}.{beside[1]}"'
+    return None
+
+
+def _text(tokens: Tokens, at: int, last: int) -> str:
+    return tokens.text(at) if 0 <= at < last else ""
+
+
+def _range_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
+    """Of a field whose range does not come to its two dots."""
+    kind = _text(tokens, first + 3, at)
+    near = closest(kind, ("bit", "row")) if _text(tokens, first + 4, at) in ("[", "of") else None
+    if near is not None and kind != near:
+        yield f"did you mean `{near}`?"
+    else:
+        yield "a range is two values with two dots between them, both included: `1..8`"
+
+
+def _quotient(tokens: Tokens, at: int) -> Iterator[str]:
+    """How to multiply with a decimal, or to divide by it, in whole numbers."""
+    kinds, number = tokens.kinds, tokens.text(at)
+    before, after = kinds[at - 1], kinds[at + 1 : at + 2]
+    part = Fraction(number)
+    if not part or part.denominator > _MOST_PARTS or part.numerator > _MOST_PARTS:
+        return
+    other = at - 2
+    if before == "/":
+        part = 1 / part
+    elif before != "*":
+        if after != ["*"]:
+            return
+        before, other = "*", at + 2
+    name = tokens.text(other) if kinds[other : other + 1] == ["NAME"] else "A"
+    times = f"* {part.numerator}" if part.numerator > 1 or part.denominator == 1 else ""
+    over = f"/ {part.denominator}" if part.denominator > 1 else ""
+    whole = " ".join(filter(None, (name, times, over)))
+    yield f"`{name} {before} {number}` is written `{whole}`; `/` rounds down"
+
+
+def _time(number: str, unit: str) -> str | None:
+    """A time as the language writes it, of a number and a unit as people do; None for others."""
+    found = _NUMBER_AND_UNIT.fullmatch(number + unit)
+    meant = _UNITS.get(found[2].lower()) if found else None
+    return f"{found[1]}{meant}" if found and meant else None
