@@ -2,9 +2,9 @@
 
     import nscc
 
-    p = nscc.compile("hdr_2x2.nsl", level=2)    # or the text itself
-    p.codes["stop"]                             # int64 (codes,)
-    p.shutters()                                # bool (buckets, codes, slots)
+    p = nscc.compile("examples/hdr_2x2.nsl", level=2)   # or the text itself
+    p.codes["stop"]                                     # int64 (codes,)
+    p.shutters()                                        # bool (buckets, codes, slots)
     p.save("hdr_2x2.icw")
     p = nscc.load("hdr_2x2.icw")
 
@@ -187,8 +187,8 @@ class ShutterProgram:
         kind = f"class {name}, " if len(name) == 1 else f"{name}, " if name else ""
         return (
             f"<nscc program {self.name!r}: {kind}{counted(len(self.container.table.codes), 'code')}"
-            f", {counted(self.slots, 'slot')}, {len(self.words)} words stored, "
-            f"{self.words_per_frame} a frame, on {self.target.name} {self.shape}>"
+            f", {counted(self.slots, 'slot')}, {self.words_per_frame} words a frame, "
+            f"for {self.target.name}>"
         )
 
     def _repr_html_(self) -> str:

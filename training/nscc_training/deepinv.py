@@ -1,11 +1,13 @@
 """Pixel-wise shutters as a forward operator of DeepInverse (deepinv.github.io), in electrons.
 
     import nscc
+    import torch
     from nscc_training.deepinv import PixelShutters, SensorNoise
 
     p = nscc.compile("examples/flutter.nsl")
     physics = PixelShutters(p, noise_model=SensorNoise.of(p))
-    y = physics(x)                  # x electrons a slot (batch, 1, N, rows, cols)
+    x = 300 * torch.rand(1, *physics.img_size)      # electrons a slot (batch, 1, N, rows, cols)
+    y = physics(x)                                  # electrons (batch, buckets, rows, cols)
     x_hat = physics.A_dagger(y)
 
 Needs `nscc[deepinv]`. Clips follow the layout of deepinv's other dynamic operators (batch,
