@@ -14,13 +14,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from nscc.lazy import attribute
+from nscc.version import __version__
 
 if TYPE_CHECKING:
     from nscc.diagnostics.diagnostic import Diagnostic, Rejected
     from nscc.shutter_program import ShutterProgram, compile, load
     from nscc.target.target import Target
-
-__version__ = "0.1.0"
 
 _NAMES = {
     "diagnostics.diagnostic": ("Diagnostic", "Rejected"),

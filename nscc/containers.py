@@ -57,15 +57,13 @@ def with_pixels(
     """
     target, fields = container.target, container.table.fields
     if pixels is not None:
-        read = (
-            partial(codes_from_file, pixels)
+        size = (container.table, target.rows, target.cols)
+        mode, ranges = container.notes.get("codes", ""), partial(_ranges, container, Path(name))
+        codes = (
+            codes_from_file(pixels, *size, mode=mode, ranges=ranges)
             if isinstance(pixels, Path)
-            else partial(codes_from_arrays, pixels)
+            else codes_from_arrays(pixels, *size, mode=mode, ranges=ranges)
         )
-        codes = read(
-            container.table, target.rows, target.cols,
-            mode=container.notes.get("codes", ""), ranges=partial(_ranges, container, Path(name)),
-        )  # fmt: skip
         return replace(container, pixel_codes=codes)
     if container.pixel_codes is not None:
         return container

@@ -98,9 +98,7 @@ def _schedule(
             launches.append((n, numbers.setdefault(kernel, len(numbers))))
             levels.append(level)
     setup_us = kernel_us(setup[: last + 1], target)
-    return Schedule(
-        allocation, tuple(numbers), tuple(launches), setup_us, refreshed, tuple(levels)
-    )
+    return Schedule(allocation, tuple(numbers), tuple(launches), setup_us, refreshed, tuple(levels))
 
 
 def _setup(plan: LookingPlan) -> Words:
@@ -170,7 +168,9 @@ def _steps(plan: LookingPlan, moment: Moment) -> list[Step]:
     sample = op("bus", (plan.scratch,), ("PIX",))
     where = op("where", (), (plan.scratch, plan.reference, "IN"))
     for comparison in moment.comparisons:
-        found.append(Step(moment.boundary, "look", max(comparison.signal, 0), None, (sample, where)))
+        found.append(
+            Step(moment.boundary, "look", max(comparison.signal, 0), None, (sample, where))
+        )
     for bucket, (fall, rise) in enumerate(zip(moment.falls, moment.rises, strict=True)):
         register = plan.bucket_registers[bucket]
         add = sample, op("bus", (register,), (plan.scratch, plan.reference))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.problem import GaveUp, Gate, Machine
+from nscc.logic.problem import Gate, GaveUp, Machine
 from nscc.looks.encode import Encoding, Held
 from nscc.looks.plan import LookingPlan, Moment
 from nscc.looks.synthesis import FLAG, Board, update
@@ -61,7 +61,9 @@ class _Solver:
         self.gates = Machine.of(target)
         self.holders: list[str] = []
         self.states: list[str] = []
-        self.code = [self._plane(f"code, {encoding.code.kind}") for _ in range(encoding.code.registers)]
+        self.code = [
+            self._plane(f"code, {encoding.code.kind}") for _ in range(encoding.code.registers)
+        ]
         self.registers = tuple(
             tuple(
                 self._plane(held.name) if state.kept else self._state(held.name)
@@ -99,7 +101,11 @@ class _Solver:
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
         """What every register holds in lanes at these nodes."""
         found = dict(
-            zip(self.code, self._columns(self.encoding.code, self.machine.behaviour[nodes]), strict=True)
+            zip(
+                self.code,
+                self._columns(self.encoding.code, self.machine.behaviour[nodes]),
+                strict=True,
+            )
         )
         for k, (held, names) in enumerate(zip(self.encoding.states, self.registers, strict=True)):
             found |= zip(names, self._columns(held, self.machine.values[nodes, k]), strict=True)
@@ -169,7 +175,7 @@ class _Moment:
         return first, op("bus", (register,), (scratch, "PIX"))
 
     def _compare(self) -> None:
-        """Brings the outcome of every comparison into a register, that of the last one into FLAG."""
+        """Brings the outcome of each comparison into a register, that of the last one into FLAG."""
         moment = self.moment
         order = sorted(range(len(moment.comparisons)), key=lambda c: -moment.comparisons[c].signal)
         signal: int | None = None
@@ -223,7 +229,7 @@ class _Moment:
                 board.values[FLAG] = v
             return
         for name, new in self.wanted.items():
-            # A register that holds nothing yet takes its new value at once, and FLAG reads it there.
+            # A register that holds nothing yet takes its new value at once; FLAG reads it there.
             if new == v and not board.values[name]:
                 made = board.make(v, name)
                 if made is not None:

@@ -14,7 +14,7 @@ from itertools import permutations
 from nscc.logic.cover import Cover, Covers
 from nscc.logic.cubes import Budget
 from nscc.logic.gates import Gates
-from nscc.logic.problem import GaveUp, Gate, Machine
+from nscc.logic.problem import Gate, GaveUp, Machine
 
 FLAG = "FLAG"
 _STEPS = 4_000_000

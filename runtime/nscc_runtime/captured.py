@@ -75,8 +75,8 @@ class Capture(Frame):
     def save(self, path: str | os.PathLike[str], keep: Sequence[str] = ()) -> Path:
         """Write the frame file that `nscc run -o` writes; where it went.
 
-        `keep` names what else goes in, of light, truth, shutter, codes. Raises Rejected (NS0784)
-        where nothing can be written.
+        `keep` names what else goes in, of light, truth, shutter, codes. Raises Rejected
+        (NS0784) where nothing can be written.
         """
         out = Path(path)
         named = (keep,) if isinstance(keep, str) else tuple(keep)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, Literal
 
 import numpy as np
@@ -93,6 +95,30 @@ class Light:
         """The frame of matrix entry k."""
         frame: NDArray[np.float32] = self.frames[self.frame_index[k]]
         return frame
+
+    def joined(self, starts: Sequence[int]) -> Light:
+        """The same light in fewer slots: slot k has all that falls in the slots starts[k] up to
+        but not including starts[k + 1], N after the last; the first start is 0."""
+        rows, index, weight = [0], [], []
+        for begin, end in pairwise([*starts, self.slots]):
+            part = slice(int(self.row_start[begin]), int(self.row_start[end]))
+            found, place = np.unique(self.frame_index[part], return_inverse=True)
+            index.append(found)
+            weight.append(np.bincount(place, self.weight[part], len(found)))
+            rows.append(rows[-1] + len(found))
+        return replace(
+            self,
+            row_start=np.array(rows, np.int64),
+            frame_index=np.concatenate(index).astype(np.int32),
+            weight=np.concatenate(weight),
+            motion=None if self.motion is None else self.motion.joined(starts),
+        )
+
+    def part(self, rows: slice, cols: slice) -> Light:
+        """The light on a rectangle of the pixels."""
+        frames = np.ascontiguousarray(self.frames[:, rows, cols])
+        motion = None if self.motion is None else replace(self.motion, frames=frames)
+        return replace(self, frames=frames, motion=motion)
 
     def dense(self) -> NDArray[np.float32]:
         """All slots (N, rows, cols)."""

@@ -231,6 +231,7 @@ def _planned(
         elif request.plan is None or isinstance(request.plan, Path):
             plan = plan_for(program, light, tolerance, request.effects, device_seed)
         else:
+            assert not isinstance(request.plan, Path)
             plan = request.plan
     if plan.predicted_e > plan.tolerance_e and (request.effects.auto or given):
         listener.warn(_over(plan, given))

@@ -29,16 +29,18 @@ FLOORS = {
 """From the ground up: each may import those before it."""
 
 ROOMS = (
-    ("columns", "html", "npy", "operations", "requirements", "source", "truth"),
+    ("columns", "html", "npy", "operations", "requirements", "source", "truth", "version"),
     ("lazy",),
     ("diagnostics", "macros"),
-    ("files", "plugins", "toml"),
+    ("examples", "files", "plugins"),
+    ("toml",),
     ("target",),
     ("logic", "words"),
     ("cache", "prove"),
     ("syntax",),
     ("installation", "program"),
     ("lower",),
+    ("looks",),
     ("checks",),
     ("pipeline",),
     ("emit", "limits"),

@@ -18,6 +18,7 @@ from nscc.diagnostics.arguments import shown, warn, wrong_argument
 from nscc.emit.notebook import shutter_chart
 from nscc.shutter_program import ShutterProgram, compile
 from nscc_runtime.captured import Capture
+from nscc_runtime.frame_file import last_codes
 from nscc_training import run_folder
 from nscc_training.curve_chart import curve_chart
 from nscc_training.encoders import Encoder
@@ -97,14 +98,17 @@ class Run:
                 raise wrong_argument(
                     f"reconstruct takes one bucket of one exposure, not {shown(frame.frame)}"
                 )
-            read = FrameRead(frame.frame[0], frame.saturated[0], frame.meta, None)
-            name = "the capture"
+            read, name = (
+                FrameRead(frame.frame, frame.saturated, frame.meta, None),
+                "the capture",
+            )
         else:
             codes = self._codes(frame)
-            return decoded_frame(self.folder, codes, codes == self.folder.parts.model.top_code)
-        made, messages = reconstructed(self.folder, read, name, force=force)
-        warn(messages)
-        return made
+            full = last_codes(codes, self.folder.parts.target) != 0
+            return decoded_frame(self.folder, codes, full)
+        made = reconstructed(self.folder, read, name, force=force)
+        warn(made.messages)
+        return made.light
 
     def __repr__(self) -> str:
         spec, score = self.encoder.spec, self._score()

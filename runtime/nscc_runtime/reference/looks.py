@@ -1,17 +1,24 @@
 """Programs that look, word by word: every pixel has its own bits, because they hang on its light.
 
-As `nscc_runtime.reference.capture`, slot by slot in float64 with the effects that are on; `where`
-compares what pixels hold, IN is what a launch sets, and what a word does in a pixel is decided by
-the FLAG that the pixel has at that moment. Random numbers are keyed by the word, not by the sum of
-words: no plan has to meet them. A frame starts with arbitrary bits in registers that carry neither
-code nor a kept state.
+As `nscc_runtime.reference.capture`, in float64 with the effects that are on; `where` compares what
+pixels hold, IN is what a launch sets, and what a word does in a pixel is decided by the FLAG that
+the pixel has at that moment. Random numbers are keyed by the word, not by the sum of words: no plan
+has to meet them. A frame starts with arbitrary bits in registers that carry neither code nor a kept
+state.
+
+Between two boundaries with words nothing happens but that charge falls, registers leak and PIX may
+fill: the counts of such slots are drawn as one, which changes no distribution, and the first slot
+after a boundary stays by itself, for its words take a part of it. Without effects every slot is
+added by itself, as the exposure is defined.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from math import inf
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +36,7 @@ from nscc_runtime.emulator.capture import check
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
+from nscc_runtime.looked_light import light_of
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
 from nscc_runtime.reference.charge import Groups, charge_of_rows
@@ -74,6 +82,21 @@ class LookingReference:
             raise ValueError("a container without pixels or without a machine")
         object.__setattr__(self, "kernels", decoded(self.container))
 
+    @cached_property
+    def starts(self) -> tuple[int, ...]:
+        """The slots with which the intervals begin that are simulated as one."""
+        slots = self.container.slots
+        if self.effects.noiseless:
+            return tuple(range(slots))
+        at = {launch.instant for launch in self.container.launches}
+        found = {0, slots - 1, *at, *(n + 1 for n in at)}
+        return tuple(sorted(n for n in found if n < slots))
+
+    @cached_property
+    def interval_us(self) -> NDArray[np.float64]:
+        """How long each one lasts."""
+        return np.add.reduceat(np.array(self.container.slot_us, np.float64), self.starts)
+
     def expose(
         self,
         scene: Scene,
@@ -85,6 +108,8 @@ class LookingReference:
         """Frame number `frame`; `before` are the planes that the last one left, None at first."""
         container = self.container
         rows, cols = scene.light.shape
+        light, previous = (each.joined(self.starts) for each in (scene.light, scene.previous))
+        scene = Scene(light, previous, self.interval_us * 1e-6)
         loaded = container.planes()
         kept = {r for name in self._kept() for r in container.state_planes[name].registers}
         if before is not None:
@@ -95,8 +120,8 @@ class LookingReference:
         planes = {name: np.empty((rows, cols), np.bool_) for name in sorted(told)}
         # Nothing is summed over groups of slots: all slots are one.
         lane = np.zeros((rows, cols), np.intp)
-        groups = Groups(np.zeros((1, container.slots), np.int64), lane)
-        step = max(1, _CELLS // (container.slots * cols))
+        groups = Groups(np.zeros((1, len(self.starts)), np.int64), lane)
+        step = max(1, _CELLS // (len(self.starts) * cols))
         for begin in range(0, rows, step):
             part = range(begin, min(begin + step, rows))
             charge, good = charge_of_rows(
@@ -108,7 +133,7 @@ class LookingReference:
                 sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
                 program=self, code={n: p[chunk].reshape(-1) for n, p in loaded.items()},
             )  # fmt: skip
-            found = pixels.run(charge.reshape(container.slots, -1))
+            found = pixels.run(charge.reshape(len(self.starts), -1))
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
             valid[chunk] = good
             for name, plane in planes.items():
@@ -147,29 +172,36 @@ def _frames(
     for number in range(count):
         executed = reference.expose(scene, *seeds, number, planes)
         planes = executed.planes
-        told = told_by(container, planes, scene.light.shape)
-        yield converted(
-            executed.exposure, container.target, reference.sensor, reference.effects, seeds, number,
-            told,
-        )  # fmt: skip
+        frame = converted(
+            executed.exposure, container.target, reference.sensor, reference.effects, seeds, number
+        )
+        told = told_by(container, planes, frame.frame, reference.sensor, reference.effects)
+        yield replace(frame, told=told)
 
 
 def told_by(
-    container: Container, planes: Mapping[str, Bits], shape: tuple[int, int]
-) -> dict[str, NDArray[np.int64]]:
-    """What a frame file says beside the exposure: `states_NAME` (rows, cols) of the states that are
-    read, `open_slots` (buckets, rows, cols)."""
+    container: Container,
+    planes: Mapping[str, Bits],
+    codes: NDArray[np.uint8],
+    sensor: Sensor,
+    effects: Selection,
+) -> dict[str, NDArray[Any]]:
+    """What a frame file says beside the exposure, from the digital planes and the converter's codes
+    (buckets, rows, cols): `states_NAME` (rows, cols) of the states that are read, `open_slots`
+    (buckets, rows, cols), and the light (`nscc_runtime.looked_light.light_of`)."""
     machine = container.machine
     assert machine is not None
     assert container.pixel_codes is not None
     found = {
-        state.name: container.state_planes[state.name].read(planes, shape)
+        state.name: container.state_planes[state.name].read(planes, codes.shape[1:])
         for state in machine.states
         if state.read
     }
     behaviour = container.table.shutter_of_code[container.pixel_codes]
-    slots, _ = open_times(machine, behaviour, found)
-    return {**{f"states_{name}": each for name, each in found.items()}, "open_slots": slots}
+    slots, open_us = open_times(machine, behaviour, found)
+    states = {f"states_{name}": each for name, each in found.items()}
+    light = light_of(codes, open_us, container, sensor, effects)
+    return {**states, "open_slots": slots, **light}
 
 
 def open_times(
@@ -238,12 +270,13 @@ class _LookingPixels(Pixels):
         return normals(key(self.seed, effect.stream, 1, self.frame, number), self.places)
 
     def run(self, charge: Values) -> Values:
-        """The exposures (buckets, pixels) of a frame of `charge` (N, pixels)."""
+        """The exposures (buckets, pixels) of a frame of `charge` (intervals, pixels)."""
         slots, target = self.container.slots, self.target
         launches = iter(self.container.launches)
         launch = next(launches, None)
-        for n in range(slots + 1):
-            slot = min(n, slots - 1)
+        interval_us = self.program.interval_us.tolist()
+        for number, n in enumerate((*self.program.starts, slots)):
+            now = min(number, len(interval_us) - 1)
             self.fallen, self.after_us = 0.0, 0.0
             while launch is not None and launch.instant == n:
                 if launch.level is not None:
@@ -252,15 +285,15 @@ class _LookingPixels(Pixels):
                 for op in self.program.kernels[launch.kernel]:
                     self.after_us += word_us(op, target)
                     if op.analog:
-                        self._until(op, charge[slot], self.container.slot_us[slot], n == slots)
+                        self._until(op, charge[now], interval_us[now], n == slots)
                     self._run(op)
                 launch = next(launches, None)
             if n < slots:
-                self._fall(charge[n] * (1.0 - self.fallen) if self.fallen else charge[n])
+                self._fall(charge[now] * (1.0 - self.fallen) if self.fallen else charge[now])
                 for held in self.at("hold"):
-                    kept = held(self, self.container.slot_us[n] * 1e-6)
+                    kept = held(self, interval_us[now] * 1e-6)
                     self.register = {name: v * kept for name, v in self.register.items()}
-                self.now_us += self.container.slot_us[n]
+                self.now_us += interval_us[now]
         return self._read_out()
 
     def _until(self, op: Op, charge: Values, slot_us: float, at_end: bool) -> None:

@@ -40,8 +40,8 @@ COMPARATOR_OFFSET = Effect(
     stream=17,
     kind="fixed",
     title="offset of the comparators",
-    model="`where` compares the sum of its sources and an offset o F z with 0: F the full well, z a "
-    "standard normal number of the device for each pixel.",
+    model="`where` compares the sum of its sources and an offset o F z with 0: F the full well, z "
+    "a standard normal number of the device for each pixel.",
     cost="one sum a comparison, in the reference",
     applied="to every `where`",
     absent=NO_LOOK,
