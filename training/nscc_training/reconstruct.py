@@ -24,7 +24,7 @@ from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
-from nscc_training.sensor_model import laid
+from nscc_training.sensor_model import filled, laid
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,8 +82,7 @@ def decoded_frame(
     codes = torch.from_numpy(frame.astype(np.float32)).to(parts.device)
     relative = parts.model.relative(codes - parts.model.adc_offset_lsb)
     # The knee of registers, and light that eats the reset level, make full pixels read less.
-    full = torch.from_numpy(saturated).to(parts.device)
-    relative = torch.where(full, relative.clamp(min=1), relative)
+    relative = filled(relative, torch.from_numpy(saturated).to(parts.device), shutters)
     found = parts.decoder(relative[None], shutters)[0].float().cpu().numpy()
     slots = 1 if parts.still else parts.slots
     return np.asarray(found * (parts.model.full_e / slots), np.float32)
