@@ -12,17 +12,19 @@ from nscc_cli.frames import (
     frame_path,
     parse_keep,
     refuse_swapped,
+    run_capture_of,
     scene_of,
     sensor_of,
     summary,
     write_frame,
 )
-from nscc_cli.options import PATH, SEED
+from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, done, progress, say
 
 if TYPE_CHECKING:
     from nscc_runtime.simulate import Request
+    from nscc_training.run_files import RunCapture
 
 _MOST_REPEATS = 10000
 _SIMULATION = (
@@ -32,13 +34,16 @@ _SIMULATION = (
 
 
 @click.command(name="run", cls=CommonCommand)
-@shared.program_argument
+@click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
+@click.option("--like", type=PATH, metavar="RUN", help="Expose as a run's decoder knows it: its "
+              "exposure and sensor, and without a FILE its program.")  # fmt: skip
 @click.option("--scene", help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
               "builtin:flat:E, builtin:dark.")  # fmt: skip
 @click.option(
-    "-o", "out", type=PATH, help="The frame file (default: NAME.frame.npz in this folder)."
-)
-@click.option("--png", type=PATH, help="Also write a picture of the frame.")
+    "-o", "out", type=OUT, help="The frame file (default: NAME.frame.npz in this folder), or "
+    "what of it .npy .mat .hdr .exr .pfm .tiff .png .gif .mp4 hold.",
+)  # fmt: skip
+@click.option("--png", type=OUT, help="Also write a picture of the frame.")
 @click.option("--effects", help="Sensor effects: auto, all, none (the default), or names; +NAME "
               "forces one on, -NAME off.")  # fmt: skip
 @click.option("--seed", type=SEED, help="Seed of a frame's noise (default: 0).")
@@ -47,6 +52,10 @@ _SIMULATION = (
 @click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes.")
 @shared.pixels_option
 @shared.scene_options
+@shared.fit_option("crop")
+@shared.color_option
+@shared.first_option
+@shared.tone_option
 @click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
               help="Where to run: a serial port is a device's.")  # fmt: skip
 @shared.link_options
@@ -58,45 +67,54 @@ _SIMULATION = (
 @click.option("--audit", is_flag=True, help="Compare with the reference; exit 1 if it broke.")
 @click.option("--plan", type=PATH, help="Use this plan; if there is none, write it.")
 @shared.sensor_options
-@click.option("--timings", type=PATH, help="Write seconds spent, as JSON, to a file.")
+@click.option("--timings", type=OUT, help="Write seconds spent, as JSON, to a file.")
 @shared.build_options
-def command(program: Path, **options: Any) -> None:
+def command(program: Path | None, like: Path | None, **options: Any) -> None:
     """Expose one frame of a scene with a program, and write it as an .npz file.
 
     With --on PORT a chip exposes it, or `nscc device serve`, its stand-in.
     """
     keep = parse_keep(options["keep"])
+    of_run = run_capture_of(like, options)
+    if program is None and of_run is not None:
+        program = of_run.program
+    if program is None:
+        raise click.UsageError("name a program, FILE.nsl or FILE.icw, or a run: --like RUN")
     refuse_swapped(program, options["scene"])
     if options["place"] == "emulator":
-        _run_on_emulator(program, options, keep)
+        _run_on_emulator(program, options, keep, of_run)
     else:
         from nscc_cli.on_device import run_on_device
 
         run_on_device(program, options, keep)
 
 
-def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
+def _run_on_emulator(
+    program: Path, options: dict[str, Any], keep: tuple[str, ...], of_run: RunCapture | None
+) -> None:
     from nscc_runtime.frame_file import meta
-    from nscc_runtime.response import response_of
-    from nscc_runtime.simulate import Listener, simulate
+    from nscc_runtime.pieces import simulate_scene
+    from nscc_runtime.simulate import Listener
 
-    request = _request(options)
+    request, out = _request(options), frame_path(program, options)
     listener = Listener(done, lambda diagnostic: say([diagnostic]), progress)
     timings = listener.timings
     with timings.part("compile_s"):
         container, messages = load_program(program, options)
+    if of_run is not None:
+        of_run.check(container, program)
     sensor = sensor_of(container.target, options)
     with timings.part("scene_s"):
         scene, said = scene_of(options), list(messages)
-        light = scene.light(container.slot_us, container.target, said.append, progress)
+        laid = scene.laid(container.slot_us, container.target, said.append, progress)
         say(said)
-    out = frame_path(program, options)
-    taken = simulate(container, light, sensor, request, listener)
-    frame = taken.frame
+    exposed = simulate_scene(container, laid, sensor, request, listener)
+    taken, frame, container = exposed.simulated, exposed.simulated.frame, exposed.container
+    about = meta(container, exposed.light, frame, taken.origin) | exposed.laid
     files = write_frame(
-        out, options, keep, container, light, frame, meta(container, light, frame, taken.origin),
+        out, options, keep, container, exposed.light, frame, about,
         f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
-        lambda: response_of(container, sensor, taken.effects), taken.plan_file,
+        lambda: exposed.response(sensor), taken.plan_file,
     )  # fmt: skip
     if taken.plan is not None:
         from nscc_runtime.plan_file import plan_table

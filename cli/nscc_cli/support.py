@@ -7,6 +7,7 @@ import sys
 from collections.abc import Iterable, Iterator, Sequence, Sized
 from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 from threading import Event, Thread
 from time import monotonic
 from typing import Any, Literal, TypeVar
@@ -16,6 +17,7 @@ import click
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
+from nscc.files import inputs_kept, reads
 
 Item = TypeVar("Item")
 MessageFormat = Literal["human", "short", "json", "github", "sarif"]
@@ -126,10 +128,18 @@ def _denied(diagnostic: Diagnostic) -> Diagnostic:
     return replace(diagnostic, severity=Severity.ERROR, notes=notes)
 
 
+class OutPath(click.Path):
+    """The path of a product: the one kind of path that is no input of its command."""
+
+    def __init__(self, path_type: type[Any] = Path) -> None:
+        super().__init__(path_type=path_type)
+
+
 class CommonCommand(click.Command):
     """A command with the options that all commands share: `--message-format`, `--deny-warnings`.
 
-    Both end up in the session; the command's function does not see them.
+    Both end up in the session; the command's function does not see them. Files that its other
+    parameters name are inputs, which no product may replace (NS0785).
     """
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
@@ -145,6 +155,23 @@ class CommonCommand(click.Command):
                 help="Treat warnings as errors.",
             ),
         ]  # fmt: skip
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command, its inputs kept from its own products."""
+        with inputs_kept():
+            for param in self.params:
+                if not isinstance(param.type, OutPath):
+                    reads(*_paths(ctx.params.get(str(param.name))))
+            return super().invoke(ctx)
+
+
+def _paths(value: Any) -> Iterator[Path]:
+    """What of a parameter's value may name files."""
+    if isinstance(value, str | Path):
+        yield Path(value)
+    elif isinstance(value, tuple):
+        for each in value:
+            yield from _paths(each)
 
 
 def _to_session(context: click.Context, option: click.Parameter, value: Any) -> None:

@@ -14,7 +14,7 @@ from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import csv_text
 from nscc_cli import options as shared
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import PATH, SEED
+from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import compile_options, load_program
 from nscc_cli.support import CommonCommand, progress, say
 from nscc_cli.tradeoff_files import output_files, write_files
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
 @click.option("--scene", "scenes", multiple=True, metavar="SCENE", help="As in nscc run; more than "
               "once for several (default: three builtin ones).")  # fmt: skip
-@click.option("-o", "out", type=PATH, metavar="OUT", help="Write OUT.csv, OUT.png, "
+@click.option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv, OUT.png, "
               "OUT_calibration.png and OUT_budget.png.")  # fmt: skip
 @shared.csv_options
 @click.option("--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e",

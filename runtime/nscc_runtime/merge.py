@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.frame_file import Frame
+from nscc_runtime.looked_light import LIGHT, open_us_of
 from nscc_runtime.response import Response
 
 Field = NDArray[np.float64]
@@ -46,33 +47,34 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Rea
     """The buckets of one frame of a container with pixels."""
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
+    if container.machine is not None:
+        return _looked(container, frame, response)
     window = tile_of(container.table.shutter_of_code[container.pixel_codes])
     if max(window) > _LARGEST_TILE:
         rows, cols = container.pixel_codes.shape
         window = min(3, rows), min(3, cols)
     light_e = response.electrons(frame.frame)
     most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
-    open_s = response.open_s if container.machine is None else _told_open_s(container, frame)
     return [
         Readout(
-            name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], window
+            name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], response.open_s[b],
+            window,
         )
         for b, name in enumerate(container.buckets)
     ]  # fmt: skip
 
 
-def _told_open_s(container: Container, frame: Frame) -> Field:
-    """How long pixels that look at the light were open (buckets, rows, cols), as their states say;
-    0 where no pixel ends so."""
-    from nscc_runtime.reference.looks import open_times
-
-    assert container.machine is not None
-    assert container.pixel_codes is not None
-    behaviour = container.table.shutter_of_code[container.pixel_codes]
-    names = {f"states_{state.name}": state.name for state in container.machine.states}
-    states = {names[key]: told for key, told in frame.told.items() if key in names}
-    _, us = open_times(container.machine, behaviour, states)
-    return np.asarray(np.maximum(us, 0.0) * 1e-6)
+def _looked(container: Container, frame: Frame, response: Response) -> list[Readout]:
+    """The same where pixels looked: each knows how long it was open, and asks no neighbour."""
+    open_s = np.maximum(open_us_of(container, frame.told), 0.0) * 1e-6
+    light_e = np.nan_to_num(frame.told[LIGHT]) * open_s
+    most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
+    return [
+        Readout(
+            name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], (1, 1)
+        )
+        for b, name in enumerate(container.buckets)
+    ]
 
 
 def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
@@ -91,7 +93,8 @@ def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
     is.
 
     Summed electrons over summed open time: with shot noise alone, the best estimate that there is.
-    Pixels whose open neighbours are all saturated get the most that one of these could have told.
+    Pixels whose open neighbours are all saturated get the most that one of these could have told;
+    where no pixel asks its neighbours, the least that it can have seen itself.
     """
     opened = readout.open_s > 0
     good = opened & ~readout.saturated
@@ -100,6 +103,10 @@ def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
     light_e = _box(np.where(good, readout.light_e, 0.0), readout)
     # Noise may take a dark pixel below nothing.
     light = np.divide(np.maximum(light_e, 0.0), time, out=np.zeros(time.shape), where=known)
+    if readout.window == (1, 1):
+        np.divide(readout.light_e, readout.open_s, out=light, where=opened & ~known)
+        known |= opened
+        return light, known
     blind = ~known & (_box(opened, readout) > 0.5)
     if blind.any():
         most = np.divide(readout.most_e, readout.open_s, out=np.zeros(time.shape), where=opened)

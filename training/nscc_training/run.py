@@ -99,7 +99,7 @@ class Run:
                     f"reconstruct takes one bucket of one exposure, not {shown(frame.frame)}"
                 )
             read, name = (
-                FrameRead(frame.frame[0], frame.saturated[0], frame.meta, None),
+                FrameRead(frame.frame, frame.saturated, frame.meta, None),
                 "the capture",
             )
         else:
@@ -164,8 +164,12 @@ class Run:
         return values.astype(np.uint8)
 
 
-def load_run(path: str | os.PathLike[str]) -> Run:
-    """The run in a folder. Raises Rejected (NS0818) where there is none, or it did not finish."""
+def load_run(path: str | os.PathLike[str], *, trust_code: bool = False) -> Run:
+    """The run in a folder. Raises Rejected (NS0818) where there is none, or it did not finish.
+
+    A run that names Python code of its maker's is loaded only with `trust_code` (NS0823): loading
+    it runs that code.
+    """
     if not isinstance(path, str | os.PathLike):
         raise wrong_argument(f"load_run takes the folder of a run, not {shown(path)}")
-    return Run(run_folder.load_run(Path(path)))
+    return Run(run_folder.load_run(Path(path), trust_code=trust_code))

@@ -18,7 +18,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import inf
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +26,6 @@ from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
-from nscc.words.machine import Machine
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.sensor import Sensor
@@ -36,7 +34,7 @@ from nscc_runtime.emulator.capture import check
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.looked_light import light_of
+from nscc_runtime.looked_light import told_by
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
 from nscc_runtime.reference.charge import Groups, charge_of_rows
@@ -117,8 +115,8 @@ class LookingReference:
             loaded |= {name: plane for name, plane in before.items() if name in kept}
         told = {r for planes in container.state_planes.values() for r in planes.registers}
         exposure = np.empty((len(container.buckets), rows, cols))
-        valid = np.empty((rows, cols), np.bool_)
         saturated_by = np.empty(exposure.shape, np.uint8)
+        valid = np.empty((rows, cols), np.bool_)
         planes = {name: np.empty((rows, cols), np.bool_) for name in sorted(told)}
         # Nothing is summed over groups of slots: all slots are one.
         lane = np.zeros((rows, cols), np.intp)
@@ -179,56 +177,8 @@ def _frames(
         frame = converted(
             executed.exposure, container.target, reference.sensor, reference.effects, seeds, number
         )
-        told = told_by(container, planes, frame.frame, reference.sensor, reference.effects)
+        told = told_by(container, planes, frame, reference.sensor, reference.effects)
         yield replace(frame, told=told)
-
-
-def told_by(
-    container: Container,
-    planes: Mapping[str, Bits],
-    codes: NDArray[np.uint8],
-    sensor: Sensor,
-    effects: Selection,
-) -> dict[str, NDArray[Any]]:
-    """What a frame file says beside the exposure, from the digital planes and the converter's codes
-    (buckets, rows, cols): `states_NAME` (rows, cols) of the states that are read, `open_slots`
-    (buckets, rows, cols), and the light (`nscc_runtime.looked_light.light_of`)."""
-    machine = container.machine
-    assert machine is not None
-    assert container.pixel_codes is not None
-    found = {
-        state.name: container.state_planes[state.name].read(planes, codes.shape[1:])
-        for state in machine.states
-        if state.read
-    }
-    behaviour = container.table.shutter_of_code[container.pixel_codes]
-    slots, open_us = open_times(machine, behaviour, found)
-    states = {f"states_{name}": each for name, each in found.items()}
-    light = light_of(codes, open_us, container, sensor, effects)
-    return {**states, "open_slots": slots, **light}
-
-
-def open_times(
-    machine: Machine, behaviour: NDArray[np.int32], states: Mapping[str, NDArray[np.int64]]
-) -> tuple[NDArray[np.int64], Values]:
-    """How many slots each bucket of a pixel was open, and for how many microseconds, (buckets,
-    rows, cols), from its behaviour and the states that were read; -1 where no pixel ends so."""
-    last = machine.nodes(machine.stages - 1)
-    read = [k for k, state in enumerate(machine.states) if state.read]
-    ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
-    known, first = np.unique(ends, axis=0, return_index=True)
-    numbers = {tuple(row): place for row, place in zip(known.tolist(), first.tolist(), strict=True)}
-    pixels = np.stack([behaviour, *(states[machine.states[k].name] for k in read)], axis=-1)
-    distinct, inverse = np.unique(pixels.reshape(-1, pixels.shape[-1]), axis=0, return_inverse=True)
-    rows = np.array([numbers.get(tuple(row), -1) for row in distinct.tolist()], np.intp)
-    buckets = machine.opens.shape[1]
-    slots = np.full((len(distinct), buckets), -1, np.int64)
-    us = np.full((len(distinct), buckets), -1.0)
-    there = rows >= 0
-    slots[there] = machine.open_slots[last][rows[there]]
-    us[there] = machine.open_us[last][rows[there]]
-    shape = (buckets, *behaviour.shape)
-    return slots[inverse.reshape(-1)].T.reshape(shape), us[inverse.reshape(-1)].T.reshape(shape)
 
 
 @dataclass(eq=False, kw_only=True)
