@@ -125,9 +125,9 @@ docs: $(VENV)/.docs-installed $(VENV)/.compiled
 linkcheck: $(VENV)/.docs-installed $(VENV)/.compiled
 	$(SITE) --builder linkcheck . $(OUT)/site-links
 
-# The pictures that pages keep beside them, for those who read them as files.
+# Those that pages keep beside them, for who reads them as files.
 pictures: $(VENV)/.docs-installed $(VENV)/.compiled
-	PYTHONPATH=docs $(BIN)/python -m nscc_site.pictures
+	PYTHONPATH=docs $(BIN)/python -m nscc_site
 
 clean:
 	rm -rf $(OUT) docs/generated dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -78,6 +78,15 @@ def write_together(products: Mapping[Path, Product]) -> None:
             temporary.unlink(missing_ok=True)
 
 
+def write_back(path: Path, data: Product) -> None:
+    """As `write_whole`, of an input that its user asked to have changed."""
+    known = _inputs.get()
+    if known:
+        for identity in [each for each, name in known.items() if name == path]:
+            del known[identity]
+    write_whole(path, data)
+
+
 def write_new(products: Mapping[Path, Product]) -> None:
     """Write several files as `write_together`; Rejected (NS0788, status 2) where there is one."""
     for path in products:

@@ -2,9 +2,9 @@
 
     import nscc
 
-    p = nscc.compile("hdr_2x2.nsl", level=2)    # or the text itself
-    p.codes["stop"]                             # int64 (codes,)
-    p.shutters()                                # bool (buckets, codes, slots)
+    p = nscc.compile("examples/hdr_2x2.nsl", level=2)   # or the text itself
+    p.codes["stop"]                                     # int64 (codes,)
+    p.shutters()                                        # bool (buckets, codes, slots)
     p.save("hdr_2x2.icw")
     p = nscc.load("hdr_2x2.icw")
 
@@ -113,7 +113,7 @@ class ShutterProgram:
 
         With `pixels`, the shutter of every pixel: bool (buckets, slots, rows, cols), the mask of
         snapshot compressive imaging. Raises Rejected: NS0741 for `pixels` without data, NS0442 for
-        words that open no shutters.
+        words that open no shutters, and for pixels that look at the light.
         """
         table = self.container.table
         at_code = self._replayed[table.shutter_of_code].transpose(1, 0, 2)
@@ -187,8 +187,8 @@ class ShutterProgram:
         kind = f"class {name}, " if len(name) == 1 else f"{name}, " if name else ""
         return (
             f"<nscc program {self.name!r}: {kind}{counted(len(self.container.table.codes), 'code')}"
-            f", {counted(self.slots, 'slot')}, {len(self.words)} words stored, "
-            f"{self.words_per_frame} a frame, on {self.target.name} {self.shape}>"
+            f", {counted(self.slots, 'slot')}, {self.words_per_frame} words a frame, "
+            f"for {self.target.name}>"
         )
 
     def _repr_html_(self) -> str:
@@ -211,6 +211,13 @@ class ShutterProgram:
 
     @cached_property
     def _replayed(self) -> NDArray[np.bool_]:
+        if self.container.machine is not None:
+            raise rejected(
+                "NS0442",
+                f"the shutters of '{self.name}' depend on the light: before it there are none",
+                helps=("a frame of it tells how many slots each pixel was open: `open_slots`",),
+                status=1,
+            )
         return replayed(self.container, f"'{self.name}'")
 
     @cached_property

@@ -122,6 +122,7 @@ def write_frame(
     """Write the frame file, and the picture, plan and timings that were asked for; where frame,
     picture and plan are. `response` gives that of the frame, for the picture."""
     from nscc.prove.shutters import replayed
+    from nscc_runtime.decode_table import with_table
     from nscc_runtime.formats import file_of
     from nscc_runtime.formats.frames import frame_content
     from nscc_runtime.frame_file import FrameFile
@@ -130,8 +131,9 @@ def write_frame(
         shutters = replayed(container) if "shutter" in keep else None
         file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
         content = frame_content(
-            file, container, light, lambda: replayed(container), options["tone"]
-        )
+            with_table(file, container), container, light, lambda: replayed(container),
+            options["tone"],
+        )  # fmt: skip
         products: dict[Path, Product] = {out: file_of(out, content, "a frame")}
         if options["png"]:
             products[options["png"]] = _picture(container, frame, response, content, title)

@@ -23,6 +23,10 @@ class Rejected(Exception):
         self.diagnostics = found
         self.status = status
 
+    def __repr__(self) -> str:
+        said = "; ".join(f"{each.code}: {each.message}" for each in self.diagnostics)
+        return f"{type(self).__name__}({said!r})"
+
     def __str__(self) -> str:
         from nscc.diagnostics.render import render  # only where somebody reads it
 

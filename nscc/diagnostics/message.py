@@ -28,11 +28,15 @@ class Label:
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """A change that would resolve the diagnostic: replace `span` by `replacement`."""
+    """A change that would resolve the diagnostic: replace `span` by `replacement`.
+
+    Not `sure`: only its author knows whether it is what was meant.
+    """
 
     title: str
     span: Span
     replacement: str
+    sure: bool = True
 
 
 @dataclass(frozen=True)

@@ -69,7 +69,12 @@ def _json(diagnostic: Diagnostic) -> str:
         **{"location": None, "end_location": None, **_places(source, label)},
         "data": dict(diagnostic.data),
         "fixes": [
-            {"title": fix.title, "replacement": fix.replacement, **_places(source, fix)}
+            {
+                "title": fix.title,
+                "replacement": fix.replacement,
+                "sure": fix.sure,
+                **_places(source, fix),
+            }
             for fix in diagnostic.fixes
         ],
         "rendered": _human(diagnostic, False),

@@ -18,6 +18,7 @@ from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.frame_file import KEEP, Frame, FrameFile, Provenance, frame_lines, meta
 from nscc_runtime.light import Light
+from nscc_runtime.merge import Readout, light_estimate, readouts
 from nscc_runtime.plan_file import plan_table
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
@@ -55,6 +56,16 @@ class Capture(Frame):
     def response(self) -> Response:
         """How an exposure follows from light: gain, and what is there in the dark."""
         return response_of(self.container, self.origin.sensor, self.effects)
+
+    def light_e_per_s(self) -> NDArray[np.float64]:
+        """The light that the frame tells of, electrons a second (buckets, rows, cols); NaN where no
+        pixel tells any.
+
+        Around each pixel the light of unsaturated ones, free of what the words add, divided by the
+        time that they were open: as the picture of `nscc run --png`. Of repeats the first.
+        """
+        told = (light_estimate(each) for each in self._readouts())
+        return np.stack([np.where(known, light, np.nan) for light, known in told])
 
     @property
     def meta(self) -> dict[str, Any]:
@@ -105,6 +116,9 @@ class Capture(Frame):
         effects = "by a plan" if self.plan is not None else f"fidelity {self.origin.fidelity}"
         subtitle = f"{' x '.join(map(str, self.frame.shape))}, codes {self._codes()}, {effects}"
         return html.card("capture", subtitle, pictures, lines, told)
+
+    def _readouts(self) -> list[Readout]:
+        return readouts(self.container, self.first, self.response)
 
     def _codes(self) -> str:
         return f"{self.frame.min()}..{self.frame.max()}"

@@ -228,7 +228,7 @@ def _planned(
     with timings.part("plan_s"):
         if file is not None and given:
             plan = predicted_for(program, light, read_plan(file, digest, sensor), device_seed)
-        elif request.plan is None or file is not None:
+        elif request.plan is None or isinstance(request.plan, Path):
             plan = plan_for(program, light, tolerance, request.effects, device_seed)
         else:
             assert not isinstance(request.plan, Path)

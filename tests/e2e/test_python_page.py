@@ -9,6 +9,7 @@ import re
 import shutil
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 import pytest
@@ -43,6 +44,30 @@ def test_the_page_works_from_top_to_bottom(
         printed.append(capsys.readouterr().out)
     for shown in blocks("text"):
         assert shown in printed
+
+
+DOCUMENTED = (
+    "nscc", "nscc.shutter_program", "nscc_runtime", "nscc_runtime.exposing",
+    "nscc_training.deepinv",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", DOCUMENTED)
+def test_what_a_module_shows_works(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if name.startswith("nscc_training"):
+        pytest.importorskip("torch")
+        from cpu_torchvision import declare_operators
+
+        declare_operators()
+        pytest.importorskip("deepinv")
+    shutil.copytree(ROOT / "examples", tmp_path / "examples")
+    monkeypatch.chdir(tmp_path)
+    text = inspect.getdoc(importlib.import_module(name))
+    shown = textwrap.dedent("\n".join(re.findall(r"^(?: {4}.*)?$", text or "", re.M)))
+    assert "import nscc" in shown
+    exec(compile(shown, name, "exec"), {})
 
 
 @pytest.mark.parametrize("package", PACKAGES)

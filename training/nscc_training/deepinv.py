@@ -1,11 +1,13 @@
 """Pixel-wise shutters as a forward operator of DeepInverse (deepinv.github.io), in electrons.
 
     import nscc
+    import torch
     from nscc_training.deepinv import PixelShutters, SensorNoise
 
     p = nscc.compile("examples/flutter.nsl")
     physics = PixelShutters(p, noise_model=SensorNoise.of(p))
-    y = physics(x)                  # x electrons a slot (batch, 1, N, rows, cols)
+    x = 300 * torch.rand(1, *physics.img_size)      # electrons a slot (batch, 1, N, rows, cols)
+    y = physics(x)                                  # electrons (batch, buckets, rows, cols)
     x_hat = physics.A_dagger(y)
 
 Needs `nscc[deepinv]`. Clips follow the layout of deepinv's other dynamic operators (batch,
@@ -108,14 +110,15 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
     def prox_l2(self, z: Any, y: Tensor, gamma: Any, *solver: Any, **options: Any) -> Tensor:
         """The x that minimises gamma / 2 |A x - y|^2 + 1 / 2 |x - z|^2, for one number gamma."""
         if isinstance(gamma, Tensor) and gamma.numel() > 1:
-            return super().prox_l2(z, y, gamma, *solver, **options)
+            found: Tensor = super().prox_l2(z, y, gamma, *solver, **options)
+            return found
         x = z if isinstance(z, Tensor) else torch.full_like(self.A_adjoint(y), z or 0.0)
         inverse = _inverse(self._overlap(y), 1.0 / gamma)
         return x + self.A_adjoint(_times(inverse, y - self.A(x)))
 
     def _weights(self, like: Tensor) -> Tensor:
         """What light counts, (buckets, slots, rows, cols); a still has one slot, the frame."""
-        found = self.shutters
+        found: Tensor = self.shutters
         if self.encoder is not None:
             found = laid(self.encoder().unsqueeze(0), *self.img_size[-2:])
         if self.still:
@@ -199,4 +202,5 @@ def _inverse(matrix: Tensor, damping: Any = 0.0) -> Tensor:
     if count == 1:
         opened = damped > 0  # a pixel that never opens has no inverse, nor a gradient that is none
         return torch.where(opened, 1.0 / torch.where(opened, damped, 1.0), 0.0)
-    return torch.linalg.pinv(damped, hermitian=True)
+    found: Tensor = torch.linalg.pinv(damped, hermitian=True)
+    return found

@@ -164,8 +164,12 @@ class Run:
         return values.astype(np.uint8)
 
 
-def load_run(path: str | os.PathLike[str]) -> Run:
-    """The run in a folder. Raises Rejected (NS0818) where there is none, or it did not finish."""
+def load_run(path: str | os.PathLike[str], *, trust_code: bool = False) -> Run:
+    """The run in a folder. Raises Rejected (NS0818) where there is none, or it did not finish.
+
+    A run that names Python code of its maker's is loaded only with `trust_code` (NS0823): loading
+    it runs that code.
+    """
     if not isinstance(path, str | os.PathLike):
         raise wrong_argument(f"load_run takes the folder of a run, not {shown(path)}")
-    return Run(run_folder.load_run(Path(path)))
+    return Run(run_folder.load_run(Path(path), trust_code=trust_code))
