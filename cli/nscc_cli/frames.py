@@ -38,7 +38,7 @@ def scene_of(
             helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
         )
     named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
-    more = {name: options[name] for name in ("fit", "color", "first") if name in options}
+    more = {name: options[name] for name in ("fit", "color", "first", "single") if name in options}
     return Scene(*(options[name] for name in named), **more)
 
 
@@ -64,6 +64,10 @@ def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
     return load_sensor(target, options["sensor"], options["sensor_set"])
 
 
+_ELECTRONS = (".npz", ".npy")
+"""Scenes that say how many electrons they amount to."""
+
+
 def run_capture_of(like: Path | None, options: dict[str, Any]) -> RunCapture | None:
     """How the frames of run `like` are made; what `options` leave open is set as it is there."""
     if like is None:
@@ -71,7 +75,8 @@ def run_capture_of(like: Path | None, options: dict[str, Any]) -> RunCapture | N
     from nscc_training.run_files import run_capture
 
     found = run_capture(like)
-    own_light = str(options["scene"]).startswith(("builtin:dark", "builtin:flat"))
+    scene = str(options["scene"])
+    own_light = scene.startswith(("builtin:dark", "builtin:flat")) or scene.endswith(_ELECTRONS)
     for name in ("exposure", "transfer", "sensor"):
         if options[name] is None and not (own_light and name == "exposure"):
             options[name] = getattr(found, name)

@@ -93,8 +93,9 @@ def run_capture(given: Path) -> RunCapture:
     well_e = float(protocol.values.get("full_well_e", 30000))
     own_sensor = path / SENSOR_FILE
     own_target = path / TARGET_FILE if shutter.target.endswith(".toml") else None
+    exposure = f"{well_e:g}@{percentile:g}"
     transfers: dict[str, Transfer] = {"linear": "linear", "srgb": "srgb"}
     return RunCapture(
-        program, still, shutter.slots, shutter.slot_us, f"{well_e:g}@{percentile:g}", transfers.get(data.transfer),
+        program, still, shutter.slots, shutter.slot_us, exposure, transfers.get(data.transfer),
         own_sensor if settings.sensor.file and own_sensor.is_file() else None, own_target,
     )  # fmt: skip
