@@ -85,7 +85,8 @@ class Run:
         force: bool = False,
     ) -> NDArray[np.float32]:
         """What the decoder makes of a frame: electrons over the frame (rows, cols), or of a clip
-        electrons a slot (T, rows, cols): the unit of `Capture.truth_e`.
+        electrons a slot (T, rows, cols): the unit of `Capture.truth_e`. Of a frame in colours red,
+        green and blue are an axis at the end.
 
         `frame`: a capture, a frame file, or codes of the converter (rows, cols), of which nothing
         is known and which are believed. Raises Rejected (NS0819) for a frame of another program or
@@ -94,14 +95,14 @@ class Run:
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
         elif isinstance(frame, Capture):
-            if frame.frame.shape[0] != 1 or frame.frame.ndim != 3:
+            about = frame.meta
+            in_colours = "colours" in about
+            if frame.frame.shape[-3] != 1 or (frame.frame.ndim != 3 and not in_colours):
                 raise wrong_argument(
                     f"reconstruct takes one bucket of one exposure, not {shown(frame.frame)}"
                 )
-            read, name = (
-                FrameRead(frame.frame, frame.saturated, frame.meta, None),
-                "the capture",
-            )
+            arrays = (each[:, 0] if in_colours else each for each in (frame.frame, frame.saturated))
+            read, name = FrameRead(*arrays, about, None), "the capture"
         else:
             codes = self._codes(frame)
             full = last_codes(codes, self.folder.parts.target) != 0
