@@ -112,6 +112,13 @@ def refuse_same(paths: Collection[Path], options: str) -> None:
         )
 
 
+def refuse_inputs(*paths: Path) -> None:
+    """Raises Rejected (NS0785) where a product would replace an input: before work is done in
+    vain. Writing looks once more."""
+    for path in paths:
+        _refuse_input(path, lambda _: None)
+
+
 def _refuse_input(path: Path, data: Product) -> None:
     try:
         found = path.stat()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
-from nscc.files import Product, refuse_same, write_together
+from nscc.files import Product, refuse_inputs, refuse_same, write_together
 from nscc_cli.support import progress
 
 if TYPE_CHECKING:
@@ -71,10 +71,12 @@ def run_capture_of(like: Path | None, options: dict[str, Any]) -> RunCapture | N
     from nscc_training.run_files import run_capture
 
     found = run_capture(like)
-    own_light = str(options["scene"]).startswith(("builtin:dark", "builtin:flat"))
-    for name in ("exposure", "transfer", "sensor"):
-        if options[name] is None and not (own_light and name == "exposure"):
-            options[name] = getattr(found, name)
+    theirs = {
+        "exposure": found.exposure_of(str(options["scene"])),
+        "transfer": found.transfer,
+        "sensor": found.sensor,
+    }
+    options |= {name: value for name, value in theirs.items() if options[name] is None}
     if options["target"] is None and found.target is not None:
         options["target"] = str(found.target)
     return found
@@ -109,6 +111,7 @@ def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
     check_ending(out, endings(), "a frame")
     if options["png"]:
         check_ending(options["png"], (".png",), "a picture")
+    refuse_inputs(*(path for path in named if path != options["plan"]))
     refuse_same(named, "-o, --png, --timings and --plan")
     return out
 

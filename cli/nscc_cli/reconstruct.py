@@ -26,15 +26,16 @@ from nscc_cli.support import CommonCommand, done, say
               help="Only warn if the frame is of another program or sensor.")  # fmt: skip
 @trust_code_option
 def command(
-    run: Path, frame: Path | None, out: Path, png: Path | None, tone: str | None, dark: Path | None,
-    force: bool, trust_code: bool,
+    run: Path, frame: Path | None, out: Path, png: Path | None, tone: str | None,
+    dark: Path | None, force: bool, trust_code: bool,
 ) -> None:  # fmt: skip
     """Make a picture or a clip of FRAME, which `nscc run RUN/shutter.nsl` wrote.
 
     RUN is a run folder, or one that comes with nscc: hdr, clip. A frame whose pixels looked at the
-    light needs none: it says itself how long each was open. In an .npz there is `image` (rows,
-    cols), electrons over the frame, or `video` (T, rows, cols), electrons a slot: the unit of the
-    frame file's `truth_e`.
+    light needs no RUN: it says itself how long each was open.
+
+    In an .npz there is `image` (rows, cols), electrons over the frame, or `video` (T, rows, cols),
+    electrons a slot: the unit of the frame file's `truth_e`.
     """
     from nscc_runtime.formats import FORMATS, Content, check_ending, endings, file_of
 
@@ -46,16 +47,16 @@ def command(
     if frame is None:
         from nscc_runtime.looked_light import image_of
 
-        light = image_of(run)
-        content = Content({"image": light}, light, tone=tone)
-        title = run.name
+        image = image_of(run)
+        content = Content({"image": image}, image)
     else:
         from nscc_training.reconstruct import reconstruct
 
         made = reconstruct(run, frame, force=force, dark=dark, trust_code=trust_code)
         say(made.messages)
-        content = replace(made.content, tone=tone)
-        title = f"{frame.name}  ·  {run.name}"
+        content = made.content
+    content = replace(content, tone=tone)
+    title = run.name if frame is None else f"{frame.name}  ·  {run.name}"
     products = {out: file_of(out, content, what)}
     if png is not None:
         from nscc_runtime.formats.sheet import content_sheet

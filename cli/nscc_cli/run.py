@@ -76,7 +76,8 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
     """
     keep = parse_keep(options["keep"])
     of_run = run_capture_of(like, options)
-    program = program or (of_run and of_run.program)
+    if program is None and of_run is not None:
+        program = of_run.program
     if program is None:
         raise click.UsageError("name a program, FILE.nsl or FILE.icw, or a run: --like RUN")
     refuse_swapped(program, options["scene"])

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nscc.emit.looks import looks_lines
 from nscc.lower.ledger import ledger
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
@@ -37,6 +38,10 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
             f"{counted(len(program.frame.slot_us), 'slot')}",
         ),
     ]
+    if program.machine is not None:
+        names = tuple(bucket.name for bucket in program.buckets)
+        told = looks_lines(program.machine, names, program.target)
+        rows += [("looks" * (not k), text) for k, text in enumerate(told)]
     if lowered is None or proof is None:
         return rows
     schedule = lowered.schedule
@@ -60,7 +65,9 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
         (
             "proved",
             f"{counted(proof.codes, 'code')} x {counted(proof.slots, 'slot')}, "
-            f"{counted(proof.frames, 'frame')}",
+            f"{counted(proof.frames, 'frame')}"
+            + f", {counted(proof.transitions, 'answer')}"
+            * (program.machine is not None),
         ),
     ]
 

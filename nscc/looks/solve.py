@@ -150,8 +150,8 @@ class _Moment:
                 self.sampled = False
             elif self.sampled and words[0] == self._sample():
                 words = words[1:]
-            elif v != moment.everything:
-                self.sampled = False
+            else:
+                self.sampled = v == moment.everything and words[0] == self._sample()
             self.found += words
         update(self.board, self.wanted)
         self.found += self.board.taken()

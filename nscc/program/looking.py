@@ -220,6 +220,7 @@ class _Maker:
             value = Fraction(number)
         step = level_steps(float(value), unit, target)
         most_e = target.in_high * target.electrons_per_step
+        least, most = (100 * e / target.full_well_e for e in (target.electrons_per_step, most_e))
         if not 1 <= step <= target.in_high or level_e(float(value), unit, target) >= min(
             target.full_well_e, target.register_max_e
         ):
@@ -233,10 +234,7 @@ class _Maker:
                     f"IN goes up to {target.in_high} steps of {target.electrons_per_step:.4g} e: "
                     f"{most_e:.6g} e",
                 ),
-                helps=(
-                    f"give a level from {100 * target.electrons_per_step / target.full_well_e:.3g}% "
-                    f"to {100 * most_e / target.full_well_e:.3g}%",
-                ),
+                helps=(f"give a level from {least:.3g}% to {most:.3g}%",),
             )  # fmt: skip
             return None
         return step

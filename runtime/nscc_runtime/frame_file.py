@@ -35,9 +35,8 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.target.target import Target
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
-from nscc_runtime.effects import Effect, Selection, everything, registered
+from nscc_runtime.effects import Effect, Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving
-from nscc_runtime.effects.registry import marks
 from nscc_runtime.effects.views import Where
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light

@@ -96,6 +96,12 @@ class Light:
         frame: NDArray[np.float32] = self.frames[self.frame_index[k]]
         return frame
 
+    def part(self, rows: slice, cols: slice) -> Light:
+        """The light on a rectangle of the pixels."""
+        frames = np.ascontiguousarray(self.frames[:, rows, cols])
+        motion = None if self.motion is None else replace(self.motion, frames=frames)
+        return replace(self, frames=frames, motion=motion)
+
     def joined(self, starts: Sequence[int]) -> Light:
         """The same light in fewer slots: slot k has all that falls in the slots starts[k] up to
         but not including starts[k + 1], N after the last; the first start is 0."""
@@ -113,12 +119,6 @@ class Light:
             weight=np.concatenate(weight),
             motion=None if self.motion is None else self.motion.joined(starts),
         )
-
-    def part(self, rows: slice, cols: slice) -> Light:
-        """The light on a rectangle of the pixels."""
-        frames = np.ascontiguousarray(self.frames[:, rows, cols])
-        motion = None if self.motion is None else replace(self.motion, frames=frames)
-        return replace(self, frames=frames, motion=motion)
 
     def dense(self) -> NDArray[np.float32]:
         """All slots (N, rows, cols)."""

@@ -18,7 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
 from nscc.words.container import Container
+from nscc.words.machine import Machine
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import (
     Converter,
@@ -27,10 +29,10 @@ from nscc_runtime.effects.parts import (
     Leak,
     Response,
     Soft,
-    Well,
     WordGain,
 )
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.frame_file import Frame
 
 Values = NDArray[np.float64]
 
@@ -41,11 +43,69 @@ _READS, _WORDS = 2, 4
 """An exposure is PIX less its reset level: each is read once, and copied by two words."""
 _PIXELS = np.arange(4096, dtype=np.int64)
 """Of a chip, for the mean and the spread of what differs from pixel to pixel."""
-_NEAR_FULL = 0.995
+
+
+def told_by(
+    container: Container,
+    planes: Mapping[str, NDArray[np.bool_]],
+    frame: Frame,
+    sensor: Sensor,
+    effects: Selection,
+) -> dict[str, NDArray[Any]]:
+    """What a frame file says beside the exposure, from the digital planes that came with one frame:
+    `states_NAME` (rows, cols) of the states that are read, `open_slots` (buckets, rows, cols), and
+    the light as `light_of` has it."""
+    machine = container.machine
+    assert machine is not None
+    assert container.pixel_codes is not None
+    found = {
+        state.name: container.state_planes[state.name].read(planes, frame.frame.shape[1:])
+        for state in machine.states
+        if state.read
+    }
+    behaviour = container.table.shutter_of_code[container.pixel_codes]
+    slots, open_us = open_times(machine, behaviour, found)
+    states = {f"states_{name}": each for name, each in found.items()}
+    light = light_of(frame, open_us, container, sensor, effects)
+    return {**states, "open_slots": slots, **light}
+
+
+def open_us_of(container: Container, told: Mapping[str, NDArray[Any]]) -> Values:
+    """How long each bucket of a pixel was open, in microseconds (buckets, rows, cols), from what
+    `told_by` says of a frame; -1 where the states are those of no pixel."""
+    assert container.machine is not None
+    assert container.pixel_codes is not None
+    behaviour = container.table.shutter_of_code[container.pixel_codes]
+    prefix = "states_"
+    states = {k.removeprefix(prefix): v for k, v in told.items() if k.startswith(prefix)}
+    return open_times(container.machine, behaviour, states)[1]
+
+
+def open_times(
+    machine: Machine, behaviour: NDArray[np.int32], states: Mapping[str, NDArray[np.int64]]
+) -> tuple[NDArray[np.int64], Values]:
+    """How many slots each bucket of a pixel was open, and for how many microseconds, (buckets,
+    rows, cols), from its behaviour and the states that were read; -1 where no pixel ends so."""
+    last = machine.nodes(machine.stages - 1)
+    read = [k for k, state in enumerate(machine.states) if state.read]
+    ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
+    known, first = np.unique(ends, axis=0, return_index=True)
+    numbers = {tuple(row): place for row, place in zip(known.tolist(), first.tolist(), strict=True)}
+    pixels = np.stack([behaviour, *(states[machine.states[k].name] for k in read)], axis=-1)
+    distinct, inverse = np.unique(pixels.reshape(-1, pixels.shape[-1]), axis=0, return_inverse=True)
+    rows = np.array([numbers.get(tuple(row), -1) for row in distinct.tolist()], np.intp)
+    buckets = machine.opens.shape[1]
+    slots = np.full((len(distinct), buckets), -1, np.int64)
+    us = np.full((len(distinct), buckets), -1.0)
+    there = rows >= 0
+    slots[there] = machine.open_slots[last][rows[there]]
+    us[there] = machine.open_us[last][rows[there]]
+    shape = (buckets, *behaviour.shape)
+    return slots[inverse.reshape(-1)].T.reshape(shape), us[inverse.reshape(-1)].T.reshape(shape)
 
 
 def light_of(
-    codes: NDArray[np.uint8],
+    frame: Frame,
     open_us: Values,
     container: Container,
     sensor: Sensor,
@@ -53,23 +113,21 @@ def light_of(
 ) -> dict[str, Values]:
     """The light and its standard deviation, by key, each (buckets, rows, cols).
 
-    `codes` uint8 of the converter and `open_us`, both (buckets, rows, cols): -1 where the states
-    are those of no pixel. `effects` are those of the chip: all, or what an emulator had on. Of a
-    pixel that never opened, or whose time is unknown, both are NaN.
+    `frame` is one frame, `open_us` (buckets, rows, cols) is -1 where the states are those of no
+    pixel. `effects` are those of the chip: all, or what an emulator had on. Of a pixel that never
+    opened, or whose time is unknown, both are NaN.
     """
     frame_us = float(sum(container.slot_us))
-    step_e, top = sensor.electrons_per_lsb, 2**container.target.adc_bits - 1
-    read_e = (codes.astype(np.float64) - sensor.adc_offset_lsb) * step_e
+    step_e = sensor.electrons_per_lsb
+    read_e = (frame.frame.astype(np.float64) - sensor.adc_offset_lsb) * step_e
     gain = _gain(container, sensor, effects, open_us, frame_us)
     held_e = _unbent(read_e, sensor, effects)
     open_s = np.where(open_us > 0, open_us, np.nan) * 1e-6
     dark_e = _dark_e_per_s(sensor, effects) * open_s
     electrons = held_e / gain
     light_e = electrons - dark_e
-    full_e = effects.the(Well).full_e(sensor) if effects.part(Well) else np.inf
-    full = (codes >= top) | (electrons >= _NEAR_FULL * full_e)
     variance = _variance_e2(np.maximum(electrons, 0.0), gain, sensor, effects)
-    deviation = np.where(full, np.inf, np.sqrt(variance) / open_s)
+    deviation = np.where(frame.saturated, np.inf, np.sqrt(variance) / open_s)
     deviation[np.isnan(open_s)] = np.nan
     return {LIGHT: light_e / open_s, DEVIATION: deviation}
 
@@ -142,6 +200,7 @@ def image_of(frame: Path) -> NDArray[np.float32]:
 
     Raises Rejected (NS0819, status 2) for a file that is no frame whose pixels looked.
     """
+    reads(frame)
     try:
         with np.load(frame, allow_pickle=False) as file:
             arrays: Mapping[str, Any] = {key: file[key] for key in (LIGHT, DEVIATION)}

@@ -77,7 +77,7 @@ def simulate_scene(
     broken = next((one.broken for one in made if one.broken), None)
     light = scene[0].light
     light = light if where.whole else light.part(*(slice(0, side) for side in where.size))
-    about = {} if where.fit == "crop" else {"laid": where.as_json()}
+    about: dict[str, Any] = {} if where.fit == "crop" else {"laid": where.as_json()}
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
     simulated = replace(worst, frame=frame, broken=broken)
     return Taken(simulated, where.widened(container), light, about, container, where)

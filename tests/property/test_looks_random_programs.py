@@ -29,16 +29,17 @@ ALLOWED = {"NS0324", "NS0502", "NS0601", "NS0415", "NS0350"}
 """What such a program may be refused for: it tells too little, or is too large."""
 
 
-def compiled(text: str) -> Container | None:
+def compiled(text: str, level: int) -> Container | None:
     """The proved container for a small array; None where the program is refused for good."""
     name = "scamp5-algorithm1" if "algorithm1" in text else "scamp5"
     target = replace(builtin_target(name), rows=SIDE, cols=SIDE)
-    options = Options(level=1, target=target, codes="open", cache=False)
+    options = Options(level=level, target=target, codes="open", cache=False)
     try:
         made = run_passes(Source("random.nsl", text), Path(), options)
     except Rejected as rejected:
         wrong = {d.code for d in rejected.diagnostics if d.severity.value == "error"}
-        assert wrong <= ALLOWED, (text, [d.message for d in rejected.diagnostics])
+        if not wrong <= ALLOWED:
+            raise
         return None
     assert made.container is not None
     return made.container
@@ -55,7 +56,7 @@ def test_words_do_what_the_text_says(chunk: int) -> None:
     done = 0
     for seed in range(chunk * (PROGRAMS // CHUNKS), (chunk + 1) * (PROGRAMS // CHUNKS)):
         text = random_program(seed)
-        found = compiled(text)
+        found = compiled(text, 1 if seed % 8 == 0 else 0)
         if found is None:
             continue
         done += 1
@@ -97,7 +98,7 @@ def check(text: str, container: Container, seed: int) -> None:
 
 @pytest.mark.parametrize("seed", range(0, 60))
 def test_containers_of_machines_are_their_bytes(seed: int) -> None:
-    container = compiled(random_program(seed))
+    container = compiled(random_program(seed), 0)
     if container is None:
         return
     data = to_bytes(container)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from plan_cases import CASES, case
-from reference_programs import sensor_of
+from plan_cases import CASES, WHOLE, case
+from reference_programs import program, sensor_of
 from saturation_oracle import exposures, lost_e
 
 from nscc.words.container import Container
@@ -114,6 +114,19 @@ def test_of_a_chip_codes_alone_tell_it(lit: tuple[Container, np.ndarray], knee: 
     assert np.array_equal(blind.saturated, found.frame == 255)
 
 
+def test_registers_lose_in_many_small_steps_what_no_single_one_shows() -> None:
+    """Each write beyond the knee bends again what the one before had bent."""
+    container = program(WHOLE.format(slots=256, slot="100us"), "accumulate", *SHAPE)
+    ideal = {"analog_gain": 1.0, "leakage_tau_s": 1e9, "analog_bias_lsb": 0.0}
+    sensor = sensor_of(container, **ideal)
+    for slot_e, full in ((95.0, False), (150.0, True)):
+        light = np.full((256, *SHAPE), slot_e, np.float32)
+        assert (lost_e(container, light, **LIMITS) > MUCH_E).all() == full
+        found = capture(container, light, sensor=sensor, effects="full_well,register,shot")
+        assert np.all(found.saturated_by == (REGISTER if full else 0))
+        assert found.exposure_e.max() < 0.96 * FULL_E
+
+
 @pytest.mark.parametrize("electrons", [1e8, 1e30])
 @pytest.mark.parametrize("effects", ["none", "auto", "all", "full_well,dead_time"])
 def test_a_flooded_scene_is_saturated_everywhere(
@@ -130,8 +143,6 @@ def test_a_flooded_scene_is_saturated_everywhere(
 
 def test_the_dark_and_what_never_opens_are_not_saturated() -> None:
     text = "nsl 1\nframe 4 slots of 1ms\ncode stop : 0..4\nopen when n < stop\n"
-    from reference_programs import program
-
     container = program(text + "pixels stop = 4 * (x % 2)\n", "edges", *SHAPE)
     flood = np.full((4, *SHAPE), 1e6, np.float32)
     for effects in ("auto", "all"):

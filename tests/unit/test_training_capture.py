@@ -94,6 +94,30 @@ def test_saturation_has_a_stand_in_slope() -> None:
     assert exposure.grad.tolist() == [1.0, 1.0, 0.25, 0.25]
 
 
+@pytest.mark.parametrize(
+    ("values", "full_e", "full_code"),
+    [
+        ({}, 30000.0, 255),
+        ({"electrons_per_lsb": 150.0}, 30000.0, 200),
+        ({"electrons_per_lsb": 149.7}, 30000.0, 200),
+        ({"adc_offset_lsb": 128.0}, 127 * 30000 / 255, 127),
+        ({"adc_offset_lsb": 10.0, "electrons_per_lsb": 100.0}, 24500.0, 245),
+    ],
+)
+def test_decoders_see_1_where_a_pixel_is_saturated(
+    values: dict[str, float], full_e: float, full_code: int
+) -> None:
+    """Whatever comes first, the full well or the end of the converter."""
+    model = SensorModel(**{"full_well_e": 30000.0, "electrons_per_lsb": 30000 / 255, **values})
+    assert model.full_e == pytest.approx(full_e)
+    assert model.full_code == full_code
+    exposure = torch.tensor([0.0, 0.5, 0.98, 1.01, 50.0], dtype=torch.float64) * full_e
+    seen = model.relative(read_out(exposure, model) - model.adc_offset_lsb)
+    assert seen[:3].tolist() == pytest.approx([0.0, 0.5, 0.98], abs=0.006)
+    assert (seen[3:] >= 1).all()
+    assert (seen[:3] < 1).all()
+
+
 def test_noise_has_the_variance_of_photons() -> None:
     model = SensorModel(1e9, 1.0, adc_bits=16, shot_noise=True)
     light = torch.full((1, 1, 200, 200), 10000.0)

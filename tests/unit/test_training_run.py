@@ -48,6 +48,18 @@ def test_frames_are_those_of_run_like(run: nscc_training.Run, tmp_path: Path) ->
     assert np.percentile(bright.truth_e, 99) == pytest.approx(1e6, rel=1e-3)
 
 
+def test_what_is_there_in_the_dark_is_taken_away(run: nscc_training.Run, tmp_path: Path) -> None:
+    taken = run.capture("builtin:hdr", effects="auto")
+    dark = run.capture("builtin:dark", effects="auto", repeat=3)
+    path, without = taken.save(tmp_path / "f.npz"), dark.save(tmp_path / "d.npz")
+    line = ["reconstruct", str(run.path), "f.npz", "--dark", "d.npz", "-o", "r.npz"]
+    outcome = invoke(line, tmp_path)
+    assert outcome.status == 0, outcome.err
+    wanted = np.load(tmp_path / "r.npz")["image"]
+    np.testing.assert_array_equal(run.reconstruct(taken, dark=dark), wanted)
+    np.testing.assert_array_equal(run.reconstruct(path, dark=without), wanted)
+
+
 def test_colours_are_reconstructed_one_by_one(run: nscc_training.Run, tmp_path: Path) -> None:
     import cv2
 

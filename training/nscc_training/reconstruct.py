@@ -43,7 +43,7 @@ class FrameRead:
     frame: NDArray[np.uint8]
     saturated: NDArray[np.bool_]
     meta: dict[str, Any]
-    shutter: NDArray[np.bool_] | None
+    shutter: NDArray[Any] | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,13 +84,22 @@ def reconstruct(
     of another program or sensor (with `force` that is a warning, unless its size differs).
     """
     folder = load_run(run, trust_code=trust_code)
-    return reconstructed(folder, read_frame(frame), str(frame), force=force, dark=dark)
+    read, begin = read_frame(frame), perf_counter()
+    offset = None if dark is None else read_dark(dark)
+    light, messages = reconstructed(folder, read, str(frame), force=force, offset=offset)
+    seconds = perf_counter() - begin
+    return Reconstruction(light, folder.parts.still, len(read.frame) > 1, messages, seconds)
 
 
 def reconstructed(
-    folder: RunFolder, read: FrameRead, name: str, *, force: bool = False, dark: Path | None = None
-) -> Reconstruction:
-    """The same of a frame that has been read; `name` is what messages call it."""
+    folder: RunFolder, read: FrameRead, name: str, *, force: bool,
+    offset: NDArray[np.float64] | None = None,
+) -> tuple[NDArray[np.float32], tuple[Diagnostic, ...]]:  # fmt: skip
+    """The picture or clip of a frame, colours last, and warnings; `name` is what they call the
+    frame, `offset` (rows, cols) what the array reads without light.
+
+    Raises Rejected (NS0819) as `reconstruct`.
+    """
     doubts = [*_program_doubts(folder, read), *_sensor_doubts(folder, read)]
     messages = tuple(_doubt(name, text, warning=force) for text in doubts)
     if messages and not force:
@@ -98,15 +107,13 @@ def reconstructed(
     size = (folder.parts.target.rows, folder.parts.target.cols)
     if read.frame.shape[1:] != size and "laid" not in read.meta:
         raise _no_frame(name, f"it is of {read.frame[0].shape} pixels, the run's chip has {size}")
-    offset = np.zeros(size) if dark is None else read_dark(dark, size)
-    begin = perf_counter()
+    if offset is not None and offset.shape != size:
+        raise _no_frame(name, f"without light it is of {offset.shape} pixels, not {size}")
     made = [
-        decoded_frame(folder, undarkened(codes, offset), saturated)
+        decoded_frame(folder, codes if offset is None else undarkened(codes, offset), saturated)
         for codes, saturated in zip(read.frame, read.saturated, strict=True)
     ]
-    colour = len(made) > 1
-    light = np.stack(made, axis=-1) if colour else made[0]
-    return Reconstruction(light, folder.parts.still, colour, messages, perf_counter() - begin)
+    return np.stack(made, axis=-1) if len(made) > 1 else made[0], messages
 
 
 def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
@@ -116,15 +123,15 @@ def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray
     return np.asarray(codes - laid_offset, np.float32)
 
 
-def read_dark(path: Path, size: tuple[int, int]) -> NDArray[np.float64]:
+def read_dark(path: Path) -> NDArray[np.float64]:
     """The mean code (rows, cols) above the ADC's offset of a frame file without light.
 
-    Rejected (NS0819) for one of another size.
+    Rejected (NS0819) for one that is not of one bucket.
     """
     file = _frame_arrays(path)
     codes = file.frame.reshape(-1, *file.frame.shape[-3:])
-    if codes.shape[1:] != (1, *size):
-        raise _no_frame(path, f"its frames are {codes.shape[1:]}, the array's are {(1, *size)}")
+    if codes.shape[1] != 1 or 0 in codes.shape:
+        raise _no_frame(path, f"its frames are {codes.shape[1:]}, not of one bucket")
     return np.asarray(codes.mean(axis=0)[0] - float(file.meta["adc_offset"]))
 
 

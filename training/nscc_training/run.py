@@ -25,7 +25,7 @@ from nscc_runtime.scenes.scene import Scene
 from nscc_training import run_folder
 from nscc_training.curve_chart import curve_chart
 from nscc_training.encoders import Encoder
-from nscc_training.reconstruct import FrameRead, decoded_frame, read_frame, reconstructed
+from nscc_training.reconstruct import FrameRead, decoded_frame, read_dark, read_frame, reconstructed
 from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder
 
@@ -94,8 +94,8 @@ class Run:
         if isinstance(light, Scene):
             light = replace(
                 light,
-                exposure=like.exposure if light.exposure is None else light.exposure,
-                transfer=like.transfer if light.transfer is None else light.transfer,
+                exposure=light.exposure or like.exposure_of(light.name),
+                transfer=light.transfer or like.transfer,
             )
         return exposing.capture(self.program, light, **{"sensor": like.sensor, **options})
 
@@ -104,16 +104,17 @@ class Run:
         frame: Capture | NDArray[np.integer[Any]] | str | os.PathLike[str],
         *,
         force: bool = False,
-        dark: str | os.PathLike[str] | None = None,
+        dark: Capture | str | os.PathLike[str] | None = None,
     ) -> NDArray[np.float32]:
         """What the decoder makes of a frame: electrons over the frame (rows, cols), or of a clip
         electrons a slot (T, rows, cols): the unit of `Capture.truth_e`. Of a frame in colours red,
         green and blue are an axis at the end.
 
         `frame`: a capture, a frame file, or codes of the converter (rows, cols), of which nothing
-        is known and which are believed. `dark` is a frame file without light, of many repeats,
-        whose mean is taken from a capture or file. Raises Rejected (NS0819) for a frame of another
-        program or sensor, which with `force` is a warning; WrongArgument for what is no frame.
+        is known and which are believed. `dark` is a capture or file without light, of many
+        repeats, whose mean is taken from a capture or file. Raises Rejected (NS0819) for a frame of
+        another program or sensor, which with `force` is a warning; WrongArgument for what is no
+        frame.
         """
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
@@ -130,10 +131,10 @@ class Run:
             codes = self._codes(frame)
             full = last_codes(codes, self.folder.parts.target) != 0
             return decoded_frame(self.folder, codes, full)
-        without = None if dark is None else Path(dark)
-        made = reconstructed(self.folder, read, name, force=force, dark=without)
-        warn(made.messages)
-        return made.light
+        offset = None if dark is None else self._offset(dark)
+        made, messages = reconstructed(self.folder, read, name, force=force, offset=offset)
+        warn(messages)
+        return made
 
     def __repr__(self) -> str:
         spec, score = self.encoder.spec, self._score()
@@ -169,6 +170,13 @@ class Run:
         ]
         slot_us = [self.folder.parts.chip.slot_us] * spec.slots
         return shutter_chart(rows[:, None], labels, slot_us, ("exposure",))
+
+    def _offset(self, dark: Capture | str | os.PathLike[str]) -> NDArray[np.float64]:
+        """What the array (rows, cols) reads without light, codes above the ADC's offset."""
+        if not isinstance(dark, Capture):
+            return read_dark(Path(dark))
+        codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
+        return np.asarray(codes.mean(axis=0)[0] - self.folder.parts.model.adc_offset_lsb)
 
     def _codes(self, frame: object) -> NDArray[np.uint8]:
         """Codes that were given as an array."""

@@ -39,6 +39,10 @@ class RunCapture:
     sensor: Path | None
     target: Path | None
 
+    def exposure_of(self, scene: str) -> str | None:
+        """The exposure of a scene of that name; None of those that are electrons by themselves."""
+        return None if scene.startswith(("builtin:dark", "builtin:flat")) else self.exposure
+
     def check(self, container: Container, program: Path) -> None:
         """NS0821 for a program whose slots are not those of the run."""
         if tuple(container.slot_us) == (self.slot_us,) * self.slots:
@@ -93,10 +97,8 @@ def run_capture(given: Path) -> RunCapture:
     well_e = float(protocol.values.get("full_well_e", 30000))
     own_sensor = path / SENSOR_FILE
     own_target = path / TARGET_FILE if shutter.target.endswith(".toml") else None
-    transfer: Transfer | None = None
-    if data.transfer == "linear" or data.transfer == "srgb":
-        transfer = data.transfer
+    transfers: dict[str, Transfer] = {"linear": "linear", "srgb": "srgb"}
     return RunCapture(
-        program, still, shutter.slots, shutter.slot_us, f"{well_e:g}@{percentile:g}", transfer,
+        program, still, shutter.slots, shutter.slot_us, f"{well_e:g}@{percentile:g}", transfers.get(data.transfer),
         own_sensor if settings.sensor.file and own_sensor.is_file() else None, own_target,
     )  # fmt: skip

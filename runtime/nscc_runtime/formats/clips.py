@@ -41,7 +41,7 @@ def mp4(content: Content) -> bytes:
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "clip.mp4")
         for codec in _CODECS:
-            four = cv2.VideoWriter_fourcc(*codec)
+            four = cv2.VideoWriter.fourcc(*codec)
             with quiet():
                 video = cv2.VideoWriter(path, cv2.CAP_FFMPEG, four, FRAMES_A_SECOND, size)
             if video.isOpened():

@@ -91,7 +91,7 @@ def shutter_content(arrays: Arrays) -> Content:
     return Content(arrays, benchmark=mask, main=opened)
 
 
-def _lanes(container: Container) -> NDArray[np.intp]:
+def _lanes(container: Container) -> NDArray[np.signedinteger]:
     assert container.pixel_codes is not None  # it has been exposed
     return container.table.shutter_of_code[container.pixel_codes]
 

@@ -193,7 +193,7 @@ def _draw_map(axes: Axes, drawing: _Map) -> None:
     axes.spines[:].set_visible(False)
     extent = axes.get_window_extent()
     for axis, dots in ((axes.xaxis, extent.width), (axes.yaxis, extent.height)):
-        axis.set_major_locator(MaxNLocator(max(1, int(dots / 55)), integer=True))
+        axis.set_major_locator(MaxNLocator(max(1, int(dots / 55)), integer=True, min_n_ticks=1))
         axis.set_visible(dots > 55)
     if max(rows, cols) <= 2 * _CORNER:
         axes.hlines(np.arange(rows - 1) + 0.5, -0.5, cols - 0.5, colors=look().paper)

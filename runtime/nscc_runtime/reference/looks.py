@@ -18,7 +18,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import inf
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,7 +26,6 @@ from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
-from nscc.words.machine import Machine
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.sensor import Sensor
@@ -36,10 +34,11 @@ from nscc_runtime.emulator.capture import check
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.looked_light import light_of
+from nscc_runtime.looked_light import told_by
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
 from nscc_runtime.reference.charge import Groups, charge_of_rows
+from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.weights import error_sign
 
 Values = NDArray[np.float64]
@@ -116,6 +115,7 @@ class LookingReference:
             loaded |= {name: plane for name, plane in before.items() if name in kept}
         told = {r for planes in container.state_planes.values() for r in planes.registers}
         exposure = np.empty((len(container.buckets), rows, cols))
+        saturated_by = np.empty(exposure.shape, np.uint8)
         valid = np.empty((rows, cols), np.bool_)
         planes = {name: np.empty((rows, cols), np.bool_) for name in sorted(told)}
         # Nothing is summed over groups of slots: all slots are one.
@@ -133,12 +133,14 @@ class LookingReference:
                 sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
                 program=self, code={n: p[chunk].reshape(-1) for n, p in loaded.items()},
             )  # fmt: skip
-            found = pixels.run(charge.reshape(len(self.starts), -1))
+            found, marked = pixels.run(charge.reshape(len(self.starts), -1))
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
+            saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
             valid[chunk] = good
             for name, plane in planes.items():
                 plane[chunk] = pixels.bits[name].reshape(len(part), cols)
-        return Executed(Exposure(exposure, np.isfinite(exposure) & valid), planes)
+        valid_here = np.isfinite(exposure) & valid
+        return Executed(Exposure(exposure, valid_here, saturated_by), planes)
 
     def _kept(self) -> list[str]:
         machine = self.container.machine
@@ -175,56 +177,8 @@ def _frames(
         frame = converted(
             executed.exposure, container.target, reference.sensor, reference.effects, seeds, number
         )
-        told = told_by(container, planes, frame.frame, reference.sensor, reference.effects)
+        told = told_by(container, planes, frame, reference.sensor, reference.effects)
         yield replace(frame, told=told)
-
-
-def told_by(
-    container: Container,
-    planes: Mapping[str, Bits],
-    codes: NDArray[np.uint8],
-    sensor: Sensor,
-    effects: Selection,
-) -> dict[str, NDArray[Any]]:
-    """What a frame file says beside the exposure, from the digital planes and the converter's codes
-    (buckets, rows, cols): `states_NAME` (rows, cols) of the states that are read, `open_slots`
-    (buckets, rows, cols), and the light (`nscc_runtime.looked_light.light_of`)."""
-    machine = container.machine
-    assert machine is not None
-    assert container.pixel_codes is not None
-    found = {
-        state.name: container.state_planes[state.name].read(planes, codes.shape[1:])
-        for state in machine.states
-        if state.read
-    }
-    behaviour = container.table.shutter_of_code[container.pixel_codes]
-    slots, open_us = open_times(machine, behaviour, found)
-    states = {f"states_{name}": each for name, each in found.items()}
-    light = light_of(codes, open_us, container, sensor, effects)
-    return {**states, "open_slots": slots, **light}
-
-
-def open_times(
-    machine: Machine, behaviour: NDArray[np.int32], states: Mapping[str, NDArray[np.int64]]
-) -> tuple[NDArray[np.int64], Values]:
-    """How many slots each bucket of a pixel was open, and for how many microseconds, (buckets,
-    rows, cols), from its behaviour and the states that were read; -1 where no pixel ends so."""
-    last = machine.nodes(machine.stages - 1)
-    read = [k for k, state in enumerate(machine.states) if state.read]
-    ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
-    known, first = np.unique(ends, axis=0, return_index=True)
-    numbers = {tuple(row): place for row, place in zip(known.tolist(), first.tolist(), strict=True)}
-    pixels = np.stack([behaviour, *(states[machine.states[k].name] for k in read)], axis=-1)
-    distinct, inverse = np.unique(pixels.reshape(-1, pixels.shape[-1]), axis=0, return_inverse=True)
-    rows = np.array([numbers.get(tuple(row), -1) for row in distinct.tolist()], np.intp)
-    buckets = machine.opens.shape[1]
-    slots = np.full((len(distinct), buckets), -1, np.int64)
-    us = np.full((len(distinct), buckets), -1.0)
-    there = rows >= 0
-    slots[there] = machine.open_slots[last][rows[there]]
-    us[there] = machine.open_us[last][rows[there]]
-    shape = (buckets, *behaviour.shape)
-    return slots[inverse.reshape(-1)].T.reshape(shape), us[inverse.reshape(-1)].T.reshape(shape)
 
 
 @dataclass(eq=False, kw_only=True)
@@ -248,6 +202,7 @@ class _LookingPixels(Pixels):
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
         self.reset_e = np.zeros(len(self.places))
+        self.marks = Marks(self.program.effects, self.sensor, (*names, "IN"), len(self.places))
         bits = (*target.digital_registers, "FLAG")
         self.bits = {
             name: uniforms(key(self.device_seed, START, group=_FIRST_BIT + i), self.places) < 0.5
@@ -269,8 +224,9 @@ class _LookingPixels(Pixels):
         effect = next(each for each in self.program.effects.effects if each.name == name)
         return normals(key(self.seed, effect.stream, 1, self.frame, number), self.places)
 
-    def run(self, charge: Values) -> Values:
-        """The exposures (buckets, pixels) of a frame of `charge` (intervals, pixels)."""
+    def run(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
+        """The exposures (buckets, pixels) of a frame of `charge` (intervals, pixels), and what cut
+        them off (`nscc_runtime.effects.marks`)."""
         slots, target = self.container.slots, self.target
         launches = iter(self.container.launches)
         launch = next(launches, None)
@@ -305,9 +261,7 @@ class _LookingPixels(Pixels):
             self.fallen = now
 
     def _fall(self, charge: Values) -> None:
-        self.charge = self.charge + charge
-        for held in self.at("well"):
-            self.charge = held(self, self.charge)
+        self.charge = self.marks.fallen(self, self.charge + charge)
 
     def _run(self, op: Op) -> None:
         match op.operation.effect:
@@ -336,6 +290,7 @@ class _LookingPixels(Pixels):
         if self.target.reset_honours_flag != "no":
             here = self._read("FLAG")
         self.charge = np.where(here, 0.0, self.charge)
+        self.marks.empty(here)
         level = np.zeros(len(self.places))
         for left in self.at("resets"):
             level = left(self, level, word)
@@ -359,13 +314,14 @@ class _LookingPixels(Pixels):
         word = self._running(op)
         here = self._read("FLAG")
         result = self._total(word) / -op.operation.divisor
+        full, lost = self.marks.gathered(op)
         for index, name in enumerate(op.destinations):
             value = result
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
-            for held in self.at("registers"):
-                value = held(self, value)
+            value, lost_here = self.marks.held(self, value, lost)
             self.register[name] = np.where(here, value, self.register[name])
+            self.marks.write(name, here, full, lost_here)
 
     def _compare(self, op: Op) -> None:
         word = self._running(op)
@@ -407,8 +363,9 @@ class _LookingPixels(Pixels):
         self.bits[name] = value
         self.written_us[name] = self.now_us
 
-    def _read_out(self) -> Values:
+    def _read_out(self) -> tuple[Values, NDArray[np.uint8]]:
         exposures = np.empty((len(self.container.buckets), len(self.places)))
+        marked = np.empty(exposures.shape, np.uint8)
         for order, readout in enumerate(self.container.readouts):
             value = self.register[readout.register] * readout.gain
             for held in self.at("hold"):
@@ -417,4 +374,5 @@ class _LookingPixels(Pixels):
             for leaves in self.at("readout"):
                 value = leaves(self, value, bucket)
             exposures[bucket] = value + 0.0  # -0 + 0 is +0
-        return exposures
+            marked[bucket] = self.marks.read_out(readout.register, readout.gain)
+        return exposures, marked

@@ -78,6 +78,6 @@ def _open_share(container: Container) -> NDArray[np.float64]:
     return share[_lanes(container)]
 
 
-def _lanes(container: Container) -> NDArray[np.intp]:
+def _lanes(container: Container) -> NDArray[np.signedinteger]:
     assert container.pixel_codes is not None  # it has been exposed
     return container.table.shutter_of_code[container.pixel_codes]

@@ -101,10 +101,9 @@ class Shown:
             return mu_psnr(truth, np.asarray(light, np.float64), peak)
         screen = fitted("srgb", truth, self.white_e)
         white = screen.white or 1.0
-        pairs = ((truth, light),) if self.still else zip(truth, light, strict=True)
-        return finite_mean(
-            psnr(*(screen.curve(np.clip(x / white, 0, 1)) for x in pair), 1.0) for pair in pairs
-        )
+        there, here = (screen.curve(np.clip(x / white, 0, 1)) for x in (truth, light))
+        pairs = [(there, here)] if self.still else zip(there, here, strict=True)
+        return finite_mean(psnr(a, b, 1.0) for a, b in pairs)
 
 
 def demo_sheet(shown: Shown) -> Figure:
@@ -184,7 +183,8 @@ def _shutters(shown: Shown) -> Image:
 def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
     from matplotlib import colormaps
 
-    return np.rint(255 * colormaps["viridis"](np.clip(scale, 0, 1))[..., :3]).astype(np.uint8)
+    colours = np.asarray(colormaps["viridis"](np.clip(scale, 0, 1)))[..., :3]
+    return np.asarray(np.rint(255 * colours), np.uint8)
 
 
 def _fit(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
