@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc.logic.problem import Gate, GaveUp, Machine
 from nscc.looks.encode import Encoding, Held
 from nscc.looks.plan import LookingPlan, Moment
-from nscc.looks.synthesis import FLAG, Board, update
+from nscc.looks.synthesis import FLAG, Board, renamed, update
 from nscc.operations import Op, op
 from nscc.target.target import Target
 from nscc.truth import columns, vector
@@ -155,7 +155,7 @@ class _Moment:
             self.found += words
         update(self.board, self.wanted)
         self.found += self.board.taken()
-        return self.found
+        return renamed(self.found)
 
     def _sample(self) -> Op:
         return op("bus", (self.plan.scratch,), ("PIX",))

@@ -9,11 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from typing import TypeVar
 
 from nscc.logic.cover import Cover, Covers
 from nscc.logic.cubes import Budget
 from nscc.logic.gates import Gates
 from nscc.logic.problem import Gate, GaveUp, Machine
+
+T = TypeVar("T")
 
 FLAG = "FLAG"
 _STEPS = 4_000_000
@@ -164,18 +167,57 @@ class Board:
                 gates.nor(complements[index], [names[index][1:]])
             return complements[index]
 
-        positive = [source(i) for i in cover.positive]
-        cubes = [[source(i) for i in cube.sources] for cube in cover.cubes]
-        if len(cubes) == 1 and not positive:
+        if len(cover.cubes) == 1 and not cover.positive:
             # An OR of one NOR is a NOR, and its complement is an OR: one gate.
-            (gates.or_ if inverted else gates.nor)(destination, cubes[0])
+            cube = [source(i) for i in cover.cubes[0].sources]
+            (gates.or_ if inverted else gates.nor)(destination, cube)
             return Made(gates.take(), tuple(made.items()))
-        for cube, found in zip(cubes, cover.cubes, strict=True):
-            name = scratch(found.vector)
-            gates.nor(name, cube)
-            positive.append(name)
+        positive = []
+        for found in cover.cubes:
+            # Complements are made where they are read first: fewer are alive at once.
+            cube = [source(i) for i in found.sources]
+            positive.append(scratch(found.vector))
+            gates.nor(positive[-1], cube)
+        positive += [source(i) for i in cover.positive]
         (gates.nor if inverted else gates.or_)(destination, positive)
         return Made(gates.take(), tuple(made.items()))
+
+
+def renamed(gates: Sequence[Gate | T]) -> list[Gate | T]:
+    """The same gates with as few scratch registers as their values need while they are alive;
+    what stands between them reads none."""
+    ends: dict[tuple[str, int], int] = {}
+    writes: dict[str, int] = {}
+    for place, gate in enumerate(gates):
+        if not isinstance(gate, Gate):
+            continue
+        for name in gate.sources:
+            if name in writes:
+                ends[name, writes[name]] = place
+        if gate.destination.startswith("t") and gate.destination not in gate.sources:
+            writes[gate.destination] = place
+            ends[gate.destination, place] = place
+        elif gate.destination in writes:
+            ends[gate.destination, writes[gate.destination]] = place
+    found: list[Gate | T] = []
+    names: dict[str, str] = {}
+    busy: dict[str, int] = {}
+    for place, gate in enumerate(gates):
+        if not isinstance(gate, Gate):
+            found.append(gate)
+            continue
+        # A register is free once the last gate that reads it is over.
+        busy = {name: end for name, end in busy.items() if end >= place}
+        sources = tuple(names.get(name, name) for name in gate.sources)
+        destination = gate.destination
+        if (destination, place) in ends:
+            number = 0
+            while f"t{number}" in busy:
+                number += 1
+            names[destination] = f"t{number}"
+            busy[f"t{number}"] = ends[destination, place]
+        found.append(Gate(gate.name, names.get(destination, destination), sources))
+    return found
 
 
 def update(board: Board, wanted: dict[str, int]) -> None:
@@ -185,13 +227,28 @@ def update(board: Board, wanted: dict[str, int]) -> None:
     """
     left = {name: v for name, v in wanted.items() if board.values[name] != v}
     best: tuple[int, Board] | None = None
-    for tried in _orders(board, left):
-        words = sum(gate.words for gate in tried.gates)
-        if best is None or words < best[0]:
-            best = words, tried
+    for begun in (board, *_with_changes(board, left)):
+        for tried in _orders(begun, left):
+            words = sum(gate.words for gate in tried.gates)
+            if best is None or words < best[0]:
+                best = words, tried
     if best is None:
         raise GaveUp("the registers do not tell the lanes of a look apart")
     board.values, board.gates = best[1].values, best[1].gates
+
+
+def _with_changes(board: Board, wanted: dict[str, int]) -> Iterator[Board]:
+    """Boards on which scratch holds the lanes in which several registers become 1: each of them
+    then takes an OR."""
+    rises = [v & ~board.values[name] for name, v in wanted.items()]
+    for rise in dict.fromkeys(rises):
+        if rises.count(rise) > 1 and rise not in board.values.values():
+            after = board.copy()
+            name = after.fresh()
+            made = after.make(rise, name)
+            if made is not None:
+                after.take(made, (name, rise))
+                yield after
 
 
 def _orders(board: Board, wanted: dict[str, int]) -> Iterator[Board]:
