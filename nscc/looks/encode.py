@@ -31,7 +31,7 @@ class Held:
     @property
     def registers(self) -> int:
         """How many there are."""
-        return self.bits.shape[1]
+        return int(self.bits.shape[1])
 
 
 @dataclass(frozen=True, eq=False)

@@ -111,7 +111,7 @@ class _Solver:
             found |= zip(names, self._columns(held, self.machine.values[nodes, k]), strict=True)
         return found
 
-    def _columns(self, held: Held, values: NDArray[np.int64]) -> list[int]:
+    def _columns(self, held: Held, values: NDArray[np.signedinteger]) -> list[int]:
         order = np.argsort(held.values)
         rows = order[np.searchsorted(np.array(held.values)[order], values)]
         return columns(held.bits[rows])

@@ -67,11 +67,12 @@ def _looked(container: Container, frame: Frame, response: Response) -> list[Read
     open_s = np.maximum(open_us_of(container, frame.told), 0.0) * 1e-6
     light_e = np.nan_to_num(frame.told[LIGHT]) * open_s
     most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
-    arrays = (frame.frame, frame.saturated, light_e, most_e, open_s)
     return [
-        Readout(name, *(each[b] for each in arrays), (1, 1))
+        Readout(
+            name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], (1, 1)
+        )
         for b, name in enumerate(container.buckets)
-    ]
+    ]  # fmt: skip
 
 
 def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
