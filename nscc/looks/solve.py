@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc.logic.problem import Gate, GaveUp, Machine
 from nscc.looks.encode import Encoding, Held
 from nscc.looks.plan import LookingPlan, Moment
-from nscc.looks.synthesis import FLAG, Board, renamed, update
+from nscc.looks.synthesis import FLAG, Board, update
 from nscc.operations import Op, op
 from nscc.target.target import Target
 from nscc.truth import columns, vector
@@ -253,3 +253,40 @@ class _Moment:
         without.values.update(more)
         if not without.tells([*later, *self.wanted.values()]):
             board.keep(FLAG)
+
+
+def renamed(gates: Sequence[Item]) -> list[Item]:
+    """The same gates with as few scratch registers as their values need while they are alive;
+    what stands between them reads none."""
+    ends: dict[tuple[str, int], int] = {}
+    writes: dict[str, int] = {}
+    for place, gate in enumerate(gates):
+        if not isinstance(gate, Gate):
+            continue
+        for name in gate.sources:
+            if name in writes:
+                ends[name, writes[name]] = place
+        if gate.destination.startswith("t") and gate.destination not in gate.sources:
+            writes[gate.destination] = place
+            ends[gate.destination, place] = place
+        elif gate.destination in writes:
+            ends[gate.destination, writes[gate.destination]] = place
+    found: list[Item] = []
+    names: dict[str, str] = {}
+    busy: dict[str, int] = {}
+    for place, gate in enumerate(gates):
+        if not isinstance(gate, Gate):
+            found.append(gate)
+            continue
+        # A register is free once the last gate that reads it is over.
+        busy = {name: end for name, end in busy.items() if end >= place}
+        sources = tuple(names.get(name, name) for name in gate.sources)
+        destination = gate.destination
+        if (destination, place) in ends:
+            number = 0
+            while f"t{number}" in busy:
+                number += 1
+            names[destination] = f"t{number}"
+            busy[f"t{number}"] = ends[destination, place]
+        found.append(Gate(gate.name, names.get(destination, destination), sources))
+    return found

@@ -9,14 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeVar
 
 from nscc.logic.cover import Cover, Covers
 from nscc.logic.cubes import Budget
 from nscc.logic.gates import Gates
 from nscc.logic.problem import Gate, GaveUp, Machine
-
-T = TypeVar("T")
 
 FLAG = "FLAG"
 _STEPS = 4_000_000
@@ -181,43 +178,6 @@ class Board:
         positive += [source(i) for i in cover.positive]
         (gates.nor if inverted else gates.or_)(destination, positive)
         return Made(gates.take(), tuple(made.items()))
-
-
-def renamed(gates: Sequence[Gate | T]) -> list[Gate | T]:
-    """The same gates with as few scratch registers as their values need while they are alive;
-    what stands between them reads none."""
-    ends: dict[tuple[str, int], int] = {}
-    writes: dict[str, int] = {}
-    for place, gate in enumerate(gates):
-        if not isinstance(gate, Gate):
-            continue
-        for name in gate.sources:
-            if name in writes:
-                ends[name, writes[name]] = place
-        if gate.destination.startswith("t") and gate.destination not in gate.sources:
-            writes[gate.destination] = place
-            ends[gate.destination, place] = place
-        elif gate.destination in writes:
-            ends[gate.destination, writes[gate.destination]] = place
-    found: list[Gate | T] = []
-    names: dict[str, str] = {}
-    busy: dict[str, int] = {}
-    for place, gate in enumerate(gates):
-        if not isinstance(gate, Gate):
-            found.append(gate)
-            continue
-        # A register is free once the last gate that reads it is over.
-        busy = {name: end for name, end in busy.items() if end >= place}
-        sources = tuple(names.get(name, name) for name in gate.sources)
-        destination = gate.destination
-        if (destination, place) in ends:
-            number = 0
-            while f"t{number}" in busy:
-                number += 1
-            names[destination] = f"t{number}"
-            busy[f"t{number}"] = ends[destination, place]
-        found.append(Gate(gate.name, names.get(destination, destination), sources))
-    return found
 
 
 def update(board: Board, wanted: dict[str, int]) -> None:

@@ -19,8 +19,8 @@ from nscc.words import machine_file
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.draft import Draft, Faults, Token, shown
 from nscc.words.legality import target_fault
-from nscc.words.planes import codes_of_planes, read_planes
 from nscc.words.machine import Machine, StatePlanes
+from nscc.words.planes import codes_of_planes, read_planes
 from nscc.words.soundness import faults as container_faults
 from nscc.words.text import read_integer, read_slots
 
