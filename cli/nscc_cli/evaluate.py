@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.files import Product, write_together
-from nscc_cli.options import PATH, together, trust_code_option
+from nscc_cli.options import OUT, PATH, together, trust_code_option
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say_compiling
 
 if TYPE_CHECKING:
@@ -36,9 +36,9 @@ def command() -> None:
 
 _outputs = together(
     click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
-    click.option("-o", "out", type=PATH, help="Write it to a file."),
+    click.option("-o", "out", type=OUT, help="Write it to a file."),
 )
-_save_option = click.option("--save", type=PATH, metavar="DIR", help="Write reconstructions and "
+_save_option = click.option("--save", type=OUT, metavar="DIR", help="Write reconstructions and "
                             "truth into this folder.")  # fmt: skip
 
 

@@ -2,39 +2,68 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import click
 
-from nscc.files import write_whole
-from nscc_cli.options import PATH, trust_code_option
+from nscc.files import refuse_same, write_together
+from nscc_cli.options import OUT, PATH, tone_option, trust_code_option
 from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command("reconstruct", cls=CommonCommand)
 @click.argument("run", metavar="[RUN]", type=PATH)
 @click.argument("frame", metavar="FRAME.npz", type=PATH, required=False)
-@click.option("-o", "out", required=True, metavar="OUT.npz", type=PATH)
+@click.option("-o", "out", required=True, metavar="OUT", type=OUT,
+              help="The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, "
+              ".tiff.")  # fmt: skip
+@click.option("--png", type=OUT, help="Also write a picture of it, for the eye.")
+@tone_option
+@click.option("--dark", type=PATH, metavar="DARK.npz", help="A frame file of the same program "
+              "without light, of many repeats: what it reads is taken from FRAME.")  # fmt: skip
 @click.option("--force", is_flag=True,
               help="Only warn if the frame is of another program or sensor.")  # fmt: skip
 @trust_code_option
-def command(run: Path, frame: Path | None, out: Path, force: bool, trust_code: bool) -> None:
+def command(
+    run: Path, frame: Path | None, out: Path, png: Path | None, tone: str | None,
+    dark: Path | None, force: bool, trust_code: bool,
+) -> None:  # fmt: skip
     """Make a picture or a clip of FRAME, which `nscc run RUN/shutter.nsl` wrote.
 
-    A frame whose pixels looked at the light needs no RUN: it says itself how long each was open.
+    RUN is a run folder, or one that comes with nscc: hdr, clip. A frame whose pixels looked at the
+    light needs no RUN: it says itself how long each was open.
 
-    OUT holds `image` (rows, cols), electrons over the frame, or `video` (T, rows, cols), electrons
-    a slot: the unit of the frame file's `truth_e`.
+    In an .npz there is `image` (rows, cols), electrons over the frame, or `video` (T, rows, cols),
+    electrons a slot: the unit of the frame file's `truth_e`.
     """
+    from nscc_runtime.formats import FORMATS, Content, check_ending, endings, file_of
+
+    what = "a reconstruction"
+    ending = check_ending(out, endings(), what)
+    if png is not None:
+        check_ending(png, (".png",), "a picture")
+        refuse_same([out, png], "-o and --png")
     if frame is None:
         from nscc_runtime.looked_light import image_of
 
-        write_whole(out, image_of(run))
-        done(f"wrote {out.as_posix()}")
-        return
-    from nscc_training.reconstruct import reconstruct
+        image = image_of(run)
+        content = Content({"image": image}, image)
+    else:
+        from nscc_training.reconstruct import reconstruct
 
-    product, messages = reconstruct(run, frame, force=force, trust_code=trust_code)
-    say(messages)
-    write_whole(out, product)
-    done(f"wrote {out.as_posix()}")
+        made = reconstruct(run, frame, force=force, dark=dark, trust_code=trust_code)
+        say(made.messages)
+        content = made.content
+    content = replace(content, tone=tone)
+    title = run.name if frame is None else f"{frame.name}  ·  {run.name}"
+    products = {out: file_of(out, content, what)}
+    if png is not None:
+        from nscc_runtime.formats.sheet import content_sheet
+        from nscc_runtime.pictures.sheet import png_of
+
+        products[png] = png_of(content_sheet, content, title)
+    write_together(products)
+    done("\n".join(f"wrote {path.as_posix()}" for path in products))
+    if png is not None or FORMATS[ending].shown:
+        done(f"shown with the {content.told}")

@@ -165,7 +165,7 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
         if source.text.startswith(("//", "/*"), place.start):
             helps = ("comments begin with `#`",)
     elif word.isalpha() and sorted(word.lower()) == sorted("nsl"):
-        fixes = (Fix("did you mean `nsl`?", place, "nsl"),)
+        fixes = (Fix("did you mean `nsl`?", place, "nsl", sure=False),)
     else:
         fixes = (Fix("begin with `nsl 1`", Span(place.start, place.start), "nsl 1\n"),)
     return Diagnostic(

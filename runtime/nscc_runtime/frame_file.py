@@ -15,7 +15,8 @@ it reads, `open_slots` int64 (buckets, rows, cols), how many slots each pixel wa
 K repeats put an axis K in front of these arrays. On request also `light` float32 (N, rows,
 cols); `truth_e`, the all-open sum float64 (rows, cols) of a still or the `light` of a clip;
 `shutter` uint8 (buckets, rows, cols, ceil(N / 8)), packed along N with the first slot in the lowest
-bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols).
+bit, and `shutter_shape` = (buckets, rows, cols, N); `codes_FIELD` int64 (rows, cols). What decoders
+need, `decode_..`, comes from `nscc_runtime.decode_table`.
 
 Same frame, same bytes: the archive holds no times, and its entries have a fixed order.
 """
@@ -24,7 +25,7 @@ from __future__ import annotations
 
 import json
 import zipfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import IO, Any
 
@@ -34,9 +35,8 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.target.target import Target
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
-from nscc_runtime.effects import Effect, Selection, everything, registered
+from nscc_runtime.effects import Effect, Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving
-from nscc_runtime.effects.registry import marks
 from nscc_runtime.effects.views import Where
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
@@ -150,12 +150,17 @@ def check_adc(target: Target) -> None:
 
 def stacked(frames: Sequence[Frame]) -> Frame:
     """Several frames of one scene, with an axis in front."""
+    return joined(frames, np.stack)
+
+
+def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray[Any]]) -> Frame:
+    """A frame whose every array `join` makes of those of the frames."""
     return Frame(
-        np.stack([each.frame for each in frames]),
-        np.stack([each.exposure_e for each in frames]),
-        np.stack([each.valid for each in frames]),
-        np.stack([each.saturated_by for each in frames]),
-        told={key: np.stack([each.told[key] for each in frames]) for key in frames[0].told},
+        join([each.frame for each in frames]),
+        join([each.exposure_e for each in frames]),
+        join([each.valid for each in frames]),
+        join([each.saturated_by for each in frames]),
+        told={key: join([each.told[key] for each in frames]) for key in frames[0].told},
     )
 
 
@@ -265,6 +270,7 @@ def meta(
         "program_sha256": origin.program_sha256,
         "scene_sha256": light.sha256() if light else None,
         "sensor_sha256": sensor_sha256(sensor),
+        "sensor": dict(sensor.values),
         "seed": origin.seed,
         "device_seed": origin.device_seed,
         "fidelity": origin.fidelity,

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from nscc_runtime.remembered import remembered
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Light:
     """Electrons that each pixel collects in each of N slots, if its shutter is open throughout.
 
@@ -62,6 +62,10 @@ class Light:
         weight = np.full(len(frames), exposure_scale_e, np.float64)
         return cls(frames, starts, starts[:-1].astype(np.int32), weight, "clip", exposure_scale_e)
 
+    def __repr__(self) -> str:
+        rows, cols = self.shape
+        return f"<nscc light: {self.kind}, {self.slots} slots, {rows} x {cols}>"
+
     @property
     def slots(self) -> int:
         """N, the number of slots."""
@@ -91,6 +95,12 @@ class Light:
         """The frame of matrix entry k."""
         frame: NDArray[np.float32] = self.frames[self.frame_index[k]]
         return frame
+
+    def part(self, rows: slice, cols: slice) -> Light:
+        """The light on a rectangle of the pixels."""
+        frames = np.ascontiguousarray(self.frames[:, rows, cols])
+        motion = None if self.motion is None else replace(self.motion, frames=frames)
+        return replace(self, frames=frames, motion=motion)
 
     def joined(self, starts: Sequence[int]) -> Light:
         """The same light in fewer slots: slot k has all that falls in the slots starts[k] up to

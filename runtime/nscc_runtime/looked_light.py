@@ -9,7 +9,6 @@ is infinite where a pixel was full, for there the light was at least so much.
 
 from __future__ import annotations
 
-import io
 import json
 from collections.abc import Mapping
 from pathlib import Path
@@ -19,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
 from nscc.words.container import Container
 from nscc.words.machine import Machine
 from nscc_runtime.effects import Selection
@@ -194,12 +194,13 @@ def merged_image(light: Values, deviation: Values) -> Values:
     return np.asarray(np.where(known > 0, mean, least))
 
 
-def image_of(frame: Path) -> bytes:
-    """The .npz file that `nscc reconstruct FRAME` writes: `image` float32 (rows, cols), electrons
-    over the frame, from the light that the frame file has; of repeats, their mean.
+def image_of(frame: Path) -> NDArray[np.float32]:
+    """What `nscc reconstruct FRAME` writes: electrons over the frame (rows, cols), from the light
+    that the frame file has; of repeats, their mean.
 
     Raises Rejected (NS0819, status 2) for a file that is no frame whose pixels looked.
     """
+    reads(frame)
     try:
         with np.load(frame, allow_pickle=False) as file:
             arrays: Mapping[str, Any] = {key: file[key] for key in (LIGHT, DEVIATION)}
@@ -217,6 +218,4 @@ def image_of(frame: Path) -> bytes:
     if light.ndim == 3:
         light, deviation = light[None], deviation[None]
     images = [merged_image(*each) for each in zip(light, deviation, strict=True)]
-    stream = io.BytesIO()
-    np.savez(stream, image=(np.mean(images, axis=0) * frame_s).astype(np.float32))
-    return stream.getvalue()
+    return np.asarray(np.mean(images, axis=0) * frame_s, np.float32)

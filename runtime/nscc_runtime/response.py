@@ -66,7 +66,7 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
         return replace(plain, open_s=np.full(open_s.shape, np.nan))
     if effects.noiseless:
         return plain
-    from nscc_runtime.capture import made_ready
+    from nscc_runtime.planner.frames import made_ready
 
     try:
         program = made_ready(container, sensor)

@@ -1,4 +1,4 @@
-"""`capture`: from light and shutters to a frame, so that gradients find their way back.
+"""From light and shutters to a frame, so that gradients find their way back.
 
 Light is float32, its sums and everything up to the ADC float64, whatever precision the network
 around has.
@@ -129,7 +129,7 @@ class Captured(NamedTuple):
     frame: Tensor
 
 
-def capture(
+def differentiable_capture(
     light: Tensor,
     codes: Encoder | Tensor,
     sensor: SensorModel,
@@ -155,11 +155,14 @@ def capture(
 def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
     """One scene's frame (rows, cols), codes above the ADC's offset, with the noise of that seed.
 
-    `light` and `tile` as in `capture`, without the batch.
+    `light` and `tile` as in `differentiable_capture`, without the batch.
     """
     given = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
-    return capture(given, tile, sensor, generator=generator).frame[0] - sensor.adc_offset_lsb
+    return (
+        differentiable_capture(given, tile, sensor, generator=generator).frame[0]
+        - sensor.adc_offset_lsb
+    )
 
 
 def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:

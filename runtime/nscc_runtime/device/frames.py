@@ -14,6 +14,7 @@ from nscc.files import write_whole
 from nscc.target.load import load_target, target_names
 from nscc.target.target import Target
 from nscc.words.container import Container
+from nscc_runtime.decode_table import with_table
 from nscc_runtime.device.chip import Chip
 from nscc_runtime.device.objects import target_digest
 from nscc_runtime.device.trouble import wrong_target
@@ -106,4 +107,5 @@ def capture_to(
     shot = chip.capture(container) if container else chip.capture_held(target)
     said = device_meta(chip, shot.frame, sensor, container)
     said |= {"time_utc": stamp, "device_time_us": shot.captured.started_us}
-    write_whole(path, FrameFile(shot.frame, said, {}, {}).write)
+    file = FrameFile(shot.frame, said, {}, {})
+    write_whole(path, (with_table(file, container) if container else file).write)

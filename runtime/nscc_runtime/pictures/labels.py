@@ -36,7 +36,7 @@ _CLEAR = 1.5
 """Dots that stay free around a text."""
 _STEP = 3.0
 """Dots between the points by which lines are known."""
-_ON_LINE, _CROSSED, _NEXT, _ASTRAY = 3.0, 1.5, 5.0, 2.0
+_ON_LINE, _CROSSED, _NEXT, _ASTRAY = 6.0, 2.0, 5.0, 2.0
 """Cost, in points of distance: of a line's point below a text or a leader, of a later anchor, of a
 point nearer to another mark than to one's own."""
 

@@ -139,8 +139,8 @@ class LookingReference:
             valid[chunk] = good
             for name, plane in planes.items():
                 plane[chunk] = pixels.bits[name].reshape(len(part), cols)
-        exposed = Exposure(exposure, np.isfinite(exposure) & valid, saturated_by)
-        return Executed(exposed, planes)
+        valid_here = np.isfinite(exposure) & valid
+        return Executed(Exposure(exposure, valid_here, saturated_by), planes)
 
     def _kept(self) -> list[str]:
         machine = self.container.machine
@@ -261,11 +261,7 @@ class _LookingPixels(Pixels):
             self.fallen = now
 
     def _fall(self, charge: Values) -> None:
-        self.charge = self.charge + charge
-        for effect, held in self.program.effects.acting("well"):
-            given, self.charge = self.charge, held(self, self.charge)
-            if "well" in effect.marks:
-                self.marks.fill(self.charge < given)
+        self.charge = self.marks.fallen(self, self.charge + charge)
 
     def _run(self, op: Op) -> None:
         match op.operation.effect:
@@ -323,13 +319,9 @@ class _LookingPixels(Pixels):
             value = result
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
-            here_lost = lost
-            for effect, held in self.program.effects.acting("registers"):
-                given, value = value, held(self, value)
-                if "registers" in effect.marks:
-                    here_lost = here_lost + np.abs(given - value)
+            value, lost_here = self.marks.held(self, value, lost)
             self.register[name] = np.where(here, value, self.register[name])
-            self.marks.write(name, here, full, here_lost)
+            self.marks.write(name, here, full, lost_here)
 
     def _compare(self, op: Op) -> None:
         word = self._running(op)
