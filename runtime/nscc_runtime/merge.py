@@ -72,7 +72,7 @@ def _looked(container: Container, frame: Frame, response: Response) -> list[Read
     return [
         Readout(name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], (1, 1))
         for b, name in enumerate(container.buckets)
-    ]
+    ]  # fmt: skip
 
 
 def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
