@@ -215,3 +215,12 @@ def test_other_shapes_are_refused_and_not_broadcast(
             SensorModel(30000.0, 30000.0 / 255),
             slot_share=weights,
         )
+
+
+def test_what_saturated_pixels_have_gathered_at_least() -> None:
+    """PIX fills from the start of the frame: of a well that was full at slot 4, an open slot had a
+    quarter in steady light."""
+    from nscc_training.reconstruct import least_full
+
+    opened = torch.tensor([[1, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [0, 1, 0, 1.0]])
+    assert least_full(opened[:, None]).tolist() == [[1.0, 0.5, 0.0, 0.5]]

@@ -175,10 +175,21 @@ def _decoded(
     relative = parts.model.relative(codes - parts.model.adc_offset_lsb)
     # The knee of registers, and light that eats the reset level, make full pixels read less.
     full = torch.from_numpy(np.ascontiguousarray(saturated)).to(parts.device)
-    relative = torch.where(full, relative.clamp(min=1), relative)
+    relative = torch.where(full, torch.maximum(relative, least_full(shutters)), relative)
     found = parts.decoder(relative[None], shutters)[0].float().cpu().numpy()
     slots = 1 if parts.still else parts.slots
     return np.asarray(found * (parts.model.full_e / slots), np.float32)
+
+
+def least_full(shutters: torch.Tensor) -> torch.Tensor:
+    """What saturated pixels (rows, cols) have gathered at least, of a full well, in steady light.
+
+    PIX fills from the start of the frame, whenever the pixel opens: what filled it before the
+    last open slot ended came in all the slots until then, of `shutters` (N, rows, cols).
+    """
+    slots = torch.arange(1, len(shutters) + 1, device=shutters.device).reshape(-1, 1, 1)
+    until = (slots * (shutters > 0)).amax(dim=0)
+    return shutters.sum(dim=0) / until.clamp(min=1)
 
 
 def _shutters(
