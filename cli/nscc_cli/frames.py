@@ -64,10 +64,6 @@ def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
     return load_sensor(target, options["sensor"], options["sensor_set"])
 
 
-_ELECTRONS = (".npz", ".npy")
-"""Scenes that say how many electrons they amount to."""
-
-
 def run_capture_of(like: Path | None, options: dict[str, Any]) -> RunCapture | None:
     """How the frames of run `like` are made; what `options` leave open is set as it is there."""
     if like is None:
@@ -75,11 +71,12 @@ def run_capture_of(like: Path | None, options: dict[str, Any]) -> RunCapture | N
     from nscc_training.run_files import run_capture
 
     found = run_capture(like)
-    scene = str(options["scene"])
-    own_light = scene.startswith(("builtin:dark", "builtin:flat")) or scene.endswith(_ELECTRONS)
-    for name in ("exposure", "transfer", "sensor"):
-        if options[name] is None and not (own_light and name == "exposure"):
-            options[name] = getattr(found, name)
+    theirs = {
+        "exposure": found.exposure_of(str(options["scene"])),
+        "transfer": found.transfer,
+        "sensor": found.sensor,
+    }
+    options |= {name: value for name, value in theirs.items() if options[name] is None}
     if options["target"] is None and found.target is not None:
         options["target"] = str(found.target)
     return found

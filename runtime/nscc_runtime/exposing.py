@@ -29,16 +29,18 @@ from nscc_runtime.given import (
     ProgramLike,
     SensorLike,
     container_of,
-    light_of,
+    laid_of,
     sensor_of,
 )
+from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.pool import processors
 from nscc_runtime.scenes.colour import Transfer
+from nscc_runtime.scenes.fit import FITS, Fit
 from nscc_runtime.scenes.load import FramesAre
 from nscc_runtime.scenes.scene import Scene
-from nscc_runtime.simulate import Fidelity, Listener, Request, simulate
+from nscc_runtime.simulate import Fidelity, Listener, Request
 
 _MOST_REPEATS = 10000
 
@@ -77,7 +79,7 @@ def capture(
     call = "nscc_runtime.capture"
     container = container_of(call, program)
     said: list[Diagnostic] = []
-    scene = light_of(call, light, container, said.append)
+    scene = laid_of(call, light, container, said.append)
     one_of(call, "fidelity", fidelity, get_args(Fidelity))
     whole(call, "seed", seed)
     whole(call, "device_seed", device_seed)
@@ -89,13 +91,11 @@ def capture(
         repeat=repeat, threads=threads,
     )  # fmt: skip
     chip = sensor_of(call, sensor, container.target)
-    taken = simulate(container, scene, chip, request, Listener(warn=said.append))
+    exposed = simulate_scene(container, scene, chip, request, Listener(warn=said.append))
     warn(said)
-    arrays = {each.name: getattr(taken.frame, each.name) for each in fields(Frame)}
-    return Capture(
-        **arrays, container=container, light=scene, effects=taken.effects, origin=taken.origin,
-        plan=taken.plan, audit=taken.audit,
-    )  # fmt: skip
+    frame = exposed.simulated.frame
+    arrays = {each.name: getattr(frame, each.name) for each in fields(Frame)}
+    return Capture(**arrays, exposed=exposed)
 
 
 def captures(
@@ -147,7 +147,7 @@ def plan(
     call = "nscc_runtime.plan"
     container = container_of(call, program)
     said: list[Diagnostic] = []
-    scene = light_of(call, light, container, said.append)
+    scene = laid_of(call, light, container, said.append)[0].light
     chip = sensor_of(call, sensor, container.target)
     whole(call, "device_seed", device_seed)
     request = Request.of(effects=_effects(call, effects), tolerance=tolerance)
@@ -173,14 +173,19 @@ def scene(
     fps: float | None = Scene.fps,
     crop: str | tuple[int, int] | None = Scene.crop,
     frames_are: FramesAre = Scene.frames_are,
+    fit: Fit = Scene.fit,
+    color: bool = Scene.color,
+    first: int = Scene.first,
 ) -> Scene:
     """A scene by its name, to be exposed by `capture` with programs of any slots.
 
     `name` is a file (pictures, clips, arrays), a folder of pictures, or `builtin:hdr`,
     `builtin:motion`, `builtin:flat:E`, `builtin:dark`. `exposure` says how bright it is: electrons
     over the frame at percentile 99, or text such as "30000@70". `transfer` is the curve of stored
-    values, "linear" or "srgb"; `fps` lays a clip's frames under the slots; `crop` (row, column) is
-    the array's top left corner; `frames_are` "integrals" or "samples". All as for `nscc run`.
+    values, "linear" or "srgb"; `fps` lays a clip's frames under the slots, from frame `first` on;
+    `crop` (row, column) is the array's top left corner; `frames_are` "integrals" or "samples".
+    `fit` says what becomes of a picture of another size, "crop", "scale" or "tiles": the frame is
+    then the picture's. `color` exposes red, green and blue. All as for `nscc run`.
 
     Nothing is read before it is exposed, which raises what is wrong with it.
     """
@@ -193,6 +198,8 @@ def scene(
     if transfer is not None:
         one_of(call, "transfer", transfer, get_args(Transfer))
     one_of(call, "frames_are", frames_are, get_args(FramesAre))
+    one_of(call, "fit", fit, FITS)
+    whole(call, "first", first)
     return Scene(
         str(name),
         exposure=exposure if exposure is None or isinstance(exposure, str) else f"{exposure:.17g}",
@@ -200,6 +207,9 @@ def scene(
         fps=fps,
         crop=crop if crop is None or isinstance(crop, str) else ",".join(map(str, crop)),
         frames_are=frames_are,
+        fit=fit,
+        color=bool(color),
+        first=first,
     )
 
 

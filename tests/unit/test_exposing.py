@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import re
+import warnings
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -63,6 +64,43 @@ def test_a_frame_file_is_the_commands(
     assert (tmp_path / "python.npz").read_bytes() == (tmp_path / "c.npz").read_bytes()
     with np.load(tmp_path / "c.npz") as file:
         np.testing.assert_array_equal(taken.truth_e, file["truth_e"])
+
+
+@pytest.mark.parametrize(
+    ("options", "arguments", "shape"),
+    [
+        ({"fit": "tiles"}, ["--fit", "tiles"], (1, 300, 270)),
+        ({"fit": "tiles", "color": True}, ["--fit", "tiles", "--color"], (3, 1, 300, 270)),
+        ({"crop": (3, 5), "transfer": "linear"}, ["--crop", "3,5", "--transfer", "linear"],
+         (1, 256, 256)),
+    ],
+)  # fmt: skip
+def test_a_photo_of_any_size_is_exposed_as_by_the_command(
+    options: dict[str, Any], arguments: list[str], shape: tuple[int, ...], tmp_path: Path
+) -> None:
+    import cv2
+
+    photo = np.random.default_rng(4).integers(0, 255, (300, 270, 3), np.uint8)
+    cv2.imwrite(str(tmp_path / "photo.png"), photo)
+    (tmp_path / "p.nsl").write_text(TEXT + DATA)
+    names = ("f.npz", "f.hdr", "f.png")
+    p = nscc.compile(tmp_path / "p.nsl")
+    with warnings.catch_warnings(action="ignore"):  # grey, or cut: told by the command, too
+        scene = nscc_runtime.scene(tmp_path / "photo.png", exposure="30000@70", **options)
+        taken = nscc_runtime.capture(p, scene, effects="shot", seed=1)
+    assert taken.frame.shape == shape
+    for name in names:
+        line = ["run", "p.nsl", "--scene", "photo.png", "--exposure", "30000@70", "-o",
+                f"c_{name}", "--effects", "shot", "--seed", "1", *arguments]  # fmt: skip
+        outcome = invoke(line, tmp_path)
+        assert outcome.status == 0, outcome.err
+        saved = taken.save(tmp_path / name).read_bytes()
+        assert saved == (tmp_path / f"c_{name}").read_bytes(), name
+
+
+def test_only_formats_that_there_are_are_written(program: nscc.ShutterProgram) -> None:
+    with pytest.raises(nscc.Rejected, match="NS0786"):
+        nscc_runtime.capture(program, LIGHT).save("x.doc")
 
 
 def test_defaults_are_declared_once() -> None:
@@ -134,7 +172,8 @@ WRONG = {
     "pairs": (lambda p: nscc_runtime.captures([p] * 2, [LIGHT] * 3), "3 scenes for 2 programs"),
     "none": (lambda p: nscc_runtime.captures([], [LIGHT]), "1 scenes for 0 programs"),
     "keep": (lambda p: nscc_runtime.capture(p, LIGHT).save("x.npz", ["a"]), "save can keep light"),
-    "format": (lambda p: nscc_runtime.capture(p, LIGHT).save("x.png"), r"save\('x.npz'\)"),
+    "fit": (lambda p: nscc_runtime.scene("x", fit="tile"), "did you mean `tiles`"),
+    "first": (lambda p: nscc_runtime.scene("x", first=-1), "first is a whole number from 0"),
 }
 
 

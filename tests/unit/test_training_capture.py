@@ -18,6 +18,7 @@ from nscc_training.sensor_model import (  # noqa: E402
     SensorModel,
     differentiable_capture,
     exposed,
+    filled,
     laid,
     lifted,
     read_out,
@@ -118,6 +119,23 @@ def test_decoders_see_1_where_a_pixel_is_saturated(
     assert (seen[:3] < 1).all()
 
 
+def test_saturated_pixels_are_at_least_what_steady_light_would_leave() -> None:
+    """Light so bright that PIX is just full when the shutter closes: slot by slot."""
+    shutters = torch.tensor([[1, 1, 0, 0], [0, 0, 1, 0], [0, 1, 0, 1], [0, 0, 0, 0]]).T.float()
+    shutters = shutters.reshape(4, 2, 2)
+    exposed_e = []
+    for opened in shutters.reshape(4, 4).T:
+        last = int(opened.nonzero().max()) + 1 if opened.any() else 1
+        slot_e = 30000.0 / last
+        exposed_e.append(float(sum(slot_e for n in range(last) if opened[n])) / 30000.0)
+    nothing, every = torch.zeros(1, 2, 2), torch.ones(2, 2, dtype=torch.bool)
+    found = filled(nothing, every, shutters).reshape(-1)
+    assert found.tolist() == pytest.approx(exposed_e)
+    assert torch.equal(filled(nothing, ~every, shutters), nothing)
+    bright = torch.full((1, 2, 2), 1.5)
+    assert torch.equal(filled(bright, every, shutters), bright)
+
+
 def test_noise_has_the_variance_of_photons() -> None:
     model = SensorModel(1e9, 1.0, adc_bits=16, shot_noise=True)
     light = torch.full((1, 1, 200, 200), 10000.0)
@@ -215,12 +233,3 @@ def test_other_shapes_are_refused_and_not_broadcast(
             SensorModel(30000.0, 30000.0 / 255),
             slot_share=weights,
         )
-
-
-def test_what_saturated_pixels_have_gathered_at_least() -> None:
-    """PIX fills from the start of the frame: of a well that was full at slot 4, an open slot had a
-    quarter in steady light."""
-    from nscc_training.reconstruct import least_full
-
-    opened = torch.tensor([[1, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [0, 1, 0, 1.0]])
-    assert least_full(opened[:, None]).tolist() == [[1.0, 0.5, 0.0, 0.5]]
