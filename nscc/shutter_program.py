@@ -198,7 +198,7 @@ class ShutterProgram:
         from nscc.words.shutters import shutters_of
 
         chart = html.Html()
-        if self.container.has_table:
+        if self.container.has_table and self.container.machine is None:
             drawn = shutters_of(self.container)
             chart = shutter_chart(drawn.rows, drawn.labels, self.slot_us, self.buckets)
         if self.compiled is not None:

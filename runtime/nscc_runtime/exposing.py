@@ -21,6 +21,7 @@ from typing import Any, get_args
 
 from nscc.diagnostics.arguments import one_of, shown, warn, whole, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.rejection import rejected
 from nscc_runtime.captured import Capture
 from nscc_runtime.effects import Selection
 from nscc_runtime.frame_file import Frame
@@ -152,6 +153,13 @@ def plan(
     whole(call, "device_seed", device_seed)
     request = Request.of(effects=_effects(call, effects), tolerance=tolerance)
     check(container, scene)
+    if container.machine is not None:
+        raise rejected(
+            "NS0750",
+            "a program whose pixels look at the light has no plan",
+            notes=("its words are executed one by one, with every effect that is on",),
+            helps=("capture it: effects='all' approximates nothing",),
+        )
     warn(said)
     allowed_e = tolerance_e(request.tolerance, chip)
     return plan_for(made_ready(container, chip), scene, allowed_e, request.effects, device_seed)

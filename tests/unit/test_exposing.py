@@ -208,6 +208,19 @@ def test_a_program_without_data_has_no_frame() -> None:
         nscc_runtime.capture(empty, LIGHT)
 
 
+def test_pixels_that_look_have_frames_and_neither_shutters_nor_plans(root: Path) -> None:
+    p = nscc.compile(root / "examples" / "float_pixel.nsl", target=TARGET)
+    light = np.full((ROWS, COLS), 2e6)  # electrons a second
+    taken = nscc_runtime.capture(p, light)
+    np.testing.assert_allclose(taken.light_e_per_s()[0], 2e6, rtol=0.02)
+    assert taken.told["open_slots"].shape == (1, ROWS, COLS)
+    with pytest.raises(nscc.Rejected, match="depend on the light"):
+        p.shutters()
+    with pytest.raises(nscc.Rejected, match="has no plan"):
+        nscc_runtime.plan(p, light)
+    assert "<svg" not in p._repr_html_()
+
+
 def test_repr_is_a_line(program: nscc.ShutterProgram) -> None:
     taken = nscc_runtime.capture(program, LIGHT, effects="auto", repeat=2)
     sensor = nscc_runtime.load_sensor(TARGET)

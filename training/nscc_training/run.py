@@ -125,8 +125,10 @@ class Run:
                 raise wrong_argument(
                     f"reconstruct takes one bucket of one exposure, not {shown(frame.frame)}"
                 )
-            arrays = (each[:, 0] if in_colours else each for each in (frame.frame, frame.saturated))
-            read, name = FrameRead(*arrays, about, None), "the capture"
+            codes, full = frame.frame, frame.saturated
+            if in_colours:
+                codes, full = codes[:, 0], full[:, 0]
+            read, name = FrameRead(codes, full, about, None), "the capture"
         else:
             codes = self._codes(frame)
             full = last_codes(codes, self.folder.parts.target) != 0
