@@ -288,7 +288,7 @@ def compile(
     if max_words_per_slot is not None:
         whole("nscc.compile", "max_words_per_slot", max_words_per_slot, least=1)
     options = Options(
-        level=level, codes=codes, lowering=lowering, target=chip, cache=bool(cache),
+        level=int(level), codes=codes, lowering=lowering, target=chip, cache=bool(cache),
         max_words_per_slot=max_words_per_slot,
     )  # fmt: skip
     text, base = _source(source, folder)

@@ -31,7 +31,8 @@ def wrong_argument(
 
 def one_of(call: str, name: str, value: object, allowed: Collection[Any]) -> None:
     """Raises WrongArgument unless the call's argument `name` has one of the allowed values."""
-    if any(type(value) is type(each) and value == each for each in allowed):
+    plain = isinstance(value, str | int | np.integer) and not isinstance(value, bool)
+    if plain and value in allowed:
         return
     names = [each for each in allowed if isinstance(each, str)]
     raise wrong_argument(
