@@ -61,6 +61,8 @@ def shown(value: object) -> str:
 
     Told by what a value has, so that nothing is imported to name somebody else's kinds.
     """
+    if isinstance(value, np.generic):
+        value = value.item()
     if value is None or isinstance(value, bool | int | float):
         return repr(value)[:60]
     if isinstance(value, str | bytes):

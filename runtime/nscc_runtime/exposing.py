@@ -31,6 +31,7 @@ from nscc_runtime.given import (
     LightLike,
     ProgramLike,
     SensorLike,
+    changes_of,
     container_of,
     laid_of,
     number,
@@ -44,6 +45,7 @@ from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.fit import FITS, Fit
 from nscc_runtime.scenes.load import FramesAre
 from nscc_runtime.scenes.scene import Scene
+from nscc_runtime.sensor.file import load_sensor
 from nscc_runtime.simulate import Fidelity, Listener, Request
 
 _MOST_REPEATS = 10000
@@ -235,8 +237,8 @@ def sensor_for(program: ProgramLike, file: str | Path | None = None, **values: f
     with other values of the numbers that are named: `sensor_for(p, full_well_e=20000)`."""
     call = "nscc_runtime.sensor_for"
     target = container_of(call, program).target
-    found = sensor_of(call, file, target)
-    return found if not values else sensor_of(call, {**found.values, **values}, target)
+    path = None if file is None else Path(file)
+    return load_sensor(target, path, changes_of(call, values))
 
 
 def _text(call: str, name: str, value: object, count: int) -> str | None:

@@ -23,7 +23,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.scenes.fit import Layout
 from nscc_runtime.scenes.load import Laid, light_of_array
 from nscc_runtime.scenes.scene import Scene
-from nscc_runtime.sensor.file import load_sensor, parse_sensor
+from nscc_runtime.sensor.file import load_sensor
 
 
 class HasWords(Protocol):
@@ -100,12 +100,16 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
     if isinstance(sensor, str | os.PathLike):
         return load_sensor(target, Path(sensor))
     if isinstance(sensor, Mapping):
-        changes = [f"{name} = {number(call, str(name), each)!r}" for name, each in sensor.items()]
-        return parse_sensor(target, b"", "sensor", changes)
+        return load_sensor(target, None, changes_of(call, sensor))
     raise wrong_argument(
         f"{call}: sensor is a Sensor, its file, or numbers by name, not {shown(sensor)}",
         helps=("for instance sensor={'full_well_e': 20000}; `nscc effects` lists the numbers",),
     )
+
+
+def changes_of(call: str, values: Mapping[str, float]) -> list[str]:
+    """Numbers of a sensor by name, as `--sensor-set` takes them; WrongArgument for others."""
+    return [f"{name} = {number(call, str(name), each)!r}" for name, each in values.items()]
 
 
 def number(call: str, name: str, value: object) -> float:

@@ -166,6 +166,7 @@ def test_a_sensor_is_that_of_a_chip_with_some_numbers_changed(
     file = tmp_path / "s.toml"
     file.write_text("full_well_e = 20000.0\n")
     assert sensor.full_well_e == nscc_runtime.sensor_for(program, file).full_well_e == 20000
+    assert sensor.electrons_per_lsb == pytest.approx(20000 / 255)  # the well is the last code
     silent = nscc_runtime.sensor_for(program, file, adc_noise_lsb=0)
     assert (silent.full_well_e, silent.adc_noise_lsb) == (20000, 0)
     frames = {
