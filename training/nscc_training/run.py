@@ -125,10 +125,9 @@ class Run:
                 raise wrong_argument(
                     f"reconstruct takes one bucket of one exposure, not {shown(frame.frame)}"
                 )
-            codes, full = frame.frame, frame.saturated
-            if in_colours:
-                codes, full = codes[:, 0], full[:, 0]
-            read, name = FrameRead(codes, full, about, None), "the capture"
+            one = (slice(None), 0) if in_colours else ...
+            read = FrameRead(frame.frame[one], frame.saturated[one], about, None)
+            name = "the capture"
         else:
             codes = self._codes(frame)
             full = last_codes(codes, self.folder.parts.target) != 0

@@ -16,7 +16,7 @@ from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
 from nscc_training.import_paths import is_import_path
 from nscc_training.loop.setup import Parts, make_parts
-from nscc_training.problems import said
+from nscc_training.problems import is_out_of_memory, said
 from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE, Chip
 from nscc_training.run_files import run_path
 from nscc_training.settings import Settings
@@ -81,6 +81,8 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
         _check_whole(path, result)
         program = (path / "shutter.nsl").read_text(encoding="utf-8")
     except (ValueError, KeyError, TypeError, AttributeError, RuntimeError, OSError) as error:
+        if is_out_of_memory(error):
+            raise
         raise _no_run(path, f"{type(error).__name__}: {said(error, 150)}") from error
     except Exception as error:
         if type(error).__name__ != "SafetensorError":
