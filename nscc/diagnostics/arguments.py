@@ -31,7 +31,8 @@ def wrong_argument(
 
 def one_of(call: str, name: str, value: object, allowed: Collection[Any]) -> None:
     """Raises WrongArgument unless the call's argument `name` has one of the allowed values."""
-    if any(type(value) is type(each) and value == each for each in allowed):
+    plain = isinstance(value, str | int | np.integer) and not isinstance(value, bool)
+    if plain and value in allowed:
         return
     names = [each for each in allowed if isinstance(each, str)]
     raise wrong_argument(
@@ -60,6 +61,8 @@ def shown(value: object) -> str:
 
     Told by what a value has, so that nothing is imported to name somebody else's kinds.
     """
+    if isinstance(value, np.generic):
+        value = value.item()
     if value is None or isinstance(value, bool | int | float):
         return repr(value)[:60]
     if isinstance(value, str | bytes):
