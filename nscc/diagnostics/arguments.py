@@ -14,7 +14,7 @@ from nscc.diagnostics.suggest import meant
 
 
 class WrongArgument(Rejected, TypeError, ValueError):
-    """A call got an argument that it does not take (NS0785, status 2).
+    """A call got an argument that it does not take (NS0789, status 2).
 
     Python's own exceptions for such calls catch it, too.
     """
@@ -25,7 +25,7 @@ def wrong_argument(
 ) -> WrongArgument:
     """The exception for a call's wrong argument, said in one sentence."""
     return WrongArgument(
-        Diagnostic("NS0785", message, notes=tuple(notes), helps=tuple(helps)), status=2
+        Diagnostic("NS0789", message, notes=tuple(notes), helps=tuple(helps)), status=2
     )
 
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from nscc.lower.plan import Misfit
 from nscc.program.program import Program
 from nscc.truth import vector
-from nscc.words.machine import LIGHT, Comparison, Machine
+from nscc.words.machine import Comparison, Machine
 
 Nodes = NDArray[np.intp]
 Bits = NDArray[np.bool_]
@@ -160,8 +160,3 @@ def _fresh(machine: Machine) -> Bits:
                 fresh[step] = fresh[node] & (fresh[step] | ~reached[step])
                 reached[step] = True
     return fresh
-
-
-def compares_exposure(machine: Machine) -> bool:
-    """Whether some sense compares what a bucket holds."""
-    return any(comparison.signal != LIGHT for comparison in machine.comparisons)
