@@ -78,7 +78,7 @@ def picture(png: bytes, caption: str, width: int) -> Html:
     data = b64encode(png).decode()
     return Html(
         f"<figure style='margin:0'><img alt='{text(caption)}' src='data:image/png;base64,{data}' "
-        f"style='width:{width}px;image-rendering:pixelated'/>"
+        f"style='width:{width}px;max-width:100%;image-rendering:pixelated'/>"
         f"<figcaption style='{_FAINT}'>{text(caption)}</figcaption></figure>"
     )
 

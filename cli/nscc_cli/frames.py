@@ -38,7 +38,7 @@ def scene_of(
             helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
         )
     named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
-    more = {name: options[name] for name in ("fit", "color", "first") if name in options}
+    more = {name: options[name] for name in ("fit", "color", "first", "single") if name in options}
     return Scene(*(options[name] for name in named), **more)
 
 
@@ -71,10 +71,12 @@ def run_capture_of(like: Path | None, options: dict[str, Any]) -> RunCapture | N
     from nscc_training.run_files import run_capture
 
     found = run_capture(like)
-    own_light = str(options["scene"]).startswith(("builtin:dark", "builtin:flat"))
-    for name in ("exposure", "transfer", "sensor"):
-        if options[name] is None and not (own_light and name == "exposure"):
-            options[name] = getattr(found, name)
+    theirs = {
+        "exposure": found.exposure_of(str(options["scene"])),
+        "transfer": found.transfer,
+        "sensor": found.sensor,
+    }
+    options |= {name: value for name, value in theirs.items() if options[name] is None}
     if options["target"] is None and found.target is not None:
         options["target"] = str(found.target)
     return found

@@ -14,7 +14,7 @@ from nscc_cli.programs import load_program
 from nscc_cli.support import done, progress, say
 
 _SIMULATION = ("effects", "seed", "device_seed", "fidelity", "tolerance", "audit", "plan", "like",
-               "fit", "color")  # fmt: skip
+               "fit", "color", "first", "single")  # fmt: skip
 _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
 

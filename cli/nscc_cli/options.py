@@ -103,6 +103,8 @@ def fit_option(default: str) -> Callable[..., Any]:
 
 first_option = option("--first", type=IntRange(min=0), default=0, metavar="K",
                       help="The frame that a clip begins with, from 0.")  # fmt: skip
+still_option = option("--still", "single", is_flag=True,
+                      help="Take that frame of a clip as a still.")  # fmt: skip
 color_option = option("--color", is_flag=True,
                       help="Expose red, green and blue, one after the other.")  # fmt: skip
 

@@ -55,6 +55,7 @@ _SIMULATION = (
 @shared.fit_option("crop")
 @shared.color_option
 @shared.first_option
+@shared.still_option
 @shared.tone_option
 @click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
               help="Where to run: a serial port is a device's.")  # fmt: skip

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from nscc.lower.plan import Misfit
 from nscc.program.program import Program
 from nscc.truth import vector
-from nscc.words.machine import LIGHT, Comparison, Machine
+from nscc.words.machine import Comparison, Machine
 
 Nodes = NDArray[np.intp]
 Bits = NDArray[np.bool_]
@@ -153,14 +153,10 @@ def _fresh(machine: Machine) -> Bits:
     for stage in range(machine.stages):
         span, slots = machine.nodes(stage), slice(machine.starts(stage), machine.ends(stage))
         whole = machine.opens[span][:, :, slots].all(axis=2)
-        fresh[span] &= whole & ~machine.resets[span, slots].any(axis=1)[:, None]
+        reset = np.asarray(machine.resets[span, slots].any(axis=1))
+        fresh[span] &= whole & ~reset[:, None]
         for node in range(span.start, span.stop):
             for step in {step for step in machine.steps[node].tolist() if step >= 0}:
                 fresh[step] = fresh[node] & (fresh[step] | ~reached[step])
                 reached[step] = True
     return fresh
-
-
-def compares_exposure(machine: Machine) -> bool:
-    """Whether some sense compares what a bucket holds."""
-    return any(comparison.signal != LIGHT for comparison in machine.comparisons)

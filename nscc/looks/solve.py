@@ -111,7 +111,7 @@ class _Solver:
             found |= zip(names, self._columns(held, self.machine.values[nodes, k]), strict=True)
         return found
 
-    def _columns(self, held: Held, values: NDArray[np.int64]) -> list[int]:
+    def _columns(self, held: Held, values: NDArray[np.signedinteger]) -> list[int]:
         order = np.argsort(held.values)
         rows = order[np.searchsorted(np.array(held.values)[order], values)]
         return columns(held.bits[rows])
@@ -155,7 +155,7 @@ class _Moment:
             self.found += words
         update(self.board, self.wanted)
         self.found += self.board.taken()
-        return self.found
+        return renamed(self.found)
 
     def _sample(self) -> Op:
         return op("bus", (self.plan.scratch,), ("PIX",))
@@ -253,3 +253,40 @@ class _Moment:
         without.values.update(more)
         if not without.tells([*later, *self.wanted.values()]):
             board.keep(FLAG)
+
+
+def renamed(gates: Sequence[Item]) -> list[Item]:
+    """The same gates with as few scratch registers as their values need while they are alive;
+    what stands between them reads none."""
+    ends: dict[tuple[str, int], int] = {}
+    writes: dict[str, int] = {}
+    for place, gate in enumerate(gates):
+        if not isinstance(gate, Gate):
+            continue
+        for name in gate.sources:
+            if name in writes:
+                ends[name, writes[name]] = place
+        if gate.destination.startswith("t") and gate.destination not in gate.sources:
+            writes[gate.destination] = place
+            ends[gate.destination, place] = place
+        elif gate.destination in writes:
+            ends[gate.destination, writes[gate.destination]] = place
+    found: list[Item] = []
+    names: dict[str, str] = {}
+    busy: dict[str, int] = {}
+    for place, gate in enumerate(gates):
+        if not isinstance(gate, Gate):
+            found.append(gate)
+            continue
+        # A register is free once the last gate that reads it is over.
+        busy = {name: end for name, end in busy.items() if end >= place}
+        sources = tuple(names.get(name, name) for name in gate.sources)
+        destination = gate.destination
+        if (destination, place) in ends:
+            number = 0
+            while f"t{number}" in busy:
+                number += 1
+            names[destination] = f"t{number}"
+            busy[f"t{number}"] = ends[destination, place]
+        found.append(Gate(gate.name, names.get(destination, destination), sources))
+    return found

@@ -164,16 +164,18 @@ class Board:
                 gates.nor(complements[index], [names[index][1:]])
             return complements[index]
 
-        positive = [source(i) for i in cover.positive]
-        cubes = [[source(i) for i in cube.sources] for cube in cover.cubes]
-        if len(cubes) == 1 and not positive:
+        if len(cover.cubes) == 1 and not cover.positive:
             # An OR of one NOR is a NOR, and its complement is an OR: one gate.
-            (gates.or_ if inverted else gates.nor)(destination, cubes[0])
+            cube = [source(i) for i in cover.cubes[0].sources]
+            (gates.or_ if inverted else gates.nor)(destination, cube)
             return Made(gates.take(), tuple(made.items()))
-        for cube, found in zip(cubes, cover.cubes, strict=True):
-            name = scratch(found.vector)
-            gates.nor(name, cube)
-            positive.append(name)
+        positive = []
+        for found in cover.cubes:
+            # Complements are made where they are read first: fewer are alive at once.
+            cube = [source(i) for i in found.sources]
+            positive.append(scratch(found.vector))
+            gates.nor(positive[-1], cube)
+        positive += [source(i) for i in cover.positive]
         (gates.nor if inverted else gates.or_)(destination, positive)
         return Made(gates.take(), tuple(made.items()))
 
@@ -185,13 +187,28 @@ def update(board: Board, wanted: dict[str, int]) -> None:
     """
     left = {name: v for name, v in wanted.items() if board.values[name] != v}
     best: tuple[int, Board] | None = None
-    for tried in _orders(board, left):
-        words = sum(gate.words for gate in tried.gates)
-        if best is None or words < best[0]:
-            best = words, tried
+    for begun in (board, *_with_changes(board, left)):
+        for tried in _orders(begun, left):
+            words = sum(gate.words for gate in tried.gates)
+            if best is None or words < best[0]:
+                best = words, tried
     if best is None:
         raise GaveUp("the registers do not tell the lanes of a look apart")
     board.values, board.gates = best[1].values, best[1].gates
+
+
+def _with_changes(board: Board, wanted: dict[str, int]) -> Iterator[Board]:
+    """Boards on which scratch holds the lanes in which several registers become 1: each of them
+    then takes an OR."""
+    rises = [v & ~board.values[name] for name, v in wanted.items()]
+    for rise in dict.fromkeys(rises):
+        if rises.count(rise) > 1 and rise not in board.values.values():
+            after = board.copy()
+            name = after.fresh()
+            made = after.make(rise, name)
+            if made is not None:
+                after.take(made, (name, rise))
+                yield after
 
 
 def _orders(board: Board, wanted: dict[str, int]) -> Iterator[Board]:

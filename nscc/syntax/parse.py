@@ -194,7 +194,7 @@ def _unknown_version(source: Source, version: tree.Version) -> Diagnostic:
     return Diagnostic(
         "NS0106",
         f"this program is in version {version.number.value} of the language; "
-        f"this nscc reads the versions {', '.join(map(str, VERSIONS))}",
+        f"this nscc reads the versions {' and '.join(map(str, VERSIONS))}",
         source=source,
         label=Label(version.number.span),
         helps=(f"write `nsl {VERSIONS[0]}`, or use the nscc that the program was written for",),

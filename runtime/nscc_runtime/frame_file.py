@@ -111,7 +111,7 @@ def read_out(
 def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
     """The bits of `saturated_by` that codes tell by themselves: which is the last of the scale."""
     bit = marks()["codes"].bit
-    return np.where(frame == 2**target.adc_bits - 1, np.uint8(bit), np.uint8(0))
+    return np.asarray((frame == 2**target.adc_bits - 1).view(np.uint8) * np.uint8(bit))
 
 
 def converted(

@@ -70,11 +70,9 @@ def _looked(container: Container, frame: Frame, response: Response) -> list[Read
     light_e = np.nan_to_num(frame.told[LIGHT]) * open_s
     most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
     return [
-        Readout(
-            name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], (1, 1)
-        )
+        Readout(name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], (1, 1))
         for b, name in enumerate(container.buckets)
-    ]
+    ]  # fmt: skip
 
 
 def tile_of(codes: NDArray[Any]) -> tuple[int, int]:

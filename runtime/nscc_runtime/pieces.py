@@ -75,7 +75,8 @@ def simulate_scene(
     frame = frames[0] if len(scene) == 1 else stacked(frames)
     worst = max(made, key=lambda one: one.plan.predicted_e if one.plan else 0.0)
     broken = next((one.broken for one in made if one.broken), None)
-    light = scene[0].light.part(*(slice(0, side) for side in where.size))
+    light = scene[0].light
+    light = light if where.whole else light.part(*(slice(0, side) for side in where.size))
     about: dict[str, Any] = {} if where.fit == "crop" else {"laid": where.as_json()}
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
     simulated = replace(worst, frame=frame, broken=broken)

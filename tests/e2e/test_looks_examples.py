@@ -30,7 +30,31 @@ def float_pixel(gathered: Floats) -> Expected:
     return exposure, {"closed_at": closed_at}
 
 
-ORACLES: dict[str, Callable[[Floats], Expected]] = {"float_pixel": float_pixel}
+def first_light(gathered: Floats) -> Expected:
+    lit = gathered[1:] > round(0.10 * 30000 / STEP_E) * STEP_E
+    arrived = np.where(lit.any(axis=0), lit.argmax(axis=0) + 1, 0)
+    stop = np.where(arrived > 0, arrived, 31)
+    return np.take_along_axis(gathered, stop[None], axis=0)[0], {"arrived": arrived}
+
+
+def auto_exposure(gathered: Floats) -> Expected:
+    """The first frame: all are open to its end."""
+    full = gathered[16] > round(0.80 * 30000 / STEP_E) * STEP_E
+    return gathered[16], {"was": np.full(full.shape, 4), "stop": np.where(full, 3, 4)}
+
+
+def spike(gathered: Floats) -> Expected:
+    fills, reset_at = np.zeros(gathered.shape[1:], np.int64), np.zeros(gathered.shape[1:])
+    for boundary in range(4, 65, 4):
+        full = gathered[boundary] - reset_at > round(0.80 * 30000 / STEP_E) * STEP_E
+        fills += full
+        reset_at = np.where(full, gathered[boundary], reset_at)
+    return gathered[4], {"fills": fills}
+
+
+ORACLES: dict[str, Callable[[Floats], Expected]] = {
+    oracle.__name__: oracle for oracle in (auto_exposure, first_light, float_pixel, spike)
+}
 
 
 def test_every_example_that_looks_has_an_oracle() -> None:
@@ -49,13 +73,40 @@ def test_frames_are_what_the_comment_says(name: str, tmp_path: Path) -> None:
         np.testing.assert_allclose(data["exposure_e"][0], exposure, rtol=1e-9, atol=1e-6)
         for state, values in states.items():
             assert np.array_equal(data[f"states_{state}"], values)
-        assert len({*np.unique(data["open_slots"]).tolist()}) > 3
-        truth = data["truth_e"]
+            assert len(np.unique(values)) > 1 or name == "auto_exposure"
+
+
+def test_a_frame_says_its_light(tmp_path: Path) -> None:
+    path = ROOT / "examples" / "float_pixel.nsl"
+    scene = ["--scene", "builtin:hdr", "--exposure", "300000"]
+    fine(["run", path, *scene, "-o", "f.npz", "--keep", "truth"], tmp_path)
     fine(["reconstruct", "f.npz", "-o", "r.npz"], tmp_path)
     with np.load(tmp_path / "r.npz") as data:
         image = data["image"]
+    with np.load(tmp_path / "f.npz") as data:
+        truth = data["truth_e"]
+        assert len(np.unique(data["open_slots"])) > 3
     bright = truth > 5000
     assert np.median(np.abs(image / truth - 1)[bright]) < 0.01
+
+
+def test_kept_states_find_an_exposure(tmp_path: Path) -> None:
+    path = ROOT / "examples" / "auto_exposure.nsl"
+    scene = ["--scene", "builtin:hdr", "--exposure", "100000@90"]
+    fine(["run", path, *scene, "-o", "f.npz", "--repeat", "6", "--keep", "truth"], tmp_path)
+    with np.load(tmp_path / "f.npz") as data:
+        was, exposure, truth = data["states_was"], data["exposure_e"][:, 0], data["truth_e"]
+    assert np.array_equal(was[1:], data_of(tmp_path, "states_stop")[:-1])
+    reachable = (truth > 0.35 * 30000) & (truth < 0.7 * 30000 * 16)
+    settled = (exposure[-1] > 0.29 * 30000) & (exposure[-1] < 0.82 * 30000)
+    assert settled[reachable].mean() > 0.99
+    assert not ((exposure[0] > 0.29 * 30000) & (exposure[0] < 0.82 * 30000))[reachable].all()
+
+
+def data_of(folder: Path, key: str) -> NDArray[np.int64]:
+    """An array of the frame file."""
+    with np.load(folder / "f.npz") as data:
+        return np.asarray(data[key])
 
 
 def test_at_most_fourteen_words_a_look(tmp_path: Path) -> None:

@@ -29,13 +29,11 @@ def test_the_page_works_from_top_to_bottom(
 ) -> None:
     pytest.importorskip("torch")
     from cpu_torchvision import declare_operators
-    from small_runs import trained
 
     declare_operators()
     pytest.importorskip("deepinv")
     shutil.copytree(ROOT / "examples", tmp_path / "examples")
     monkeypatch.chdir(tmp_path)
-    trained(tmp_path / "RUN")
     names: dict[str, object] = {}
     printed = []
     for text in blocks("python"):
@@ -47,7 +45,7 @@ def test_the_page_works_from_top_to_bottom(
 
 
 DOCUMENTED = (
-    "nscc", "nscc.shutter_program", "nscc_runtime", "nscc_runtime.exposing",
+    "nscc", "nscc.shutter_program", "nscc_runtime", "nscc_runtime.exposing", "nscc_training",
     "nscc_training.deepinv",
 )  # fmt: skip
 

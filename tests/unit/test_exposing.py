@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import re
+import warnings
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -65,6 +66,43 @@ def test_a_frame_file_is_the_commands(
         np.testing.assert_array_equal(taken.truth_e, file["truth_e"])
 
 
+@pytest.mark.parametrize(
+    ("options", "arguments", "shape"),
+    [
+        ({"fit": "tiles"}, ["--fit", "tiles"], (1, 300, 270)),
+        ({"fit": "tiles", "color": True}, ["--fit", "tiles", "--color"], (3, 1, 300, 270)),
+        ({"crop": (3, 5), "transfer": "linear"}, ["--crop", "3,5", "--transfer", "linear"],
+         (1, 256, 256)),
+    ],
+)  # fmt: skip
+def test_a_photo_of_any_size_is_exposed_as_by_the_command(
+    options: dict[str, Any], arguments: list[str], shape: tuple[int, ...], tmp_path: Path
+) -> None:
+    import cv2
+
+    photo = np.random.default_rng(4).integers(0, 255, (300, 270, 3), np.uint8)
+    cv2.imwrite(str(tmp_path / "photo.png"), photo)
+    (tmp_path / "p.nsl").write_text(TEXT + DATA)
+    names = ("f.npz", "f.hdr", "f.png")
+    p = nscc.compile(tmp_path / "p.nsl")
+    with warnings.catch_warnings(action="ignore"):  # grey, or cut: told by the command, too
+        scene = nscc_runtime.scene(tmp_path / "photo.png", exposure="30000@70", **options)
+        taken = nscc_runtime.capture(p, scene, effects="shot", seed=1)
+    assert taken.frame.shape == shape
+    for name in names:
+        line = ["run", "p.nsl", "--scene", "photo.png", "--exposure", "30000@70", "-o",
+                f"c_{name}", "--effects", "shot", "--seed", "1", *arguments]  # fmt: skip
+        outcome = invoke(line, tmp_path)
+        assert outcome.status == 0, outcome.err
+        saved = taken.save(tmp_path / name).read_bytes()
+        assert saved == (tmp_path / f"c_{name}").read_bytes(), name
+
+
+def test_only_formats_that_there_are_are_written(program: nscc.ShutterProgram) -> None:
+    with pytest.raises(nscc.Rejected, match="NS0786"):
+        nscc_runtime.capture(program, LIGHT).save("x.doc")
+
+
 def test_defaults_are_declared_once() -> None:
     """An option that is not given has no value in the command line, but Python's."""
     asked = command.make_context("run", ["program.nsl"]).params
@@ -108,6 +146,36 @@ def test_a_plan_is_made_without_a_frame_and_used_for_others(program: nscc.Shutte
     assert first.split()[0] == "effect"
 
 
+def test_a_plans_file_is_written_and_read_as_by_the_command(
+    program: nscc.ShutterProgram, tmp_path: Path
+) -> None:
+    program.save(tmp_path / "p.icw")
+    np.savez(tmp_path / "light.npz", light=LIGHT)
+    line = ["run", "p.icw", "--scene", "light.npz", "--plan", "c.json", "-o", "f.npz"]
+    assert invoke(line, tmp_path).status == 0
+    first = nscc_runtime.capture(program, LIGHT, plan=tmp_path / "python.json")
+    assert (tmp_path / "python.json").read_bytes() == (tmp_path / "c.json").read_bytes()
+    again = nscc_runtime.capture(program, LIGHT, plan=tmp_path / "c.json")
+    assert again.exposure_e.tobytes() == first.exposure_e.tobytes()
+
+
+def test_a_sensor_is_that_of_a_chip_with_some_numbers_changed(
+    program: nscc.ShutterProgram, tmp_path: Path
+) -> None:
+    sensor = nscc_runtime.sensor_for(program, full_well_e=20000)
+    file = tmp_path / "s.toml"
+    file.write_text("full_well_e = 20000.0\n")
+    assert sensor.full_well_e == nscc_runtime.sensor_for(program, file).full_well_e == 20000
+    assert sensor.electrons_per_lsb == pytest.approx(20000 / 255)  # the well is the last code
+    silent = nscc_runtime.sensor_for(program, file, adc_noise_lsb=0)
+    assert (silent.full_well_e, silent.adc_noise_lsb) == (20000, 0)
+    frames = {
+        nscc_runtime.capture(program, LIGHT, effects="auto", sensor=given).frame.tobytes()
+        for given in (file, {"full_well_e": 20000})
+    }
+    assert len(frames) == 1
+
+
 def test_torch_is_taken_where_it_is_numbers(program: nscc.ShutterProgram) -> None:
     torch = pytest.importorskip("torch")
     light = torch.from_numpy(LIGHT)
@@ -134,7 +202,16 @@ WRONG = {
     "pairs": (lambda p: nscc_runtime.captures([p] * 2, [LIGHT] * 3), "3 scenes for 2 programs"),
     "none": (lambda p: nscc_runtime.captures([], [LIGHT]), "1 scenes for 0 programs"),
     "keep": (lambda p: nscc_runtime.capture(p, LIGHT).save("x.npz", ["a"]), "save can keep light"),
-    "format": (lambda p: nscc_runtime.capture(p, LIGHT).save("x.png"), r"save\('x.npz'\)"),
+    "threads": (lambda p: nscc_runtime.capture(p, LIGHT, threads=0), "threads is a whole number"),
+    "a number": (lambda p: nscc_runtime.sensor_for(p, full_well_e="a"), "full_well_e is a number"),
+    "a chip": (lambda p: nscc_runtime.sensor_for(TARGET), "takes a compiled program first"),
+    "tolerance": (lambda p: nscc_runtime.plan(p, LIGHT, tolerance=[1]), "is a number, not a list"),
+    "exposure": (lambda p: nscc_runtime.scene("x", exposure=[]), "exposure is text or a number"),
+    "crop": (lambda p: nscc_runtime.scene("x", crop=5), "crop is text or 2 numbers, not 5"),
+    "fps": (lambda p: nscc_runtime.scene("x", fps="a"), "fps is a number, not the text 'a'"),
+    "ragged": (lambda p: nscc_runtime.capture(p, [[1, 2], [3]]), "no array can be made of the li"),
+    "fit": (lambda p: nscc_runtime.scene("x", fit="tile"), "did you mean `tiles`"),
+    "first": (lambda p: nscc_runtime.scene("x", first=-1), "first is a whole number from 0"),
 }
 
 
@@ -169,8 +246,21 @@ def test_a_program_without_data_has_no_frame() -> None:
         nscc_runtime.capture(empty, LIGHT)
 
 
+def test_pixels_that_look_have_frames_and_neither_shutters_nor_plans(root: Path) -> None:
+    p = nscc.compile(root / "examples" / "float_pixel.nsl", target=TARGET)
+    light = np.full((ROWS, COLS), 2e6)  # electrons a second
+    taken = nscc_runtime.capture(p, light)
+    np.testing.assert_allclose(taken.light_e_per_s()[0], 2e6, rtol=0.02)
+    assert taken.told["open_slots"].shape == (1, ROWS, COLS)
+    with pytest.raises(nscc.Rejected, match="depend on the light"):
+        p.shutters()
+    with pytest.raises(nscc.Rejected, match="has no plan"):
+        nscc_runtime.plan(p, light)
+    assert "<svg" not in p._repr_html_()
+
+
 def test_repr_is_a_line(program: nscc.ShutterProgram) -> None:
     taken = nscc_runtime.capture(program, LIGHT, effects="auto", repeat=2)
-    sensor = nscc_runtime.load_sensor(TARGET)
+    sensor = nscc_runtime.sensor_for(program)
     for value in (taken, taken.plan, taken.light, sensor):
         assert re.fullmatch(r"<nscc [^\n]{10,200}>", repr(value))

@@ -18,6 +18,7 @@ from nscc_training.sensor_model import (  # noqa: E402
     SensorModel,
     differentiable_capture,
     exposed,
+    filled,
     laid,
     lifted,
     read_out,
@@ -116,6 +117,23 @@ def test_decoders_see_1_where_a_pixel_is_saturated(
     assert seen[:3].tolist() == pytest.approx([0.0, 0.5, 0.98], abs=0.006)
     assert (seen[3:] >= 1).all()
     assert (seen[:3] < 1).all()
+
+
+def test_saturated_pixels_are_at_least_what_steady_light_would_leave() -> None:
+    """Light so bright that PIX is just full when the shutter closes: slot by slot."""
+    shutters = torch.tensor([[1, 1, 0, 0], [0, 0, 1, 0], [0, 1, 0, 1], [0, 0, 0, 0]]).T.float()
+    shutters = shutters.reshape(4, 2, 2)
+    exposed_e = []
+    for opened in shutters.reshape(4, 4).T:
+        last = int(opened.nonzero().max()) + 1 if opened.any() else 1
+        slot_e = 30000.0 / last
+        exposed_e.append(float(sum(slot_e for n in range(last) if opened[n])) / 30000.0)
+    nothing, every = torch.zeros(1, 2, 2), torch.ones(2, 2, dtype=torch.bool)
+    found = filled(nothing, every, shutters).reshape(-1)
+    assert found.tolist() == pytest.approx(exposed_e)
+    assert torch.equal(filled(nothing, ~every, shutters), nothing)
+    bright = torch.full((1, 2, 2), 1.5)
+    assert torch.equal(filled(bright, every, shutters), bright)
 
 
 def test_noise_has_the_variance_of_photons() -> None:

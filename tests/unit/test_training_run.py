@@ -32,10 +32,45 @@ def test_reconstructions_are_the_commands(run: nscc_training.Run, tmp_path: Path
     assert outcome.status == 0, outcome.err
     wanted = np.load(tmp_path / "r.npz")["image"]
     assert wanted.shape == taken.truth_e.shape
-    for frame in (taken, path, str(path), taken.frame, taken.frame[0], taken.frame[0].astype(int)):
+    for frame in (taken, path, taken.frame, taken.frame[0].astype(int)):
         found = run.reconstruct(frame)
         assert found.dtype == np.float32
         np.testing.assert_array_equal(found, wanted)
+
+
+def test_frames_are_those_of_run_like(run: nscc_training.Run, tmp_path: Path) -> None:
+    line = ["run", "--like", str(run.path), "--scene", "builtin:hdr", "-o", "c.npz"]
+    outcome = invoke(line, tmp_path)
+    assert outcome.status == 0, outcome.err
+    saved = run.capture("builtin:hdr").save(tmp_path / "python.npz")
+    assert saved.read_bytes() == (tmp_path / "c.npz").read_bytes()
+    bright = run.capture(nscc_runtime.scene("builtin:hdr", exposure=1e6))
+    assert np.percentile(bright.truth_e, 99) == pytest.approx(1e6, rel=1e-3)
+
+
+def test_what_is_there_in_the_dark_is_taken_away(run: nscc_training.Run, tmp_path: Path) -> None:
+    taken = run.capture("builtin:hdr", effects="auto")
+    dark = run.capture("builtin:dark", effects="auto", repeat=3)
+    path, without = taken.save(tmp_path / "f.npz"), dark.save(tmp_path / "d.npz")
+    line = ["reconstruct", str(run.path), "f.npz", "--dark", "d.npz", "-o", "r.npz"]
+    outcome = invoke(line, tmp_path)
+    assert outcome.status == 0, outcome.err
+    wanted = np.load(tmp_path / "r.npz")["image"]
+    np.testing.assert_array_equal(run.reconstruct(taken, dark=dark), wanted)
+    np.testing.assert_array_equal(run.reconstruct(path, dark=without), wanted)
+
+
+def test_colours_are_reconstructed_one_by_one(run: nscc_training.Run, tmp_path: Path) -> None:
+    import cv2
+
+    photo = np.random.default_rng(4).integers(0, 255, (48, 56, 3), np.uint8)
+    cv2.imwrite(str(tmp_path / "photo.png"), photo)
+    scene = nscc_runtime.scene(tmp_path / "photo.png", fit="tiles", color=True)
+    taken = run.capture(scene)
+    path = taken.save(tmp_path / "f.npz")
+    found = run.reconstruct(taken)
+    assert found.shape == (48, 56, 3)
+    np.testing.assert_array_equal(found, run.reconstruct(path))
 
 
 def test_a_frame_of_another_program_is_refused(run: nscc_training.Run) -> None:

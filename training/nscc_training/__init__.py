@@ -2,8 +2,9 @@
 
     import nscc_training
 
-    run = nscc_training.load_run("RUN")         # what `nscc train CONFIG.toml --out RUN` made
-    run.reconstruct("frame.npz")                # float32 (rows, cols), or of a clip (T, rows, cols)
+    run = nscc_training.load_run("hdr")     # or a folder that `nscc train` made
+    frame = run.capture("builtin:hdr")
+    run.reconstruct(frame)                  # float32 (rows, cols), or of a clip (T, rows, cols)
 
 Everything that touches tensors needs torch (`pip install 'nscc[train]'`), which is imported when it
 is first used. `docs/python.md` shows the whole of it.

@@ -28,7 +28,7 @@ from nscc_runtime.pieces import COLOURS
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
-from nscc_training.sensor_model import laid
+from nscc_training.sensor_model import filled, laid
 
 _BLOCK, _MARGIN = 256, 32
 """Pixels a side that are decoded at a time of frames larger than an array, and around them those
@@ -175,7 +175,7 @@ def _decoded(
     relative = parts.model.relative(codes - parts.model.adc_offset_lsb)
     # The knee of registers, and light that eats the reset level, make full pixels read less.
     full = torch.from_numpy(np.ascontiguousarray(saturated)).to(parts.device)
-    relative = torch.where(full, relative.clamp(min=1), relative)
+    relative = filled(relative, full, shutters)
     found = parts.decoder(relative[None], shutters)[0].float().cpu().numpy()
     slots = 1 if parts.still else parts.slots
     return np.asarray(found * (parts.model.full_e / slots), np.float32)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -17,12 +17,16 @@ from nscc import html
 from nscc.diagnostics.arguments import shown, warn, wrong_argument
 from nscc.emit.notebook import shutter_chart
 from nscc.shutter_program import ShutterProgram, compile
+from nscc_runtime import exposing
 from nscc_runtime.captured import Capture
 from nscc_runtime.frame_file import last_codes
+from nscc_runtime.given import LightLike
+from nscc_runtime.scenes.scene import Scene
 from nscc_training import run_folder
 from nscc_training.curve_chart import curve_chart
 from nscc_training.encoders import Encoder
-from nscc_training.reconstruct import FrameRead, decoded_frame, read_frame, reconstructed
+from nscc_training.reconstruct import FrameRead, decoded_frame, read_dark, read_frame, reconstructed
+from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder
 
 _CURVES = "metrics.csv"
@@ -78,35 +82,58 @@ class Run:
         names = rows[0] if rows else ()
         return {name: np.array([number(name, row[name]) for row in rows]) for name in names}
 
+    def capture(self, light: LightLike, **options: Any) -> Capture:
+        """A frame as the decoder knows them: of the run's program, on its sensor; a scene that does
+        not say how bright it is gets the run's exposure, as with `nscc run --like`.
+
+        `light` and `options` as of `nscc_runtime.capture`.
+        """
+        like = run_capture(self.path)
+        if isinstance(light, str | os.PathLike):
+            light = Scene(os.fspath(light))
+        if isinstance(light, Scene):
+            light = replace(
+                light,
+                exposure=light.exposure or like.exposure_of(light.name),
+                transfer=light.transfer or like.transfer,
+            )
+        return exposing.capture(self.program, light, **{"sensor": like.sensor, **options})
+
     def reconstruct(
         self,
         frame: Capture | NDArray[np.integer[Any]] | str | os.PathLike[str],
         *,
         force: bool = False,
+        dark: Capture | str | os.PathLike[str] | None = None,
     ) -> NDArray[np.float32]:
         """What the decoder makes of a frame: electrons over the frame (rows, cols), or of a clip
-        electrons a slot (T, rows, cols): the unit of `Capture.truth_e`.
+        electrons a slot (T, rows, cols): the unit of `Capture.truth_e`. Of a frame in colours red,
+        green and blue are an axis at the end.
 
         `frame`: a capture, a frame file, or codes of the converter (rows, cols), of which nothing
-        is known and which are believed. Raises Rejected (NS0819) for a frame of another program or
-        sensor, which with `force` is a warning; WrongArgument for what is no frame.
+        is known and which are believed. `dark` is a capture or file without light, of many
+        repeats, whose mean is taken from a capture or file. Raises Rejected (NS0819) for a frame of
+        another program or sensor, which with `force` is a warning; WrongArgument for what is no
+        frame.
         """
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
         elif isinstance(frame, Capture):
-            if frame.frame.shape[0] != 1 or frame.frame.ndim != 3:
+            about = frame.meta
+            in_colours = "colours" in about
+            if frame.frame.shape[-3] != 1 or (frame.frame.ndim != 3 and not in_colours):
                 raise wrong_argument(
                     f"reconstruct takes one bucket of one exposure, not {shown(frame.frame)}"
                 )
-            read, name = (
-                FrameRead(frame.frame, frame.saturated, frame.meta, None),
-                "the capture",
-            )
+            one = (slice(None), 0) if in_colours else ...
+            read = FrameRead(frame.frame[one], frame.saturated[one], about, None)
+            name = "the capture"
         else:
             codes = self._codes(frame)
             full = last_codes(codes, self.folder.parts.target) != 0
             return decoded_frame(self.folder, codes, full)
-        made, messages = reconstructed(self.folder, read, name, force=force)
+        offset = None if dark is None else self._offset(dark)
+        made, messages = reconstructed(self.folder, read, name, force=force, offset=offset)
         warn(messages)
         return made
 
@@ -145,6 +172,13 @@ class Run:
         slot_us = [self.folder.parts.chip.slot_us] * spec.slots
         return shutter_chart(rows[:, None], labels, slot_us, ("exposure",))
 
+    def _offset(self, dark: Capture | str | os.PathLike[str]) -> NDArray[np.float64]:
+        """What the array (rows, cols) reads without light, codes above the ADC's offset."""
+        if not isinstance(dark, Capture):
+            return read_dark(Path(dark))
+        codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
+        return np.asarray(codes.mean(axis=0)[0] - self.folder.parts.model.adc_offset_lsb)
+
     def _codes(self, frame: object) -> NDArray[np.uint8]:
         """Codes that were given as an array."""
         target = self.folder.parts.target
@@ -165,7 +199,9 @@ class Run:
 
 
 def load_run(path: str | os.PathLike[str], *, trust_code: bool = False) -> Run:
-    """The run in a folder. Raises Rejected (NS0818) where there is none, or it did not finish.
+    """The run in a folder, or the one that comes with nscc under that name: hdr, clip.
+
+    Raises Rejected (NS0818) where there is none, or it did not finish.
 
     A run that names Python code of its maker's is loaded only with `trust_code` (NS0823): loading
     it runs that code.

@@ -20,6 +20,9 @@ from nscc_training.protocols import load_protocol
 PROGRAM, CONFIG = "shutter.nsl", "config.resolved.toml"
 _SHIPPED = {"hdr": "hdr_learned_0", "clip": "vid_learned_0"}
 """Runs that come with nscc: what users call them, and their folder in training/results/runs."""
+_DARK = ("builtin:dark", "builtin:flat")
+_ELECTRONS = (".npz", ".npy")
+"""Scenes that say how many electrons they amount to."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +41,10 @@ class RunCapture:
     transfer: Transfer | None
     sensor: Path | None
     target: Path | None
+
+    def exposure_of(self, scene: str) -> str | None:
+        """The exposure of a scene of that name; None of those that are electrons by themselves."""
+        return None if scene.startswith(_DARK) or scene.endswith(_ELECTRONS) else self.exposure
 
     def check(self, container: Container, program: Path) -> None:
         """NS0821 for a program whose slots are not those of the run."""
@@ -93,8 +100,9 @@ def run_capture(given: Path) -> RunCapture:
     well_e = float(protocol.values.get("full_well_e", 30000))
     own_sensor = path / SENSOR_FILE
     own_target = path / TARGET_FILE if shutter.target.endswith(".toml") else None
+    exposure = f"{well_e:g}@{percentile:g}"
     transfers: dict[str, Transfer] = {"linear": "linear", "srgb": "srgb"}
     return RunCapture(
-        program, still, shutter.slots, shutter.slot_us, f"{well_e:g}@{percentile:g}", transfers.get(data.transfer),
+        program, still, shutter.slots, shutter.slot_us, exposure, transfers.get(data.transfer),
         own_sensor if settings.sensor.file and own_sensor.is_file() else None, own_target,
     )  # fmt: skip

@@ -241,8 +241,7 @@ def _around(points: Points, reach: float) -> Boxes:
 def _overlaps(some: Boxes, others: Boxes) -> NDArray[np.bool_]:
     """Which of (n, 4) overlap which of (m, 4): (n, m)."""
     a, b = some[:, None], others[None]
-    found: NDArray[np.bool_] = (a[..., :2] < b[..., 2:]).all(2) & (b[..., :2] < a[..., 2:]).all(2)
-    return found
+    return np.asarray((a[..., :2] < b[..., 2:]).all(2) & (b[..., :2] < a[..., 2:]).all(2))
 
 
 def _held(boxes: Boxes, points: Points) -> NDArray[np.int64]:

@@ -207,5 +207,5 @@ def _draw_map(axes: Axes, drawing: _Map) -> None:
         if size >= 4.5:
             axes.text(
                 col, row, "\n".join(map(str, drawing.codes[row, col])), ha="center", va="center",
-                size=size, color=look().on(to_hex(drawing.colours[row, col])),
+                size=size, color=look().on(to_hex(tuple(drawing.colours[row, col]))),
             )  # fmt: skip

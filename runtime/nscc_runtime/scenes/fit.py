@@ -53,6 +53,8 @@ class Layout:
 
     def pieces(self, light: Light) -> list[Light]:
         """The light on each array, row by row."""
+        if self.whole:
+            return [light]
         (rows, cols), (down, across) = self.array, self.arrays
         return [
             light.part(slice(r * rows, (r + 1) * rows), slice(c * cols, (c + 1) * cols))

@@ -74,8 +74,8 @@ def _clip(seen_lsb: NDArray[np.float64], taken: Taken, sensor: Sensor) -> NDArra
 def _open_share(container: Container) -> NDArray[np.float64]:
     """The part of the frame (rows, cols) that each pixel is open for."""
     slots = np.array(container.slot_us) / sum(container.slot_us)
-    share: NDArray[np.float64] = container.table.shutters[:, 0] @ slots
-    return share[_lanes(container)]
+    share = np.asarray(container.table.shutters[:, 0] @ slots, np.float64)
+    return np.asarray(share[_lanes(container)])
 
 
 def _lanes(container: Container) -> NDArray[np.signedinteger]:

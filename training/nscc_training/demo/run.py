@@ -113,7 +113,7 @@ def _commands(made: Exposed, settings: Settings, files: tuple[Path, ...]) -> tup
         "--seed": settings.seed or None, "--effects": "auto",
     }  # fmt: skip
     said = [f"{name} {quote(str(value))}" for name, value in options.items() if value is not None]
-    said += ["--color"] * scene.color
+    said += ["--color"] * scene.color + ["--still"] * scene.single
     product, frame, dark = (quote(files[k].as_posix()) for k in (1, -2, -1))
     seed = settings.seed + DARK_SEED
     night = f"--scene builtin:dark --effects auto --repeat {DARK_FRAMES} --seed {seed}"
