@@ -18,7 +18,7 @@ from nscc_command import invoke
 
 from nscc.target.load import builtin_target, target_toml
 
-pytestmark = pytest.mark.filterwarnings("error")
+pytestmark = pytest.mark.filterwarnings("error::RuntimeWarning")
 
 FRAME = 'nsl 1\ntarget "small.toml"\nframe 4 slots of 1ms\n'
 PROGRAMS = {

@@ -14,7 +14,7 @@ from nscc_command import invoke
 from nscc.target.load import builtin_target, target_toml
 from nscc_runtime.effects.registry import parameters
 
-pytestmark = pytest.mark.filterwarnings("error")
+pytestmark = pytest.mark.filterwarnings("error::RuntimeWarning")
 
 PROGRAM = """nsl 1
 target "small.toml"
