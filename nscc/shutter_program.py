@@ -198,7 +198,7 @@ class ShutterProgram:
         from nscc.words.shutters import shutters_of
 
         chart = html.Html()
-        if self.container.has_table:
+        if self.container.has_table and self.container.machine is None:
             drawn = shutters_of(self.container)
             chart = shutter_chart(drawn.rows, drawn.labels, self.slot_us, self.buckets)
         if self.compiled is not None:
@@ -288,7 +288,7 @@ def compile(
     if max_words_per_slot is not None:
         whole("nscc.compile", "max_words_per_slot", max_words_per_slot, least=1)
     options = Options(
-        level=level, codes=codes, lowering=lowering, target=chip, cache=bool(cache),
+        level=int(level), codes=codes, lowering=lowering, target=chip, cache=bool(cache),
         max_words_per_slot=max_words_per_slot,
     )  # fmt: skip
     text, base = _source(source, folder)

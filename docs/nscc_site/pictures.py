@@ -50,6 +50,10 @@ KEPT: dict[str, Callable[[Path], bytes]] = {
     "docs/images/hdr.png": _shown(
         "run examples/hdr_2x2.nsl --scene builtin:hdr --exposure 1000000 -o OUT.npz --png OUT"
     ),
+    "docs/images/float.png": _shown(
+        "run examples/float_pixel.nsl --scene builtin:hdr --exposure 1000000 --effects all "
+        "-o OUT.npz --png OUT"
+    ),
     "docs/images/hdr_shutters.png": _shown("view examples/hdr_2x2.nsl -o OUT"),
     "docs/images/gates.png": _shown("view examples/skip_one.nsl --gates -o OUT"),
     "training/results/figures/decoders.png": _decoders,

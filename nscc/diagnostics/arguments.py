@@ -14,7 +14,7 @@ from nscc.diagnostics.suggest import meant
 
 
 class WrongArgument(Rejected, TypeError, ValueError):
-    """A call got an argument that it does not take (NS0785, status 2).
+    """A call got an argument that it does not take (NS0789, status 2).
 
     Python's own exceptions for such calls catch it, too.
     """
@@ -25,13 +25,14 @@ def wrong_argument(
 ) -> WrongArgument:
     """The exception for a call's wrong argument, said in one sentence."""
     return WrongArgument(
-        Diagnostic("NS0785", message, notes=tuple(notes), helps=tuple(helps)), status=2
+        Diagnostic("NS0789", message, notes=tuple(notes), helps=tuple(helps)), status=2
     )
 
 
 def one_of(call: str, name: str, value: object, allowed: Collection[Any]) -> None:
     """Raises WrongArgument unless the call's argument `name` has one of the allowed values."""
-    if any(type(value) is type(each) and value == each for each in allowed):
+    plain = isinstance(value, str | int | np.integer) and not isinstance(value, bool)
+    if plain and value in allowed:
         return
     names = [each for each in allowed if isinstance(each, str)]
     raise wrong_argument(
@@ -60,6 +61,8 @@ def shown(value: object) -> str:
 
     Told by what a value has, so that nothing is imported to name somebody else's kinds.
     """
+    if isinstance(value, np.generic):
+        value = value.item()
     if value is None or isinstance(value, bool | int | float):
         return repr(value)[:60]
     if isinstance(value, str | bytes):

@@ -18,15 +18,15 @@ from nscc.lazy import attribute
 
 if TYPE_CHECKING:
     from nscc_runtime.captured import Capture
-    from nscc_runtime.exposing import audit, capture, captures, plan, scene
+    from nscc_runtime.exposing import audit, capture, captures, plan, scene, sensor_for
     from nscc_runtime.light import Light
-    from nscc_runtime.sensor import Sensor, load_sensor
+    from nscc_runtime.sensor import Sensor
 
 _NAMES = {
     "captured": ("Capture",),
-    "exposing": ("audit", "capture", "captures", "plan", "scene"),
+    "exposing": ("audit", "capture", "captures", "plan", "scene", "sensor_for"),
     "light": ("Light",),
-    "sensor": ("Sensor", "load_sensor"),
+    "sensor": ("Sensor",),
 }
 """What is public, by its module."""
 
@@ -37,9 +37,9 @@ __all__ = [
     "audit",
     "capture",
     "captures",
-    "load_sensor",
     "plan",
     "scene",
+    "sensor_for",
 ]
 
 

@@ -21,15 +21,20 @@ from typing import Any, get_args
 
 from nscc.diagnostics.arguments import one_of, shown, warn, whole, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.rejection import rejected
+from nscc.files import write_whole
 from nscc_runtime.captured import Capture
 from nscc_runtime.effects import Selection
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.given import (
     LightLike,
     ProgramLike,
     SensorLike,
+    changes_of,
     container_of,
     laid_of,
+    number,
     sensor_of,
 )
 from nscc_runtime.pieces import simulate_scene
@@ -40,6 +45,7 @@ from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.fit import FITS, Fit
 from nscc_runtime.scenes.load import FramesAre
 from nscc_runtime.scenes.scene import Scene
+from nscc_runtime.sensor.file import load_sensor
 from nscc_runtime.simulate import Fidelity, Listener, Request
 
 _MOST_REPEATS = 10000
@@ -67,10 +73,11 @@ def capture(
     or numbers by name, as {"full_well_e": 20000}; by default that of the program's chip.
 
     `effects`: "none" (the default: exact sums of light), "auto", "all" or names, as `nscc run
-    --effects`; "auto" is meant where only a `tolerance` ("5e", "0.1lsb" or electrons), a `plan` (of
-    `nscc_runtime.plan`, or a file of one) or an `audit` is given. `fidelity` "reference" executes
-    words slot by slot. `seed` is that of a frame's noise, `device_seed` of fixed patterns.
-    `threads`, by default as many as there are processors, change no bit.
+    --effects`; "auto" is meant where only a `tolerance` ("5e", "0.1lsb" or electrons), a `plan` or
+    an `audit` is given. A plan is one of `nscc_runtime.plan`, or a file of one, which is written
+    where there is none. `fidelity` "reference" executes words slot by slot. `seed` is that of a
+    frame's noise, `device_seed` of fixed patterns. `threads`, by default as many as there are
+    processors, change no bit.
 
     Raises Rejected: WrongArgument for other kinds of values, NS0730 to NS0740 for light that does
     not fit or is none, NS0739 for options that exclude each other, NS0442 and NS0741 for programs
@@ -85,14 +92,19 @@ def capture(
     whole(call, "device_seed", device_seed)
     if repeat is not None:
         whole(call, "repeat", repeat, least=1, most=_MOST_REPEATS)
+    if threads is not None:
+        whole(call, "threads", threads, least=1)
+    file = _plan(call, plan)
     request = Request.of(
-        effects=_effects(call, effects), tolerance=tolerance, plan=_plan(call, plan),
+        effects=_effects(call, effects), tolerance=_tolerance(call, tolerance), plan=file,
         fidelity=fidelity, audit=audit, seed=int(seed), device_seed=int(device_seed),
         repeat=repeat, threads=threads,
     )  # fmt: skip
     chip = sensor_of(call, sensor, container.target)
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=said.append))
     warn(said)
+    if exposed.simulated.plan_file is not None and isinstance(file, Path):
+        write_whole(file, exposed.simulated.plan_file.encode())
     frame = exposed.simulated.frame
     arrays = {each.name: getattr(frame, each.name) for each in fields(Frame)}
     return Capture(**arrays, exposed=exposed)
@@ -150,8 +162,15 @@ def plan(
     scene = laid_of(call, light, container, said.append)[0].light
     chip = sensor_of(call, sensor, container.target)
     whole(call, "device_seed", device_seed)
-    request = Request.of(effects=_effects(call, effects), tolerance=tolerance)
+    request = Request.of(effects=_effects(call, effects), tolerance=_tolerance(call, tolerance))
     check(container, scene)
+    if container.machine is not None:
+        raise rejected(
+            "NS0750",
+            "a program whose pixels look at the light has no plan",
+            notes=("its words are executed one by one, with every effect that is on",),
+            helps=("capture it: effects='all' approximates nothing",),
+        )
     warn(said)
     allowed_e = tolerance_e(request.tolerance, chip)
     return plan_for(made_ready(container, chip), scene, allowed_e, request.effects, device_seed)
@@ -202,15 +221,41 @@ def scene(
     whole(call, "first", first)
     return Scene(
         str(name),
-        exposure=exposure if exposure is None or isinstance(exposure, str) else f"{exposure:.17g}",
+        exposure=_text(call, "exposure", exposure, 1),
         transfer=transfer,
-        fps=fps,
-        crop=crop if crop is None or isinstance(crop, str) else ",".join(map(str, crop)),
+        fps=fps if fps is None else number(call, "fps", fps),
+        crop=_text(call, "crop", crop, 2),
         frames_are=frames_are,
         fit=fit,
         color=bool(color),
         first=first,
     )
+
+
+def sensor_for(program: ProgramLike, file: str | Path | None = None, **values: float) -> Sensor:
+    """The sensor of a program's chip, or of a file of `nscc effects --toml` or `nscc calibrate`,
+    with other values of the numbers that are named: `sensor_for(p, full_well_e=20000)`."""
+    call = "nscc_runtime.sensor_for"
+    target = container_of(call, program).target
+    path = None if file is None else Path(file)
+    return load_sensor(target, path, changes_of(call, values))
+
+
+def _text(call: str, name: str, value: object, count: int) -> str | None:
+    """Text as the command line takes it, of a number or of several."""
+    if value is None or isinstance(value, str):
+        return value
+    given = value if isinstance(value, tuple | list) else [value]
+    if len(given) != count:
+        wanted = "a number" if count == 1 else f"{count} numbers"
+        raise wrong_argument(f"{call}: {name} is text or {wanted}, not {shown(value)}")
+    return ",".join(f"{number(call, name, each):.17g}" for each in given)
+
+
+def _tolerance(call: str, tolerance: object) -> str | float | None:
+    if tolerance is None or isinstance(tolerance, str):
+        return tolerance
+    return number(call, "tolerance", tolerance)
 
 
 def _effects(call: str, effects: object) -> str | Selection | None:

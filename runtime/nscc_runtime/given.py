@@ -23,7 +23,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.scenes.fit import Layout
 from nscc_runtime.scenes.load import Laid, light_of_array
 from nscc_runtime.scenes.scene import Scene
-from nscc_runtime.sensor.file import load_sensor, parse_sensor
+from nscc_runtime.sensor.file import load_sensor
 
 
 class HasWords(Protocol):
@@ -82,7 +82,9 @@ def laid_of(
             helps=(f"the order is {call}(program, light)",),
         )
     values = _array(call, light)
-    found = light_of_array(values, slot_us=slot_us, rows=target.rows, cols=target.cols)
+    found = light_of_array(
+        values, slot_us=slot_us, rows=target.rows, cols=target.cols, name="the array"
+    )
     return (Laid(found, Layout("crop", array, array, array)),)
 
 
@@ -98,12 +100,23 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
     if isinstance(sensor, str | os.PathLike):
         return load_sensor(target, Path(sensor))
     if isinstance(sensor, Mapping):
-        changes = [f"{name} = {float(value)!r}" for name, value in sensor.items()]
-        return parse_sensor(target, b"", "sensor", changes)
+        return load_sensor(target, None, changes_of(call, sensor))
     raise wrong_argument(
         f"{call}: sensor is a Sensor, its file, or numbers by name, not {shown(sensor)}",
         helps=("for instance sensor={'full_well_e': 20000}; `nscc effects` lists the numbers",),
     )
+
+
+def changes_of(call: str, values: Mapping[str, float]) -> list[str]:
+    """Numbers of a sensor by name, as `--sensor-set` takes them; WrongArgument for others."""
+    return [f"{name} = {number(call, str(name), each)!r}" for name, each in values.items()]
+
+
+def number(call: str, name: str, value: object) -> float:
+    """The number that a call's argument is; WrongArgument for what is none."""
+    if isinstance(value, int | float | np.number) and not isinstance(value, bool):
+        return float(value)
+    raise wrong_argument(f"{call}: {name} is a number, not {shown(value)}")
 
 
 def _container(value: object) -> Container | None:

@@ -153,3 +153,30 @@ def judge(folder: Path, line: str) -> int:
     for name in left:
         (folder / name).unlink()
     return found.status
+
+
+@pytest.mark.parametrize("number", range(len(ARRAYS)))
+def test_pictures_of_other_arrays(number: int, folder: Path) -> None:
+    """What is no frame is not drawn: of pictures every array counts, at its place."""
+    whole = (folder / "f.npz").read_bytes()
+    with np.load(folder / "f.npz") as file:
+        arrays: dict[str, Any] = dict(file)
+    try:
+        for key in ("frame", "exposure_e"):
+            with_other = {**arrays, key: ARRAYS[number](arrays[key])}
+            np.savez(folder / "f.npz", **with_other)
+            judge(folder, "view f.npz -o out.png")
+    finally:
+        (folder / "f.npz").write_bytes(whole)
+
+
+@pytest.mark.parametrize(
+    "table", [b"", b"\xff", b"step,split\n\0", b"step,split,psnr_db\nx,val,y\n"]
+)
+@pytest.mark.parametrize("result", [b"{}", b"[]", b'{"robustness": 1}', b'{"robustness": [1]}'])
+def test_pictures_of_damaged_runs(table: bytes, result: bytes, folder: Path) -> None:
+    run = folder.parent / "a_run"
+    run.mkdir(exist_ok=True)
+    (run / "metrics.csv").write_bytes(table)
+    (run / "result.json").write_bytes(result)
+    judge(folder, f"view {run} -o out.png")

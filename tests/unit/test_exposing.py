@@ -146,6 +146,36 @@ def test_a_plan_is_made_without_a_frame_and_used_for_others(program: nscc.Shutte
     assert first.split()[0] == "effect"
 
 
+def test_a_plans_file_is_written_and_read_as_by_the_command(
+    program: nscc.ShutterProgram, tmp_path: Path
+) -> None:
+    program.save(tmp_path / "p.icw")
+    np.savez(tmp_path / "light.npz", light=LIGHT)
+    line = ["run", "p.icw", "--scene", "light.npz", "--plan", "c.json", "-o", "f.npz"]
+    assert invoke(line, tmp_path).status == 0
+    first = nscc_runtime.capture(program, LIGHT, plan=tmp_path / "python.json")
+    assert (tmp_path / "python.json").read_bytes() == (tmp_path / "c.json").read_bytes()
+    again = nscc_runtime.capture(program, LIGHT, plan=tmp_path / "c.json")
+    assert again.exposure_e.tobytes() == first.exposure_e.tobytes()
+
+
+def test_a_sensor_is_that_of_a_chip_with_some_numbers_changed(
+    program: nscc.ShutterProgram, tmp_path: Path
+) -> None:
+    sensor = nscc_runtime.sensor_for(program, full_well_e=20000)
+    file = tmp_path / "s.toml"
+    file.write_text("full_well_e = 20000.0\n")
+    assert sensor.full_well_e == nscc_runtime.sensor_for(program, file).full_well_e == 20000
+    assert sensor.electrons_per_lsb == pytest.approx(20000 / 255)  # the well is the last code
+    silent = nscc_runtime.sensor_for(program, file, adc_noise_lsb=0)
+    assert (silent.full_well_e, silent.adc_noise_lsb) == (20000, 0)
+    frames = {
+        nscc_runtime.capture(program, LIGHT, effects="auto", sensor=given).frame.tobytes()
+        for given in (file, {"full_well_e": 20000})
+    }
+    assert len(frames) == 1
+
+
 def test_torch_is_taken_where_it_is_numbers(program: nscc.ShutterProgram) -> None:
     torch = pytest.importorskip("torch")
     light = torch.from_numpy(LIGHT)
@@ -172,6 +202,14 @@ WRONG = {
     "pairs": (lambda p: nscc_runtime.captures([p] * 2, [LIGHT] * 3), "3 scenes for 2 programs"),
     "none": (lambda p: nscc_runtime.captures([], [LIGHT]), "1 scenes for 0 programs"),
     "keep": (lambda p: nscc_runtime.capture(p, LIGHT).save("x.npz", ["a"]), "save can keep light"),
+    "threads": (lambda p: nscc_runtime.capture(p, LIGHT, threads=0), "threads is a whole number"),
+    "a number": (lambda p: nscc_runtime.sensor_for(p, full_well_e="a"), "full_well_e is a number"),
+    "a chip": (lambda p: nscc_runtime.sensor_for(TARGET), "takes a compiled program first"),
+    "tolerance": (lambda p: nscc_runtime.plan(p, LIGHT, tolerance=[1]), "is a number, not a list"),
+    "exposure": (lambda p: nscc_runtime.scene("x", exposure=[]), "exposure is text or a number"),
+    "crop": (lambda p: nscc_runtime.scene("x", crop=5), "crop is text or 2 numbers, not 5"),
+    "fps": (lambda p: nscc_runtime.scene("x", fps="a"), "fps is a number, not the text 'a'"),
+    "ragged": (lambda p: nscc_runtime.capture(p, [[1, 2], [3]]), "no array can be made of the li"),
     "fit": (lambda p: nscc_runtime.scene("x", fit="tile"), "did you mean `tiles`"),
     "first": (lambda p: nscc_runtime.scene("x", first=-1), "first is a whole number from 0"),
 }
@@ -208,8 +246,21 @@ def test_a_program_without_data_has_no_frame() -> None:
         nscc_runtime.capture(empty, LIGHT)
 
 
+def test_pixels_that_look_have_frames_and_neither_shutters_nor_plans(root: Path) -> None:
+    p = nscc.compile(root / "examples" / "float_pixel.nsl", target=TARGET)
+    light = np.full((ROWS, COLS), 2e6)  # electrons a second
+    taken = nscc_runtime.capture(p, light)
+    np.testing.assert_allclose(taken.light_e_per_s()[0], 2e6, rtol=0.02)
+    assert taken.told["open_slots"].shape == (1, ROWS, COLS)
+    with pytest.raises(nscc.Rejected, match="depend on the light"):
+        p.shutters()
+    with pytest.raises(nscc.Rejected, match="has no plan"):
+        nscc_runtime.plan(p, light)
+    assert "<svg" not in p._repr_html_()
+
+
 def test_repr_is_a_line(program: nscc.ShutterProgram) -> None:
     taken = nscc_runtime.capture(program, LIGHT, effects="auto", repeat=2)
-    sensor = nscc_runtime.load_sensor(TARGET)
+    sensor = nscc_runtime.sensor_for(program)
     for value in (taken, taken.plan, taken.light, sensor):
         assert re.fullmatch(r"<nscc [^\n]{10,200}>", repr(value))

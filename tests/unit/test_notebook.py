@@ -85,7 +85,7 @@ def test_a_capture_shows_its_picture_and_plan() -> None:
 def test_plans_and_sensors_show_what_they_hold() -> None:
     plan = nscc_runtime.plan(program(), np.ones((6, 8)))
     assert str(plan) in checked(plan).words
-    assert "full_well_e" in checked(nscc_runtime.load_sensor(TARGET)).words
+    assert "full_well_e" in checked(nscc_runtime.sensor_for(program())).words
 
 
 def test_names_are_text_and_never_tags() -> None:

@@ -19,6 +19,8 @@ from nscc_runtime.planner.plan import Decision, Plan
 from nscc_runtime.planner.program import Program
 from nscc_runtime.sensor import Sensor
 
+# What is forced off here breaks its tolerance on purpose, and a capture says so.
+pytestmark = pytest.mark.filterwarnings("ignore:warning.NS0749")
 ROWS, COLS = 32, 48
 
 

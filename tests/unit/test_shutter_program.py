@@ -157,7 +157,7 @@ def test_wrong_arguments_are_told_in_a_sentence(call: Any, words: str) -> None:
     with pytest.raises(TypeError, match=words) as caught:
         call()
     assert isinstance(caught.value, nscc.Rejected)
-    assert caught.value.diagnostics[0].code == "NS0785"
+    assert caught.value.diagnostics[0].code == "NS0789"
 
 
 def test_a_rejection_says_all_that_the_command_line_says(tmp_path: Path) -> None:

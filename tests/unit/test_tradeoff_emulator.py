@@ -210,6 +210,7 @@ def frame(exposure: list[list[float]], codes: list[list[int]], valid: list[list[
         np.array(codes, np.uint8)[:, None],
         np.array(exposure, np.float64)[:, None],
         np.array(valid)[:, None],
+        np.zeros((len(codes), 1, len(codes[0])), np.uint8),
     )
 
 

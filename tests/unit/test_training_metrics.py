@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -106,6 +107,31 @@ def test_a_data_range_is_needed(bad: float) -> None:
     for measure in (metrics.psnr, metrics.ssim):
         with pytest.raises(ValueError, match="data range"):
             measure(truth, result, bad)
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (
+            lambda a: metrics.psnr(a, a[1:], 1.0),
+            r"an array \(12, 12\) of float64, the rec.* \(11, 12",
+        ),
+        (lambda a: metrics.mu_psnr(a, "a", 1.0), "the reconstruction the text 'a'"),
+        (lambda a: metrics.ssim(a[:4], a[:4], 1.0), r"at least 11 x 11 pixels, not of \(4, 12\)"),
+        (lambda a: metrics.temporal_error(a, a, 1.0), r"two frames or more, not of \(12, 12\)"),
+        (lambda a: metrics.pu21_psnr(a, a, "255", 1000.0), "a number above 0, not the text '255'"),
+    ],
+)
+def test_what_cannot_be_compared_is_told_in_a_sentence(call: Any, words: str) -> None:
+    with pytest.raises(TypeError, match=words):
+        call(np.ones((12, 12)))
+
+
+def test_lists_and_tensors_are_numbers() -> None:
+    torch = pytest.importorskip("torch")
+    truth, result = _pair((12, 12))
+    wanted = metrics.psnr(truth, result, 1.0)
+    assert metrics.psnr(truth.tolist(), torch.from_numpy(result), 1.0) == wanted
 
 
 def test_summary_and_interval() -> None:

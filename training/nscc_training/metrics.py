@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.arguments import shown, wrong_argument
 from nscc_training.curves import MU, PU21_HIGH, PU21_LOW, mu_law, pu21
 
 WINDOW = 11
@@ -22,16 +23,14 @@ Array = NDArray[Any]
 
 def mean_square_error(truth: Array, result: Array) -> float:
     """Mean of squared differences, in float64 whatever the arrays are."""
-    if truth.shape != result.shape:
-        raise ValueError(f"{truth.shape} and {result.shape}")
+    truth, result = _pair(truth, result)
     difference = truth.astype(np.float64) - result.astype(np.float64)
     return float(np.mean(np.square(difference)))
 
 
 def psnr_of_mse(mse: float, data_range: float) -> float:
     """10 log10(data_range^2 / mse) in dB; +inf where nothing differs."""
-    if not data_range > 0:
-        raise ValueError(f"data range {data_range}")
+    _check_range(data_range)
     return math.inf if mse == 0 else 20 * math.log10(data_range) - 10 * math.log10(mse)
 
 
@@ -42,7 +41,8 @@ def psnr(truth: Array, result: Array, data_range: float) -> float:
 
 def mu_psnr(truth: Array, result: Array, data_range: float, mu: float = MU) -> float:
     """PSNR after mu-law of both, clipped to 0..data_range; the curve's range is 1."""
-    there = [np.clip(x.astype(np.float64) / data_range, 0.0, 1.0) for x in (truth, result)]
+    _check_range(data_range)
+    there = [np.clip(x.astype(np.float64) / data_range, 0.0, 1.0) for x in _pair(truth, result)]
     return psnr(mu_law(there[0], mu), mu_law(there[1], mu), 1.0)
 
 
@@ -51,11 +51,14 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
 
     Both are clipped to 0..data_range first; the peak is the encoding of `nits`.
     """
+    _check_range(data_range)
     if not PU21_LOW < nits <= PU21_HIGH:
-        raise ValueError(f"{nits} cd/m2")
+        raise wrong_argument(
+            f"PU21 is of luminances up to {PU21_HIGH:g} cd/m2 and above {PU21_LOW:g}, not {nits}"
+        )
     encoded = [
         pu21(np.clip(x.astype(np.float64) * (nits / data_range), PU21_LOW, nits))
-        for x in (truth, result)
+        for x in _pair(truth, result)
     ]
     return psnr(encoded[0], encoded[1], float(pu21(np.float64(nits))))
 
@@ -100,12 +103,13 @@ def ssim(truth: Array, result: Array, data_range: float) -> float:
     Only windows that lie inside count, so both sides are at least `WINDOW`. Always within -1..1,
     and 1 for equal pictures, flat ones too.
     """
-    if truth.shape != result.shape or truth.ndim not in (2, 3):
-        raise ValueError(f"{truth.shape} and {result.shape}")
-    if min(truth.shape[-2:]) < WINDOW:
-        raise ValueError(f"smaller than a window: {truth.shape}")
-    if not data_range > 0:
-        raise ValueError(f"data range {data_range}")
+    truth, result = _pair(truth, result)
+    if truth.ndim not in (2, 3) or min(truth.shape[-2:]) < WINDOW:
+        raise wrong_argument(
+            f"SSIM is of pictures (rows, cols) or clips (T, rows, cols) of at least {WINDOW} x "
+            f"{WINDOW} pixels, not of {truth.shape}"
+        )
+    _check_range(data_range)
     if truth.ndim == 3:
         return float(np.mean([ssim(a, b, data_range) for a, b in zip(truth, result, strict=True)]))
     return float(np.mean(similarity(truth, result, data_range)))
@@ -144,9 +148,32 @@ def temporal_error(truth: Array, result: Array, data_range: float) -> float:
 
     Clips (T, rows, cols) with T >= 2. An error that stands still does not count; flicker does.
     """
-    if truth.shape != result.shape or truth.ndim != 3 or len(truth) < 2:
-        raise ValueError(f"{truth.shape} and {result.shape}")
-    if not data_range > 0:
-        raise ValueError(f"data range {data_range}")
+    truth, result = _pair(truth, result)
+    if truth.ndim != 3 or len(truth) < 2:
+        raise wrong_argument(
+            f"the temporal error is of clips (T, rows, cols) of two frames or more, not of "
+            f"{truth.shape}"
+        )
+    _check_range(data_range)
     error = result.astype(np.float64) - truth.astype(np.float64)
     return float(np.sqrt(np.mean(np.square(np.diff(error, axis=0))))) / data_range
+
+
+def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
+    """Both as arrays of one shape; WrongArgument where they are not."""
+    first, second = np.asarray(truth), np.asarray(result)
+    if first.shape != second.shape or {first.dtype.kind, second.dtype.kind} - {*"buif"}:
+        raise wrong_argument(
+            "a metric compares numbers of one shape: the truth is "
+            f"{shown(truth)}, the reconstruction {shown(result)}"
+        )
+    return first, second
+
+
+def _check_range(data_range: float) -> None:
+    if not (isinstance(data_range, int | float | np.number) and data_range > 0):
+        raise wrong_argument(
+            f"the data range is the peak that errors count against, a number above 0, not "
+            f"{shown(data_range)}",
+            helps=("255 for 8-bit values, 1 for values on [0, 1], a full well for electrons",),
+        )

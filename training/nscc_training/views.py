@@ -5,7 +5,9 @@ Programs are drawn by `nscc_runtime.pictures.shutters`.
 
 from __future__ import annotations
 
+import csv
 import json
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -32,6 +34,7 @@ if TYPE_CHECKING:
 
 ENDINGS = (".json", ".npz", ".toml", *PICTURES, *CLIPS)
 _MOST_FRAMES = 64
+_FRAME_KEYS = ("frame", "exposure_e", "saturated_by")
 
 
 def view_of(path: Path, tone: str | None = None) -> bytes:
@@ -48,7 +51,7 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
         reads(found / "metrics.csv")
         result = found / "result.json"
         told = _json(result) if result.is_file() else {}
-        return png_of(run_sheet, found, told)
+        return _drawn(path, run_sheet, found, told)
     suffix = path.suffix.lower()
     if not path.is_file():
         raise _nothing_to_view(path, "there is no such file")
@@ -59,7 +62,7 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
         told = _json(path)
         if not ("robustness" in told or "items" in told):
             raise _nothing_to_view(path, "it has no items and no robustness: no result of nscc")
-        return png_of(result_sheet, told, path.name)
+        return _drawn(path, result_sheet, told, path.name)
     if suffix == ".npz":
         return _of_arrays(path, tone)
     if suffix in PICTURES:
@@ -83,10 +86,13 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
         meta = json.loads(str(arrays["meta"])) if "meta" in arrays else {}
     except Exception as error:  # numpy and zipfile raise a dozen types for damaged files
         raise _nothing_to_view(path, f"{type(error).__name__}: {error}") from error
-    if meta.get("schema") == SCHEMA and "frame" in arrays:
+    if isinstance(meta, dict) and meta.get("schema") == SCHEMA and "frame" in arrays:
+        for name in _FRAME_KEYS:
+            _check_array(path, arrays, name, (3, 4, 5), arrays["frame"].shape)
         return png_of(frame_view, arrays, meta, path.name, tone)
     for name in ("image", "video"):
         if name in arrays:
+            _check_array(path, arrays, name, (2, 3) if name == "image" else (3, 4))
             light, moving = arrays[name], name == "video"
             colour = light.ndim == (4 if moving else 3)
             content = Content({}, light, moving, colour, tone=tone,
@@ -96,16 +102,40 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
     raise _nothing_to_view(path, f"it is no frame file and has no image or video, but {held}")
 
 
+def _check_array(
+    path: Path, arrays: dict[str, NDArray[Any]], name: str, dimensions: tuple[int, ...],
+    shape: tuple[int, ...] | None = None,
+) -> None:  # fmt: skip
+    """NS0801 where an array that is to be drawn is none of numbers, or of another shape."""
+    values = arrays.get(name)
+    if values is None:
+        return
+    numbers = values.dtype.kind in "buif" and values.ndim in dimensions and 0 not in values.shape
+    if not numbers or values.shape != (shape or values.shape):
+        shown = " x ".join(map(str, values.shape)) or "a single value"
+        raise _nothing_to_view(path, f"its array '{name}' is {shown} of {values.dtype}")
+
+
+def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
+    """The PNG of a sheet of tables that are looked at only while they are drawn; NS0801 where they
+    are not as nscc writes them."""
+    try:
+        return png_of(sheet, *arguments)
+    except (csv.Error, AttributeError, LookupError, TypeError, ValueError) as error:
+        raise _nothing_to_view(path, f"it is damaged: {type(error).__name__}: {error}") from error
+
+
 def frame_view(
     arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str, tone: str | None
 ) -> Figure:
     """Every bucket of a frame file: codes, electrons, and what is saturated; of repeats the first,
     of colours all three."""
-    keys = ("frame", "exposure_e", "saturated_by")
-    frame, exposure, marks = (arrays.get(key, np.zeros(arrays["frame"].shape)) for key in keys)
+    missing = np.zeros(arrays["frame"].shape)
+    frame, exposure, marks = (arrays.get(key, missing) for key in _FRAME_KEYS)
     if frame.ndim == 4 and "colours" not in meta:
         frame, exposure, marks = frame[0], exposure[0], marks[0]
-    names = meta.get("colours") or meta.get("buckets") or []
+    names = meta.get("colours") or meta.get("buckets")
+    names = names if isinstance(names, list) else []
     rows = []
     flat = (values.reshape(-1, *values.shape[-2:]) for values in (frame, exposure, marks))
     for k, (codes, electrons, by) in enumerate(zip(*flat, strict=True)):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nscc_runtime.effects.comparator_offset import NO_LOOK, ONLY_LOOKS
-from nscc_runtime.effects.effect import CannotHave, Effect
+from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
 from nscc_runtime.effects.field import Field, Sampled, Values
 from nscc_runtime.effects.full_well import FULL
 from nscc_runtime.effects.parameters import parameter
@@ -40,5 +40,5 @@ COMPARATOR_NOISE = Effect(
     field=_field,
     sums=CannotHave(ONLY_LOOKS),
     fused=CannotHave(ONLY_LOOKS),
-    words=CannotHave(ONLY_LOOKS),
+    words=InLoop(),  # words that compare never come there
 )

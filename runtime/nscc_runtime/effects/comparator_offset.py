@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc_runtime.effects.effect import CannotHave, Effect
+from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
 from nscc_runtime.effects.field import Field, Places, Sampled, Values
 from nscc_runtime.effects.full_well import FULL
 from nscc_runtime.effects.parameters import parameter
@@ -50,5 +50,5 @@ COMPARATOR_OFFSET = Effect(
     field=_field,
     sums=CannotHave(ONLY_LOOKS),
     fused=CannotHave(ONLY_LOOKS),
-    words=CannotHave(ONLY_LOOKS),
+    words=InLoop(),  # words that compare never come there
 )
