@@ -1,4 +1,4 @@
-"""From a frame file to a picture or a clip, by a run's decoder."""
+"""From a frame file to a picture or a clip, by a run's decoder or the one for any code."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 import torch
@@ -16,12 +16,13 @@ from numpy.typing import NDArray
 
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import LEVELS, Options
 from nscc.source import Source
 from nscc.words.file import to_bytes
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.sensor import sensor_sha256
+from nscc_training.any_code.decode import decoded_clip, decoded_still
+from nscc_training.any_code.frames import no_coded_frame, read_coded_frame
 from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.sensor_model import laid
@@ -54,13 +55,32 @@ def reconstruct(
         raise Rejected(messages, status=2)
     size = (folder.parts.target.rows, folder.parts.target.cols)
     if read.frame.shape != size:
-        raise _no_frame(frame, f"it is of {read.frame.shape} pixels, the run's chip has {size}")
+        raise _run_frame(frame, f"it is of {read.frame.shape} pixels, the run's chip has {size}")
     made = decoded_frame(folder, read.frame, read.saturated)
+    return _product("image" if folder.parts.still else "video", made), messages
+
+
+def reconstruct_any(
+    frame: Path, program: Path | None = None, kind: Literal["image", "video"] | None = None
+) -> bytes:
+    """The .npz file of what the decoder for any code makes of a frame of any program.
+
+    `program` is what exposed it, where the file does not hold its pixels' shutters. As an image or
+    a clip; without `kind` an image where all shutters open with the frame (class b), else a clip.
+    Raises Rejected as `read_coded_frame`.
+    """
+    coded = read_coded_frame(frame, program)
+    if (kind or ("image" if coded.is_still else "video")) == "image":
+        return _product("image", decoded_still(coded.still())[0].numpy())
+    slots = (coded.slot_us / coded.slot_us.mean()).astype(np.float32)
+    return _product("video", decoded_clip(coded.clip())[0].numpy() * slots[:, None, None])
+
+
+def _product(key: str, made: NDArray[np.float32]) -> bytes:
     stream = io.BytesIO()
-    key = "image" if folder.parts.still else "video"
     # Savez stamps no times: its entries all have the same date.
     np.savez(stream, **{key: made})  # type: ignore[arg-type]  # numpy types keywords as one kind
-    return stream.getvalue(), messages
+    return stream.getvalue()
 
 
 @torch.no_grad()
@@ -93,15 +113,15 @@ def read_frame(path: Path) -> FrameRead:
                 kept = np.unpackbits(file["shutter"], axis=-1, count=count, bitorder="little")
     except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
         reason = f"{type(error).__name__}: {' '.join(str(error).split())[:150]}"
-        raise _no_frame(path, reason) from error
+        raise _run_frame(path, reason) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA or found.dtype != np.uint8:
-        raise _no_frame(path, f"its schema is not {SCHEMA}")
+        raise _run_frame(path, f"its schema is not {SCHEMA}")
     if found.ndim != 3 or found.shape[0] != 1 or 0 in found.shape:
-        raise _no_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
+        raise _run_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
     if saturated.shape != found.shape or saturated.dtype != np.bool_:
-        raise _no_frame(path, f"`saturated` is {saturated.dtype} {saturated.shape}, no bool of it")
+        raise _run_frame(path, f"`saturated` is {saturated.dtype} {saturated.shape}, no bool of it")
     if kept is not None and kept.shape[:-1] != found.shape:
-        raise _no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
+        raise _run_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
     shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
     return FrameRead(found[0], saturated[0], meta, shutter)
 
@@ -153,10 +173,7 @@ def _doubt(path: Path, reason: str, *, warning: bool) -> Diagnostic:
     )
 
 
-def _no_frame(path: Path, reason: str) -> Exception:
-    return rejected(
-        "NS0819",
-        f"'{path}' is no frame that can be reconstructed",
-        notes=(reason,),
-        helps=("`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",),
+def _run_frame(path: Path, reason: str) -> Exception:
+    return no_coded_frame(
+        path, reason, "`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one"
     )
