@@ -73,12 +73,16 @@ demo: $(BUILT)
 	  -o $(OUT)/motion.npz --png $(OUT)/motion.png
 	$(BIN)/nscc view $(OUT)/hdr_2x2.icw -o $(OUT)/hdr_shutters.png
 	$(BIN)/nscc view $(OUT)/flutter.icw -o $(OUT)/motion_shutters.png
+	$(BIN)/nscc demo -o $(OUT)
 	@echo
 	@echo "pictures in $(abspath $(OUT)):"
 	@echo "  hdr.png              a still of five decades of light, through a 2 x 2 tile of exposures"
 	@echo "  hdr_shutters.png     when its pixels are open, and where"
 	@echo "  motion.png           a fast scene in one frame, every pixel with its own moment"
 	@echo "  motion_shutters.png  when its pixels are open, and where"
+	@echo "  picture_sheet.png    the still through shutters that were learned, and reconstructed"
+	@echo "  clip_sheet.png       the same of a clip: clip.gif and clip.mp4 move"
+	@echo "nscc demo PHOTO does that with a photo or a clip of yours"
 
 lint: $(VENV)/.test-installed
 	$(BIN)/ruff check .
@@ -121,9 +125,9 @@ docs: $(VENV)/.docs-installed $(VENV)/.compiled
 linkcheck: $(VENV)/.docs-installed $(VENV)/.compiled
 	$(SITE) --builder linkcheck . $(OUT)/site-links
 
-# The pictures that pages keep beside them, for those who read them as files.
+# Those that pages keep beside them, for who reads them as files.
 pictures: $(VENV)/.docs-installed $(VENV)/.compiled
-	PYTHONPATH=docs $(BIN)/python -m nscc_site.pictures
+	PYTHONPATH=docs $(BIN)/python -m nscc_site
 
 clean:
 	rm -rf $(OUT) docs/generated dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

@@ -51,6 +51,7 @@ os.environ["IPYTHONDIR"] = str(_first.parents[2])
 nitpicky = True
 nitpick_ignore_regex = [("py:.*", r"(?!nscc\w*\.\w+$).*")]
 suppress_warnings = ["misc.highlighting_failure"]  # of cells that write files of other languages
+autodoc_mock_imports = ["deepinv"]
 default_role = "literal"
 autodoc_member_order = "bysource"
 autodoc_typehints_format = "short"

@@ -1,9 +1,39 @@
 """nscc compiles per-pixel shutter programs for SCAMP-5 class vision chips.
 
-This package is the compiler: it needs lark, networkx and numpy, and knows nothing of the packages
-above it. `nscc.compiler` compiles, `nscc.containers` also reads what was compiled.
+    import nscc
+
+    p = nscc.compile("examples/hdr_2x2.nsl")
+    p.shutters()    # bool (buckets, codes, slots)
+
+`docs/python.md` shows the whole of it. This package is the compiler: it needs lark, networkx and
+numpy, and knows nothing of the packages above it.
 """
 
 from __future__ import annotations
 
-__version__ = "0.1.0"
+from typing import TYPE_CHECKING, Any
+
+from nscc.lazy import attribute
+from nscc.version import __version__
+
+if TYPE_CHECKING:
+    from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+    from nscc.shutter_program import ShutterProgram, compile, load
+    from nscc.target.target import Target
+
+_NAMES = {
+    "diagnostics.diagnostic": ("Diagnostic", "Rejected"),
+    "shutter_program": ("ShutterProgram", "compile", "load"),
+    "target.target": ("Target",),
+}
+"""What is public, by its module."""
+
+__all__ = ["Diagnostic", "Rejected", "ShutterProgram", "Target", "__version__", "compile", "load"]
+
+
+def __getattr__(name: str) -> Any:
+    return attribute("nscc", _NAMES, name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

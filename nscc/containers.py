@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Options
 from nscc.program.analyse import ranges_of
-from nscc.program.pixels import Ranges, codes_from_file
+from nscc.program.pixels import Ranges, codes_from_arrays, codes_from_file
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.file import read_container
@@ -42,18 +45,25 @@ def load_container(
     return compiled.container, compiled.diagnostics
 
 
-def with_pixels(container: Container, name: str | Path, pixels: Path | None = None) -> Container:
-    """The container with the codes in file `pixels`, or else with its own.
+def with_pixels(
+    container: Container,
+    name: str | Path,
+    pixels: Path | Mapping[str, NDArray[Any]] | None = None,
+) -> Container:
+    """The container with the codes of `pixels`, a file or arrays by field, or else with its own.
 
     `name` is what messages call it. Raises Rejected: NS0741 (status 2) if there are no codes at
-    all, and what `codes_from_file` finds wrong.
+    all, and what `codes_from_file` and `codes_from_arrays` find wrong.
     """
     target, fields = container.target, container.table.fields
     if pixels is not None:
-        codes = codes_from_file(
-            pixels, container.table, target.rows, target.cols,
-            mode=container.notes.get("codes", ""), ranges=partial(_ranges, container, Path(name)),
-        )  # fmt: skip
+        size = (container.table, target.rows, target.cols)
+        mode, ranges = container.notes.get("codes", ""), partial(_ranges, container, Path(name))
+        codes = (
+            codes_from_file(pixels, *size, mode=mode, ranges=ranges)
+            if isinstance(pixels, Path)
+            else codes_from_arrays(pixels, *size, mode=mode, ranges=ranges)
+        )
         return replace(container, pixel_codes=codes)
     if container.pixel_codes is not None:
         return container

@@ -1,10 +1,13 @@
-"""Files written whole or not at all, one or several together."""
+"""Files written whole or not at all, one or several together, and never over what was read."""
 
 from __future__ import annotations
 
 import os
+import re
 import stat
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 from typing import BinaryIO
 
@@ -13,6 +16,34 @@ from nscc.diagnostics.rejection import rejected
 
 Product = bytes | Callable[[BinaryIO], object]
 """What goes into a file: its bytes, or a function that writes them to the open file."""
+
+_DESCRIPTOR = re.compile(r"/dev/(?:fd/\d+|stdin|stdout|stderr)|/proc/[^/]+/fd/\d+")
+"""Names of what a process has open: a pipe, a terminal, a file that a shell has opened."""
+
+_Identity = tuple[int, int]
+_inputs: ContextVar[dict[_Identity, Path] | None] = ContextVar("inputs", default=None)
+
+
+@contextmanager
+def inputs_kept() -> Iterator[None]:
+    """Within it, a file that was noted with `reads` is never written to: one command, one scope."""
+    token = _inputs.set({})
+    try:
+        yield
+    finally:
+        _inputs.reset(token)
+
+
+def reads(*paths: Path) -> None:
+    """Note input files, by what they are and not by their names; other paths are passed over."""
+    known = _inputs.get()
+    for path in paths if known is not None else ():
+        try:
+            found = path.stat()
+        except (OSError, ValueError):  # it is read, if at all, by somebody who says what is wrong
+            continue
+        if known is not None and stat.S_ISREG(found.st_mode):
+            known[found.st_dev, found.st_ino] = path
 
 
 def write_whole(path: Path, data: Product) -> None:
@@ -23,8 +54,11 @@ def write_whole(path: Path, data: Product) -> None:
 def write_together(products: Mapping[Path, Product]) -> None:
     """Write several files, none of them before the bytes of all are on the disk.
 
-    Raises Rejected (NS0784, status 2) where one cannot be written, and leaves no partial file.
+    Raises Rejected (status 2), and leaves no partial file: NS0784 where one cannot be written,
+    NS0785 where one is an input of the same command (`reads`), unless nothing in it would change.
     """
+    for path, data in products.items():
+        _refuse_input(path, data)
     waiting: list[tuple[Path, Path]] = []
     try:
         for path, data in products.items():
@@ -44,6 +78,27 @@ def write_together(products: Mapping[Path, Product]) -> None:
             temporary.unlink(missing_ok=True)
 
 
+def write_back(path: Path, data: Product) -> None:
+    """As `write_whole`, of an input that its user asked to have changed."""
+    known = _inputs.get()
+    if known:
+        for identity in [each for each, name in known.items() if name == path]:
+            del known[identity]
+    write_whole(path, data)
+
+
+def write_new(products: Mapping[Path, Product]) -> None:
+    """Write several files as `write_together`; Rejected (NS0788, status 2) where there is one."""
+    for path in products:
+        if path.exists():
+            raise rejected(
+                "NS0788",
+                f"there is a file '{path}' already",
+                helps=("take another name or folder, or remove it first",),
+            )
+    write_together(products)
+
+
 def refuse_same(paths: Collection[Path], options: str) -> None:
     """Raises Rejected (NS0745, status 2) where two of the products would be one file.
 
@@ -57,15 +112,40 @@ def refuse_same(paths: Collection[Path], options: str) -> None:
         )
 
 
+def refuse_inputs(*paths: Path) -> None:
+    """Raises Rejected (NS0785) where a product would replace an input: before work is done in
+    vain. Writing looks once more."""
+    for path in paths:
+        _refuse_input(path, lambda _: None)
+
+
+def _refuse_input(path: Path, data: Product) -> None:
+    try:
+        found = path.stat()
+    except (OSError, ValueError):
+        return
+    given = (_inputs.get() or {}).get((found.st_dev, found.st_ino))
+    if given is not None and not (isinstance(data, bytes) and path.read_bytes() == data):
+        raise rejected(
+            "NS0785",
+            f"'{path}' is an input of this command, and would be overwritten",
+            notes=() if given == path else (f"it is the file that was read as '{given}'",),
+            helps=("give the product another name",),
+        )
+
+
 def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
     """Write to a temporary neighbour of `path`; a pipe or device is written directly."""
-    final = Path(os.path.realpath(path))
-    if final.is_dir():
+    if path.is_dir():
         raise IsADirectoryError(21, "Is a directory", str(path))
-    if final.exists() and not stat.S_ISREG(final.stat().st_mode):
-        with open(final, "wb") as file:
+    # Asked of the name itself: what a descriptor's link points to need not have a path.
+    if _DESCRIPTOR.fullmatch(str(path)) or (
+        path.exists() and not stat.S_ISREG(path.stat().st_mode)
+    ):
+        with open(path, "ab") as file:
             _fill(file, data)
         return []
+    final = Path(os.path.realpath(path))
     temporary = final.with_name(f".{final.name[:200]}.{os.getpid()}.part")
     # Left by a process that was killed while it wrote; in containers numbers soon come again.
     temporary.unlink(missing_ok=True)

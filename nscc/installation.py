@@ -8,13 +8,13 @@ from importlib import metadata
 from pathlib import Path
 from typing import NamedTuple
 
-from nscc import __version__
 from nscc.cache.store import MOST_BYTES, Store, cache_folder
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.requirements import extras, install_line
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.target.load import load_target, target_names
+from nscc.version import __version__
 
 GOOD, ABSENT, WRONG = "ok", "absent", "WRONG"
 
@@ -70,7 +70,7 @@ def _targets() -> Finding:
     try:
         names = [load_target(name, Path()).name for name in target_names()]
     except Rejected as rejected:
-        return Finding(WRONG, f"targets: {rejected}")
+        return Finding(WRONG, f"targets: {rejected.diagnostics[0].message}")
     return Finding(GOOD, f"targets: {', '.join(names)}")
 
 

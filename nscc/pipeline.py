@@ -6,10 +6,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from nscc import checks
 from nscc.cache.results import Results, results_of_user
@@ -243,7 +243,7 @@ Observer = Callable[[str, Any], None]
 """Sees (pass name, value) after each pass, before the value is verified."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Compiled:
     """A program that compiled: its words, proved, and what there is to say about it.
 
@@ -262,6 +262,10 @@ class Compiled:
     def lowered(self) -> Lowered | None:
         """The lowering that was chosen."""
         return None if self.choice is None else self.choice.best
+
+    def __repr__(self) -> str:
+        words = "no words" if self.container is None else f"{self.container!r}"
+        return f"Compiled({self.program.source.name!r}, class {self.program.class_name}: {words})"
 
 
 class Unfit(Rejected):
@@ -292,6 +296,16 @@ def run_passes(
     # What came from the cache led nowhere: a file there is not what it says it is.
     results.distrust()
     return _run(source, job, see)
+
+
+def all_lowerings(program: Program, options: Options) -> Choice:
+    """A program that compiled with these options, laid out in every way that it can be lowered."""
+    priced = replace(options, price_all=True)
+    job = Job(priced, Path(), results_of_user() if options.cache else None)
+    value: Any = program
+    for step in (make_plans, choose_gates, lay_out_words):
+        value, _ = step(value, job)
+    return cast(Choice, value)
 
 
 def _run(source: Source, job: Job, see: Observer) -> Compiled:

@@ -10,7 +10,7 @@ from reference_programs import program
 from nscc.words.container import Container
 from nscc_runtime.effects import registered, selected
 from nscc_runtime.light import Light
-from nscc_runtime.plan.plan import Decision, Plan
+from nscc_runtime.planner.plan import Decision, Plan
 
 ANY_STOP = """nsl 1
 frame {slots} slots of {slot}

@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from nscc.words.container import Container
-from nscc_runtime.capture import capture
+from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.plan.plan import Plan
+from nscc_runtime.planner.plan import Plan
 from nscc_runtime.reference import frames
 from nscc_runtime.sensor import Sensor
 
@@ -95,7 +95,7 @@ def outcome(
 ) -> Outcome:
     """Plan and run as many frames as `full` has, and compare: all in one pool."""
     taken = capture(
-        light, container, sensor, effects=effects, tolerance=tolerance_e, seed=seed,
+        container, light, sensor=sensor, effects=effects, tolerance=tolerance_e, seed=seed,
         device_seed=device_seed, repeat=len(full),
     )  # fmt: skip
     assert taken.valid.all()

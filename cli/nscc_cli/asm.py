@@ -13,14 +13,20 @@ from nscc.source import Source
 from nscc.words.assembly import assemble, assemble_words
 from nscc.words.encoding import word_text
 from nscc.words.file import to_bytes
-from nscc_cli.support import CommonCommand
+from nscc_cli.support import CommonCommand, OutPath
 
 _LARGEST_TEXT = 1 << 30
 
 
 @click.command(name="asm", cls=CommonCommand)
 @click.argument("file", metavar="FILE|-")
-@click.option("-o", "output", metavar="OUT", help="Where to write (default: FILE with .icw).")
+@click.option(
+    "-o",
+    "output",
+    type=OutPath(str),
+    metavar="OUT",
+    help="Where to write (default: FILE with .icw).",
+)
 @click.option("--words", is_flag=True, help="Print each word's five integers instead.")
 def command(file: str, output: str | None, words: bool) -> None:
     """Assemble FILE, or standard input for `-`, into a container (.icw)."""

@@ -13,14 +13,14 @@ from nscc.diagnostics.rejection import rejected
 from nscc.emit.products import SUFFIXES, emitted
 from nscc.emit.summary import cost_text
 from nscc.files import write_together
-from nscc_cli.options import PATH, build_options
+from nscc_cli.options import OUT, PATH, build_options
 from nscc_cli.programs import compile_program
 from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command("build", cls=CommonCommand)
 @click.argument("file", type=PATH)
-@click.option("-o", "out", type=PATH, metavar="OUT.icw",
+@click.option("-o", "out", type=OUT, metavar="OUT.icw",
               help="The container to write (default: beside FILE).")  # fmt: skip
 @click.option("--emit", "kinds", default="", metavar="KINDS", help=f"Also write any of "
               f"{', '.join(SUFFIXES)}, separated by commas; KIND=- prints it.")  # fmt: skip

@@ -8,7 +8,7 @@ import click
 
 from nscc.files import write_whole
 from nscc.target.load import DEFAULT_NAME, load_target
-from nscc_cli.options import PATH
+from nscc_cli.options import OUT, PATH
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, NumberRange, done, progress, say
 
@@ -45,7 +45,7 @@ def _spread(args: list[str]) -> list[str]:
 @click.argument("flats", nargs=-1, required=True, metavar="FLATS..")
 @click.option(_DARK, "darks", multiple=True, required=True, metavar="DARKS..",
               help="Frames without light: every file up to the next option.")  # fmt: skip
-@click.option("-o", "out", type=PATH, required=True, metavar="sensor.toml",
+@click.option("-o", "out", type=OUT, required=True, metavar="sensor.toml",
               help="The sensor file to write.")  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="Print everything found for programs.")
 @click.option("--program", type=PATH, metavar="FILE.nsl|FILE.icw",

@@ -12,7 +12,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_cli import options as shared
 from nscc_cli import support
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import PATH, SEED
+from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, done, progress, say
 
@@ -121,8 +121,8 @@ def upload(port: str, program: Path, **options: Any) -> None:
 @command.command("capture", cls=CommonCommand)
 @click.argument("port")
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
-@click.option("-o", "out", type=PATH, help="A frame file: one frame.")
-@click.option("--to", "folder", type=PATH, help="A folder: frame after "
+@click.option("-o", "out", type=OUT, help="A frame file: one frame.")
+@click.option("--to", "folder", type=OUT, help="A folder: frame after "
               "frame, until Ctrl-C.")  # fmt: skip
 @click.option("--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: so many frames.")
 @click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,

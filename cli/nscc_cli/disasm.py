@@ -9,12 +9,13 @@ import click
 from nscc.files import write_whole
 from nscc.words.disassembly import disassemble
 from nscc.words.file import read_container
-from nscc_cli.support import CommonCommand
+from nscc_cli.support import CommonCommand, OutPath
 
 
 @click.command(name="disasm", cls=CommonCommand)
 @click.argument("file", metavar="FILE.icw")
-@click.option("-o", "output", metavar="OUT", help="Where to write (default: standard output).")
+@click.option("-o", "output", type=OutPath(str), metavar="OUT",
+              help="Where to write (default: standard output).")  # fmt: skip
 def command(file: str, output: str | None) -> None:
     """List FILE.icw as text that `nscc asm` turns into the same file again."""
     text = disassemble(read_container(Path(file)))

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.files import Product, write_together
-from nscc_cli.options import PATH, together, trust_code_option
+from nscc_cli.options import OUT, PATH, together, trust_code_option
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say_compiling
 
 if TYPE_CHECKING:
@@ -36,9 +36,9 @@ def command() -> None:
 
 _outputs = together(
     click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
-    click.option("-o", "out", type=PATH, help="Write it to a file."),
+    click.option("-o", "out", type=OUT, help="Write it to a file."),
 )
-_save_option = click.option("--save", type=PATH, metavar="DIR", help="Write reconstructions and "
+_save_option = click.option("--save", type=OUT, metavar="DIR", help="Write reconstructions and "
                             "truth into this folder.")  # fmt: skip
 
 
@@ -91,8 +91,9 @@ def of(
     ldr (always open), best-uniform (the single stop that is best in hindsight, in linear PSNR),
     best-uniform-mu (the same in mu-law PSNR), quad (2 x 2 geometric exposures), random, all decoded
     by merging neighbours; sparse-coding (random, by convolutional sparse coding); any (quad, by the
-    decoder for any code). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random bits,
-    and the yardsticks bilinear and thin-out.
+    decoder for any code); looks-2, looks-5, looks-9 (pixels that close at the first look above a
+    level, without a decoder). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random
+    bits, and the yardsticks bilinear and thin-out.
     """
     from nscc_training.evaluation.subjects import evaluate
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.files import write_whole
+from nscc.files import write_back
 from nscc.syntax.format import format_source
 from nscc.syntax.reading import MOST_BYTES, read_source, source_of
 from nscc_cli.options import PATH
@@ -54,7 +54,7 @@ def command(files: tuple[Path, ...], check: bool, diff: bool) -> int:
         elif piped:
             click.echo(text, nl=False)
         elif differs:
-            write_whole(path, text.encode())
+            write_back(path, text.encode())
             done(f"wrote {path.as_posix()}")
     if wrong:
         raise Rejected(wrong, status)

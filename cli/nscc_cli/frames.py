@@ -9,18 +9,20 @@ from typing import TYPE_CHECKING, Any
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
-from nscc.files import Product, refuse_same, write_together
+from nscc.files import Product, refuse_inputs, refuse_same, write_together
 from nscc_cli.support import progress
 
 if TYPE_CHECKING:
     from nscc.target.target import Target
     from nscc.words.container import Container
+    from nscc_runtime.formats import Content
     from nscc_runtime.frame_file import Frame
     from nscc_runtime.light import Light
     from nscc_runtime.response import Response
     from nscc_runtime.scenes import Scene
     from nscc_runtime.sensor import Sensor
     from nscc_runtime.timings import Timings
+    from nscc_training.run_files import RunCapture
 
 
 def scene_of(
@@ -36,7 +38,8 @@ def scene_of(
             helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
         )
     named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
-    return Scene(*(options[name] for name in named))
+    more = {name: options[name] for name in ("fit", "color", "first", "single") if name in options}
+    return Scene(*(options[name] for name in named), **more)
 
 
 def refuse_swapped(program: Path, scene: str | None) -> None:
@@ -61,6 +64,24 @@ def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
     return load_sensor(target, options["sensor"], options["sensor_set"])
 
 
+def run_capture_of(like: Path | None, options: dict[str, Any]) -> RunCapture | None:
+    """How the frames of run `like` are made; what `options` leave open is set as it is there."""
+    if like is None:
+        return None
+    from nscc_training.run_files import run_capture
+
+    found = run_capture(like)
+    theirs = {
+        "exposure": found.exposure_of(str(options["scene"])),
+        "transfer": found.transfer,
+        "sensor": found.sensor,
+    }
+    options |= {name: value for name, value in theirs.items() if options[name] is None}
+    if options["target"] is None and found.target is not None:
+        options["target"] = str(found.target)
+    return found
+
+
 def parse_keep(text: str) -> tuple[str, ...]:
     """The names in `--keep`; NS0739 for one that there is not."""
     from nscc_runtime.frame_file import KEEP
@@ -81,10 +102,16 @@ def parse_keep(text: str) -> tuple[str, ...]:
 def frame_path(program: Path, options: Mapping[str, Any]) -> Path:
     """Where the frame goes. Not NAME.npz: that may well be the program's own data.
 
-    NS0745 where two products would be one file.
+    NS0745 where two products would be one file, NS0786 for a name that no format ends in.
     """
+    from nscc_runtime.formats import check_ending, endings
+
     out: Path = options["out"] or Path(program.stem + ".frame.npz")
     named = [out, *(options[name] for name in ("png", "timings", "plan") if options[name])]
+    check_ending(out, endings(), "a frame")
+    if options["png"]:
+        check_ending(options["png"], (".png",), "a picture")
+    refuse_inputs(*(path for path in named if path != options["plan"]))
     refuse_same(named, "-o, --png, --timings and --plan")
     return out
 
@@ -98,14 +125,20 @@ def write_frame(
     picture and plan are. `response` gives that of the frame, for the picture."""
     from nscc.prove.shutters import replayed
     from nscc_runtime.decode_table import with_table
+    from nscc_runtime.formats import file_of
+    from nscc_runtime.formats.frames import frame_content
     from nscc_runtime.frame_file import FrameFile
 
     with timings.part("write_s"):
         shutters = replayed(container) if "shutter" in keep else None
         file = FrameFile.of(container, light, frame, meta, keep, shutters, progress)
-        products: dict[Path, Product] = {out: with_table(file, container).write}
+        content = frame_content(
+            with_table(file, container), container, light, lambda: replayed(container),
+            options["tone"],
+        )  # fmt: skip
+        products: dict[Path, Product] = {out: file_of(out, content, "a frame")}
         if options["png"]:
-            products[options["png"]] = _picture(container, frame, response(), title)
+            products[options["png"]] = _picture(container, frame, response, content, title)
         if plan is not None:
             products[options["plan"]] = plan.encode()
         write_together(products)
@@ -114,13 +147,19 @@ def write_frame(
     return [*products]
 
 
-def _picture(container: Container, frame: Frame, response: Response, title: str) -> Product:
+def _picture(
+    container: Container, frame: Frame, response: Callable[[], Response], content: Content,
+    title: str,
+) -> Product:  # fmt: skip
     """The picture of `--png`: of the first frame, where there are several."""
+    from nscc_runtime.formats.sheet import content_sheet
     from nscc_runtime.merge import readouts
     from nscc_runtime.pictures.frames import frame_sheet
     from nscc_runtime.pictures.sheet import png_of
 
-    return png_of(frame_sheet, readouts(container, frame.first, response), title)
+    if content.colour:
+        return png_of(content_sheet, content, title)
+    return png_of(frame_sheet, readouts(container, frame.first, response()), title)
 
 
 def summary(container: Container, frame: Frame, files: Sequence[Path], *, alike: bool) -> str:

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from nscc import __version__
 
 if TYPE_CHECKING:
+    from nscc.diagnostics.diagnostic import Diagnostic
     from nscc_cli.support import Session
 
 DONE = 0
@@ -43,13 +44,14 @@ def _run(arguments: list[str]) -> int:
     import click
 
     from nscc.diagnostics.diagnostic import Rejected
-    from nscc_cli.support import Session, show
+    from nscc_cli.support import Session, show, show_gathered
 
     session = Session()
     _preset_format(arguments, session)
+    diagnostics: tuple[Diagnostic, ...] = ()
     try:
         try:
-            return _invoke(arguments, session)
+            status = _invoke(arguments, session)
         finally:
             sys.stdout.flush()
     except Rejected as rejected:
@@ -67,7 +69,8 @@ def _run(arguments: list[str]) -> int:
 
         diagnostic, status = explain_exception(error, arguments)
         diagnostics = (diagnostic,)
-    show(diagnostics, session.message_format)
+    show(diagnostics, session)
+    show_gathered(session)
     return status
 
 

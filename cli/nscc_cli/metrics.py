@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from nscc.files import write_whole
-from nscc_cli.options import PATH
+from nscc_cli.options import OUT, PATH
 from nscc_cli.support import CommonCommand, NumberRange
 
 
@@ -24,7 +24,7 @@ from nscc_cli.support import CommonCommand, NumberRange
               show_default=True,
               help="The luminance in cd/m2 that R stands for, in PU21-PSNR.")  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="Print JSON, every frame of a clip too.")
-@click.option("-o", "out", type=PATH, help="Write the JSON to a file.")
+@click.option("-o", "out", type=OUT, help="Write the JSON to a file.")
 def command(as_json: bool, out: Path | None, **pair: Any) -> None:
     """Compare REC with TRUTH: pictures (rows, cols) or clips (T, rows, cols).
 

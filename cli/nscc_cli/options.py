@@ -9,11 +9,12 @@ from typing import Any, TypeVar
 import click
 from click import Choice, IntRange, argument, option
 
-from nscc_cli.support import NumberRange
+from nscc_cli.support import NumberRange, OutPath
 
 Command = TypeVar("Command", bound=Callable[..., Any])
 
 PATH = click.Path(path_type=Path)
+OUT = OutPath()
 LEVEL = IntRange(0, 3)
 SEED = IntRange(0, 2**63 - 1)
 COUNT = IntRange(1, 1000)
@@ -88,17 +89,36 @@ scene_options = together(
 )  # fmt: skip
 """Of what lays a scene on the array."""
 
+tone_option = option("--tone", metavar="CURVE",
+                     help="How light becomes greys in .png, .gif and .mp4: log, reinhard, mu-law, "
+                     "srgb, linear.")  # fmt: skip
+
+
+def fit_option(default: str) -> Callable[..., Any]:
+    """What becomes of pictures that do not have the array's size."""
+    return option("--fit", type=Choice(["crop", "scale", "tiles"]), default=default,
+                  show_default=True, help="Of a picture of another size than the array: its "
+                  "middle, all of it scaled, or all of it in pieces.")  # fmt: skip
+
+
+first_option = option("--first", type=IntRange(min=0), default=0, metavar="K",
+                      help="The frame that a clip begins with, from 0.")  # fmt: skip
+still_option = option("--still", "single", is_flag=True,
+                      help="Take that frame of a clip as a still.")  # fmt: skip
+color_option = option("--color", is_flag=True,
+                      help="Expose red, green and blue, one after the other.")  # fmt: skip
+
 sensor_options = together(
     option("--sensor", type=PATH, help="The sensor's numbers (nscc effects --toml)."),
     option("--sensor-set", multiple=True, metavar="K=V", help="Change one of them."),
 )
 
 csv_options = together(
-    option("--csv", "csv_path", type=PATH, help="Write the CSV file here."),
-    option("--png", "png_path", type=PATH, help="Write the diagram here."),
+    option("--csv", "csv_path", type=OUT, help="Write the CSV file here."),
+    option("--png", "png_path", type=OUT, help="Write the diagram here."),
 )
 tradeoff_options = together(
-    option("-o", "out", type=PATH, metavar="OUT", help="Write OUT.csv and OUT.png."), csv_options
+    option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv and OUT.png."), csv_options
 )
 """Where a tradeoff's products go."""
 

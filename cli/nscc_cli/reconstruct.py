@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Literal
 
 import click
 
-from nscc.files import write_whole
-from nscc_cli.options import PATH, trust_code_option
+from nscc.files import refuse_same, write_together
+from nscc_cli.options import OUT, PATH, tone_option, trust_code_option
 from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command("reconstruct", cls=CommonCommand)
-@click.argument("run", metavar="any|RUN")
-@click.argument("frame", metavar="FRAME.npz", type=PATH)
-@click.option("-o", "out", required=True, metavar="OUT.npz", type=PATH)
+@click.argument("run", metavar="[any|RUN]")
+@click.argument("frame", metavar="FRAME.npz", type=PATH, required=False)
+@click.option("-o", "out", required=True, metavar="OUT", type=OUT,
+              help="The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, "
+              ".tiff.")  # fmt: skip
+@click.option("--png", type=OUT, help="Also write a picture of it, for the eye.")
+@tone_option
+@click.option("--dark", type=PATH, metavar="DARK.npz", help="A frame file of the same program "
+              "without light, of many repeats: what it reads is taken from FRAME.")  # fmt: skip
 @click.option("--as", "kind", type=click.Choice(("image", "video")),
               help="With any: a picture or a clip. Default: a picture where all shutters open with "
               "the frame (class b), else a clip.")  # fmt: skip
@@ -26,28 +33,56 @@ from nscc_cli.support import CommonCommand, done, say
               help="With RUN: only warn if the frame is of another program or sensor.")  # fmt: skip
 @trust_code_option
 def command(
-    run: str, frame: Path, out: Path, kind: Literal["image", "video"] | None,
-    program: Path | None, force: bool, trust_code: bool,
+    run: str, frame: Path | None, out: Path, png: Path | None, tone: str | None,
+    dark: Path | None, kind: Literal["image", "video"] | None, program: Path | None, force: bool,
+    trust_code: bool,
 ) -> None:  # fmt: skip
     """Make a picture or a clip of FRAME, which `nscc run` wrote.
 
-    `any` is the decoder for any code: it needs no training and takes frames of every program. RUN
-    is a run folder of `nscc train`, whose decoder knows the shutters of RUN/shutter.nsl alone (a
-    folder that is called any is ./any).
+    `any` is the decoder for any code: it needs no training and takes frames of every program (a
+    folder of that name is ./any). RUN is a run folder, whose decoder knows the shutters of
+    RUN/shutter.nsl alone, or one that comes with nscc: hdr, clip. A frame whose pixels looked at
+    the light needs no RUN: it says itself how long each was open.
 
-    OUT holds `image` (rows, cols), electrons over the frame, or `video` (T, rows, cols), electrons
-    a slot: the unit of the frame file's `truth_e`.
+    In an .npz there is `image` (rows, cols), electrons over the frame, or `video` (T, rows, cols),
+    electrons a slot: the unit of the frame file's `truth_e`.
     """
     if run != "any" and (kind or program):
         raise click.UsageError("--as and --program are for `nscc reconstruct any`: a run has both")
-    if run == "any" and force:
-        raise click.UsageError("--force is for runs: `any` takes frames of every program")
-    from nscc_training.reconstruct import reconstruct, reconstruct_any
+    if run == "any" and frame is not None and (force or dark):
+        raise click.UsageError("--force and --dark are for runs: `any` takes every frame as it is")
+    from nscc_runtime.formats import FORMATS, Content, check_ending, endings, file_of
 
-    if run == "any":
-        product = reconstruct_any(frame, program, kind)
+    what = "a reconstruction"
+    ending = check_ending(out, endings(), what)
+    if png is not None:
+        check_ending(png, (".png",), "a picture")
+        refuse_same([out, png], "-o and --png")
+    if frame is None:
+        from nscc_runtime.looked_light import image_of
+
+        image = image_of(Path(run))
+        content = Content({"image": image}, image)
+    elif run == "any":
+        from nscc_training.any_code.reconstruct import reconstruct_any
+
+        content = reconstruct_any(frame, program, kind).content
     else:
-        product, messages = reconstruct(Path(run), frame, force=force, trust_code=trust_code)
-        say(messages)
-    write_whole(out, product)
-    done(f"wrote {out.as_posix()}")
+        from nscc_training.reconstruct import reconstruct
+
+        made = reconstruct(Path(run), frame, force=force, dark=dark, trust_code=trust_code)
+        say(made.messages)
+        content = made.content
+    content = replace(content, tone=tone)
+    named = Path(run).name
+    title = named if frame is None else f"{frame.name}  ·  {named}"
+    products = {out: file_of(out, content, what)}
+    if png is not None:
+        from nscc_runtime.formats.sheet import content_sheet
+        from nscc_runtime.pictures.sheet import png_of
+
+        products[png] = png_of(content_sheet, content, title)
+    write_together(products)
+    done("\n".join(f"wrote {path.as_posix()}" for path in products))
+    if png is not None or FORMATS[ending].shown:
+        done(f"shown with the {content.told}")

@@ -7,94 +7,115 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.diagnostics.rejection import rejected
 from nscc_cli import options as shared
 from nscc_cli.frames import (
     frame_path,
     parse_keep,
     refuse_swapped,
+    run_capture_of,
     scene_of,
     sensor_of,
     summary,
     write_frame,
 )
-from nscc_cli.options import PATH, SEED
+from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, done, progress, say
 
 if TYPE_CHECKING:
     from nscc_runtime.simulate import Request
+    from nscc_training.run_files import RunCapture
 
 _MOST_REPEATS = 10000
+_SIMULATION = (
+    "effects", "tolerance", "plan", "audit", "fidelity", "seed", "device_seed", "repeat",
+)  # fmt: skip
+"""Options that say how to simulate; those not given have the defaults of `nscc_runtime`."""
 
 
 @click.command(name="run", cls=CommonCommand)
-@shared.program_argument
+@click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
+@click.option("--like", type=PATH, metavar="RUN", help="Expose as a run's decoder knows it: its "
+              "exposure and sensor, and without a FILE its program.")  # fmt: skip
 @click.option("--scene", help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
               "builtin:flat:E, builtin:dark.")  # fmt: skip
 @click.option(
-    "-o", "out", type=PATH, help="The frame file (default: NAME.frame.npz in this folder)."
-)
-@click.option("--png", type=PATH, help="Also write a picture of the frame.")
+    "-o", "out", type=OUT, help="The frame file (default: NAME.frame.npz in this folder), or "
+    "what of it .npy .mat .hdr .exr .pfm .tiff .png .gif .mp4 hold.",
+)  # fmt: skip
+@click.option("--png", type=OUT, help="Also write a picture of the frame.")
 @click.option("--effects", help="Sensor effects: auto, all, none (the default), or names; +NAME "
               "forces one on, -NAME off.")  # fmt: skip
-@click.option("--seed", type=SEED, default=0, help="Seed of a frame's noise.")
-@click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
+@click.option("--seed", type=SEED, help="Seed of a frame's noise (default: 0).")
+@click.option("--device-seed", type=SEED, help="Seed of fixed patterns (default: 0).")
 @click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames.")
 @click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes.")
 @shared.pixels_option
 @shared.scene_options
+@shared.fit_option("crop")
+@shared.color_option
+@shared.first_option
+@shared.still_option
+@shared.tone_option
 @click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
               help="Where to run: a serial port is a device's.")  # fmt: skip
 @shared.link_options
-@click.option("--fidelity", type=click.Choice(["planned", "reference"]), default="planned",
-              help="reference: effects slot by slot, exactly (slow). planned: to a "
+@click.option("--fidelity", type=click.Choice(["planned", "reference"]),
+              help="reference: effects slot by slot, exactly (slow). planned (default): to a "
               "tolerance.")  # fmt: skip
 @click.option("--tolerance", metavar="5e|0.1lsb",
               help="RMS error that a plan may make (default: 5e).")  # fmt: skip
 @click.option("--audit", is_flag=True, help="Compare with the reference; exit 1 if it broke.")
 @click.option("--plan", type=PATH, help="Use this plan; if there is none, write it.")
 @shared.sensor_options
-@click.option("--timings", type=PATH, help="Write seconds spent, as JSON, to a file.")
+@click.option("--timings", type=OUT, help="Write seconds spent, as JSON, to a file.")
 @shared.build_options
-def command(program: Path, **options: Any) -> None:
+def command(program: Path | None, like: Path | None, **options: Any) -> None:
     """Expose one frame of a scene with a program, and write it as an .npz file.
 
     With --on PORT a chip exposes it, or `nscc device serve`, its stand-in.
     """
     keep = parse_keep(options["keep"])
+    of_run = run_capture_of(like, options)
+    if program is None and of_run is not None:
+        program = of_run.program
+    if program is None:
+        raise click.UsageError("name a program, FILE.nsl or FILE.icw, or a run: --like RUN")
     refuse_swapped(program, options["scene"])
     if options["place"] == "emulator":
-        _run_on_emulator(program, options, keep)
+        _run_on_emulator(program, options, keep, of_run)
     else:
         from nscc_cli.on_device import run_on_device
 
         run_on_device(program, options, keep)
 
 
-def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
+def _run_on_emulator(
+    program: Path, options: dict[str, Any], keep: tuple[str, ...], of_run: RunCapture | None
+) -> None:
     from nscc_runtime.frame_file import meta
-    from nscc_runtime.response import response_of
-    from nscc_runtime.simulate import Listener, simulate
+    from nscc_runtime.pieces import simulate_scene
+    from nscc_runtime.simulate import Listener
 
-    request = _request(options)
+    request, out = _request(options), frame_path(program, options)
     listener = Listener(done, lambda diagnostic: say([diagnostic]), progress)
     timings = listener.timings
     with timings.part("compile_s"):
         container, messages = load_program(program, options)
+    if of_run is not None:
+        of_run.check(container, program)
     sensor = sensor_of(container.target, options)
     with timings.part("scene_s"):
         scene, said = scene_of(options), list(messages)
-        light = scene.light(container.slot_us, container.target, said.append, progress)
+        laid = scene.laid(container.slot_us, container.target, said.append, progress)
         say(said)
-    out = frame_path(program, options)
-    taken = simulate(container, light, sensor, request, listener)
-    frame = taken.frame
+    exposed = simulate_scene(container, laid, sensor, request, listener)
+    taken, frame, container = exposed.simulated, exposed.simulated.frame, exposed.container
+    about = meta(container, exposed.light, frame, taken.origin) | exposed.laid
     files = write_frame(
-        out, options, keep, container, light, frame, meta(container, light, frame, taken.origin),
+        out, options, keep, container, exposed.light, frame, about,
         f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
-        lambda: response_of(container, sensor, taken.effects), taken.plan_file,
+        lambda: exposed.response(sensor), taken.plan_file,
     )  # fmt: skip
     if taken.plan is not None:
         from nscc_runtime.plan_file import plan_table
@@ -107,37 +128,7 @@ def _run_on_emulator(program: Path, options: dict[str, Any], keep: tuple[str, ..
 
 def _request(options: dict[str, Any]) -> Request:
     """What the options say about effects; NS0739 (status 2) where they contradict each other."""
-    from nscc_runtime.effects import selected
     from nscc_runtime.simulate import Request
 
-    text, plan = options["effects"], options["plan"]
-    asked = [n for n in ("tolerance", "audit", "plan") if options[n] not in (None, False)]
-    effects = selected(text if text is not None else "auto" if asked else "none")
-    reference = options["fidelity"] == "reference"
-    if reference and (asked or effects.auto):
-        named = ", ".join(f"--{name}" for name in asked) or "--effects auto"
-        raise _contradiction(
-            f"{named} with --fidelity reference",
-            "the reference simulates what it is told to, without a plan",
-            f"leave {named} out, or --fidelity reference",
-        )
-    if plan is not None and plan.exists() and (text is not None or "tolerance" in asked):
-        named = "--effects" if text is not None else "--tolerance"
-        raise _contradiction(
-            f"{named} with the plan '{plan}'",
-            "a plan that is used has decided on effects and tolerance",
-            f"leave {named} out, or name a file that does not exist to write a new plan",
-        )
-    same = ("audit", "plan", "seed", "device_seed", "repeat")
-    return Request(
-        effects,
-        planned=not reference and (bool(asked) or not effects.noiseless),
-        tolerance="5e" if options["tolerance"] is None else options["tolerance"],
-        **{name: options[name] for name in same},
-    )
-
-
-def _contradiction(what: str, note: str, help_text: str) -> Rejected:
-    return rejected(
-        "NS0739", f"{what}: these exclude each other", notes=(note,), helps=(help_text,)
-    )
+    given = {name: options[name] for name in _SIMULATION if options[name] is not None}
+    return Request.of(**given, mark="--")

@@ -6,7 +6,8 @@ import os
 import sys
 from collections.abc import Iterable, Iterator, Sequence, Sized
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from pathlib import Path
 from threading import Event, Thread
 from time import monotonic
 from typing import Any, Literal, TypeVar
@@ -16,10 +17,11 @@ import click
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
+from nscc.files import inputs_kept, reads
 
 Item = TypeVar("Item")
-MessageFormat = Literal["human", "short", "json"]
-FORMATS: tuple[MessageFormat, ...] = ("human", "short", "json")
+MessageFormat = Literal["human", "short", "json", "github", "sarif"]
+FORMATS: tuple[MessageFormat, ...] = ("human", "short", "json", "github", "sarif")
 
 _BAR_DELAY_S = 1.0
 _BAR_REFRESH_S = 0.1
@@ -32,6 +34,8 @@ class Session:
 
     message_format: MessageFormat = "human"
     deny_warnings: bool = False
+    gathered: list[Diagnostic] = field(default_factory=list)
+    """What is said when all is done: a SARIF log is one document."""
 
 
 class NumberRange(click.FloatRange):
@@ -62,13 +66,33 @@ def use_color() -> bool:
     )
 
 
-def show(diagnostics: Sequence[Diagnostic], message_format: MessageFormat | None = None) -> None:
-    """Render diagnostics to standard error, in the session's format if no other is given."""
-    if not diagnostics:
-        return
-    from nscc.diagnostics.render import render
+def show(diagnostics: Sequence[Diagnostic], of: Session | None = None) -> None:
+    """Render diagnostics to standard error as the session has it: the running one if none is given.
 
-    text = render(diagnostics, message_format or session().message_format, use_color())
+    A SARIF log waits for `show_gathered`.
+    """
+    of = of or session()
+    if of.message_format == "sarif":
+        of.gathered += diagnostics
+    elif diagnostics:
+        _write(diagnostics, of.message_format)
+
+
+def show_gathered(of: Session) -> None:
+    """Write the one document of a session whose format has one."""
+    if of.message_format == "sarif":
+        _write(of.gathered, of.message_format)
+
+
+def _write(diagnostics: Sequence[Diagnostic], message_format: MessageFormat) -> None:
+    if message_format == "github" or message_format == "sarif":
+        from nscc.diagnostics.reports import sarif, workflow_commands
+
+        text = (sarif if message_format == "sarif" else workflow_commands)(diagnostics)
+    else:
+        from nscc.diagnostics.render import render
+
+        text = render(diagnostics, message_format, use_color())
     sys.stderr.write(text if text.endswith("\n") else text + "\n")
     sys.stderr.flush()
 
@@ -86,8 +110,8 @@ def say(diagnostics: Sequence[Diagnostic]) -> None:
 
 
 def done(text: str) -> None:
-    """Tell the user what was done, on standard error; programs (json) read the files instead."""
-    if session().message_format != "json":
+    """Tell the user what was done, on standard error; programs (json, sarif) read the files."""
+    if session().message_format not in ("json", "sarif"):
         click.echo(text, err=True)
 
 
@@ -104,10 +128,18 @@ def _denied(diagnostic: Diagnostic) -> Diagnostic:
     return replace(diagnostic, severity=Severity.ERROR, notes=notes)
 
 
+class OutPath(click.Path):
+    """The path of a product: the one kind of path that is no input of its command."""
+
+    def __init__(self, path_type: type[Any] = Path) -> None:
+        super().__init__(path_type=path_type)
+
+
 class CommonCommand(click.Command):
     """A command with the options that all commands share: `--message-format`, `--deny-warnings`.
 
-    Both end up in the session; the command's function does not see them.
+    Both end up in the session; the command's function does not see them. Files that its other
+    parameters name are inputs, which no product may replace (NS0785).
     """
 
     def __init__(self, *arguments: Any, **settings: Any) -> None:
@@ -123,6 +155,23 @@ class CommonCommand(click.Command):
                 help="Treat warnings as errors.",
             ),
         ]  # fmt: skip
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command, its inputs kept from its own products."""
+        with inputs_kept():
+            for param in self.params:
+                if not isinstance(param.type, OutPath):
+                    reads(*_paths(ctx.params.get(str(param.name))))
+            return super().invoke(ctx)
+
+
+def _paths(value: Any) -> Iterator[Path]:
+    """What of a parameter's value may name files."""
+    if isinstance(value, str | Path):
+        yield Path(value)
+    elif isinstance(value, tuple):
+        for each in value:
+            yield from _paths(each)
 
 
 def _to_session(context: click.Context, option: click.Parameter, value: Any) -> None:

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 COMMANDS = {
+    "demo": "Show what a coded exposure makes of a photo or a clip.",
+    "examples": "List the programs that come with nscc, or copy one.",
+    "new": "Begin a program: one with a remark on every statement.",
     "check": "Check programs: names, ranges, time, registers.",
     "build": "Compile a program to a container of words.",
     "run": "Expose one frame of a scene with a program.",

@@ -14,7 +14,7 @@ from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import csv_text
 from nscc_cli import options as shared
 from nscc_cli.frames import scene_of, sensor_of
-from nscc_cli.options import PATH, SEED
+from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import compile_options, load_program
 from nscc_cli.support import CommonCommand, progress, say
 from nscc_cli.tradeoff_files import output_files, write_files
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
 @click.option("--scene", "scenes", multiple=True, metavar="SCENE", help="As in nscc run; more than "
               "once for several (default: three builtin ones).")  # fmt: skip
-@click.option("-o", "out", type=PATH, metavar="OUT", help="Write OUT.csv, OUT.png, "
+@click.option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv, OUT.png, "
               "OUT_calibration.png and OUT_budget.png.")  # fmt: skip
 @shared.csv_options
 @click.option("--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e",
@@ -55,7 +55,7 @@ def command(program: Path | None, **options: Any) -> int:
     holds the error measured against the tolerance asked, a third says what each effect does and
     which are left out. Ends with status 1 where a plan broke its promise.
     """
-    from nscc_runtime.plan.program import Program
+    from nscc_runtime.planner.program import Program
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
     from nscc_runtime.tradeoff.study import measure
     from nscc_runtime.tradeoff.study_text import kept, studies_text
@@ -91,7 +91,7 @@ def _container(
 
 
 def _settings(options: dict[str, Any], sensor: Sensor) -> Settings:
-    from nscc_runtime.plan.tolerance import tolerance_e
+    from nscc_runtime.planner.tolerance import tolerance_e
     from nscc_runtime.tradeoff.study import Settings
 
     asked = {tolerance_e(part, sensor) for part in options["tolerances"].split(",")}

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import click
 
-from nscc_cli.options import PATH
-from nscc_cli.support import CommonCommand, done, progress
+from nscc_cli.options import OUT, PATH
+from nscc_cli.support import CommonCommand, OutPath, done, progress
 
 
 def _print_schema(context: click.Context, _option: click.Parameter, value: bool) -> None:
@@ -21,11 +21,12 @@ def _print_schema(context: click.Context, _option: click.Parameter, value: bool)
 
 @click.command("train", cls=CommonCommand)
 @click.argument("config", metavar="CONFIG.toml", type=PATH)
-@click.option("--out", required=True, metavar="RUN", type=PATH,
+@click.option("--out", required=True, metavar="RUN", type=OUT,
               help="The run folder.")  # fmt: skip
 @click.option("--set", "changes", multiple=True, metavar="K=V",
               help="Change a setting: train.steps=100.")  # fmt: skip
-@click.option("--resume", default="auto", show_default=True, metavar="auto|never|PATH",
+@click.option("--resume", type=OutPath(str), default="auto", show_default=True,
+              metavar="auto|never|PATH",  # a checkpoint is replaced by the next
               help="Go on from RUN's checkpoint, begin anew, or go on from another's.")  # fmt: skip
 @click.option("--schema", is_flag=True, is_eager=True, expose_value=False, callback=_print_schema,
               help="Print a complete configuration with every default, and exit.")  # fmt: skip

@@ -1,4 +1,4 @@
-"""`nscc view`: draw a program's shutters over time and its map of codes, or its gates."""
+"""`nscc view`: draw a program's shutters, its map of codes or its gates, and all that it makes."""
 
 from __future__ import annotations
 
@@ -9,22 +9,39 @@ import click
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
-from nscc_cli.options import PATH, build_options, program_argument
+from nscc_cli.options import OUT, PATH, build_options, tone_option
 from nscc_cli.programs import compile_program, load_program
 from nscc_cli.support import CommonCommand, done, say
 
+_PROGRAMS = (".nsl", ".icw")
+
 
 @click.command(name="view", cls=CommonCommand)
-@program_argument
-@click.option("-o", "out", type=PATH,
+@click.argument("program", metavar="FILE|RUN", type=PATH)
+@click.option("-o", "out", type=OUT,
               help="The picture (default: the program's name with .png, in this "
               "folder).")  # fmt: skip
 @click.option("--gates", is_flag=True, help="Draw the gates that decode the codes instead.")
+@tone_option
 @build_options
-def command(program: Path, out: Path | None, gates: bool, **options: Any) -> None:
-    """Draw the shutters of a program as a time chart, and the map of its codes, as a PNG."""
-    data = _gates(program, options) if gates else _shutters(program, options)
+def command(program: Path, out: Path | None, gates: bool, tone: str | None, **options: Any) -> None:
+    """Draw the shutters of a program as a time chart, and the map of its codes, as a PNG.
+
+    Or draw what nscc has made: a frame file, a reconstruction, a run folder, a result.json, a
+    sensor.toml, a picture, a clip.
+    """
+    from nscc_runtime.formats import check_ending
+
     out = out or Path(program.stem + ".png")
+    check_ending(out, (".png",), "a picture")
+    if gates:
+        data = _gates(program, options)
+    elif program.suffix.lower() in _PROGRAMS:
+        data = _shutters(program, options)
+    else:
+        from nscc_training.views import view_of
+
+        data = view_of(program, tone)
     write_whole(out, data)
     done(f"wrote {out.as_posix()}")
 

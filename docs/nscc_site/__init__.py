@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from nscc_site.digest import source_digest
+from nscc_site.docstrings import as_rst
 from nscc_site.gallery import gallery_pages
 from nscc_site.lexer import NslLexer
 from nscc_site.pictures import draw_pictures, pair_pictures
@@ -26,6 +27,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_lexer("nsl", NslLexer)
     app.connect("builder-inited", generate)
     app.connect("doctree-read", pair_pictures)
+    app.connect("autodoc-process-docstring", as_rst)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 

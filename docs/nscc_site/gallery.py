@@ -6,12 +6,16 @@ import shutil
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
+import numpy as np
+
 from nscc.containers import load_container
 from nscc_runtime.pictures.look import LOOKS, looking
 from nscc_site.tool import block, said
 
 _STILL = "builtin:hdr --exposure 1000000"
-_CLIP = "builtin:motion --exposure 400000"
+_CLIP = "builtin:motion --exposure {:.0f}"
+_WELL_E = 30000
+"""Electrons that a pixel of mean open time gets in bright parts of the clip: what it can hold."""
 _STILL_CLASSES = ("a", "b")
 """Shutters that open with the frame: what they can do shows on a still of many decades of light."""
 
@@ -36,8 +40,13 @@ def gallery_pages(examples: Path) -> dict[str, str | bytes]:
 
 
 def _scene(container_path: Path) -> str:
+    """The scene and exposure that show what a program does."""
     container, _ = load_container(container_path)
-    return _STILL if container.notes.get("class") in _STILL_CLASSES else _CLIP
+    if container.notes.get("class") in _STILL_CLASSES:
+        return _STILL
+    open_us = container.table.shutters @ np.array(container.slot_us)
+    share = open_us[open_us > 0].mean() / sum(container.slot_us)
+    return _CLIP.format(round(_WELL_E / share, -3))
 
 
 def _pictures(path: Path, folder: Path) -> dict[str, str | bytes]:

@@ -82,10 +82,3 @@ def pair_pictures(app: Sphinx, doctree: nodes.document) -> None:
             each["classes"] = [*each["classes"], kind]
             app.env.images.add_file(app.env.docname, uri)
         image.parent.insert(image.parent.index(image) + 1, twin)
-
-
-if __name__ == "__main__":
-    root = Path(__file__).resolve().parents[2]
-    for kept, draw in KEPT.items():
-        (root / kept).write_bytes(draw(root))
-        print(f"wrote {kept}")

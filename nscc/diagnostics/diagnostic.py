@@ -1,74 +1,33 @@
-"""What the compiler tells its user: one type for every error, warning and note."""
+"""What nscc tells its user, and the exception that carries it."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from enum import StrEnum
-from typing import Any
+from collections.abc import Sequence
 
-from nscc.source import Source, Span
+from nscc.diagnostics.message import Diagnostic, Fix, Label, Severity
 
-
-class Severity(StrEnum):
-    """How much a diagnostic weighs: an error rejects, a warning and a note do not."""
-
-    ERROR = "error"
-    WARNING = "warning"
-    NOTE = "note"
-
-
-@dataclass(frozen=True, slots=True)
-class Label:
-    """A place in the source with a few words about it."""
-
-    span: Span
-    text: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Fix:
-    """A change that would resolve the diagnostic: replace `span` by `replacement`."""
-
-    title: str
-    span: Span
-    replacement: str
-
-
-@dataclass(frozen=True)
-class Diagnostic:
-    """One message.
-
-    `code` is NSxxxx and has a page of that name in `nscc/diagnostics/pages` (`nscc explain`).
-    `message` is one line. `label` is the place the user can change; `related` are further
-    places (where a limit comes from). `notes` are printed after `=`, `helps` after `help:`;
-    `ways_out` describe nearby programs that were compiled and fit, and are printed as a list.
-    `data` is for programs (JSON values only); a resource error's holds `resource`, `required`,
-    `available` and `proved`. `source` is None for messages about no text.
-    """
-
-    code: str
-    message: str
-    severity: Severity = Severity.ERROR
-    source: Source | None = None
-    label: Label | None = None
-    related: tuple[Label, ...] = ()
-    notes: tuple[str, ...] = ()
-    helps: tuple[str, ...] = ()
-    ways_out: tuple[str, ...] = ()
-    fixes: tuple[Fix, ...] = ()
-    data: Mapping[str, Any] = field(default_factory=dict)
+__all__ = ["Diagnostic", "Fix", "Label", "Rejected", "Severity"]
 
 
 class Rejected(Exception):
     """The user's input cannot be accepted: carries every diagnostic found and the exit status.
 
     Exit status 1: the program is rejected; 2: wrong usage or configuration; 3: device or
-    emulator failure. At least one diagnostic is an error.
+    emulator failure. At least one diagnostic is an error. As text it is all of them, as the command
+    line shows them: with place, notes and help.
     """
 
     def __init__(self, diagnostics: Sequence[Diagnostic] | Diagnostic, status: int = 1) -> None:
         found = (diagnostics,) if isinstance(diagnostics, Diagnostic) else tuple(diagnostics)
-        super().__init__("; ".join(f"{d.code}: {d.message}" for d in found))
+        super().__init__(found, status)
         self.diagnostics = found
         self.status = status
+
+    def __repr__(self) -> str:
+        said = "; ".join(f"{each.code}: {each.message}" for each in self.diagnostics)
+        return f"{type(self).__name__}({said!r})"
+
+    def __str__(self) -> str:
+        from nscc.diagnostics.render import render  # only where somebody reads it
+
+        return render(self.diagnostics, "human").rstrip()

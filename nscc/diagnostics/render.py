@@ -1,4 +1,5 @@
-"""Diagnostics as text: for people, for editors (`short`), for programs (`json`)."""
+"""Diagnostics as text: for people, for editors (`short`), for programs (`json`); for services that
+show code see `nscc.diagnostics.reports`."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from functools import cache
 from pathlib import Path
 from typing import Literal
 
-from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Severity
+from nscc.diagnostics.message import Diagnostic, Fix, Label, Severity
 from nscc.source import Source
 
 Format = Literal["human", "short", "json"]
@@ -68,7 +69,12 @@ def _json(diagnostic: Diagnostic) -> str:
         **{"location": None, "end_location": None, **_places(source, label)},
         "data": dict(diagnostic.data),
         "fixes": [
-            {"title": fix.title, "replacement": fix.replacement, **_places(source, fix)}
+            {
+                "title": fix.title,
+                "replacement": fix.replacement,
+                "sure": fix.sure,
+                **_places(source, fix),
+            }
             for fix in diagnostic.fixes
         ],
         "rendered": _human(diagnostic, False),

@@ -25,6 +25,7 @@ from collections.abc import Iterable, Iterator
 
 import networkx as nx
 
+from nscc.diagnostics.rejection import rejected
 from nscc.logic.problem import Gate
 from nscc.lower.allocate import words
 from nscc.lower.lowered import Lowered
@@ -32,7 +33,18 @@ from nscc.operations import Op
 
 
 def gate_network(lowered: Lowered) -> nx.DiGraph:
-    """The network of a program's gates; see the module for nodes and attributes."""
+    """The network of a program's gates; see the module for nodes and attributes.
+
+    Raises Rejected (NS0507) for a program that looks: its gates read what pixels find.
+    """
+    if lowered.program.machine is not None:
+        raise rejected(
+            "NS0507",
+            "there is no network of the gates of a program whose pixels look at the light",
+            notes=("what they compute hangs on answers, which come from no gate",),
+            helps=("`--emit gates` and `--emit schedule` list them",),
+            status=1,
+        )
     solution, program = lowered.solution, lowered.program
     allocation = lowered.schedule.allocation
     network = nx.DiGraph(

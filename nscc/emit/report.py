@@ -7,6 +7,7 @@ import json
 from collections import Counter
 from typing import Any
 
+from nscc.emit.looks import looks_report
 from nscc.logic.bound import ASSUMES, level_bound
 from nscc.lower.lowered import Choice, Lowered
 from nscc.operations import Effect, Op, Phase
@@ -67,7 +68,9 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
             "slots": proof.slots,
             "frames": proof.frames,
             "holds": proof.holds,
+            **({"answers": proof.transitions} if program.machine else {}),
         },
+        **({"looks": looks_report(program.machine, program.target)} if program.machine else {}),
         "target": program.target.name,
         "source_sha256": hashlib.sha256(program.source.text.encode()).hexdigest(),
     }

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from nscc.emit.looks import looks_lines
 from nscc.lower.ledger import ledger
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
@@ -17,30 +18,58 @@ if TYPE_CHECKING:
 
 def summary(name: str, compiled: Compiled) -> str:
     """What `nscc check` prints of a program that passes."""
+    fits = compiled.lowered is not None
+    verdict = (
+        f"fits {compiled.program.target.name}" if fits else "passes, unless its words do not fit"
+    )
+    lines = (f"{label:<10} {value}" for label, value in summary_rows(compiled))
+    return "\n  ".join([f"{name}: {verdict}", *lines])
+
+
+def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
+    """The same as labels with what they say."""
     program, lowered, proof = compiled.program, compiled.lowered, compiled.proof
     table = program.table
-    lines = [f"class      {program.class_name}: {program.class_reason}"]
-    lines.append(
-        f"codes      {_codes_text(program)}, "
-        f"{counted(len(table.shutters), 'shutter')}, {counted(len(program.frame.slot_us), 'slot')}"
-    )
+    rows = [
+        ("class", f"{program.class_name}: {program.class_reason}"),
+        (
+            "codes",
+            f"{_codes_text(program)}, {counted(len(table.shutters), 'shutter')}, "
+            f"{counted(len(program.frame.slot_us), 'slot')}",
+        ),
+    ]
+    if program.machine is not None:
+        names = tuple(bucket.name for bucket in program.buckets)
+        told = looks_lines(program.machine, names, program.target)
+        rows += [("looks" * (not k), text) for k, text in enumerate(told)]
     if lowered is None or proof is None:
-        return "\n  ".join([f"{name}: passes, unless its words do not fit", *lines])
+        return rows
     schedule = lowered.schedule
     digital = ledger(schedule.allocation.holders)
     shortest = min(program.frame.slot_us)
-    lines += [
-        f"lowering   {lowered.plan.lowering}; encoding: {lowered.solution.encoding}",
-        f"digital    {digital or 'no register needed'}",
-        f"analog     {ledger(lowered.plan.registers)}",
-        f"words      {schedule.words_stored} stored of {program.target.store_words}, "
-        f"{schedule.words_total} a frame",
-        f"time       shortest slot {time_text(shortest)}, longest instructions "
-        f"{time_text(lowered.shortest_slot_us)}",
-        f"proved     {counted(proof.codes, 'code')} x {counted(proof.slots, 'slot')}, "
-        f"{counted(proof.frames, 'frame')}",
+    return [
+        *rows,
+        ("lowering", f"{lowered.plan.lowering}; encoding: {lowered.solution.encoding}"),
+        ("digital", digital or "no register needed"),
+        ("analog", ledger(lowered.plan.registers)),
+        (
+            "words",
+            f"{schedule.words_stored} stored of {program.target.store_words}, "
+            f"{schedule.words_total} a frame",
+        ),
+        (
+            "time",
+            f"shortest slot {time_text(shortest)}, longest instructions "
+            f"{time_text(lowered.shortest_slot_us)}",
+        ),
+        (
+            "proved",
+            f"{counted(proof.codes, 'code')} x {counted(proof.slots, 'slot')}, "
+            f"{counted(proof.frames, 'frame')}"
+            + f", {counted(proof.transitions, 'answer')}"
+            * (program.machine is not None),
+        ),
     ]
-    return "\n  ".join([f"{name}: fits {program.target.name}", *lines])
 
 
 def _codes_text(program: Program) -> str:

@@ -31,7 +31,7 @@ class Held:
     @property
     def registers(self) -> int:
         """How many there are."""
-        return self.bits.shape[1]
+        return int(self.bits.shape[1])
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,11 +58,36 @@ def encodings(machine: Machine, registers: int) -> Iterator[Encoding]:
     for k, state in enumerate(machine.states):
         reached = np.unique(machine.values[:, k]).tolist()
         values = tuple(dict.fromkeys([state.start, *reached]))
-        found = _of_state(len(values))
+        found = list(_of_state(len(values)))
+        if state.sense and not _outlasts(machine, k):
+            found = [("not held", np.zeros((len(values), 0), np.bool_))]
         states.append([Held(state.name, kind, values, bits) for kind, bits in found])
     for code, *chosen in product(codes, *states):
         if sum(held.registers for held in (code, *chosen)) <= registers:
             yield Encoding(code, tuple(chosen))
+
+
+def _outlasts(machine: Machine, k: int) -> bool:
+    """Whether anything after its own look hangs on an answer: where a rule reads it only at the
+    boundary at which it is given, no register need hold it."""
+    rest = np.delete(machine.values, k, axis=1)
+    alike = np.unique(
+        np.column_stack([machine.behaviour, rest]), axis=0, return_inverse=True
+    )[1].reshape(-1)  # fmt: skip
+    # Nodes of the next stage that differ in the answer alone count as one; -1 stands for none.
+    after = np.where(machine.steps >= 0, alike[machine.steps], -1)
+    for stage in range(machine.stages):
+        span, begin = machine.nodes(stage), machine.starts(stage)
+        does = [
+            alike[span],
+            machine.opens[span].reshape(span.stop - span.start, -1),
+            machine.resets[span, begin + 1 :],
+            after[span],
+        ]
+        distinct = np.unique(np.column_stack(does), axis=0)
+        if len(distinct) > len(np.unique(alike[span])):
+            return True
+    return False
 
 
 def _of_code(behaviours: int) -> Iterator[tuple[str, Rows]]:

@@ -49,7 +49,9 @@ def lay_out_looks(
     named = dict(zip((f"s{i}" for i in range(general.states)), solution.states, strict=True))
     by_place = {allocation.places[name]: f"state {held}" for name, held in named.items()}
     allocation = replace(allocation, holders={**allocation.holders, **by_place})
-    schedule = _schedule(plan, solution, allocation, time, target)
+    schedule = _schedule(plan, solution, allocation, time, target, apart=False)
+    if schedule.words_stored > target.store_words:
+        schedule = _schedule(plan, solution, allocation, time, target, apart=True)
     decoding = Decoding(_exposure_plan(plan), _problem(plan), (), general)
     return Lowered(plan.program, decoding, schedule, time, most_words)
 
@@ -72,14 +74,18 @@ def _schedule(
     allocation: Allocation,
     time: Timeline,
     target: Target,
+    *,
+    apart: bool,
 ) -> Schedule:
+    """The frame's kernels. With `apart` the gates after a boundary's last analog word are a kernel
+    of their own: what comes before them is then often that of other boundaries, too."""
     slots = plan.machine.slots
     boundaries: list[list[tuple[int | None, Words]]] = [[] for _ in range(slots + 1)]
     setup = (op("all"), *_setup(plan), *_cleared(solution, allocation))
     boundaries[0].append((None, setup))
     last = max(i for i, word in enumerate(setup) if word == RESET[0])
     for boundary, items in solution.items.items():
-        boundaries[boundary] += _kernels(items, allocation)
+        boundaries[boundary] += _kernels(items, allocation, apart=apart)
     refreshed = refreshed_registers(
         [[words_ for _, words_ in each] for each in boundaries], allocation, time
     )
@@ -98,9 +104,7 @@ def _schedule(
             launches.append((n, numbers.setdefault(kernel, len(numbers))))
             levels.append(level)
     setup_us = kernel_us(setup[: last + 1], target)
-    return Schedule(
-        allocation, tuple(numbers), tuple(launches), setup_us, refreshed, tuple(levels)
-    )
+    return Schedule(allocation, tuple(numbers), tuple(launches), setup_us, refreshed, tuple(levels))
 
 
 def _setup(plan: LookingPlan) -> Words:
@@ -119,9 +123,15 @@ def _cleared(solution: LookingSolution, allocation: Allocation) -> Words:
 
 
 def _kernels(
-    items: Sequence[Gate | Op | SetIn], allocation: Allocation
+    items: Sequence[Gate | Op | SetIn], allocation: Allocation, *, apart: bool
 ) -> list[tuple[int | None, Words]]:
     """The kernels of a boundary, each with the value of IN that it needs."""
+    last = max((i for i, item in enumerate(items) if isinstance(item, Op)), default=-1)
+    if apart and 0 <= last < len(items) - 1:
+        head, tail = items[: last + 1], items[last + 1 :]
+        return [
+            kernel for part in (head, tail) for kernel in _kernels(part, allocation, apart=False)
+        ]
     found: list[tuple[int | None, Words]] = []
     level: int | None = None
     run: list[Op] = []
@@ -170,7 +180,9 @@ def _steps(plan: LookingPlan, moment: Moment) -> list[Step]:
     sample = op("bus", (plan.scratch,), ("PIX",))
     where = op("where", (), (plan.scratch, plan.reference, "IN"))
     for comparison in moment.comparisons:
-        found.append(Step(moment.boundary, "look", max(comparison.signal, 0), None, (sample, where)))
+        found.append(
+            Step(moment.boundary, "look", max(comparison.signal, 0), None, (sample, where))
+        )
     for bucket, (fall, rise) in enumerate(zip(moment.falls, moment.rises, strict=True)):
         register = plan.bucket_registers[bucket]
         add = sample, op("bus", (register,), (plan.scratch, plan.reference))

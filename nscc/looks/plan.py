@@ -153,7 +153,8 @@ def _fresh(machine: Machine) -> Bits:
     for stage in range(machine.stages):
         span, slots = machine.nodes(stage), slice(machine.starts(stage), machine.ends(stage))
         whole = machine.opens[span][:, :, slots].all(axis=2)
-        fresh[span] &= whole & ~machine.resets[span, slots].any(axis=1)[:, None]
+        reset = np.asarray(machine.resets[span, slots].any(axis=1))
+        fresh[span] &= whole & ~reset[:, None]
         for node in range(span.start, span.stop):
             for step in {step for step in machine.steps[node].tolist() if step >= 0}:
                 fresh[step] = fresh[node] & (fresh[step] | ~reached[step])

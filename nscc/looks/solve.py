@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.logic.problem import GaveUp, Gate, Machine
+from nscc.logic.problem import Gate, GaveUp, Machine
 from nscc.looks.encode import Encoding, Held
 from nscc.looks.plan import LookingPlan, Moment
 from nscc.looks.synthesis import FLAG, Board, update
@@ -61,7 +61,9 @@ class _Solver:
         self.gates = Machine.of(target)
         self.holders: list[str] = []
         self.states: list[str] = []
-        self.code = [self._plane(f"code, {encoding.code.kind}") for _ in range(encoding.code.registers)]
+        self.code = [
+            self._plane(f"code, {encoding.code.kind}") for _ in range(encoding.code.registers)
+        ]
         self.registers = tuple(
             tuple(
                 self._plane(held.name) if state.kept else self._state(held.name)
@@ -99,13 +101,17 @@ class _Solver:
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
         """What every register holds in lanes at these nodes."""
         found = dict(
-            zip(self.code, self._columns(self.encoding.code, self.machine.behaviour[nodes]), strict=True)
+            zip(
+                self.code,
+                self._columns(self.encoding.code, self.machine.behaviour[nodes]),
+                strict=True,
+            )
         )
         for k, (held, names) in enumerate(zip(self.encoding.states, self.registers, strict=True)):
             found |= zip(names, self._columns(held, self.machine.values[nodes, k]), strict=True)
         return found
 
-    def _columns(self, held: Held, values: NDArray[np.int64]) -> list[int]:
+    def _columns(self, held: Held, values: NDArray[np.signedinteger]) -> list[int]:
         order = np.argsort(held.values)
         rows = order[np.searchsorted(np.array(held.values)[order], values)]
         return columns(held.bits[rows])
@@ -144,12 +150,12 @@ class _Moment:
                 self.sampled = False
             elif self.sampled and words[0] == self._sample():
                 words = words[1:]
-            elif v != moment.everything:
-                self.sampled = False
+            else:
+                self.sampled = v == moment.everything and words[0] == self._sample()
             self.found += words
         update(self.board, self.wanted)
         self.found += self.board.taken()
-        return self.found
+        return renamed(self.found)
 
     def _sample(self) -> Op:
         return op("bus", (self.plan.scratch,), ("PIX",))
@@ -169,7 +175,7 @@ class _Moment:
         return first, op("bus", (register,), (scratch, "PIX"))
 
     def _compare(self) -> None:
-        """Brings the outcome of every comparison into a register, that of the last one into FLAG."""
+        """Brings the outcome of each comparison into a register, that of the last one into FLAG."""
         moment = self.moment
         order = sorted(range(len(moment.comparisons)), key=lambda c: -moment.comparisons[c].signal)
         signal: int | None = None
@@ -223,7 +229,7 @@ class _Moment:
                 board.values[FLAG] = v
             return
         for name, new in self.wanted.items():
-            # A register that holds nothing yet takes its new value at once, and FLAG reads it there.
+            # A register that holds nothing yet takes its new value at once; FLAG reads it there.
             if new == v and not board.values[name]:
                 made = board.make(v, name)
                 if made is not None:
@@ -247,3 +253,40 @@ class _Moment:
         without.values.update(more)
         if not without.tells([*later, *self.wanted.values()]):
             board.keep(FLAG)
+
+
+def renamed(gates: Sequence[Item]) -> list[Item]:
+    """The same gates with as few scratch registers as their values need while they are alive;
+    what stands between them reads none."""
+    ends: dict[tuple[str, int], int] = {}
+    writes: dict[str, int] = {}
+    for place, gate in enumerate(gates):
+        if not isinstance(gate, Gate):
+            continue
+        for name in gate.sources:
+            if name in writes:
+                ends[name, writes[name]] = place
+        if gate.destination.startswith("t") and gate.destination not in gate.sources:
+            writes[gate.destination] = place
+            ends[gate.destination, place] = place
+        elif gate.destination in writes:
+            ends[gate.destination, writes[gate.destination]] = place
+    found: list[Item] = []
+    names: dict[str, str] = {}
+    busy: dict[str, int] = {}
+    for place, gate in enumerate(gates):
+        if not isinstance(gate, Gate):
+            found.append(gate)
+            continue
+        # A register is free once the last gate that reads it is over.
+        busy = {name: end for name, end in busy.items() if end >= place}
+        sources = tuple(names.get(name, name) for name in gate.sources)
+        destination = gate.destination
+        if (destination, place) in ends:
+            number = 0
+            while f"t{number}" in busy:
+                number += 1
+            names[destination] = f"t{number}"
+            busy[f"t{number}"] = ends[destination, place]
+        found.append(Gate(gate.name, names.get(destination, destination), sources))
+    return found

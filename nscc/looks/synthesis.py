@@ -9,18 +9,18 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import permutations
 
 from nscc.logic.cover import Cover, Covers
 from nscc.logic.cubes import Budget
 from nscc.logic.gates import Gates
-from nscc.logic.problem import GaveUp, Gate, Machine
+from nscc.logic.problem import Gate, GaveUp, Machine
 
 FLAG = "FLAG"
 _STEPS = 4_000_000
 _MOST_CUBES = 24
-_MOST_ORDERED = 5
-"""So many registers are tried in every order in which their new values may be written."""
+_MOST_ORDERED = 3
+"""So many registers are tried in every order in which their new values may be written; of more, the
+next one is always that which is cheapest then."""
 
 
 @dataclass(frozen=True)
@@ -34,6 +34,11 @@ class Made:
     def words(self) -> int:
         """Words of the gates."""
         return sum(gate.words for gate in self.gates)
+
+    @property
+    def price(self) -> tuple[int, int]:
+        """Words, then scratch registers."""
+        return self.words, len(self.scratch)
 
 
 @dataclass
@@ -86,8 +91,13 @@ class Board:
 
     def make(self, wanted: int, destination: str) -> Made | None:
         """The fewest words found that leave `wanted` in a register, whatever it held."""
-        found = self._ways(wanted, destination)
-        return min(found, key=lambda made: (made.words, len(made.scratch)), default=None)
+        best: Made | None = None
+        for made in self._ways(wanted, destination):
+            if best is None or made.price < best.price:
+                best = made
+            if best.words == 1:
+                break
+        return best
 
     def load(self, wanted: int) -> Made | None:
         """The fewest words found that bring `wanted` into FLAG."""
@@ -95,7 +105,7 @@ class Board:
             return Made((), ())
         name = self.fresh()
         found = [self._through(made, name, wanted) for made in self._ways(wanted, name)]
-        return min(found, key=lambda made: (made.words, len(made.scratch)), default=None)
+        return min(found, key=lambda made: made.price, default=None)
 
     def _through(self, made: Made, name: str, wanted: int) -> Made:
         """`made`, which leaves `wanted` in the register `name`, with the WHERE that reads it; WHERE
@@ -154,16 +164,18 @@ class Board:
                 gates.nor(complements[index], [names[index][1:]])
             return complements[index]
 
-        positive = [source(i) for i in cover.positive]
-        cubes = [[source(i) for i in cube.sources] for cube in cover.cubes]
-        if len(cubes) == 1 and not positive:
+        if len(cover.cubes) == 1 and not cover.positive:
             # An OR of one NOR is a NOR, and its complement is an OR: one gate.
-            (gates.or_ if inverted else gates.nor)(destination, cubes[0])
+            cube = [source(i) for i in cover.cubes[0].sources]
+            (gates.or_ if inverted else gates.nor)(destination, cube)
             return Made(gates.take(), tuple(made.items()))
-        for cube, found in zip(cubes, cover.cubes, strict=True):
-            name = scratch(found.vector)
-            gates.nor(name, cube)
-            positive.append(name)
+        positive = []
+        for found in cover.cubes:
+            # Complements are made where they are read first: fewer are alive at once.
+            cube = [source(i) for i in found.sources]
+            positive.append(scratch(found.vector))
+            gates.nor(positive[-1], cube)
+        positive += [source(i) for i in cover.positive]
         (gates.nor if inverted else gates.or_)(destination, positive)
         return Made(gates.take(), tuple(made.items()))
 
@@ -174,35 +186,59 @@ def update(board: Board, wanted: dict[str, int]) -> None:
     Raises GaveUp where the registers do not tell lanes apart that are to differ.
     """
     left = {name: v for name, v in wanted.items() if board.values[name] != v}
-    orders: Iterable[Sequence[str]] = [tuple(left)]
-    if len(left) <= _MOST_ORDERED:
-        orders = permutations(left)
     best: tuple[int, Board] | None = None
-    for order in orders:
-        tried = board.copy()
-        if not _in_order(tried, left, order):
-            continue
-        words = sum(gate.words for gate in tried.gates)
-        if best is None or words < best[0]:
-            best = words, tried
+    for begun in (board, *_with_changes(board, left)):
+        for tried in _orders(begun, left):
+            words = sum(gate.words for gate in tried.gates)
+            if best is None or words < best[0]:
+                best = words, tried
     if best is None:
         raise GaveUp("the registers do not tell the lanes of a look apart")
     board.values, board.gates = best[1].values, best[1].gates
 
 
-def _in_order(board: Board, wanted: dict[str, int], order: Sequence[str]) -> bool:
-    """New values, written in that order; False where one cannot be had."""
-    for position, name in enumerate(order):
-        made = board.make(wanted[name], name)
-        if made is None:
-            return False
-        later = [wanted[other] for other in order[position + 1 :]]
-        after = board.copy()
-        after.take(made, (name, wanted[name]))
-        if not after.tells(later):
-            board.keep(name)
-            made = board.make(wanted[name], name)
-            if made is None:
-                return False
-        board.take(made, (name, wanted[name]))
-    return True
+def _with_changes(board: Board, wanted: dict[str, int]) -> Iterator[Board]:
+    """Boards on which scratch holds the lanes in which several registers become 1: each of them
+    then takes an OR."""
+    rises = [v & ~board.values[name] for name, v in wanted.items()]
+    for rise in dict.fromkeys(rises):
+        if rises.count(rise) > 1 and rise not in board.values.values():
+            after = board.copy()
+            name = after.fresh()
+            made = after.make(rise, name)
+            if made is not None:
+                after.take(made, (name, rise))
+                yield after
+
+
+def _orders(board: Board, wanted: dict[str, int]) -> Iterator[Board]:
+    """Boards with all new values, each written in another order."""
+    if not wanted:
+        yield board
+        return
+    written = [(name, _written(board, name, wanted)) for name in wanted]
+    tried = [(name, after) for name, after in written if after is not None]
+    if len(wanted) > _MOST_ORDERED:
+        tried.sort(key=lambda each: sum(gate.words for gate in each[1].gates))
+        del tried[1:]
+    for name, after in tried:
+        yield from _orders(after, {other: v for other, v in wanted.items() if other != name})
+
+
+def _written(board: Board, name: str, wanted: dict[str, int]) -> Board | None:
+    """The board with one new value, and the old one saved if others need it; None: it cannot be
+    had."""
+    made = board.make(wanted[name], name)
+    if made is None:
+        return None
+    after = board.copy()
+    after.take(made, (name, wanted[name]))
+    if after.tells(v for other, v in wanted.items() if other != name):
+        return after
+    after = board.copy()
+    after.keep(name)
+    made = after.make(wanted[name], name)
+    if made is None:
+        return None
+    after.take(made, (name, wanted[name]))
+    return after

@@ -19,7 +19,7 @@ from nscc.program.program import Program
 _ROUNDING = 1 + 1e-9
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Lowered:
     """A plan, its gates and its words, priced against the program's target.
 
@@ -31,6 +31,9 @@ class Lowered:
     schedule: Schedule
     time: Timeline
     most_words: int | None = None
+
+    def __repr__(self) -> str:
+        return f"Lowered({self.plan.lowering}, {self.schedule.words_total} words a frame)"
 
     @property
     def plan(self) -> ExposurePlan:

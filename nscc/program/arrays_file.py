@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
+from nscc.files import reads
 from nscc.npy import npy_header, npy_values
 from nscc.program.problems import clipped
 
@@ -109,6 +110,7 @@ class ArraysFile:
             if size > MOST_FILE_BYTES:
                 message = f'"{self.shown}" has {size} bytes; at most {MOST_FILE_BYTES} are read'
                 raise rejected("NS0313", message)
+            reads(path)
             with path.open("rb") as stream:
                 return stream.read(MOST_FILE_BYTES)
         except (OSError, ValueError) as error:

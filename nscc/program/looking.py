@@ -81,8 +81,8 @@ def make_looking(
     senses = [maker.sense(sense) for sense in declared.senses.values()]
     states = [maker.state(name, state) for name, state in declared.states.items()]
     nexts = {name: maker.next(each) for name, each in declared.nexts.items()}
-    for name, each in declared.reads.items():
-        maker.known_state(each)
+    for name in declared.reads.values():
+        maker.known_state(name)
     reset = None
     if declared.reset is not None:
         reset = check(
@@ -159,7 +159,9 @@ class _Maker:
 
     def _boundaries(self, sense: tree.Sense) -> tuple[int, ...] | None:
         """The boundaries 1..N of a sense."""
-        asked = check(sense.at, "boolean", self.at_scope, self.problems, "the boundaries of a sense")
+        asked = check(
+            sense.at, "boolean", self.at_scope, self.problems, "the boundaries of a sense"
+        )
         if asked is None or not self.slots:
             return None
         numbers = np.arange(1, self.slots + 1, dtype=np.int64)
@@ -178,7 +180,7 @@ class _Maker:
             self.problems.error(
                 "NS0322", f"the sense `{sense.name.text}` never looks", sense.at.span,
                 f"false at every boundary 1..{self.slots}",
-                helps=("name the boundaries: `at n in [1, 2, 4]`, or a condition: `at n % 8 == 0`",),
+                helps=("name boundaries, `at n in [1, 2]`, or give a condition, `at n % 8 == 0`",),
             )  # fmt: skip
             return None
         return tuple(at.tolist())
@@ -218,7 +220,8 @@ class _Maker:
             value = Fraction(number)
         step = level_steps(float(value), unit, target)
         most_e = target.in_high * target.electrons_per_step
-        if not 0 <= step <= target.in_high or level_e(float(value), unit, target) >= min(
+        least, most = (100 * e / target.full_well_e for e in (target.electrons_per_step, most_e))
+        if not 1 <= step <= target.in_high or level_e(float(value), unit, target) >= min(
             target.full_well_e, target.register_max_e
         ):
             self.problems.error(
@@ -231,7 +234,7 @@ class _Maker:
                     f"IN goes up to {target.in_high} steps of {target.electrons_per_step:.4g} e: "
                     f"{most_e:.6g} e",
                 ),
-                helps=(f"give a level from 0 to {100 * most_e / target.full_well_e:.3g}%",),
+                helps=(f"give a level from {least:.3g}% to {most:.3g}%",),
             )  # fmt: skip
             return None
         return step

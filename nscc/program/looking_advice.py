@@ -29,7 +29,7 @@ def judge_looking(
         rule = declared.rules[0]
         names = ", ".join(missing)
         helps = (f"`read {names}` tells it",) if missing else (
-            "remember in a state when the shutter closed, and read it: `state closed_at : 0..3 = 0`",
+            "remember in a state when the shutter closed, `state closed_at : 0..3 = 0`: read that",
         )  # fmt: skip
         problems.error(
             "NS0324", "the readout does not tell how long a pixel was open", rule.span,
@@ -40,7 +40,9 @@ def judge_looking(
         _judge_resets(declared.reset, machine, target, problems)
     for k, rule in enumerate(declared.rules):
         if not machine.opens[:, k].any():
-            who = f"the bucket `{rule.name.text}`" if isinstance(rule, tree.Bucket) else "the shutter"
+            who = (
+                f"the bucket `{rule.name.text}`" if isinstance(rule, tree.Bucket) else "the shutter"
+            )
             problems.warning("NS0350", f"{who} never opens", rule.rule.span, "false in every slot")
     for name, state in declared.states.items():
         if name not in declared.nexts:

@@ -121,7 +121,9 @@ class _Builder:
                 found[bit_count(field.name)] = scalar(field.bits)
         for k, state in enumerate(self.looking.states, 1):
             column = nodes[:, k : k + 1]
-            found[state.name] = Value(column != 0 if state.boolean else column, state.low, state.high)
+            found[state.name] = Value(
+                column != 0 if state.boolean else column, state.low, state.high
+            )
         for sense in self.looking.senses:
             found[sense.name] = Value(np.zeros((len(nodes), 1), np.bool_), 0, 1)
         for k, sense in enumerate(self.held, self.width):
@@ -208,8 +210,8 @@ class _Builder:
 
     def _field_step(self, sense: Sense, value: int) -> int:
         step = level_steps(value, "lsb", self.target)
-        if not 0 <= step <= self.target.in_high:
-            text = f"IN goes from 0 to {self.target.in_high} steps"
+        if not 1 <= step <= self.target.in_high:
+            text = f"a level has 1 to {self.target.in_high} steps"
             message = f"the level {value} of `{sense.field}` is {step} steps of IN"
             fault = Fault("NS0321", message, sense.span, text)
             raise NoValue([Finding(fault, f"for {sense.field} = {value}", 1)])

@@ -61,9 +61,7 @@ def _times(machine: Machine, slot_us: NDArray[np.float64]) -> dict[int, set[Time
     return found
 
 
-def _told(
-    machine: Machine, last: range, times: dict[int, set[Times]], read: Sequence[int]
-) -> bool:
+def _told(machine: Machine, last: range, times: dict[int, set[Times]], read: Sequence[int]) -> bool:
     """Whether code and these states tell the time."""
     by_readout: dict[tuple[int, ...], set[Times]] = {}
     for node in last:

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import meant
 from nscc.program.arrays_file import ArraysFile
-from nscc.program.planes import Plane, first_place, pixel_text, stored_plane
-from nscc.program.problems import counted
+from nscc.program.planes import Plane, as_plane, first_place, pixel_text, stored_plane
+from nscc.program.problems import clipped, counted
 from nscc.words.container import DecodeTable
 
 _DENSE = 2**20
@@ -71,29 +73,76 @@ def codes_from_file(
     first such pixel and their number, NS0311 for a value out of its field's range, NS0312 for a
     code that the program forbids, NS0319 for one that it was not compiled for.
     """
-    shape = (rows, cols)
     file = ArraysFile(path, str(path) if shown is None else shown)
+    planes = [stored_plane(file, name, rows, cols) for name in table.fields]
+    return _rows_of_table(planes, table, (rows, cols), f'"{file.shown}"', mode, ranges)
+
+
+def codes_from_arrays(
+    arrays: Mapping[str, NDArray[Any]],
+    table: DecodeTable,
+    rows: int,
+    cols: int,
+    *,
+    mode: str = "fixed",
+    ranges: Callable[[], Ranges] = dict,
+) -> NDArray[np.int32]:
+    """The same of integer arrays (rows, cols), one for each field of `table`, by name.
+
+    Raises Rejected: NS0314 for arrays that are missing, too many, of another shape or of no
+    integers; for their values as `codes_from_file`.
+    """
+    for name in {*arrays} - {*table.fields}:
+        raise rejected(
+            "NS0314",
+            f"the program's code has no field '{clipped(name)}'",
+            notes=(f"its fields: {', '.join(table.fields) or 'none'}",),
+            helps=meant(name, table.fields),
+        )
     planes = []
-    missing = np.zeros(shape, dtype=bool)
     for name in table.fields:
-        plane, beyond = stored_plane(file, name, rows, cols)
-        planes.append(plane)
+        if name not in arrays:
+            raise rejected("NS0314", f"there is no array for the field '{name}' of the code")
+        stored = np.asarray(arrays[name])
+        if stored.dtype.kind not in "iu" or stored.shape != (rows, cols):
+            raise rejected(
+                "NS0314",
+                f"the array '{name}' is {stored.shape} of {stored.dtype}, and must be integers "
+                f"({rows}, {cols}): [row, column]",
+            )
+        planes.append(as_plane(stored))
+    return _rows_of_table(planes, table, (rows, cols), "the arrays", mode, ranges)
+
+
+def _rows_of_table(
+    found: Sequence[tuple[Plane, NDArray[np.bool_]]],
+    table: DecodeTable,
+    shape: tuple[int, int],
+    where: str,
+    mode: str,
+    ranges: Callable[[], Ranges],
+) -> NDArray[np.int32]:
+    """The row of `table.codes` at each pixel, of planes as `as_plane` gives them.
+
+    `where` is what messages call their origin.
+    """
+    planes = [plane for plane, _ in found]
+    missing = np.zeros(shape, dtype=bool)
+    for _, beyond in found:
         missing |= beyond
-    rows_of_table, unknown = (
-        rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
-    )
+    rows, unknown = rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
     missing |= unknown
     if missing.any():
         known = ranges()
         for name, plane in zip(table.fields, planes, strict=True):
             if name in known:
-                refuse_outside(file, name, plane, known[name])
-        raise _unknown(file, table, planes, missing, mode)
-    return rows_of_table
+                refuse_outside(where, name, plane, known[name])
+        raise _unknown(where, table, planes, missing, mode)
+    return rows
 
 
-def refuse_outside(file: ArraysFile, name: str, plane: Plane, values: tuple[int, int]) -> None:
-    """NS0311 where a pixel of a file has a value that its field cannot have."""
+def refuse_outside(where: str, name: str, plane: Plane, values: tuple[int, int]) -> None:
+    """NS0311 where a pixel has a value that its field cannot have; `where` it comes from."""
     low, high = values
     outside = (plane < low) | (plane > high)
     if outside.any():
@@ -101,8 +150,7 @@ def refuse_outside(file: ArraysFile, name: str, plane: Plane, values: tuple[int,
         count = int(outside.sum())
         raise rejected(
             "NS0311",
-            f'in "{file.shown}" the {pixel_text(x, y)} has {name} = {plane[y, x]}, '
-            f"outside {low}..{high}",
+            f"in {where} the {pixel_text(x, y)} has {name} = {plane[y, x]}, outside {low}..{high}",
             notes=(f"{counted(count, 'pixel is', 'pixels are')} outside the range",),
             helps=(f"give values from {low} to {high}, or widen `code {name}` in the program",),
             data={"field": name, "x": x, "y": y, "pixels": count},
@@ -110,7 +158,7 @@ def refuse_outside(file: ArraysFile, name: str, plane: Plane, values: tuple[int,
 
 
 def _unknown(
-    file: ArraysFile, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
+    where: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
 ) -> Rejected:
     y, x = first_place(missing)
     count = int(missing.sum())
@@ -118,14 +166,14 @@ def _unknown(
     if mode == "open":
         return rejected(
             "NS0312",
-            f'in "{file.shown}" the {pixel_text(x, y)} has {code}, which the program forbids',
+            f"in {where} the {pixel_text(x, y)} has {code}, which the program forbids",
             notes=(f"{counted(count, 'pixel has', 'pixels have')} such codes",),
             helps=("give codes within the fields' ranges that fulfil every `require`",),
             data={"x": x, "y": y, "pixels": count},
         )
     return rejected(
         "NS0319",
-        f'the program was not compiled for a code of "{file.shown}": {pixel_text(x, y)} has {code}',
+        f"the program was not compiled for a code of {where}: {pixel_text(x, y)} has {code}",
         notes=(
             f"{counted(count, 'pixel has', 'pixels have')} such codes; "
             f"the program knows {counted(len(table.codes), 'code')}",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import assert_never
+from typing import Any, assert_never
 
 import numpy as np
 from numpy.typing import NDArray
@@ -257,6 +257,11 @@ def stored_plane(
         message = f"{found}; the array of pixels is {rows} rows x {cols} columns"
         helps = (f"save an array of shape ({rows}, {cols}): [row, column]",)
         raise rejected("NS0314", message, helps=helps)
+    return as_plane(stored)
+
+
+def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
+    """Integers as int64, and where they are beyond it."""
     beyond = np.zeros(stored.shape, dtype=bool)
     if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:
         beyond = np.asarray(stored > np.uint64(2**63 - 1), dtype=bool)

@@ -50,7 +50,7 @@ class Problems:
         others = f"names that can stand here: {shown}" if shown else ""
         help_text = f"did you mean `{near}`?" if near else others
         helps = (help_text,) if help_text else ()
-        fixes = (Fix(f"write `{near}`", span, near),) if near else ()
+        fixes = (Fix(f"write `{near}`", span, near, sure=False),) if near else ()
         message = f"`{clipped(name)}` is not the name of {what}"
         self.error("NS0214", message, span, "not known", helps=helps, fixes=fixes)
 

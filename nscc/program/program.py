@@ -53,7 +53,7 @@ class BucketRule:
     span: Span
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Program:
     """What the parts after the front end know about a file.
 
@@ -82,3 +82,6 @@ class Program:
     class_reason: str
     messages: tuple[Diagnostic, ...]
     machine: Machine | None = None
+
+    def __repr__(self) -> str:
+        return f"Program({self.source.name!r}, class {self.class_name}, {self.table!r})"

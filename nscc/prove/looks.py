@@ -92,7 +92,7 @@ class Looks:
             planes = self.container.state_planes.get(state.name)
             if planes is None or (kept and not state.kept):
                 continue
-            rows = {value: row for value, row in zip(planes.values, planes.bits, strict=True)}
+            rows = dict(zip(planes.values, planes.bits, strict=True))
             values = self.machine.values[nodes, k].tolist()
             if not rows.keys() >= set(values):
                 raise Wrong(f"no bits stand for some value of the state `{state.name}`")
@@ -278,7 +278,9 @@ class Looks:
         comparisons = self.machine.at(self.boundary)
         for number in self.pending:
             for above in (False, True):
-                if self._is(comparisons[number].signal, comparisons[number].level, above, total, owes):
+                if self._is(
+                    comparisons[number].signal, comparisons[number].level, above, total, owes
+                ):
                     self.pending.remove(number)
                     self._split(number, above)
                     return

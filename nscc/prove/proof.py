@@ -85,15 +85,15 @@ def _prove_looks(
 ) -> Proof:
     """The proof of a program that looks."""
     codes, slots = len(container.table.codes), container.slots
+    looks = Looks(container, kernels, light, LOOKS_SEED)
     failure = None
-    looks, frame = None, 1
-    try:
-        looks = Looks(container, kernels, light, LOOKS_SEED)
-        for frame in range(1, FRAMES + 1):
+    for frame in range(1, FRAMES + 1):
+        try:
             looks.frame()
-    except Wrong as wrong:
-        failure = Failure(wrong.what, frame, wrong.bucket, wrong.behaviour)
-    return Proof(codes, slots, FRAMES, failure, looks.transitions if looks else 0)
+        except Wrong as wrong:
+            failure = Failure(wrong.what, frame, wrong.bucket, wrong.behaviour)
+            break
+    return Proof(codes, slots, FRAMES, failure, looks.transitions)
 
 
 def _frame(replay: Replay, light: NDArray[np.float64], frame: int) -> Failure | None:

@@ -20,6 +20,14 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
     Raises Rejected: NS0442 (status 1) where light counts half or twice; `name` is what the message
     calls the container.
     """
+    if container.machine is not None:
+        raise rejected(
+            "NS0444",
+            f"the shutters of {name} depend on the light: they are not known before it falls",
+            notes=("its pixels look at the light, and close and open by what they find",),
+            helps=("`nscc run` writes how long each pixel was open: `open_slots`",),
+            status=1,
+        )
     found = shutters(container, decoded(container))
     if found is None:
         raise rejected(

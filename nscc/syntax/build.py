@@ -89,8 +89,11 @@ def _among(span: Span, value: tree.Expr, *items: tree.Expr) -> tree.Expr:
 def _state(span: Span, *parts: Any) -> tree.StateRange | tree.StateBit:
     """`kept` stands before the name or at the end."""
     name, *values = [part for part in parts if part is not True]
-    make = tree.StateBit if len(values) == 1 else tree.StateRange
-    return make(span, name, *values, True in parts)
+    kept = len(values) + 1 < len(parts)
+    if len(values) == 1:
+        return tree.StateBit(span, name, values[0], kept)
+    low, high, start = values
+    return tree.StateRange(span, name, low, high, start, kept)
 
 
 def _amount(text: str, span: Span) -> tree.Amount:

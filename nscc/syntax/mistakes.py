@@ -102,7 +102,7 @@ def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
         label=Label(span, "a statement should begin here, or the last one go on"),
         notes=("statements begin with " + ", ".join(words),),
         helps=(f"`{word}` is a statement of version 2: begin the file with `nsl 2`",) * later,
-        fixes=(Fix(f"did you mean `{near}`?", span, near),) if near else (),
+        fixes=(Fix(f"did you mean `{near}`?", span, near, sure=False),) if near else (),
     )
 
 
@@ -233,4 +233,4 @@ def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]
     elif kind == "NAME":
         near = closest(text, (word for word in stuck.expected if _is_word(word)))
         if near is not None:
-            yield Fix(f"did you mean `{near}`?", span, near)
+            yield Fix(f"did you mean `{near}`?", span, near, sure=False)

@@ -165,7 +165,7 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
         if source.text.startswith(("//", "/*"), place.start):
             helps = ("comments begin with `#`",)
     elif word.isalpha() and sorted(word.lower()) == sorted("nsl"):
-        fixes = (Fix("did you mean `nsl`?", place, "nsl"),)
+        fixes = (Fix("did you mean `nsl`?", place, "nsl", sure=False),)
     else:
         fixes = (Fix("begin with `nsl 1`", Span(place.start, place.start), "nsl 1\n"),)
     return Diagnostic(
@@ -194,7 +194,7 @@ def _unknown_version(source: Source, version: tree.Version) -> Diagnostic:
     return Diagnostic(
         "NS0106",
         f"this program is in version {version.number.value} of the language; "
-        f"this nscc reads the versions {', '.join(map(str, VERSIONS))}",
+        f"this nscc reads the versions {' and '.join(map(str, VERSIONS))}",
         source=source,
         label=Label(version.number.span),
         helps=(f"write `nsl {VERSIONS[0]}`, or use the nscc that the program was written for",),

@@ -35,6 +35,11 @@ FORMS = {
     ),
     "open": ("open when EXPR",),
     "bucket": ("bucket NAME open when EXPR",),
+    "pixels": (
+        "pixels FIELD = EXPR",
+        "pixels FIELD = tile [[..], ..]",
+        'pixels from "codes.npz" [sha256 "..."]',
+    ),
     "sense": (
         "sense NAME when light > LEVEL at WHEN",
         "sense NAME when exposure BUCKET > LEVEL at WHEN",
@@ -43,15 +48,10 @@ FORMS = {
     "next": ("next NAME = EXPR [when CONDITION]",),
     "reset": ("reset when EXPR",),
     "read": ("read NAME, ...",),
-    "pixels": (
-        "pixels FIELD = EXPR",
-        "pixels FIELD = tile [[..], ..]",
-        'pixels from "codes.npz" [sha256 "..."]',
-    ),
 }
 """How each statement is written."""
 
-_OPERATORS = {"or", "xor", "and", "COMPARISON", "<<", "+", "-", "*", "/", "%", "if"}
+_OPERATORS = {"or", "xor", "and", "in", "COMPARISON", "<<", "+", "-", "*", "/", "%", "if"}
 _OPERANDS = {"INTEGER", "NAME", "(", "-", "not", "true", "false", "min", "max"}
 _PIECES = {
     "NAME": "a name",

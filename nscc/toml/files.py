@@ -9,6 +9,7 @@ from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
 from nscc.source import Source
 from nscc.toml.schema import Found, Row, Schema
 from nscc.toml.text import LARGEST_FILE, NotToml, parsed, written
@@ -22,6 +23,7 @@ def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
 
     `name` is the file's for messages, by default its path.
     """
+    reads(path)
     try:
         with open(path, "rb") as file:
             return file.read(LARGEST_FILE + 1)

@@ -17,6 +17,8 @@ A text is a list of lines; `;` or `#` begins a comment.
     .code SHUTTER VALUE ..    what a code means: its shutter and its fields' values
     .pixels tile R C          the code of every pixel: a repeated tile, its rows behind bars,
     .pixels plane R C         or all of them, as base64 of 32-bit integers behind bars
+    .machine                  what pixels that look do, and the levels of IN of all launches, as
+                              base64 behind bars: `nscc disasm` writes it
     .source                   the program's text, its lines behind bars
     .note KEY "TEXT"
 """

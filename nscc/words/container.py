@@ -44,7 +44,7 @@ class Readout:
     gain: float = 1.0
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class DecodeTable:
     """What each code means.
 
@@ -59,8 +59,15 @@ class DecodeTable:
     shutter_of_code: NDArray[np.int32]
     shutters: NDArray[np.bool_]
 
+    def __repr__(self) -> str:
+        fields, (shutters, buckets, slots) = ", ".join(self.fields), self.shutters.shape
+        return (
+            f"DecodeTable({len(self.codes)} codes of ({fields}), {shutters} shutters, "
+            f"{buckets} buckets, {slots} slots)"
+        )
 
-@dataclass(frozen=True, eq=False)
+
+@dataclass(frozen=True, eq=False, repr=False)
 class Container:
     """A compiled shutter program (`.icw`).
 
@@ -95,6 +102,22 @@ class Container:
     def slots(self) -> int:
         """Number of slots in the frame."""
         return len(self.slot_us)
+
+    @property
+    def words_stored(self) -> int:
+        """How many words the chip's store holds."""
+        return sum(len(kernel.words) for kernel in self.kernels)
+
+    @property
+    def words_per_frame(self) -> int:
+        """How many words a frame executes."""
+        return sum(len(self.kernels[each.kernel].words) for each in self.launches)
+
+    def __repr__(self) -> str:
+        return (
+            f"Container({len(self.table.codes)} codes, {self.slots} slots, {self.words_stored} "
+            f"words, {self.words_per_frame} a frame, for {self.target.name})"
+        )
 
     @property
     def has_table(self) -> bool:

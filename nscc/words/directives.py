@@ -62,6 +62,13 @@ def _pixels(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
     return draft.pixels
 
 
+def _machine(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
+    if len(tokens) > 1:
+        _wrong(faults, tokens[1], ".machine takes its data below", "write it behind bars: `| text`")
+    draft.machine = _once(draft.machine, tokens, faults)
+    return draft.machine
+
+
 def _note(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
     if len(tokens) != 3:
         _wrong(faults, tokens[0], ".note takes a key and a text", 'write `.note KEY "TEXT"`')
@@ -204,6 +211,7 @@ DIRECTIVES: dict[str, Directive] = {
     ".fields": _names(lambda draft: draft.fields, "names", ".fields start stop"),
     ".shutter": _row(lambda draft: draft.shutters, 2, "contents and slots", _SHUTTER),
     ".code": _row(lambda draft: draft.codes, 1, "a shutter", "`.code 3 16`"),
+    ".machine": _machine,
     ".pixels": _pixels,
 }
 """By name. A directive that takes lines behind bars hands back the block they go to."""

@@ -17,10 +17,12 @@ from numpy.typing import NDArray
 from nscc.operations import Op, Phase
 from nscc.target.load import builtin_names, builtin_target, target_toml
 from nscc.target.target import Target
+from nscc.words import machine_file
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.cost import frame_cost, kernel_cost
 from nscc.words.encoding import matching, word_text
 from nscc.words.legality import pair_kind, target_fault
+from nscc.words.machine import LIGHT
 from nscc.words.text import block_text, name_text, number_text, ranges_text, slots_text
 
 _COMMENT_COLUMN = 40
@@ -39,6 +41,7 @@ def disassemble(container: Container) -> str:
         _schedule(container),
         _readouts(container),
         _table(container),
+        _machine(container),
         _pixels(container),
     )
     return "\n\n".join("\n".join(lines) for lines in map(list, sections) if lines) + "\n"
@@ -185,6 +188,19 @@ def _table(container: Container) -> Iterator[str]:
     yield "; a line a code: its shutter, then its fields"
     for shutter, values in zip(table.shutter_of_code.tolist(), table.codes.tolist(), strict=True):
         yield " ".join([f".code {shutter}", *map(str, values)])
+
+
+def _machine(container: Container) -> Iterator[str]:
+    """What pixels compare, for a reader; then the machine and the levels of IN, as data."""
+    machine, step_e = container.machine, container.target.electrons_per_step
+    if machine is None:
+        return
+    for each in machine.comparisons:
+        signal = "light" if each.signal == LIGHT else f"exposure {container.buckets[each.signal]}"
+        level = f"{each.level} steps of IN, {each.level * step_e:.6g} e"
+        yield f"; at boundary {each.boundary}: {signal} above {level}"
+    yield ".machine"
+    yield from block_text([*machine_file.to_text(container)])
 
 
 def _pixels(container: Container) -> Iterator[str]:

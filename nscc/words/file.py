@@ -31,6 +31,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.target.load import target_dict, target_from_dict
 from nscc.words import machine_file
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
+from nscc.words.machine import Machine, StatePlanes
 from nscc.words.soundness import faults
 
 MAGIC = b"\x89ICW\r\n\x1a\n"
@@ -297,7 +298,8 @@ def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
         kernels.append(Kernel(name, tuple(words[first : first + count])))
         first += count
     fields, meaning = tuple(header["fields"]), ("codes", "shutter_of_code", "shutters")
-    machine, planes = None, {}
+    machine: Machine | None = None
+    planes: dict[str, StatePlanes] = {}
     launches = [(instant, kernel, None) for instant, kernel in arrays["launches"].tolist()]
     if "machine" in header:
         machine, planes = machine_file.machine_from(header["machine"], arrays)

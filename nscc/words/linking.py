@@ -15,9 +15,11 @@ from nscc.diagnostics.suggest import meant
 from nscc.source import Span
 from nscc.target.load import DEFAULT_NAME, load_target, parse_target
 from nscc.target.target import Target
+from nscc.words import machine_file
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.draft import Draft, Faults, Token, shown
 from nscc.words.legality import target_fault
+from nscc.words.machine import Machine, StatePlanes
 from nscc.words.planes import codes_of_planes, read_planes
 from nscc.words.soundness import faults as container_faults
 from nscc.words.text import read_integer, read_slots
@@ -62,6 +64,18 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         if draft.pixels is not None:
             span = draft.pixels.directive.span
             faults.add("NS0715", ".pixels names codes, and there is no .code", span)
+    machine: Machine | None = None
+    state_planes: dict[str, StatePlanes] = {}
+    if draft.machine is not None:
+        text = "".join(line for line, _ in draft.machine.lines)
+        read = machine_file.from_text(text, len(buckets), len(draft.slot_us), len(launches))
+        if read is None:
+            message = "the lines below are no machine of this program"
+            faults.add("NS0714", message, draft.machine.directive.span)
+        else:
+            machine, state_planes, levels = read
+            pairs = zip(launches, levels, strict=True)
+            launches = tuple(replace(launch, level=level) for launch, level in pairs)
     faults.stop()
     container = Container(
         target=target,
@@ -79,6 +93,8 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         readouts=readouts,
         source_lines=tuple(text for text, _ in draft.source.lines) if draft.source else (),
         notes=notes,
+        machine=machine,
+        state_planes=state_planes,
     )
     for wrong in container_faults(container):
         faults.add("NS0707", f"what this text describes makes no sense: {wrong}", _START)

@@ -82,7 +82,7 @@ class Machine:
     @property
     def slots(self) -> int:
         """The slots of a frame."""
-        return self.opens.shape[2]
+        return int(self.opens.shape[2])
 
     @property
     def stages(self) -> int:
@@ -110,7 +110,8 @@ class Machine:
         nodes = np.arange(self.first[1])
         starts = np.array([state.start for state in self.states], np.int64)
         chosen = nodes[(self.values[: self.first[1]] == starts).all(axis=1)]
-        return chosen[np.argsort(self.behaviour[chosen], kind="stable")]
+        order = np.argsort(self.behaviour[chosen], kind="stable")
+        return np.asarray(chosen[order], np.int64)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,8 +1,11 @@
-"""A machine in a container's file: what its header says, and its arrays; and whether it is sound."""
+"""A machine in a container's file: what its header says, its arrays, and whether it is sound."""
 
 from __future__ import annotations
 
+import json
+from base64 import b64decode, b64encode
 from collections.abc import Iterator, Mapping
+from math import prod
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,9 +17,12 @@ if TYPE_CHECKING:
     from nscc.words.container import Container
 
 _STATE = ("name", "low", "high", "start", "kept", "read", "boolean", "sense")
+Read = tuple[Machine, dict[str, StatePlanes], list[int | None]]
+
 NO_LEVEL = -(2**31)
 """Stands for None among the levels of launches."""
 _LARGEST = 2**62
+_WIDTH = 96
 
 
 def header_of(machine: Machine, planes: Mapping[str, StatePlanes]) -> dict[str, Any]:
@@ -34,7 +40,9 @@ def header_of(machine: Machine, planes: Mapping[str, StatePlanes]) -> dict[str, 
     }
 
 
-def layout_of(header: Mapping[str, Any], buckets: int, slots: int) -> list[tuple[str, str, tuple[int, ...]]]:
+def layout_of(
+    header: Mapping[str, Any], buckets: int, slots: int
+) -> list[tuple[str, str, tuple[int, ...]]]:
     """The machine's arrays in their order: name, type and shape; "?" is packed."""
     nodes, states = header["first"][-1], len(header["states"])
     return [
@@ -77,7 +85,10 @@ def _typed(values: Any, kinds: tuple[type, ...]) -> bool:
     return (
         isinstance(values, list)
         and len(values) == len(kinds)
-        and all(type(v) is kind and (kind is not int or _is_whole(v)) for v, kind in zip(values, kinds, strict=True))
+        and all(
+            type(v) is kind and (kind is not int or _is_whole(v))
+            for v, kind in zip(values, kinds, strict=True)
+        )
     )
 
 
@@ -109,6 +120,55 @@ def machine_from(
         for name, registers, values, bits in header["planes"]
     }
     return machine, planes
+
+
+def to_text(container: Container) -> Iterator[str]:
+    """The lines that `.machine` has in assembly text: base64 of the header and the arrays."""
+    machine = container.machine
+    assert machine is not None
+    header = {**header_of(machine, container.state_planes), "levels": _levels(container)}
+    data = json.dumps(header, sort_keys=True, separators=(",", ":")).encode("ascii")
+    buckets, slots = len(container.buckets), container.slots
+    parts = [len(data).to_bytes(4, "little"), data]
+    for name, dtype, _ in layout_of(header, buckets, slots):
+        array = getattr(machine, name)
+        packed = np.packbits(array, axis=None, bitorder="little") if dtype == "?" else array
+        parts.append(packed.astype(packed.dtype.newbyteorder("<")).tobytes())
+    text = b64encode(b"".join(parts)).decode("ascii")
+    for start in range(0, len(text), _WIDTH):
+        yield text[start : start + _WIDTH]
+
+
+def _levels(container: Container) -> list[int | None]:
+    return [launch.level for launch in container.launches]
+
+
+def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None:
+    """The machine, its planes and the launches' levels of `to_text`; None where it is none."""
+    try:
+        data = b64decode(text, validate=True)
+        size = int.from_bytes(data[:4], "little")
+        header = json.loads(data[4 : 4 + size])
+        levels = header.pop("levels")
+        check_header(header)
+        if not isinstance(levels, list) or len(levels) != launches:
+            return None
+        if not all(level is None or _is_whole(level) for level in levels):
+            return None
+        arrays, at = {}, 4 + size
+        for name, dtype, shape in layout_of(header, buckets, slots):
+            items = prod(shape)
+            count = (items + 7) // 8 if dtype == "?" else items * np.dtype(dtype).itemsize
+            raw = np.frombuffer(data, np.uint8, count, at)
+            at += count
+            if dtype == "?":
+                arrays[name] = np.unpackbits(raw, count=items, bitorder="little").view(np.bool_)
+            else:
+                arrays[name] = raw.view(dtype).astype(np.dtype(dtype).newbyteorder("="))
+            arrays[name] = arrays[name].reshape(shape)
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        return None
+    return (*machine_from(header, arrays), levels) if at == len(data) else None
 
 
 def faults(container: Container) -> Iterator[str]:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.suggest import meant
+from nscc.files import reads
 from nscc.npy import npy_header, npy_values
 from nscc.target.target import Target
 from nscc.words.draft import Faults, PlaneDraft, shown
@@ -74,6 +75,7 @@ def _plane(
     try:
         if not path.is_file():
             raise _BadPlaneError("it is no file" if path.exists() else "it does not exist")
+        reads(path)
         with open(path, "rb") as file:
             data = file.read(_LARGEST_FILE + 1)
     except (OSError, ValueError) as error:

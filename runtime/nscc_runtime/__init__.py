@@ -1,7 +1,51 @@
 """Runs compiled shutter programs: scenes, the emulated chip, devices, frame files and pictures.
 
-It executes words, and imports of nscc what words and targets are, never what compiles. `capture`
-goes from arrays to arrays, `simulate` is what `nscc run` does. Most of it needs `nscc[run]`.
+    import nscc, nscc_runtime
+
+    p = nscc.compile("examples/hdr_2x2.nsl")
+    taken = nscc_runtime.capture(p, "builtin:hdr", effects="auto")
+    taken.frame     # uint8 (buckets, rows, cols)
+
+It executes words, and imports of nscc what words and targets are, never what compiles. Most of it
+needs `nscc[run]`. `docs/python.md` shows the whole of it.
 """
 
 from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from nscc.lazy import attribute
+
+if TYPE_CHECKING:
+    from nscc_runtime.captured import Capture
+    from nscc_runtime.exposing import audit, capture, captures, plan, scene
+    from nscc_runtime.light import Light
+    from nscc_runtime.sensor import Sensor, load_sensor
+
+_NAMES = {
+    "captured": ("Capture",),
+    "exposing": ("audit", "capture", "captures", "plan", "scene"),
+    "light": ("Light",),
+    "sensor": ("Sensor", "load_sensor"),
+}
+"""What is public, by its module."""
+
+__all__ = [
+    "Capture",
+    "Light",
+    "Sensor",
+    "audit",
+    "capture",
+    "captures",
+    "load_sensor",
+    "plan",
+    "scene",
+]
+
+
+def __getattr__(name: str) -> Any:
+    return attribute("nscc_runtime", _NAMES, name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

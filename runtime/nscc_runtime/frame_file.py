@@ -9,7 +9,8 @@
     meta          text    JSON, see `meta`
 
 A program whose pixels look at the light has `states_NAME` int64 (rows, cols) for every state that
-it reads, and `open_slots` int64 (buckets, rows, cols), how many slots each pixel was open.
+it reads, `open_slots` int64 (buckets, rows, cols), how many slots each pixel was open, and
+`light_e_per_s` and `light_sd_e_per_s` float64 (buckets, rows, cols), the light that this tells.
 
 K repeats put an axis K in front of these arrays. On request also `light` float32 (N, rows,
 cols); `truth_e`, the all-open sum float64 (rows, cols) of a still or the `light` of a clip;
@@ -24,8 +25,8 @@ from __future__ import annotations
 
 import json
 import zipfile
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import IO, Any
 
 import numpy as np
@@ -34,9 +35,8 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.target.target import Target
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
-from nscc_runtime.effects import Effect, Selection, everything, registered
+from nscc_runtime.effects import Effect, Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving
-from nscc_runtime.effects.registry import marks
 from nscc_runtime.effects.views import Where
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
@@ -59,14 +59,14 @@ class Frame:
     when it was read; 2 register: an analog register held less than was written to it; 4
     converter: the code is the last one; 8 reset level: PIX was full when the level that is
     subtracted was read, so the exposure may be anything down to 0. `told`: what a program that
-    looks has told beside them (`states_NAME`, `open_slots`), by key.
+    looks has told beside them (`states_NAME`, `open_slots`, its light), by key.
     """
 
     frame: NDArray[np.uint8]
     exposure_e: NDArray[np.float64]
     valid: NDArray[np.bool_]
     saturated_by: NDArray[np.uint8]
-    told: Mapping[str, NDArray[np.int64]] = field(default_factory=dict, kw_only=True)
+    told: Mapping[str, NDArray[Any]] = field(default_factory=dict, kw_only=True)
 
     @property
     def saturated(self) -> NDArray[np.bool_]:
@@ -111,7 +111,7 @@ def read_out(
 def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
     """The bits of `saturated_by` that codes tell by themselves: which is the last of the scale."""
     bit = marks()["codes"].bit
-    return np.where(frame == 2**target.adc_bits - 1, np.uint8(bit), np.uint8(0))
+    return np.asarray((frame == 2**target.adc_bits - 1).view(np.uint8) * np.uint8(bit))
 
 
 def converted(
@@ -121,11 +121,10 @@ def converted(
     effects: Selection,
     seeds: tuple[int, int],
     frame: int,
-    told: Mapping[str, NDArray[np.int64]] | None = None,
 ) -> Frame:
     """Frame number `frame` read out with the converter's noise, where `effects` have some.
 
-    `seeds` are those of the frames' noise and of the device; `told` as in Frame.
+    `seeds` are those of the frames' noise and of the device.
     """
     noise: NDArray[np.float64] | float = 0.0
     shape = exposure.exposure_e.shape
@@ -134,7 +133,7 @@ def converted(
     for off in effects.at("converter"):
         drawn = [off(where, bucket) for bucket in range(shape[0])]
         noise = noise + np.stack(drawn).reshape(shape)
-    return replace(read_out(exposure, target, sensor, noise), told=told or {})
+    return read_out(exposure, target, sensor, noise)
 
 
 def check_adc(target: Target) -> None:
@@ -151,12 +150,17 @@ def check_adc(target: Target) -> None:
 
 def stacked(frames: Sequence[Frame]) -> Frame:
     """Several frames of one scene, with an axis in front."""
+    return joined(frames, np.stack)
+
+
+def joined(frames: Sequence[Frame], join: Callable[[list[NDArray[Any]]], NDArray[Any]]) -> Frame:
+    """A frame whose every array `join` makes of those of the frames."""
     return Frame(
-        np.stack([each.frame for each in frames]),
-        np.stack([each.exposure_e for each in frames]),
-        np.stack([each.valid for each in frames]),
-        np.stack([each.saturated_by for each in frames]),
-        told={key: np.stack([each.told[key] for each in frames]) for key in frames[0].told},
+        join([each.frame for each in frames]),
+        join([each.exposure_e for each in frames]),
+        join([each.valid for each in frames]),
+        join([each.saturated_by for each in frames]),
+        told={key: join([each.told[key] for each in frames]) for key in frames[0].told},
     )
 
 
@@ -276,6 +280,7 @@ def meta(
         "adc_offset": sensor.adc_offset_lsb,
         "exposure_scale_e": light.exposure_scale_e if light else None,
         "open_us": open_us(container) if container else None,
+        **({"frame_us": float(sum(container.slot_us))} if container and container.machine else {}),
         "invalid_pixels": int(np.count_nonzero(~frame.valid)),
         "plan": origin.plan,
         "audit": origin.audit,
@@ -284,7 +289,7 @@ def meta(
 
 def open_us(container: Container) -> list[float] | None:
     """For each bucket how long its pixels are open; None where pixels differ."""
-    if container.pixel_codes is None:
+    if container.pixel_codes is None or container.machine is not None:
         return None
     lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])
     times = container.table.shutters[lanes] @ np.array(container.slot_us, np.float64)

@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
-from nscc_runtime.capture import made_ready
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Converter, Leak, SlowWords, Soft, Well, WordGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.frames import made_ready
+from nscc_runtime.planner.program import Program
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
@@ -82,8 +82,8 @@ def _codes_of(program: Program, lanes: NDArray[np.integer]) -> dict[int, Values]
         full = (marked & mark.bit) != 0
         first = np.where(full.any(axis=1), full.argmax(axis=1), len(_LEVELS))
         # In brighter light late shutters read less again: PIX is full before they open.
-        at = np.minimum(first, len(_LEVELS) - 1)[:, None]
-        least = np.take_along_axis(exposure, at, axis=1)[:, 0] - noise_e
+        level = np.minimum(first, len(_LEVELS) - 1)[:, None]
+        least = np.take_along_axis(exposure, level, axis=1)[:, 0] - noise_e
         least = np.where(first < begin + _ALIKE, least, np.inf)
         found[mark.bit] = np.floor(least / sensor.electrons_per_lsb + sensor.adc_offset_lsb)
     return found

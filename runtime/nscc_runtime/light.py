@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 from typing import Any, Literal
 
 import numpy as np
@@ -12,7 +14,7 @@ from numpy.typing import NDArray
 from nscc_runtime.remembered import remembered
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Light:
     """Electrons that each pixel collects in each of N slots, if its shutter is open throughout.
 
@@ -60,6 +62,10 @@ class Light:
         weight = np.full(len(frames), exposure_scale_e, np.float64)
         return cls(frames, starts, starts[:-1].astype(np.int32), weight, "clip", exposure_scale_e)
 
+    def __repr__(self) -> str:
+        rows, cols = self.shape
+        return f"<nscc light: {self.kind}, {self.slots} slots, {rows} x {cols}>"
+
     @property
     def slots(self) -> int:
         """N, the number of slots."""
@@ -89,6 +95,30 @@ class Light:
         """The frame of matrix entry k."""
         frame: NDArray[np.float32] = self.frames[self.frame_index[k]]
         return frame
+
+    def part(self, rows: slice, cols: slice) -> Light:
+        """The light on a rectangle of the pixels."""
+        frames = np.ascontiguousarray(self.frames[:, rows, cols])
+        motion = None if self.motion is None else replace(self.motion, frames=frames)
+        return replace(self, frames=frames, motion=motion)
+
+    def joined(self, starts: Sequence[int]) -> Light:
+        """The same light in fewer slots: slot k has all that falls in the slots starts[k] up to
+        but not including starts[k + 1], N after the last; the first start is 0."""
+        rows, index, weight = [0], [], []
+        for begin, end in pairwise([*starts, self.slots]):
+            part = slice(int(self.row_start[begin]), int(self.row_start[end]))
+            found, place = np.unique(self.frame_index[part], return_inverse=True)
+            index.append(found)
+            weight.append(np.bincount(place, self.weight[part], len(found)))
+            rows.append(rows[-1] + len(found))
+        return replace(
+            self,
+            row_start=np.array(rows, np.int64),
+            frame_index=np.concatenate(index).astype(np.int32),
+            weight=np.concatenate(weight),
+            motion=None if self.motion is None else self.motion.joined(starts),
+        )
 
     def dense(self) -> NDArray[np.float32]:
         """All slots (N, rows, cols)."""

@@ -11,10 +11,12 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.frame_file import Frame
+from nscc_runtime.looked_light import LIGHT, open_us_of
 from nscc_runtime.response import Response
 
 Field = NDArray[np.float64]
@@ -45,9 +47,12 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Rea
     """The buckets of one frame of a container with pixels."""
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
+    if container.machine is not None:
+        return _looked(container, frame, response)
     window = tile_of(container.table.shutter_of_code[container.pixel_codes])
     if max(window) > _LARGEST_TILE:
-        window = (3, 3)
+        rows, cols = container.pixel_codes.shape
+        window = min(3, rows), min(3, cols)
     light_e = response.electrons(frame.frame)
     most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
     return [
@@ -55,6 +60,17 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Rea
             name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], response.open_s[b],
             window,
         )
+        for b, name in enumerate(container.buckets)
+    ]  # fmt: skip
+
+
+def _looked(container: Container, frame: Frame, response: Response) -> list[Readout]:
+    """The same where pixels looked: each knows how long it was open, and asks no neighbour."""
+    open_s = np.maximum(open_us_of(container, frame.told), 0.0) * 1e-6
+    light_e = np.nan_to_num(frame.told[LIGHT]) * open_s
+    most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
+    return [
+        Readout(name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], (1, 1))
         for b, name in enumerate(container.buckets)
     ]  # fmt: skip
 
@@ -75,33 +91,45 @@ def light_estimate(readout: Readout) -> tuple[Field, NDArray[np.bool_]]:
     is.
 
     Summed electrons over summed open time: with shot noise alone, the best estimate that there is.
-    Pixels whose open neighbours are all saturated get the largest value that the frame can tell.
+    Pixels whose open neighbours are all saturated get the most that one of these could have told;
+    where no pixel asks its neighbours, the least that it can have seen itself.
     """
     opened = readout.open_s > 0
     good = opened & ~readout.saturated
-    time = _box(np.where(good, readout.open_s, 0.0), readout.window)
-    known = _box(good, readout.window) > 0.5
-    light_e = _box(np.where(good, readout.light_e, 0.0), readout.window)
+    time = _box(np.where(good, readout.open_s, 0.0), readout)
+    known = _box(good, readout) > 0.5
+    light_e = _box(np.where(good, readout.light_e, 0.0), readout)
     # Noise may take a dark pixel below nothing.
     light = np.divide(np.maximum(light_e, 0.0), time, out=np.zeros(time.shape), where=known)
-    if opened.any():
-        brightest = (readout.most_e[opened] / readout.open_s[opened]).max()
-        blind = ~known & (_box(opened, readout.window) > 0.5)
-        light[blind] = max(float(brightest), float(light.max()))
+    if readout.window == (1, 1):
+        np.divide(readout.light_e, readout.open_s, out=light, where=opened & ~known)
+        known |= opened
+        return light, known
+    blind = ~known & (_box(opened, readout) > 0.5)
+    if blind.any():
+        most = np.divide(readout.most_e, readout.open_s, out=np.zeros(time.shape), where=opened)
+        inside = sliding_window_view(most, readout.window).max(axis=(2, 3))
+        light[blind] = _spread(inside, readout)[blind]
         known |= blind
     return light, known
 
 
-def _box(values: NDArray[Any], window: tuple[int, int]) -> Field:
-    """Sums over the window around every pixel; the picture is continued by its mirror image."""
+def _box(values: NDArray[Any], readout: Readout) -> Field:
+    """Sums over the window around every pixel."""
     total = np.asarray(values, np.float64)
-    for axis, width in enumerate(window):
-        before = width // 2
+    for axis, width in enumerate(readout.window):
         pad = [(0, 0), (0, 0)]
-        pad[axis] = (before + 1, width - 1 - before)
-        sums = np.cumsum(np.pad(total, pad, mode="symmetric"), axis=axis)
-        # The pad's first row only serves the difference of the running sums.
+        pad[axis] = (1, 0)
+        sums = np.cumsum(np.pad(total, pad), axis=axis)
         length = total.shape[axis]
-        ends = np.take(sums, range(width, width + length), axis)
-        total = ends - np.take(sums, range(length), axis)
-    return total
+        ends = np.take(sums, range(width, length + 1), axis)
+        total = ends - np.take(sums, range(length + 1 - width), axis)
+    return _spread(total, readout)
+
+
+def _spread(inside: Field, readout: Readout) -> Field:
+    """What windows within the picture have, at the pixels: those at the edge share the nearest."""
+    for axis, width in enumerate(readout.window):
+        first = np.arange(readout.frame.shape[axis]) - width // 2
+        inside = np.take(inside, np.clip(first, 0, inside.shape[axis] - 1), axis)
+    return inside

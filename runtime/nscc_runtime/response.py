@@ -11,7 +11,7 @@ and both can be taken away again:
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,7 +52,8 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
     """The response of a program with pixels, under `effects` (default: all, as a chip has them).
 
     What words make of light that they compare is not foretold: there `gain` is 1 and `zero_e` 0,
-    as without effects. ValueError for a container without pixels.
+    as without effects, and `open_s` is NaN, for it hangs on the light. ValueError for a container
+    without pixels.
     """
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no response")
@@ -61,9 +62,11 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
     open_s = (container.table.shutters @ slot_s)[lanes].transpose(2, 0, 1)
     effects = everything() if effects is None else effects
     plain = Response(open_s, np.ones(open_s.shape), np.zeros(open_s.shape), sensor)
+    if container.machine is not None:
+        return replace(plain, open_s=np.full(open_s.shape, np.nan))
     if effects.noiseless:
         return plain
-    from nscc_runtime.capture import made_ready
+    from nscc_runtime.planner.frames import made_ready
 
     try:
         program = made_ready(container, sensor)

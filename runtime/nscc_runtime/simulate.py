@@ -1,6 +1,6 @@
 """One run of a program over a scene on the emulated chip: by a plan, or words slot by slot.
 
-`nscc run` is this, with files around it. `nscc_runtime.capture` is the way from arrays to arrays.
+`nscc run` is this with files around it, `nscc_runtime.capture` is it for Python.
 """
 
 from __future__ import annotations
@@ -9,14 +9,14 @@ from collections.abc import Callable, Iterable
 from dataclasses import asdict, dataclass, field
 from hashlib import sha256
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, Literal
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime import frame_file
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, selected
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
@@ -24,28 +24,77 @@ from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
 
 if TYPE_CHECKING:  # a frame without effects starts without the planner
-    from nscc_runtime.plan.audit import Audit
-    from nscc_runtime.plan.plan import Plan
+    from nscc_runtime.planner.audit import Audit
+    from nscc_runtime.planner.plan import Plan
+
+Fidelity = Literal["planned", "reference"]
 
 
 @dataclass(frozen=True)
 class Request:
     """How to expose a scene.
 
-    With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb) by a plan: that of file
-    `plan`, or one made now, whose text is given back if `plan` names a file that does not exist.
-    Otherwise words are executed slot by slot, without effects or with all of `effects` exactly.
-    `audit` compares a plan's frames with that reference. `repeat` frames, or one (None).
+    With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, or electrons) by a plan: the
+    one given, that of a file, or one made now, whose text is given back if `plan` names a file that
+    does not exist. Otherwise words are executed slot by slot, without effects or with all of
+    `effects` exactly. `audit` compares a plan's frames with that reference. `repeat` frames, or one
+    (None). `threads`, by default as many as there are processors, change no bit.
     """
 
     effects: Selection
     planned: bool = True
-    tolerance: str = "5e"
+    tolerance: str | float = "5e"
     audit: bool = False
-    plan: Path | None = None
+    plan: Plan | Path | None = None
     seed: int = 0
     device_seed: int = 0
     repeat: int | None = None
+    threads: int | None = None
+
+    @classmethod
+    def of(
+        cls,
+        *,
+        effects: str | Selection | None = None,
+        tolerance: str | float | None = None,
+        plan: Plan | Path | None = None,
+        audit: bool = False,
+        fidelity: Fidelity = "planned",
+        mark: str = "",
+        **others: Any,
+    ) -> Request:
+        """What a user asks for: no effects, or `auto` where a plan or a promise is wanted.
+
+        `fidelity` "reference" simulates `effects` slot by slot. Raises Rejected: NS0739 (status 2)
+        for options that contradict each other, which messages name with `mark` before them, NS0756
+        for effects that there are not.
+        """
+        given = {"tolerance": tolerance is not None, "audit": audit, "plan": plan is not None}
+        asked = [name for name, is_given in given.items() if is_given]
+        text = effects if effects is not None else "auto" if asked else "none"
+        chosen = selected(text) if isinstance(text, str) else text
+        reference = fidelity == "reference"
+        if reference and (asked or chosen.auto):
+            named = ", ".join(mark + name for name in asked) or f"{mark}effects auto"
+            raise _contradiction(
+                f"{named} with {mark}fidelity reference",
+                "the reference simulates what it is told to, without a plan",
+                f"leave {named} out, or {mark}fidelity reference",
+            )
+        file = plan if isinstance(plan, Path) else None
+        there = file.exists() if file is not None else plan is not None
+        if there and (effects is not None or tolerance is not None):
+            named = mark + ("effects" if effects is not None else "tolerance")
+            which = "a plan" if file is None else f"the plan '{file}'"
+            raise _contradiction(
+                f"{named} with {which}",
+                "a plan that is used has decided on effects and tolerance",
+                f"leave {named} out, or name a file that does not exist to write a new plan",
+            )
+        if tolerance is not None:
+            others["tolerance"] = tolerance
+        planned = not reference and (bool(asked) or not chosen.noiseless)
+        return cls(chosen, planned=planned, plan=plan, audit=audit, **others)
 
 
 @dataclass(frozen=True)
@@ -159,13 +208,13 @@ def _planned(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
     """By a plan: made here, or read from its file."""
-    from nscc_runtime.capture import made_ready, planned_frames
     from nscc_runtime.emulator.capture import check
-    from nscc_runtime.plan.choose import plan_for, predicted_for
-    from nscc_runtime.plan.fused_loop import fused
-    from nscc_runtime.plan.pixel_loop import run_pixels
-    from nscc_runtime.plan.tolerance import tolerance_e
     from nscc_runtime.plan_file import plan_text, read_plan
+    from nscc_runtime.planner.choose import plan_for, predicted_for
+    from nscc_runtime.planner.frames import made_ready, planned_frames
+    from nscc_runtime.planner.fused_loop import fused
+    from nscc_runtime.planner.pixel_loop import run_pixels
+    from nscc_runtime.planner.tolerance import tolerance_e
 
     timings, device_seed = listener.timings, request.device_seed
     tolerance = tolerance_e(request.tolerance, sensor)
@@ -174,22 +223,27 @@ def _planned(
     digest = sha256(to_bytes(container)).hexdigest()
     with timings.part("analyse_s"):
         program = made_ready(container, sensor)
-    given = request.plan is not None and request.plan.exists()
+    file = request.plan if isinstance(request.plan, Path) else None
+    given = file is not None and file.exists()
     with timings.part("plan_s"):
-        if request.plan is not None and given:
-            plan = read_plan(request.plan, digest, sensor)
-            plan = predicted_for(program, light, plan, device_seed)
-        else:
+        if file is not None and given:
+            plan = predicted_for(program, light, read_plan(file, digest, sensor), device_seed)
+        elif request.plan is None or isinstance(request.plan, Path):
             plan = plan_for(program, light, tolerance, request.effects, device_seed)
+        else:
+            assert not isinstance(request.plan, Path)
+            plan = request.plan
     if plan.predicted_e > plan.tolerance_e and (request.effects.auto or given):
         listener.warn(_over(plan, given))
     with timings.part("expose_s"):
-        made = planned_frames(program, light, plan, request.seed, device_seed, request.repeat or 1)
+        made = planned_frames(
+            program, light, plan, request.seed, device_seed, request.repeat or 1, request.threads
+        )
         frame = _gathered(made, request.repeat, listener)
     report, broken = None, None
     if request.audit:
-        from nscc_runtime.plan.audit import audit
-        from nscc_runtime.plan.capture import prepared
+        from nscc_runtime.planner.audit import audit
+        from nscc_runtime.planner.capture import prepared
 
         with timings.part("audit_s"):
             exposed = prepared(program, light, plan, device_seed=device_seed)
@@ -199,7 +253,7 @@ def _planned(
         digest, sensor, request.seed, device_seed, "planned", plan.as_json(),
         None if report is None else asdict(report),
     )  # fmt: skip
-    text = plan_text(plan, digest, sensor) if request.plan is not None and not given else None
+    text = plan_text(plan, digest, sensor) if file is not None and not given else None
     return Simulated(frame, origin, plan.kept, plan, report, text, broken)
 
 
@@ -236,6 +290,12 @@ def _broken(plan: Plan, report: Audit) -> Rejected:
         ),
         data={"measured_rms_e": report.measured_rms_e, "tolerance_e": plan.tolerance_e},
         status=1,
+    )
+
+
+def _contradiction(what: str, note: str, help_text: str) -> Rejected:
+    return rejected(
+        "NS0739", f"{what}: these exclude each other", notes=(note,), helps=(help_text,)
     )
 
 

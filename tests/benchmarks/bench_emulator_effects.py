@@ -34,12 +34,13 @@ import numpy as np
 from nscc.compiler import compile_file
 from nscc.pipeline import Options
 from nscc.words.container import Container
-from nscc_runtime.capture import as_light, capture, made_ready
+from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.plan.choose import plan_for
-from nscc_runtime.plan.plan import Plan
-from nscc_runtime.scenes import load_scene
+from nscc_runtime.planner.choose import plan_for
+from nscc_runtime.planner.frames import made_ready
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.scenes import light_of_array, load_scene
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.tradeoff.study import unknown
 
@@ -108,18 +109,18 @@ def frames(name: str, slots: int, rounds: int) -> None:
     )
     for what, effects, mean_e, goal in cases:
         array = unit * np.float32(mean_e)
-        light = as_light(array, program)
+        light = light_of_array(array, slot_us=program.slot_us, rows=SIDE, cols=SIDE)
         plan = plan_of(program, light, effects)
         random = np.random.default_rng(2)
         runs: dict[str, Callable[[], object]] = {
             "sum": lambda array=array: array.sum(0),
-            "light": lambda light=light, plan=plan: capture(unknown(light), program, plan=plan),
-            "array": lambda array=array, plan=plan: capture(array, program, plan=plan),
+            "light": lambda light=light, plan=plan: capture(program, unknown(light), plan=plan),
+            "array": lambda array=array, plan=plan: capture(program, array, plan=plan),
         }
         if effects != "none":
             runs["numpy"] = lambda array=array, random=random: random.poisson(array).sum(0)
         found = times_ms(runs, rounds)
-        charge_e = float(capture(light, program, effects="none").exposure_e.mean())
+        charge_e = float(capture(program, light, effects="none").exposure_e.mean())
         (total, total_median), (frame, frame_median) = found["sum"], found["light"]
         ratio, checked = frame / total, found["array"][0]
         print(
@@ -146,7 +147,7 @@ def planning(slots: int, rounds: int) -> None:
             plan = plan_of(program, light, "auto", tolerance_e)
 
             def run(count: int, light: Light = light, plan: Plan = plan) -> None:
-                capture(unknown(light), program, plan=plan, repeat=count)
+                capture(program, unknown(light), plan=plan, repeat=count)
 
             def make(light: Light = light, tolerance_e: float = tolerance_e) -> Plan:
                 return plan_of(program, light, "auto", tolerance_e)
@@ -176,12 +177,12 @@ def memory_child(slots: int, effects: str) -> None:
     """Prints by how many bytes a capture's peak is above what the process had before."""
     program = container("4 stops", slots)
     small = container("4 stops", 4)
-    capture(np.ones((4, SIDE, SIDE), np.float32), small, effects=effects)
+    capture(small, np.ones((4, SIDE, SIDE), np.float32), effects=effects)
     before = memory("VmRSS")
     Path("/proc/self/clear_refs").write_text("5")
     light = np.random.default_rng(1).random((slots, SIDE, SIDE), dtype=np.float32)
     light *= np.float32(100)
-    capture(light, program, effects=effects)
+    capture(program, light, effects=effects)
     print(memory("VmHWM") - before)
 
 

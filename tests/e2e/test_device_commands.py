@@ -22,7 +22,7 @@ from nscc_command import Outcome, invoke
 from nscc_runtime.device.firmware import compiler
 
 pytestmark = pytest.mark.xdist_group("firmware")
-ARRAYS = ("frame", "exposure_e", "valid")
+ARRAYS = ("frame", "exposure_e", "valid", "saturated", "saturated_by")
 LOADERS = [
     "python",
     pytest.param(

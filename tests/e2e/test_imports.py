@@ -29,21 +29,25 @@ FLOORS = {
 """From the ground up: each may import those before it."""
 
 ROOMS = (
-    ("columns", "npy", "operations", "requirements", "source", "truth"),
+    ("columns", "html", "npy", "operations", "requirements", "source", "truth", "version"),
+    ("lazy",),
     ("diagnostics", "macros"),
-    ("files", "plugins", "toml"),
+    ("examples", "files", "plugins"),
+    ("toml",),
     ("target",),
     ("logic", "words"),
     ("cache", "prove"),
     ("syntax",),
     ("installation", "program"),
     ("lower",),
+    ("looks",),
     ("checks",),
     ("pipeline",),
     ("emit", "limits"),
     ("tradeoff",),
     ("compiler",),
     ("containers",),
+    ("shutter_program",),
 )
 """The compiler's rooms from the ground up: one may import those of earlier lines."""
 

@@ -126,12 +126,13 @@ def test_samples_move_within_slots_and_integrals_do_not(folder: Path) -> None:
 
 
 def test_samples_with_a_frame_rate_move_across_slots(folder: Path) -> None:
+    from nscc_runtime.scenes.exposure import scale
     from nscc_runtime.scenes.timing import check_fps, overlaps, spread, with_motion
 
     fps, slot_us = check_fps(400.0), (1000.0, 1500.0, 700.0, 2800.0)
     frames = np.array([10.0, 50.0, 20.0], np.float32)[:, None, None]
     parts = overlaps(slot_us, fps)
-    light = spread(frames, parts, parse("100"), "clip")
+    light = spread(frames, parts, lambda open_sum: scale(open_sum, parse("100"), "clip"))
     moving = with_motion(light, parts.seconds, float(fps)).motion
     assert moving is not None
     edges_s = np.concatenate([[0], np.cumsum(slot_us)]) * 1e-6

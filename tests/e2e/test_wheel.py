@@ -59,6 +59,8 @@ def test_wheel_holds_grammar_targets_pages_and_types(elsewhere: Path) -> None:
     assert (site / "nscc/target/tables/scamp5.toml").is_file()
     assert len(list((site / "nscc/diagnostics/pages").glob("NS*.md"))) > 50
     assert (site / "nscc_training/protocol_files/sci8.toml").is_file()
+    for run in ("hdr", "clip"):
+        assert (site / f"nscc_training/shipped_runs/{run}/decoder.safetensors").is_file()
     for name in OWN:
         assert (site / name / "py.typed").is_file()
 
@@ -76,7 +78,8 @@ def test_sdist_is_whole(dist: Path, root: Path) -> None:
 def test_compiles_an_example_and_says_what_running_needs(elsewhere: Path, root: Path) -> None:
     nscc = elsewhere / "venv" / "bin" / "nscc"
     program = elsewhere / "hdr_2x2.nsl"
-    program.write_bytes((root / "examples" / program.name).read_bytes())
+    done([nscc, "examples", "hdr_2x2"], elsewhere)
+    assert program.read_bytes() == (root / "examples" / program.name).read_bytes()
     done([nscc, "build", program.name], elsewhere)
     done([nscc, "prove", "hdr_2x2.icw"], elsewhere)
     done([nscc, "doctor"], elsewhere)
@@ -103,6 +106,7 @@ def test_runs_an_example_with_what_the_extra_names(elsewhere: Path, root: Path) 
     done([*run, "-o", "frame.npz"], elsewhere, links)
     done([*run, "--audit", "-o", "p.npz"], elsewhere, links)
     assert (elsewhere / "frame.npz").stat().st_size > 1000
+    done([*run[:1], "run", "--like", "hdr", *run[3:], "-o", "like.exr"], elsewhere, links)
 
 
 @pytest.mark.slow

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from reference_programs import LOWERINGS, program, sensor_of
 
-from nscc_runtime.capture import capture
+from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
@@ -82,6 +82,6 @@ def test_case_01_a_clip_brought_to_an_exposure(tmp_path: Path) -> None:
 def test_case_01_a_plan(kind: str, effects: str) -> None:
     """In one go over the pixels, and by weighted sums: equal light is not changed by crosstalk."""
     container = program(TEXT, "edges", 1, len(STOPS))
-    found = capture(lights()[kind], container, effects=effects).exposure_e[0, 0]
+    found = capture(container, lights()[kind], effects=effects).exposure_e[0, 0]
     for value, stop in zip(found, STOPS, strict=True):
         assert value == pytest.approx(exact(stop), rel=1e-6)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from reference_programs import LOWERINGS, program, sensor_of
 
-from nscc_runtime.capture import capture
+from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
@@ -55,5 +55,5 @@ def test_case_02_the_reference_and_the_truth() -> None:
 @pytest.mark.parametrize("text", [OPEN, LATE])
 def test_case_02_a_plan(text: str) -> None:
     opened = light().frames[1 if text == LATE else 0 :].astype(np.float64).sum(axis=0)
-    found = capture(light(), program(text, "edges", 1, len(PLACES)), effects="none").exposure_e[0]
+    found = capture(program(text, "edges", 1, len(PLACES)), light(), effects="none").exposure_e[0]
     np.testing.assert_allclose(found, opened, rtol=1e-6)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from reference_programs import BUMPS, program
 
-from nscc_runtime.capture import capture
+from nscc_runtime import capture
 from nscc_runtime.noise import key, normals, poisson, thin
 
 ROWS, COLS = 96, 130
@@ -49,7 +49,7 @@ def test_case_03_threads_change_no_bit_of_a_capture(effects):
     container = program(BUMPS, "edges", 96, 130)
     light = np.random.default_rng(7).exponential(4000, (4, 96, 130)).astype(np.float32)
     first, *others = (
-        capture(light, container, effects=effects, tolerance="0.5e", seed=3, threads=threads)
+        capture(container, light, effects=effects, tolerance="0.5e", seed=3, threads=threads)
         for threads in (1, 2, 3, 8)
     )
     assert len(np.unique(first.exposure_e)) > 5000

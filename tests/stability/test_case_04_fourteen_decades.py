@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from reference_programs import LOWERINGS, program, sensor_of
 
-from nscc_runtime.capture import capture
+from nscc_runtime import capture
 from nscc_runtime.effects import optional, selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out
@@ -73,11 +73,11 @@ def test_case_04_every_effect_stays_finite(effect: str) -> None:
 @pytest.mark.parametrize("lowering", LOWERINGS)
 def test_case_04_a_plan(lowering: str) -> None:
     container = program(TEXT, lowering, ROWS, COLS)
-    plain = capture(light(), container, effects="none")
+    plain = capture(container, light(), effects="none")
     assert plain.valid.all()
     np.testing.assert_allclose(plain.exposure_e[0], truth(), rtol=1e-6)
     # Everything kept, counted, saturated: no warning of numpy, no number that is none.
     with np.errstate(all="raise", under="ignore"):
-        found = capture(light(), container, tolerance="0.5e")
+        found = capture(container, light(), tolerance="0.5e")
     assert found.valid.all()
     assert np.isfinite(found.exposure_e).all()

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from reference_programs import program, sensor_of
 
-from nscc_runtime.capture import capture
+from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose
@@ -53,6 +53,6 @@ def test_case_05_a_plan(a_slot: float) -> None:
     sensor = sensor_of(
         container, leakage_tau_s=SLOT_US * 1e-6 / a_slot, leakage_spread_fraction=0.0
     )
-    found = capture(light, container, sensor, effects="leakage").exposure_e[0, 0, 0]
+    found = capture(container, light, sensor=sensor, effects="leakage").exposure_e[0, 0, 0]
     wanted = Decimal(ELECTRONS) * (-Decimal(a_slot) * (SLOTS - 1)).exp()
     assert found == pytest.approx(float(wanted), rel=1e-6, abs=1e-9)

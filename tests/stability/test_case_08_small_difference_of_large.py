@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from reference_programs import program, sensor_of
 
-from nscc_runtime.capture import capture
+from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
@@ -61,5 +61,5 @@ def test_case_08_the_trap_is_there() -> None:
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])
 def test_case_08_a_plan(rule: str, lowering: str) -> None:
     container = program(TEXT.format(rule), lowering, 2, 3)
-    found = capture(light(LIGHT[rule][1]), container, effects="none").exposure_e[0]
+    found = capture(container, light(LIGHT[rule][1]), effects="none").exposure_e[0]
     np.testing.assert_allclose(found, SMALL, rtol=1e-6)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from reference_programs import exposures, program, sensor_of
 
-from nscc_runtime.capture import capture
+from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.reference import frames
@@ -60,7 +60,7 @@ def test_case_14_a_plan(lowering: str, effects: str) -> None:
     container = program(OPEN, lowering, 3, 7)
     light, sensor = light_near_the_well(), sensor_of(container)
     (by_words,) = frames(container, light, sensor, selected(effects))
-    found = capture(light, container, sensor, effects=effects)
+    found = capture(container, light, sensor=sensor, effects=effects)
     assert found.valid.all()
     assert found.exposure_e.max() <= WELL
     assert np.all(found.frame[0, :, 3:] == by_words.frame[0, :, 3:])

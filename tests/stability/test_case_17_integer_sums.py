@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from reference_programs import LOWERINGS, program
 
+from nscc_runtime import capture
 from nscc_runtime.calibrate import Stack
 from nscc_runtime.calibrate.levels import level_of
-from nscc_runtime.capture import capture
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import load_scene
@@ -79,5 +79,5 @@ def test_case_17_frames_of_a_calibration() -> None:
 @pytest.mark.parametrize("dtype", [np.uint8, np.uint16, np.int64])
 def test_case_17_a_plan_of_integers(dtype: type) -> None:
     values = np.full((SLOTS, 1, 3), 255, dtype)
-    found = capture(values, program(TEXT, "edges", 1, 3), effects="none")
+    found = capture(program(TEXT, "edges", 1, 3), values, effects="none")
     np.testing.assert_array_equal(found.exposure_e, SLOTS * 255)

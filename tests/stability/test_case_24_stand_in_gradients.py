@@ -8,7 +8,7 @@ torch = pytest.importorskip("torch")
 
 from nscc_training.encoders import RELAXATIONS, ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.gradients import opened, rounded, saturated, signed  # noqa: E402
-from nscc_training.sensor_model import SensorModel, capture  # noqa: E402
+from nscc_training.sensor_model import SensorModel, differentiable_capture  # noqa: E402
 
 SPECS = [
     ShutterSpec("b", 64, (8, 8)),
@@ -82,7 +82,7 @@ def test_few_codes_are_dead_at_the_start(spec: ShutterSpec, relaxation: str) -> 
     # a third of the pixels would saturate, were they always open
     light = 45000 * torch.rand(2, spec.slots, 16, 16, generator=generator) / spec.slots * 2
     model = SensorModel(30000.0, 30000.0 / 255, shot_noise=True)
-    frame = capture(light, encoder, model, generator=generator).frame
+    frame = differentiable_capture(light, encoder, model, generator=generator).frame
     (frame / 255).square().sum().backward()
     assert encoder.dead_share() < 0.5
 
@@ -94,6 +94,8 @@ def test_without_the_stand_in_saturation_kills() -> None:
     shares = []
     for slope in (0.0, 0.1):
         encoder.zero_grad()
-        capture(light, encoder, SensorModel(3e4, 3e4 / 255, slope=slope)).frame.sum().backward()
+        differentiable_capture(
+            light, encoder, SensorModel(3e4, 3e4 / 255, slope=slope)
+        ).frame.sum().backward()
         shares.append(encoder.dead_share())
     assert shares == [1.0, 0.0]

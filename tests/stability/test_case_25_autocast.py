@@ -7,7 +7,7 @@ import pytest
 torch = pytest.importorskip("torch")
 
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
-from nscc_training.sensor_model import SensorModel, capture  # noqa: E402
+from nscc_training.sensor_model import SensorModel, differentiable_capture  # noqa: E402
 
 SPECS = [
     ShutterSpec("b", 64, (4, 4)),
@@ -29,7 +29,7 @@ def test_the_same_with_and_without(spec: ShutterSpec, relaxation: str, kind: tor
         generator = torch.Generator().manual_seed(5)
         encoder.zero_grad()
         with torch.autocast("cpu", kind, enabled=enabled):
-            result = capture(light, encoder, model, generator=generator)
+            result = differentiable_capture(light, encoder, model, generator=generator)
             loss = result.frame.double().sum()
         loss.backward()
         found.append((result, [p.grad.clone() for p in encoder.parameters()]))

@@ -8,12 +8,12 @@ from plan_cases import case, moving_light, plan_of
 from reference_programs import exposures, sensor_of
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.capture import capture, captures
+from nscc_runtime import capture, captures
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.plan.plan import Plan
+from nscc_runtime.planner.plan import Plan
 from nscc_runtime.reference import frames
 from nscc_runtime.sensor import Sensor, default_sensor
 
@@ -23,28 +23,30 @@ PROGRAM = case("b edges", 8, rows=ROWS, cols=COLS)
 
 
 def test_arrays_are_clips_or_stills_and_light_is_light() -> None:
-    taken = capture(CLIP, PROGRAM, seed=2, device_seed=3)
+    taken = capture(PROGRAM, CLIP, effects="auto", seed=2, device_seed=3)
     assert taken.frame.shape == taken.exposure_e.shape == taken.valid.shape == (1, ROWS, COLS)
     assert (taken.frame.dtype, taken.exposure_e.dtype) == (np.uint8, np.float64)
-    same = capture(Light.of_clip(CLIP), PROGRAM, seed=2, device_seed=3)
+    same = capture(PROGRAM, Light.of_clip(CLIP), effects="auto", seed=2, device_seed=3)
     assert same.exposure_e.tobytes() == taken.exposure_e.tobytes()
     assert same.frame.tobytes() == taken.frame.tobytes()
     rate = CLIP[0] * 1000.0
-    still = capture(rate, PROGRAM, effects="none")
+    still = capture(PROGRAM, rate, effects="none")
     stops = 1 + (5 * np.arange(COLS) + 3 * np.arange(ROWS)[:, None]) % 8
     np.testing.assert_allclose(still.exposure_e[0], rate * stops * 500e-6, rtol=1e-5)
 
 
 def test_integers_and_float64_are_taken_as_their_values() -> None:
     whole = np.round(CLIP)
-    first = capture(whole.astype(np.float64), PROGRAM)
-    assert capture(whole, PROGRAM).exposure_e.tobytes() == first.exposure_e.tobytes()
+    first = capture(PROGRAM, whole.astype(np.float64), effects="auto")
+    assert (
+        capture(PROGRAM, whole, effects="auto").exposure_e.tobytes() == first.exposure_e.tobytes()
+    )
 
 
 def test_repeats_are_the_references_frames_with_all_effects_forced() -> None:
     sensor = sensor_of(PROGRAM)
     plan = plan_of("all", loop="all")
-    taken = capture(CLIP, PROGRAM, sensor, plan, seed=3, device_seed=5, repeat=3)
+    taken = capture(PROGRAM, CLIP, sensor=sensor, plan=plan, seed=3, device_seed=5, repeat=3)
     assert taken.frame.shape == (3, 1, ROWS, COLS)
     made = frames(PROGRAM, Light.of_clip(CLIP), sensor, selected("all"), seed=3, device_seed=5,
                   count=3)  # fmt: skip
@@ -57,30 +59,33 @@ def test_repeats_are_the_references_frames_with_all_effects_forced() -> None:
 
 def test_the_readout_is_that_of_frame_files() -> None:
     sensor = sensor_of(PROGRAM, adc_noise_lsb=0.0, electrons_per_lsb=25.0, adc_offset_lsb=4.0)
-    taken = capture(CLIP, PROGRAM, sensor, tolerance="1e")
+    taken = capture(PROGRAM, CLIP, sensor=sensor, tolerance="1e")
     expected = read_out(Exposure(taken.exposure_e, taken.valid), PROGRAM.target, sensor)
     assert taken.frame.tobytes() == expected.frame.tobytes()
     assert taken.frame.max() == 255
-    noisy = capture(CLIP, PROGRAM, sensor.changed(adc_noise_lsb=3.0), tolerance="1e")
+    noisy = capture(PROGRAM, CLIP, sensor=sensor.changed(adc_noise_lsb=3.0), tolerance="1e")
     assert noisy.exposure_e.tobytes() == taken.exposure_e.tobytes()
     inside = (taken.frame > 20) & (taken.frame < 235)
     change = noisy.frame[inside].astype(float) - taken.frame[inside]
     assert change.std() == pytest.approx(3.0, rel=0.25)
-    silent = capture(CLIP, PROGRAM, sensor.changed(adc_noise_lsb=3.0), tolerance="1e",
+    silent = capture(PROGRAM, CLIP, sensor=sensor.changed(adc_noise_lsb=3.0), tolerance="1e",
                      effects="auto,-adc_noise")  # fmt: skip
     assert silent.frame.tobytes() == taken.frame.tobytes()
 
 
 def test_seeds_threads_and_plans() -> None:
-    one = capture(CLIP, PROGRAM, seed=1)
+    one = capture(PROGRAM, CLIP, effects="auto", seed=1)
     assert (
-        capture(CLIP, PROGRAM, seed=1, threads=3).exposure_e.tobytes() == one.exposure_e.tobytes()
+        capture(PROGRAM, CLIP, effects="auto", seed=1, threads=3).exposure_e.tobytes()
+        == one.exposure_e.tobytes()
     )
-    assert not np.array_equal(capture(CLIP, PROGRAM, seed=2).exposure_e, one.exposure_e)
-    again = capture(CLIP, PROGRAM, plan=one.plan, seed=1)
+    assert not np.array_equal(
+        capture(PROGRAM, CLIP, effects="auto", seed=2).exposure_e, one.exposure_e
+    )
+    again = capture(PROGRAM, CLIP, plan=one.plan, seed=1)
     assert again.exposure_e.tobytes() == one.exposure_e.tobytes()
     assert again.plan is one.plan
-    other = capture(CLIP, PROGRAM, plan=one.plan, seed=1, device_seed=9)
+    other = capture(PROGRAM, CLIP, plan=one.plan, seed=1, device_seed=9)
     assert not np.array_equal(other.exposure_e, one.exposure_e)
 
 
@@ -88,10 +93,10 @@ def test_tolerances_in_electrons_or_text_and_effects_as_on_the_command_line() ->
     sensor = default_sensor(PROGRAM.target)
     lsb = sensor.electrons_per_lsb
     for given, electrons in (("2e", 2.0), (2, 2.0), (2.5, 2.5), ("0.5lsb", 0.5 * lsb)):
-        assert capture(CLIP, PROGRAM, tolerance=given).plan.tolerance_e == electrons
-    chosen = capture(CLIP, PROGRAM, effects=selected("none,+shot")).plan
+        assert capture(PROGRAM, CLIP, tolerance=given).plan.tolerance_e == electrons
+    chosen = capture(PROGRAM, CLIP, effects=selected("none,+shot")).plan
     assert chosen.kept.on == {"shot", "adc"}
-    assert capture(CLIP, PROGRAM, effects="none,+shot").plan == chosen
+    assert capture(PROGRAM, CLIP, effects="none,+shot").plan == chosen
 
 
 @pytest.mark.parametrize(
@@ -111,14 +116,16 @@ def test_what_is_no_light_no_tolerance_or_no_effect(
     light: np.ndarray, options: dict[str, object], code: str
 ) -> None:
     with pytest.raises(Rejected) as caught:
-        capture(light, PROGRAM, **options)  # type: ignore[arg-type]
+        capture(PROGRAM, light, **{"effects": "auto", **options})  # type: ignore[arg-type]
     assert caught.value.diagnostics[0].code.startswith(code)
 
 
 def test_no_frames_at_all_are_a_mistake() -> None:
     for repeat in (-1, 0):
-        with pytest.raises(ValueError, match=r"^(0|-1) frames"):
-            capture(CLIP, PROGRAM, repeat=repeat)
+        with pytest.raises(
+            ValueError, match=r"repeat is a whole number from 1 to \d+, not (0|-1)$"
+        ):
+            capture(PROGRAM, CLIP, effects="auto", repeat=repeat)
 
 
 def test_words_that_compare_light_are_refused() -> None:
@@ -129,7 +136,7 @@ def test_words_that_compare_light_are_refused() -> None:
     words = [op("where", [], ["PIX"]), op("bus", ["A"], ["PIX"])]
     bad = container_of(target_of((2, 3)), {}, [words], [(0, 0), (1, 0)], 1)
     with pytest.raises(Rejected) as caught:
-        capture(np.ones((1, 2, 3), np.float32), bad)
+        capture(bad, np.ones((1, 2, 3), np.float32), effects="auto")
     assert caught.value.diagnostics[0].code == "NS0442"
 
 
@@ -137,37 +144,37 @@ def test_words_that_compare_light_are_refused() -> None:
 def test_batches_are_single_captures(threads: int) -> None:
     other = case("c accumulate", 8, rows=ROWS, cols=COLS)
     lights = [CLIP, CLIP * 3.0, CLIP[0] * 100.0]
-    same = captures(lights, PROGRAM, threads=threads, seed=4, tolerance="2e")
+    same = captures(PROGRAM, lights, threads=threads, seed=4, tolerance="2e")
     for light, found in zip(lights, same, strict=True):
-        alone = capture(light, PROGRAM, seed=4, tolerance="2e")
+        alone = capture(PROGRAM, light, seed=4, tolerance="2e")
         assert found.exposure_e.tobytes() == alone.exposure_e.tobytes()
         assert found.plan == alone.plan
-    many = captures([CLIP], [PROGRAM, other], threads=threads)
+    many = captures([PROGRAM, other], [CLIP], effects="auto", threads=threads)
     for program, found in zip((PROGRAM, other), many, strict=True):
-        assert found.frame.tobytes() == capture(CLIP, program).frame.tobytes()
-    pairs = captures(lights[:2], [PROGRAM, other], threads=threads)
-    assert pairs[1].frame.tobytes() == capture(lights[1], other).frame.tobytes()
-    one = captures(Light.of_clip(CLIP), [PROGRAM, other], threads=threads)
+        assert found.frame.tobytes() == capture(program, CLIP, effects="auto").frame.tobytes()
+    pairs = captures([PROGRAM, other], lights[:2], effects="auto", threads=threads)
+    assert pairs[1].frame.tobytes() == capture(other, lights[1], effects="auto").frame.tobytes()
+    one = captures([PROGRAM, other], Light.of_clip(CLIP), effects="auto", threads=threads)
     assert one[1].frame.tobytes() == many[1].frame.tobytes()
 
 
 def test_batches_that_do_not_pair_up() -> None:
     with pytest.raises(ValueError, match="2 scenes for 3 programs"):
-        captures([CLIP, CLIP], [PROGRAM] * 3)
-    with pytest.raises(ValueError, match=r"^(0|-1) frames"):
-        captures([CLIP], PROGRAM, repeat=0)
+        captures([PROGRAM] * 3, [CLIP, CLIP], effects="auto")
+    with pytest.raises(ValueError, match=r"repeat is a whole number from 1 to \d+, not (0|-1)$"):
+        captures(PROGRAM, [CLIP], effects="auto", repeat=0)
 
 
 def test_one_plan_for_a_batch() -> None:
-    plan = capture(CLIP, PROGRAM).plan
-    found = captures([CLIP, CLIP * 2], PROGRAM, plan=plan)
+    plan = capture(PROGRAM, CLIP, effects="auto").plan
+    found = captures(PROGRAM, [CLIP, CLIP * 2], plan=plan)
     assert all(each.plan is plan for each in found)
 
 
 def test_a_frame_is_near_the_reference_to_its_tolerance() -> None:
     sensor: Sensor = default_sensor(PROGRAM.target)
     full = exposures(PROGRAM, Light.of_clip(CLIP), sensor, "all", 40)
-    taken = capture(CLIP, PROGRAM, tolerance="5e", seed=3, device_seed=5, repeat=40)
+    taken = capture(PROGRAM, CLIP, tolerance="5e", seed=3, device_seed=5, repeat=40)
     err = float(np.sqrt(((taken.exposure_e - full) ** 2).mean()))
     assert err <= 1.1 * 5.0
     assert isinstance(taken.plan, Plan)

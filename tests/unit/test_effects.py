@@ -18,7 +18,9 @@ from nscc_runtime.effects import (
     CannotHave,
     Field,
     InLoop,
+    Mark,
     effects_json,
+    marks,
     named,
     optional,
     register,
@@ -115,6 +117,15 @@ INCOMPLETE = [
     ({"sums": ()}, "`sums` that go with `reference`"),
     ({"sums": (Errors("reads", abs),)}, "`sums` that go with `reference`"),
     ({"cost_ns": -1}, "`cost_ns`, a number"),
+    ({"marks": None}, "`marks` of well, subtracted"),
+    ({"marks": {"light": Mark(16, "tilt")}}, "`marks` of well, subtracted"),
+    ({"marks": {"well": Mark(16, "tilt")}}, "`marks` of well, subtracted"),
+    (
+        {"marks": {"well": Mark(16, "tilt")}, "reference": {"well": abs}},
+        "it is that of `full_well`",
+    ),
+    ({"marks": {"well": Mark(2, "tilt")}, "reference": {"well": abs}}, "bits of their own"),
+    ({"marks": {"well": Mark(3, "tilt")}, "reference": {"well": abs}}, "bits of their own"),
 ]
 
 
@@ -132,6 +143,17 @@ def test_what_an_effect_lacks_is_refused_by_name(changes: dict[str, object], tex
     assert text in " ".join((found.message, *found.notes))
     assert str(changes.get("name", "tilt") or "Effect") in found.message
     assert registered() == before
+
+
+def test_what_marks_saturation_is_declared() -> None:
+    """A frame file's bits are a contract."""
+    found = {mark.name: mark.bit for mark in marks().values()}
+    assert found == {"well": 1, "register": 2, "converter": 4, "reset level": 8}
+    least_e = marks()["registers"].least_e
+    # Where a register keeps half of what is added: tanh' = 1/2.
+    x = np.arccosh(np.sqrt(2.0))
+    assert least_e(SENSOR) == pytest.approx(3000 * (x - np.tanh(x)))
+    assert least_e(SENSOR.changed(register_knee_fraction=1.0)) == 0
 
 
 def test_what_is_no_effect_is_refused() -> None:

@@ -11,8 +11,8 @@ from nscc_runtime.effects import Effect, registered
 
 ROOT = Path(__file__).resolve().parents[2]
 EMULATOR = (
-    "emulator", "reference", "plan", "sensor", "noise", "tradeoff", "capture.py", "frame_file.py",
-    "nscc_cli",
+    "emulator", "reference", "planner", "sensor", "noise", "tradeoff", "exposing.py",
+    "captured.py", "frame_file.py", "nscc_cli",
 )  # fmt: skip
 """Where the name of an effect is not the name of a scene or of a message."""
 INSIDE = Path(nscc_runtime.effects.__file__).parent

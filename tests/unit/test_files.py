@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import os
+import subprocess
+import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
+from conftest import RunNscc
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.files import refuse_same, write_together, write_whole
+from nscc.files import inputs_kept, reads, refuse_same, write_together, write_whole
 
 
 def test_writes_and_replaces(tmp_path: Path) -> None:
@@ -64,3 +68,55 @@ def test_two_products_in_one_file_are_refused(tmp_path: Path) -> None:
     with pytest.raises(Rejected) as raised:
         refuse_same([Path("a"), Path("a").absolute()], "-o and --png")
     assert [d.code for d in raised.value.diagnostics] == ["NS0745"]
+
+
+def test_never_over_an_input_by_any_name(tmp_path: Path) -> None:
+    source, link = tmp_path / "a.nsl", tmp_path / "b.nsl"
+    source.write_bytes(b"text")
+    link.hardlink_to(source)
+    with inputs_kept():
+        reads(source, tmp_path / "no such file", tmp_path)
+        for product in (source, link, tmp_path / "." / "a.nsl"):
+            with pytest.raises(Rejected) as raised:
+                write_together({tmp_path / "other": b"x", product: b"words"})
+            assert [d.code for d in raised.value.diagnostics] == ["NS0785"]
+        assert source.read_bytes() == b"text"
+        assert not (tmp_path / "other").exists()
+        write_whole(source, b"text")
+    write_whole(source, b"words")
+    assert source.read_bytes() == b"words"
+
+
+def test_commands_keep_what_they_read(tmp_path: Path, run_nscc: RunNscc) -> None:
+    """Also what only their inputs name."""
+    np.savez(tmp_path / "codes.npz", stop=np.ones((256, 256), np.int64))
+    (tmp_path / "a.nsl").write_text(
+        'nsl 1\nframe 4 slots of 1ms\ncode stop : 1..4\nopen when n < stop\n'
+        'pixels from "codes.npz"\n'
+    )  # fmt: skip
+    assert run_nscc(["build", "a.nsl"], tmp_path).status == 0
+    before = {path: path.read_bytes() for path in tmp_path.iterdir()}
+    for line in (
+        "build a.nsl -o a.nsl",
+        "build a.nsl -o codes.npz",
+        "shutters a.nsl -o codes.npz",
+        "disasm a.icw -o a.icw",
+        "run a.nsl --scene builtin:dark -o codes.npz",
+        "run a.nsl --scene builtin:dark -o new.npz --timings a.nsl",
+    ):
+        assert "NS0785" in run_nscc(line.split(), tmp_path).err, line
+    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
+
+
+@pytest.mark.parametrize("name", ["/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"])
+def test_writes_to_what_is_open(tmp_path: Path, name: str) -> None:
+    """A pipe has no path to put a temporary file beside; a file of the shell's is not replaced."""
+    code = "from pathlib import Path; from nscc.files import write_whole; "
+    code += f"write_whole(Path({name!r}), b'words')"
+    command = [sys.executable, "-c", code]
+    assert subprocess.run(command, capture_output=True, check=True).stdout == b"words"
+    with open(tmp_path / "file", "ab") as file:
+        file.write(b"some ")
+        file.flush()
+        subprocess.run(command, stdout=file, check=True)
+    assert (tmp_path / "file").read_bytes() == b"some words"

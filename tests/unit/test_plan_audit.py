@@ -12,12 +12,12 @@ from reference_programs import sensor_of
 
 from nscc.words.container import Container
 from nscc_runtime.light import Light
-from nscc_runtime.plan import audit as module
-from nscc_runtime.plan.audit import audit
-from nscc_runtime.plan.capture import prepared
-from nscc_runtime.plan.choose import plan_for
-from nscc_runtime.plan.plan import Plan
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner import audit as module
+from nscc_runtime.planner.audit import audit
+from nscc_runtime.planner.capture import prepared
+from nscc_runtime.planner.choose import plan_for
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.program import Program
 from nscc_runtime.sensor import Sensor
 
 ROWS, COLS = 64, 80

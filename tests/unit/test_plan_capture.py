@@ -13,9 +13,9 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
 from nscc_runtime.effects import optional
 from nscc_runtime.light import Light
-from nscc_runtime.plan.capture import Planned, prepared
-from nscc_runtime.plan.plan import Plan
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.capture import Planned, prepared
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.program import Program
 from nscc_runtime.sensor import Sensor
 
 ROWS, COLS = 12, 16

@@ -12,7 +12,7 @@ from reference_programs import sensor_of
 from nscc.words.container import Container
 from nscc_runtime.effects import optional, selected
 from nscc_runtime.light import Light
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.program import Program
 from nscc_runtime.reference import expose
 from nscc_runtime.sensor import Sensor
 
@@ -102,6 +102,7 @@ def test_registers_that_lose_their_codes(name: str, retention_us: float) -> None
 def test_light_that_is_sampled_or_spread(frames_s: float | None) -> None:
     """Light whose slots are sums of several frames, with and without motion inside them."""
     from nscc_runtime.scenes import Exposure
+    from nscc_runtime.scenes.exposure import scale
     from nscc_runtime.scenes.timing import check_fps, overlaps, spread, with_motion
 
     container = case("d edges", rows=6, cols=9)
@@ -111,9 +112,8 @@ def test_light_that_is_sampled_or_spread(frames_s: float | None) -> None:
         fps = check_fps(1 / frames_s)
         parts = overlaps(container.slot_us, fps)
         frames = moving_light((3, 6, 9), 500.0).frames
-        light = with_motion(
-            spread(frames, parts, Exposure(4000.0), "clip"), parts.seconds, float(fps)
-        )
+        clip = spread(frames, parts, lambda total: scale(total, Exposure(4000.0), "clip"))
+        light = with_motion(clip, parts.seconds, float(fps))
     for effects in ("all", "motion", "all,-motion"):
         found, full = compared(container, light, sensor_near(container), effects, np.arange(54))
         np.testing.assert_allclose(found, full, rtol=1e-9, atol=1e-7)

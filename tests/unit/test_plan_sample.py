@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from nscc_runtime.plan import sample as module
-from nscc_runtime.plan.sample import sample_of
+from nscc_runtime.planner import sample as module
+from nscc_runtime.planner.sample import sample_of
 
 NONE = np.empty(0, np.int64)
 

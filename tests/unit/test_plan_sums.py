@@ -14,7 +14,7 @@ from nscc_runtime.effects import everything
 from nscc_runtime.effects.leakage import leak_per_s
 from nscc_runtime.effects.parts import Leak
 from nscc_runtime.light import Light
-from nscc_runtime.plan import leak_nodes, sums
+from nscc_runtime.planner import leak_nodes, sums
 from nscc_runtime.sensor import default_sensor
 
 SENSOR = default_sensor(builtin_target("scamp5"))

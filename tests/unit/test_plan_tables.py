@@ -11,9 +11,9 @@ from nscc.words.container import Container
 from nscc_runtime.effects import named, selected
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.light import Light
-from nscc_runtime.plan.program import Program
-from nscc_runtime.plan.reach import reach_of
-from nscc_runtime.plan.tables import Model, Tables
+from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.reach import reach_of
+from nscc_runtime.planner.tables import Model, Tables
 from nscc_runtime.reference import expose
 from nscc_runtime.sensor import Sensor
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from plan_cases import CASES, case
-from reference_programs import sensor_of
+from plan_cases import CASES, WHOLE, case
+from reference_programs import program, sensor_of
 from saturation_oracle import exposures, lost_e
 
 from nscc.words.container import Container
-from nscc_runtime.capture import Capture, capture
+from nscc_runtime import Capture, capture
 from nscc_runtime.device.chip import frame_of
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
@@ -49,7 +49,7 @@ def lit(request: pytest.FixtureRequest) -> tuple[Container, np.ndarray]:
 def taken(container: Container, light: np.ndarray, effects: str) -> Capture:
     # Crosstalk takes light where the oracle, pixel by pixel, sees none.
     sensor = sensor_of(container, crosstalk_fraction=0.0)
-    found = capture(light, container, sensor, effects=effects, seed=2, device_seed=4)
+    found = capture(container, light, sensor=sensor, effects=effects, seed=2, device_seed=4)
     assert found.saturated_by.dtype == np.uint8
     assert np.array_equal(found.saturated, found.saturated_by > 0)
     return found
@@ -103,7 +103,7 @@ def test_of_a_chip_codes_alone_tell_it(lit: tuple[Container, np.ndarray], knee: 
     container, light = lit
     still = np.broadcast_to(light.mean(axis=0), light.shape)
     sensor = sensor_of(container, crosstalk_fraction=0.0, register_knee_fraction=knee)
-    found = capture(still, container, sensor, effects="all", seed=2, device_seed=4)
+    found = capture(container, still, sensor=sensor, effects="all", seed=2, device_seed=4)
     size = found.frame.shape
     told = frame_of(found.frame.tobytes(), 1, size, sensor, container.target, container)
     most = np.where(found.saturated, 0, found.frame).max()
@@ -112,6 +112,19 @@ def test_of_a_chip_codes_alone_tell_it(lit: tuple[Container, np.ndarray], knee: 
     assert (told.saturated & ~found.saturated).mean() < 0.03
     blind = frame_of(found.frame.tobytes(), 1, size, sensor, container.target)
     assert np.array_equal(blind.saturated, found.frame == 255)
+
+
+def test_registers_lose_in_many_small_steps_what_no_single_one_shows() -> None:
+    """Each write beyond the knee bends again what the one before had bent."""
+    container = program(WHOLE.format(slots=256, slot="100us"), "accumulate", *SHAPE)
+    ideal = {"analog_gain": 1.0, "leakage_tau_s": 1e9, "analog_bias_lsb": 0.0}
+    sensor = sensor_of(container, **ideal)
+    for slot_e, full in ((95.0, False), (150.0, True)):
+        light = np.full((256, *SHAPE), slot_e, np.float32)
+        assert (lost_e(container, light, **LIMITS) > MUCH_E).all() == full
+        found = capture(container, light, sensor=sensor, effects="full_well,register,shot")
+        assert np.all(found.saturated_by == (REGISTER if full else 0))
+        assert found.exposure_e.max() < 0.96 * FULL_E
 
 
 @pytest.mark.parametrize("electrons", [1e8, 1e30])
@@ -130,19 +143,17 @@ def test_a_flooded_scene_is_saturated_everywhere(
 
 def test_the_dark_and_what_never_opens_are_not_saturated() -> None:
     text = "nsl 1\nframe 4 slots of 1ms\ncode stop : 0..4\nopen when n < stop\n"
-    from reference_programs import program
-
     container = program(text + "pixels stop = 4 * (x % 2)\n", "edges", *SHAPE)
     flood = np.full((4, *SHAPE), 1e6, np.float32)
     for effects in ("auto", "all"):
-        assert not capture(flood * 0, container, effects=effects).saturated.any()
-        found = capture(flood, container, effects=effects)
+        assert not capture(container, flood * 0, effects=effects).saturated.any()
+        found = capture(container, flood, effects=effects)
         assert found.saturated[..., 1::2].all()
         assert not found.saturated[..., ::2].any()
 
 
 def test_repeats_follow() -> None:
     container = case("b edges", rows=SHAPE[0], cols=SHAPE[1])
-    found = capture(light_for(container), container, effects="all", repeat=3)
+    found = capture(container, light_for(container), effects="all", repeat=3)
     assert found.saturated.shape == found.saturated_by.shape == (3, 1, *SHAPE)
     assert 0 < (found.saturated[0] != found.saturated[1]).sum() < 0.05 * found.saturated[0].size

@@ -14,6 +14,7 @@ import pytest
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
 from nscc.words.container import Container, DecodeTable, packed_shutters
+from nscc.words.shutters import shutters_of
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import (
     FrameFile,
@@ -25,7 +26,6 @@ from nscc_runtime.frame_file import (
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.merge import light_estimate, readouts, tile_of
-from nscc_runtime.pictures.shutters import shutters_of
 from nscc_runtime.response import response_of
 from nscc_runtime.sensor import default_sensor
 

@@ -11,7 +11,7 @@ import pytest
 from syntax_text import bare, codes, nodes, read, statement
 
 from nscc.syntax import tree as t
-from nscc.syntax.words import FORMS, STATEMENT_WORDS
+from nscc.syntax.words import FORMS, statement_words
 
 FORMS_READ: dict[str, tuple[Any, ...]] = {
     "target scamp5": ("TargetByName", ("Name", "scamp5")),
@@ -64,7 +64,7 @@ def test_a_form(text: str) -> None:
 
 
 def test_every_statement_has_forms_to_show() -> None:
-    assert list(FORMS) == list(STATEMENT_WORDS)
+    assert list(FORMS) == list(statement_words(2))
     assert all(form.split()[0] == word for word, forms in FORMS.items() for form in forms)
 
 

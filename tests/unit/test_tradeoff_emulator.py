@@ -16,11 +16,11 @@ from nscc.compiler import compile_source
 from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import builtin_target, target_toml
-from nscc_runtime.capture import capture
+from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.program import Program
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.tradeoff import naive
@@ -133,7 +133,13 @@ def test_errors_are_those_of_the_frames(program: Program) -> None:
     is_found((SUMMED, "none"), rms(exposures - plain), rms(codes - plain_codes))
     for tolerance, asked in zip((2.0, 40.0), first.asked, strict=True):
         taken = capture(
-            light, container, sensor, tolerance=tolerance, seed=5, device_seed=6, repeat=POOLED
+            container,
+            light,
+            sensor=sensor,
+            tolerance=tolerance,
+            seed=5,
+            device_seed=6,
+            repeat=POOLED,
         )
         away_e = rms(taken.exposure_e[:, 0] - exposures)
         is_found((PLANNED, f"{tolerance:g}e"), away_e, rms(taken.frame[:, 0] - codes))

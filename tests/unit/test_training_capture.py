@@ -16,8 +16,9 @@ from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.programs import Chip, compiled, program_of  # noqa: E402
 from nscc_training.sensor_model import (  # noqa: E402
     SensorModel,
-    capture,
+    differentiable_capture,
     exposed,
+    filled,
     laid,
     lifted,
     read_out,
@@ -62,7 +63,7 @@ def test_hard_capture_is_the_emulators(spec: ShutterSpec, still: bool) -> None:
         given = torch.as_tensor(clip)[None]
     exact = expose(container, light)
     frame = emulated_read_out(exact, target, sensor).frame[0]  # type: ignore[arg-type]
-    found = capture(given, encoder.hard(), model)
+    found = differentiable_capture(given, encoder.hard(), model)
     np.testing.assert_allclose(found.exposure_e[0].numpy(), exact.exposure_e[0], rtol=1e-6)
     scaled = exact.exposure_e[0] / model.electrons_per_lsb
     tie = np.abs(scaled - np.floor(scaled) - 0.5) <= 1e-6 * np.maximum(scaled, 1)
@@ -81,7 +82,7 @@ def test_unequal_slots_of_a_still() -> None:
     model, _, _ = sensor_model()
     shutters = torch.tensor([1.0, 0.0, 1.0]).reshape(3, 1, 1)
     share = torch.tensor([0.5, 0.3, 0.2], dtype=torch.float64)
-    found = capture(torch.full((1, 2, 2), 1000.0), shutters, model, slot_share=share)
+    found = differentiable_capture(torch.full((1, 2, 2), 1000.0), shutters, model, slot_share=share)
     assert torch.allclose(found.exposure_e, torch.full((1, 2, 2), 700.0, dtype=torch.float64))
 
 
@@ -94,18 +95,61 @@ def test_saturation_has_a_stand_in_slope() -> None:
     assert exposure.grad.tolist() == [1.0, 1.0, 0.25, 0.25]
 
 
+@pytest.mark.parametrize(
+    ("values", "full_e", "full_code"),
+    [
+        ({}, 30000.0, 255),
+        ({"electrons_per_lsb": 150.0}, 30000.0, 200),
+        ({"electrons_per_lsb": 149.7}, 30000.0, 200),
+        ({"adc_offset_lsb": 128.0}, 127 * 30000 / 255, 127),
+        ({"adc_offset_lsb": 10.0, "electrons_per_lsb": 100.0}, 24500.0, 245),
+    ],
+)
+def test_decoders_see_1_where_a_pixel_is_saturated(
+    values: dict[str, float], full_e: float, full_code: int
+) -> None:
+    """Whatever comes first, the full well or the end of the converter."""
+    model = SensorModel(**{"full_well_e": 30000.0, "electrons_per_lsb": 30000 / 255, **values})
+    assert model.full_e == pytest.approx(full_e)
+    assert model.full_code == full_code
+    exposure = torch.tensor([0.0, 0.5, 0.98, 1.01, 50.0], dtype=torch.float64) * full_e
+    seen = model.relative(read_out(exposure, model) - model.adc_offset_lsb)
+    assert seen[:3].tolist() == pytest.approx([0.0, 0.5, 0.98], abs=0.006)
+    assert (seen[3:] >= 1).all()
+    assert (seen[:3] < 1).all()
+
+
+def test_saturated_pixels_are_at_least_what_steady_light_would_leave() -> None:
+    """Light so bright that PIX is just full when the shutter closes: slot by slot."""
+    shutters = torch.tensor([[1, 1, 0, 0], [0, 0, 1, 0], [0, 1, 0, 1], [0, 0, 0, 0]]).T.float()
+    shutters = shutters.reshape(4, 2, 2)
+    exposed_e = []
+    for opened in shutters.reshape(4, 4).T:
+        last = int(opened.nonzero().max()) + 1 if opened.any() else 1
+        slot_e = 30000.0 / last
+        exposed_e.append(float(sum(slot_e for n in range(last) if opened[n])) / 30000.0)
+    nothing, every = torch.zeros(1, 2, 2), torch.ones(2, 2, dtype=torch.bool)
+    found = filled(nothing, every, shutters).reshape(-1)
+    assert found.tolist() == pytest.approx(exposed_e)
+    assert torch.equal(filled(nothing, ~every, shutters), nothing)
+    bright = torch.full((1, 2, 2), 1.5)
+    assert torch.equal(filled(bright, every, shutters), bright)
+
+
 def test_noise_has_the_variance_of_photons() -> None:
     model = SensorModel(1e9, 1.0, adc_bits=16, shot_noise=True)
     light = torch.full((1, 1, 200, 200), 10000.0)
     shutters = torch.ones(1, 1, 1)
     generator = torch.Generator().manual_seed(3)
-    frame = capture(light, shutters, model, generator=generator).frame
+    frame = differentiable_capture(light, shutters, model, generator=generator).frame
     assert abs(frame.mean().item() - 10000) < 5 * 100 / 200
     # a variance of 40000 numbers is known to 0.7 %
     assert frame.var().item() == pytest.approx(10000, rel=0.035)
-    again = capture(light, shutters, model, generator=torch.Generator().manual_seed(3)).frame
+    again = differentiable_capture(
+        light, shutters, model, generator=torch.Generator().manual_seed(3)
+    ).frame
     assert torch.equal(frame, again)
-    assert capture(light, shutters, model).frame.var() == 0
+    assert differentiable_capture(light, shutters, model).frame.var() == 0
 
 
 def test_a_factor_of_noise_is_of_both_noises() -> None:
@@ -117,15 +161,22 @@ def test_a_factor_of_noise_is_of_both_noises() -> None:
                 1e9, 1.0, adc_bits=16, adc_noise_lsb=readout, shot_noise=shot, noise_factor=factor
             )
             generator = torch.Generator().manual_seed(4)
-            frame = capture(light, torch.ones(1, 1, 1), model, generator=generator).frame.double()
+            frame = differentiable_capture(
+                light, torch.ones(1, 1, 1), model, generator=generator
+            ).frame.double()
             wanted = factor**2 * (400.0 * shot + readout**2) + 1 / 12
             # a variance of 40000 numbers is known to 0.7 %, a mean to a 200th of the spread
             assert frame.var().item() == pytest.approx(wanted, rel=0.03)
             assert abs(frame.mean().item() - 400) < 5 * wanted**0.5 / 200
-            assert capture(light, torch.ones(1, 1, 1), model).frame.var() == 0
+            assert differentiable_capture(light, torch.ones(1, 1, 1), model).frame.var() == 0
             still = model.noiseless()
             generator = torch.Generator().manual_seed(4)
-            assert capture(light, torch.ones(1, 1, 1), still, generator=generator).frame.var() == 0
+            assert (
+                differentiable_capture(
+                    light, torch.ones(1, 1, 1), still, generator=generator
+                ).frame.var()
+                == 0
+            )
 
 
 def test_gradients_of_exposing_and_lifting() -> None:
@@ -176,7 +227,7 @@ def test_other_shapes_are_refused_and_not_broadcast(
 ) -> None:
     weights = None if share is None else torch.ones(share)
     with pytest.raises(ValueError, match=r"light|shutters|slots"):
-        capture(
+        differentiable_capture(
             torch.ones(light),
             torch.ones(shutters),
             SensorModel(30000.0, 30000.0 / 255),

@@ -15,7 +15,7 @@ from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.codes_files import codes_bytes, load_codes, save_codes  # noqa: E402
 from nscc_training.encoders import RELAXATIONS, Encoder, ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.programs import Chip, compiled, legal_codes, program_of  # noqa: E402
-from nscc_training.sensor_model import SensorModel, capture  # noqa: E402
+from nscc_training.sensor_model import SensorModel, differentiable_capture  # noqa: E402
 
 SPECS = [
     ShutterSpec("a", 6, (1, 1)),
@@ -255,7 +255,7 @@ def test_an_edge_moves_towards_the_light() -> None:
     encoder = make_encoder(ShutterSpec("b", 8, (1, 2)), "uniform")
     encoder.load_codes({"stop": np.array([[3, 5]])})
     light = torch.arange(1.0, 9.0).reshape(1, 8, 1, 1).repeat(1, 1, 1, 2)
-    capture(light, encoder, IDEAL).exposure_e.sum().backward()
+    differentiable_capture(light, encoder, IDEAL).exposure_e.sum().backward()
     # at boundary 3 lie slots 2 and 3, with 3 and 4 electrons
     assert encoder.stop.grad.tolist() == [[3.5, 5.5]]
 

@@ -12,7 +12,7 @@ from nscc_training.decoders.declared import Task  # noqa: E402
 from nscc_training.decoders.make import make_decoder  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.losses import LOSSES  # noqa: E402
-from nscc_training.sensor_model import SensorModel, capture  # noqa: E402
+from nscc_training.sensor_model import SensorModel, differentiable_capture  # noqa: E402
 from nscc_training.settings import DataSettings  # noqa: E402
 
 SENSOR = SensorModel(30000.0, 30000.0 / 255)
@@ -44,7 +44,7 @@ def decibels(kind: str, name: str, loss_name: str, steps: int, rate: float) -> f
     decoder = make_decoder(name, "small", Task(kind, spec.slots, spec.tile))
     optimiser = torch.optim.Adam(decoder.parameters(), lr=rate)
     shutters = encoder.hard()
-    frame = capture(batch.light, shutters, SENSOR).frame / SENSOR.top_code
+    frame = differentiable_capture(batch.light, shutters, SENSOR).frame / SENSOR.top_code
     peak = batch.peak.reshape(-1, *([1] * (batch.truth.ndim - 1)))
     curve = mu_law if still else (lambda x: x)
     truth = curve((batch.truth / peak).clamp(0, 1))

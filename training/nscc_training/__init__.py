@@ -1,54 +1,65 @@
 """Learned shutters and decoders: encoders, decoders, baselines, losses, metrics, protocols.
 
+    import nscc_training
+
+    run = nscc_training.load_run("hdr")     # or a folder that `nscc train` made
+    frame = run.capture("builtin:hdr")
+    run.reconstruct(frame)                  # float32 (rows, cols), or of a clip (T, rows, cols)
+
 Everything that touches tensors needs torch (`pip install 'nscc[train]'`), which is imported when it
-is first used. This package imports nscc and nscc_runtime, neither of which knows it.
-
-    from nscc_training import SensorModel, ShutterSpec, capture, make_encoder
-
-    encoder = make_encoder(ShutterSpec("b", 64, (4, 4)), "quad")
-    frame = capture(light, encoder, SensorModel(30000.0, 30000.0 / 255)).frame
-    frame.sum().backward()
+is first used. `docs/python.md` shows the whole of it.
 """
 
 from __future__ import annotations
 
-from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from nscc import __version__
+from nscc.lazy import attribute
 
 if TYPE_CHECKING:
     from nscc_training.codes_files import load_codes, save_codes
     from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
+    from nscc_training.metrics import mu_psnr, psnr, pu21_psnr, ssim, temporal_error
     from nscc_training.programs import Chip, program_of
-    from nscc_training.sensor_model import SensorModel, capture, lifted
+    from nscc_training.run import Run, load_run
+    from nscc_training.sensor_model import SensorModel, differentiable_capture, lifted
 
 _NAMES = {
     "codes_files": ("load_codes", "save_codes"),
     "encoders": ("Encoder", "ShutterSpec", "make_encoder"),
+    "metrics": ("mu_psnr", "psnr", "pu21_psnr", "ssim", "temporal_error"),
     "programs": ("Chip", "program_of"),
-    "sensor_model": ("SensorModel", "capture", "lifted"),
+    "run": ("Run", "load_run"),
+    "sensor_model": ("SensorModel", "differentiable_capture", "lifted"),
 }
 """What is public, by its module."""
 
 __all__ = [
     "Chip",
     "Encoder",
+    "Run",
     "SensorModel",
     "ShutterSpec",
     "__version__",
-    "capture",
+    "differentiable_capture",
     "lifted",
     "load_codes",
+    "load_run",
     "make_encoder",
+    "mu_psnr",
     "program_of",
+    "psnr",
+    "pu21_psnr",
     "save_codes",
+    "ssim",
+    "temporal_error",
 ]
 
 
 def __getattr__(name: str) -> Any:
-    """Import a public name's module when it is first asked for."""
-    for module, names in _NAMES.items():
-        if name in names:
-            return getattr(import_module(f"nscc_training.{module}"), name)
-    raise AttributeError(f"module 'nscc_training' has no attribute '{name}'")
+    return attribute("nscc_training", _NAMES, name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

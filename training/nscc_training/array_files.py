@@ -22,10 +22,10 @@ ARRAYS = (".mat", ".npy", ".npz")
 def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
     """The array of a file: (rows, cols) or (T, rows, cols), real numbers, all finite.
 
-    `.npy`, `.npz` and `.mat` (`key` names one of several; `orig` clips, stored (rows, cols, T),
-    are turned), linear pictures as luminance, grey display pictures as stored. Raises Rejected:
-    NS0801 where the file cannot be read as such, NS0802 for other shapes, NS0804 for values that
-    are not finite.
+    `.npy`, `.npz` and `.mat` (`key` names one of several; `orig` and `video` of .mat files are
+    (rows, cols, T), and are turned), linear pictures as luminance, grey display pictures as stored.
+    Raises Rejected: NS0801 where the file cannot be read as such, NS0802 for other shapes, NS0804
+    for values that are not finite.
     """
     found = _read(path, key)
     if found.dtype.kind not in "uifb":
@@ -81,7 +81,7 @@ def _read_array(path: Path, suffix: str, key: str | None) -> NDArray[Any]:
 
     name = _chosen(path, [str(entry[0]) for entry in whosmat(path)], key)
     found = np.asarray(loadmat(path, variable_names=[name])[name])
-    return np.moveaxis(found, 2, 0) if name == "orig" and found.ndim == 3 else found
+    return np.moveaxis(found, 2, 0) if name in ("orig", "video") and found.ndim == 3 else found
 
 
 def _chosen(path: Path, names: list[str], key: str | None) -> str:

@@ -1,4 +1,7 @@
-"""Functions with a corner or a step, and the gradients that learning uses in their place."""
+"""Functions with a corner or a step, and the gradients that learning uses in their place.
+
+They keep what they need in `setup_context`, as `torch.func` wants it.
+"""
 
 from __future__ import annotations
 
@@ -11,8 +14,12 @@ from torch.autograd import Function
 
 class _Replace(Function):
     @staticmethod
-    def forward(ctx: Any, x: Tensor, value: Tensor) -> Tensor:
+    def forward(x: Tensor, value: Tensor) -> Tensor:
         return value.clone()
+
+    @staticmethod
+    def setup_context(ctx: Any, inputs: tuple[Any, ...], output: Tensor) -> None:
+        """Nothing is kept."""
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None]:
@@ -21,10 +28,13 @@ class _Replace(Function):
 
 class _Step(Function):
     @staticmethod
-    def forward(ctx: Any, x: Tensor, width: float, peaked: bool) -> Tensor:
-        ctx.save_for_backward(x)
-        ctx.width, ctx.peaked = width, peaked
+    def forward(x: Tensor, width: float, peaked: bool) -> Tensor:
         return (x > 0).to(x.dtype)
+
+    @staticmethod
+    def setup_context(ctx: Any, inputs: tuple[Any, ...], output: Tensor) -> None:
+        x, ctx.width, ctx.peaked = inputs
+        ctx.save_for_backward(x)
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None]:
@@ -38,10 +48,13 @@ class _Step(Function):
 
 class _Saturate(Function):
     @staticmethod
-    def forward(ctx: Any, x: Tensor, low: float, high: float, slope: float) -> Tensor:
-        ctx.save_for_backward((x >= low) & (x <= high))
-        ctx.slope = slope
+    def forward(x: Tensor, low: float, high: float, slope: float) -> Tensor:
         return torch.clamp(x, low, high)
+
+    @staticmethod
+    def setup_context(ctx: Any, inputs: tuple[Any, ...], output: Tensor) -> None:
+        x, low, high, ctx.slope = inputs
+        ctx.save_for_backward((x >= low) & (x <= high))
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None, None]:

@@ -1,14 +1,15 @@
-"""From a frame file to a picture or a clip, by a run's decoder or the one for any code."""
+"""From a frame file to a picture or a clip, by a run's decoder."""
 
 from __future__ import annotations
 
-import io
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache, partial
 from hashlib import sha256
 from pathlib import Path
-from typing import Any, Literal
+from time import perf_counter
+from typing import Any
 
 import numpy as np
 import torch
@@ -16,92 +17,203 @@ from numpy.typing import NDArray
 
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
 from nscc.pipeline import LEVELS, Options
 from nscc.source import Source
 from nscc.words.file import to_bytes
+from nscc_runtime.formats import Content
 from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.pieces import COLOURS
 from nscc_runtime.sensor import sensor_sha256
-from nscc_training.any_code.decode import decoded_clip, decoded_still
-from nscc_training.any_code.frames import no_coded_frame, read_coded_frame
 from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
-from nscc_training.sensor_model import laid
+from nscc_training.sensor_model import filled, laid
+
+_BLOCK, _MARGIN = 256, 32
+"""Pixels a side that are decoded at a time of frames larger than an array, and around them those
+that are seen too: more than decoders reach."""
 
 
 @dataclass(frozen=True, eq=False)
 class FrameRead:
-    """What reconstruction needs of a frame file: codes (rows, cols), whether they are saturated,
-    meta, shutters if kept."""
+    """What reconstruction needs of a frame file: codes (colours, rows, cols), one colour or red,
+    green and blue, whether they are saturated, meta, shutters (N, rows, cols) if kept."""
 
     frame: NDArray[np.uint8]
     saturated: NDArray[np.bool_]
     meta: dict[str, Any]
-    shutter: NDArray[np.bool_] | None
+    shutter: NDArray[Any] | None
+
+
+@dataclass(frozen=True, eq=False)
+class Reconstruction:
+    """A picture (rows, cols) in electrons over the frame, or a clip (T, rows, cols) in electrons a
+    slot, float32; with an axis of red, green and blue at the end if `colour`.
+
+    `messages` are doubts about the frame; `decode_s` seconds that the decoder took.
+    """
+
+    light: NDArray[np.float32]
+    still: bool
+    colour: bool
+    messages: tuple[Diagnostic, ...]
+    decode_s: float
+
+    @property
+    def content(self) -> Content:
+        """The reconstruction for every format that it can be written in."""
+        arrays = {"image" if self.still else "video": self.light}
+        # Time is the last axis of clips in MATLAB.
+        turned = arrays if self.still else {"video": np.moveaxis(self.light, 0, -1)}
+        return Content(
+            arrays, self.light, not self.still, self.colour, benchmark=lambda: turned,
+            usual="log" if self.still else "srgb",
+        )  # fmt: skip
 
 
 def reconstruct(
-    run: Path, frame: Path, *, force: bool, trust_code: bool = False
-) -> tuple[bytes, tuple[Diagnostic, ...]]:
-    """The .npz file of the reconstruction, and warnings.
+    run: Path, frame: Path, *, force: bool, dark: Path | None = None, trust_code: bool = False
+) -> Reconstruction:
+    """What a run's decoder makes of a frame file, with warnings.
+
+    `dark` is a frame file of the same program without light, of many repeats: their mean, which
+    offsets of words and charge without light have left, is taken from the frame.
 
     Raises Rejected: what `load_run` raises for the run, NS0819 for a file that is no frame, or one
     of another program or sensor (with `force` that is a warning, unless its size differs).
     """
     folder = load_run(run, trust_code=trust_code)
-    read = read_frame(frame)
+    read, begin = read_frame(frame), perf_counter()
+    offset = None if dark is None else read_dark(dark)
+    light, messages = reconstructed(folder, read, str(frame), force=force, offset=offset)
+    seconds = perf_counter() - begin
+    return Reconstruction(light, folder.parts.still, len(read.frame) > 1, messages, seconds)
+
+
+def reconstructed(
+    folder: RunFolder, read: FrameRead, name: str, *, force: bool,
+    offset: NDArray[np.float64] | None = None,
+) -> tuple[NDArray[np.float32], tuple[Diagnostic, ...]]:  # fmt: skip
+    """The picture or clip of a frame, colours last, and warnings; `name` is what they call the
+    frame, `offset` (rows, cols) what the array reads without light.
+
+    Raises Rejected (NS0819) as `reconstruct`.
+    """
     doubts = [*_program_doubts(folder, read), *_sensor_doubts(folder, read)]
-    messages = tuple(_doubt(frame, text, warning=force) for text in doubts)
+    messages = tuple(_doubt(name, text, warning=force) for text in doubts)
     if messages and not force:
         raise Rejected(messages, status=2)
     size = (folder.parts.target.rows, folder.parts.target.cols)
-    if read.frame.shape != size:
-        raise _run_frame(frame, f"it is of {read.frame.shape} pixels, the run's chip has {size}")
-    made = decoded_frame(folder, read.frame, read.saturated)
-    return _product("image" if folder.parts.still else "video", made), messages
+    if read.frame.shape[1:] != size and "laid" not in read.meta:
+        raise _no_frame(name, f"it is of {read.frame[0].shape} pixels, the run's chip has {size}")
+    if offset is not None and offset.shape != size:
+        raise _no_frame(name, f"without light it is of {offset.shape} pixels, not {size}")
+    made = [
+        decoded_frame(folder, codes if offset is None else undarkened(codes, offset), saturated)
+        for codes, saturated in zip(read.frame, read.saturated, strict=True)
+    ]
+    return np.stack(made, axis=-1) if len(made) > 1 else made[0], messages
 
 
-def reconstruct_any(
-    frame: Path, program: Path | None = None, kind: Literal["image", "video"] | None = None
-) -> bytes:
-    """The .npz file of what the decoder for any code makes of a frame of any program.
+def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
+    """Codes without what the array (rows, cols) reads in the dark; arrays lie side by side."""
+    times = [-(-side // most) for side, most in zip(codes.shape, offset.shape, strict=True)]
+    laid_offset = np.tile(offset, times)[: codes.shape[0], : codes.shape[1]]
+    return np.asarray(codes - laid_offset, np.float32)
 
-    `program` is what exposed it, where the file does not hold its pixels' shutters. As an image or
-    a clip; without `kind` an image where all shutters open with the frame (class b), else a clip.
-    Raises Rejected as `read_coded_frame`.
+
+def read_dark(path: Path) -> NDArray[np.float64]:
+    """The mean code (rows, cols) above the ADC's offset of a frame file without light.
+
+    Rejected (NS0819) for one that is not of one bucket.
     """
-    coded = read_coded_frame(frame, program)
-    if (kind or ("image" if coded.is_still else "video")) == "image":
-        return _product("image", decoded_still(coded.still())[0].numpy())
-    slots = (coded.slot_us / coded.slot_us.mean()).astype(np.float32)
-    return _product("video", decoded_clip(coded.clip())[0].numpy() * slots[:, None, None])
+    file = _frame_arrays(path)
+    codes = file.frame.reshape(-1, *file.frame.shape[-3:])
+    if codes.shape[1] != 1 or 0 in codes.shape:
+        raise _no_frame(path, f"its frames are {codes.shape[1:]}, not of one bucket")
+    return np.asarray(codes.mean(axis=0)[0] - float(file.meta["adc_offset"]))
 
 
-def _product(key: str, made: NDArray[np.float32]) -> bytes:
-    stream = io.BytesIO()
-    # Savez stamps no times: its entries all have the same date.
-    np.savez(stream, **{key: made})  # type: ignore[arg-type]  # numpy types keywords as one kind
-    return stream.getvalue()
+def decoded_frame(
+    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32], saturated: NDArray[np.bool_]
+) -> NDArray[np.float32]:
+    """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes.
+
+    Frames larger than the array are decoded block by block.
+    """
+    rows, cols = frame.shape
+    found: NDArray[np.float32] | None = None
+    array = (folder.parts.target.rows, folder.parts.target.cols)
+    shutters = lru_cache(maxsize=4)(partial(_shutters, folder))
+    for top in range(0, rows, _BLOCK):
+        for left in range(0, cols, _BLOCK):
+            down, across = (
+                slice(max(at - _MARGIN, 0), min(at + _BLOCK + _MARGIN, most))
+                for at, most in ((top, rows), (left, cols))
+            )
+            codes, full = frame[down, across], saturated[down, across]
+            corner = (down.start % array[0], across.start % array[1])
+            made = _decoded(folder, codes, full, shutters(codes.shape, corner))
+            inside = made[..., top - down.start :, left - across.start :][..., :_BLOCK, :_BLOCK]
+            if found is None:
+                found = np.empty((*made.shape[:-2], rows, cols), np.float32)
+            found[..., top : top + _BLOCK, left : left + _BLOCK] = inside
+    assert found is not None  # a frame has pixels
+    return found
 
 
 @torch.no_grad()
-def decoded_frame(
-    folder: RunFolder, frame: NDArray[np.uint8], saturated: NDArray[np.bool_]
-) -> NDArray[np.float32]:
-    """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes."""
+def _decoded(
+    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32],
+    saturated: NDArray[np.bool_], shutters: torch.Tensor,
+) -> NDArray[np.float32]:  # fmt: skip
+    """The same of a block of pixels with these shutters."""
     parts = folder.parts
-    shutters = laid(parts.encoder.hard(), *frame.shape).to(parts.device)
+    shutters = shutters.to(parts.device)
     codes = torch.from_numpy(frame.astype(np.float32)).to(parts.device)
     relative = parts.model.relative(codes - parts.model.adc_offset_lsb)
     # The knee of registers, and light that eats the reset level, make full pixels read less.
-    full = torch.from_numpy(saturated).to(parts.device)
-    relative = torch.where(full, relative.clamp(min=1), relative)
+    full = torch.from_numpy(np.ascontiguousarray(saturated)).to(parts.device)
+    relative = filled(relative, full, shutters)
     found = parts.decoder(relative[None], shutters)[0].float().cpu().numpy()
     slots = 1 if parts.still else parts.slots
     return np.asarray(found * (parts.model.full_e / slots), np.float32)
 
 
+def _shutters(
+    folder: RunFolder, shape: tuple[int, ...], corner: tuple[int, int] = (0, 0)
+) -> torch.Tensor:
+    """The run's shutters (N, rows, cols) at a block of pixels of arrays side by side."""
+    target = folder.parts.target
+    array = laid(folder.parts.encoder.hard(), target.rows, target.cols)
+    rows, cols = (
+        (torch.arange(side) + at) % most
+        for side, at, most in zip(shape, corner, (target.rows, target.cols), strict=True)
+    )
+    return array[:, rows][:, :, cols]
+
+
 def read_frame(path: Path) -> FrameRead:
-    """A frame file of one bucket and one exposure; Rejected (NS0819) for anything else."""
+    """A frame file of one bucket and one exposure, or three in colours; Rejected (NS0819) else."""
+    file = _frame_arrays(path)
+    found, saturated, kept = file.frame, file.saturated, file.shutter
+    if saturated.shape != found.shape or saturated.dtype != np.bool_:
+        raise _no_frame(path, f"`saturated` is {saturated.dtype} {saturated.shape}, no bool of it")
+    if "colours" in file.meta and found.ndim == 4 and found.shape[:2] == (len(COLOURS), 1):
+        return FrameRead(found[:, 0], saturated[:, 0], file.meta, None)
+    if found.ndim != 3 or found.shape[0] != 1 or 0 in found.shape:
+        raise _no_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
+    if kept is not None and kept.shape[:-1] != found.shape:
+        raise _no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
+    shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
+    return FrameRead(found, saturated, file.meta, shutter)
+
+
+def _frame_arrays(path: Path) -> FrameRead:
+    """The arrays of a frame file as they are stored, shutters unpacked; Rejected (NS0819) for
+    another file."""
+    reads(path)
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
             found, meta = file["frame"], json.loads(str(file["meta"]))
@@ -113,23 +225,16 @@ def read_frame(path: Path) -> FrameRead:
                 kept = np.unpackbits(file["shutter"], axis=-1, count=count, bitorder="little")
     except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
         reason = f"{type(error).__name__}: {' '.join(str(error).split())[:150]}"
-        raise _run_frame(path, reason) from error
+        raise _no_frame(path, reason) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA or found.dtype != np.uint8:
-        raise _run_frame(path, f"its schema is not {SCHEMA}")
-    if found.ndim != 3 or found.shape[0] != 1 or 0 in found.shape:
-        raise _run_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
-    if saturated.shape != found.shape or saturated.dtype != np.bool_:
-        raise _run_frame(path, f"`saturated` is {saturated.dtype} {saturated.shape}, no bool of it")
-    if kept is not None and kept.shape[:-1] != found.shape:
-        raise _run_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
-    shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
-    return FrameRead(found[0], saturated[0], meta, shutter)
+        raise _no_frame(path, f"its schema is not {SCHEMA}")
+    return FrameRead(found, saturated, meta, kept)
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     """Reasons to think that the frame was exposed with other shutters."""
-    hard = laid(folder.parts.encoder.hard(), *read.frame.shape).numpy().astype(bool)
     if read.shutter is not None:
+        hard = _shutters(folder, read.frame.shape[1:]).numpy().astype(bool)
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
             yield "it was exposed with other shutters than the run's"
     elif not _is_program(folder, read.meta.get("program_sha256")):
@@ -162,7 +267,7 @@ def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     yield "its sensor has other values than the run's"
 
 
-def _doubt(path: Path, reason: str, *, warning: bool) -> Diagnostic:
+def _doubt(path: Path | str, reason: str, *, warning: bool) -> Diagnostic:
     return Diagnostic(
         "NS0819",
         f"'{path}' is no frame for this run: {reason}",
@@ -173,7 +278,10 @@ def _doubt(path: Path, reason: str, *, warning: bool) -> Diagnostic:
     )
 
 
-def _run_frame(path: Path, reason: str) -> Exception:
-    return no_coded_frame(
-        path, reason, "`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one"
+def _no_frame(path: Path | str, reason: str) -> Exception:
+    return rejected(
+        "NS0819",
+        f"'{path}' is no frame that can be reconstructed",
+        notes=(reason,),
+        helps=("`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",),
     )

@@ -11,12 +11,14 @@ from typing import Any
 import torch
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
 from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
 from nscc_training.import_paths import is_import_path
 from nscc_training.loop.setup import Parts, make_parts
-from nscc_training.problems import said
+from nscc_training.problems import is_out_of_memory, said
 from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE, Chip
+from nscc_training.run_files import run_path
 from nscc_training.settings import Settings
 
 _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
@@ -36,18 +38,21 @@ class RunFolder:
 
 
 def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
-    """The run in a folder. Rejected (NS0818) where there is none, or it did not finish.
+    """The run in a folder, or the one that comes with nscc under that name.
 
-    A run may name Python code of its maker's, `module:name`, as its decoder or loss. To load it
-    imports and runs that code, which only `trust_code` allows; else Rejected (NS0823).
+    Rejected (NS0818) where there is none, or it did not finish. A run may name Python code of its
+    maker's, `module:name`, as its decoder or loss. To load it imports and runs that code, which
+    only `trust_code` allows; else Rejected (NS0823).
     """
     from safetensors.torch import load_file
 
+    path = run_path(path)
     needed = ("config.resolved.toml", "decoder.safetensors", "shutter.nsl", "split.json",
               "result.json")  # fmt: skip
     if not path.is_dir():
         what = "it is a file: the run's folder is named first" if path.is_file() else ""
         raise _no_run(path, what or "there is no such folder")
+    reads(*(path / name for name in (*needed, CODES_FILE)))
     missing = [name for name in needed if not (path / name).is_file()]
     if missing:
         raise _no_run(path, f"it has no {', '.join(missing)}")
@@ -76,6 +81,8 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
         _check_whole(path, result)
         program = (path / "shutter.nsl").read_text(encoding="utf-8")
     except (ValueError, KeyError, TypeError, AttributeError, RuntimeError, OSError) as error:
+        if is_out_of_memory(error):
+            raise
         raise _no_run(path, f"{type(error).__name__}: {said(error, 150)}") from error
     except Exception as error:
         if type(error).__name__ != "SafetensorError":

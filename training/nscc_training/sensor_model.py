@@ -1,4 +1,4 @@
-"""`capture`: from light and shutters to a frame, so that gradients find their way back.
+"""From light and shutters to a frame, so that gradients find their way back.
 
 Light is float32, its sums and everything up to the ADC float64, whatever precision the network
 around has.
@@ -129,7 +129,7 @@ class Captured(NamedTuple):
     frame: Tensor
 
 
-def capture(
+def differentiable_capture(
     light: Tensor,
     codes: Encoder | Tensor,
     sensor: SensorModel,
@@ -155,11 +155,14 @@ def capture(
 def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
     """One scene's frame (rows, cols), codes above the ADC's offset, with the noise of that seed.
 
-    `light` and `tile` as in `capture`, without the batch.
+    `light` and `tile` as in `differentiable_capture`, without the batch.
     """
     given = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
-    return capture(given, tile, sensor, generator=generator).frame[0] - sensor.adc_offset_lsb
+    return (
+        differentiable_capture(given, tile, sensor, generator=generator).frame[0]
+        - sensor.adc_offset_lsb
+    )
 
 
 def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:
@@ -225,6 +228,19 @@ def read_out(
         codes = codes + readout * normal(codes, generator, torch.float32)
     codes = rounded(codes) + sensor.adc_offset_lsb
     return saturated(codes, 0.0, float(sensor.top_code), sensor.slope).float()
+
+
+def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
+    """A frame as decoders see it, whose saturated pixels are at least what full ones would be.
+
+    `frame` (.., rows, cols) as `SensorModel.relative` gives it, `saturated` bool, `shutters` (N,
+    rows, cols). PIX also fills while a shutter is yet to open: of steady light that fills it until
+    the shutter closes for the last time, the frame has the part in which it was open.
+    """
+    slots = torch.arange(1, len(shutters) + 1, device=shutters.device).reshape(-1, 1, 1)
+    opened = shutters > 0.5
+    least = opened.sum(dim=0) / (opened * slots).amax(dim=0).clamp(min=1)
+    return torch.where(saturated, torch.maximum(frame, least.to(frame)), frame)
 
 
 def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:

@@ -52,12 +52,15 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     """The program for the devkit; images are named after `stem`.
 
     Raises Rejected (NS0520) where the devkit cannot run it: another chip's registers or array, no
-    pixel data, no room for the kernels that load the codes.
+    pixel data, pixels that look at the light, no room for the kernels that load the codes.
     """
     program = lowered.program
     fault = target_fault(container.target)
     if fault is not None:
         raise Rejected(_no_cpp(program, f"{container.target.name} {fault}", _OTHER_CHIP))
+    if container.machine is not None:
+        reason = "its pixels compare light with IN, which no call of the devkit known to nscc sets"
+        raise Rejected(_no_cpp(program, reason, "build the .icw container: it holds the words"))
     if container.pixel_codes is None:
         raise Rejected(_no_cpp(program, "without `pixels` no pixel has a code to load", _DATA))
     planes = container.planes()

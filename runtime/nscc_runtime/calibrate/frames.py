@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.scenes.arrays import NPY_HEADERS
 from nscc_runtime.scenes.errors import size
@@ -142,6 +143,7 @@ def _wrong_time(name: str, what: str) -> Rejected:
 
 def _arrays(path: Path) -> dict[str, NDArray[Any]]:
     """Everything in the file that is needed, by key; an .npy file's array is `frame`."""
+    reads(path)
     try:
         if path.suffix.lower() == ".mat":
             from scipy.io import loadmat, whosmat

@@ -108,7 +108,18 @@ def target_digest(target: Target) -> bytes:
 
 
 def upload_of(container: Container, label: bytes) -> Upload:
-    """The objects of a container with pixels (NS0741 without); `label` is 32 bytes."""
+    """The objects of a container with pixels (NS0741 without); `label` is 32 bytes.
+
+    Raises Rejected (NS0765) for a program whose pixels look at the light.
+    """
+    if container.machine is not None:
+        raise rejected(
+            "NS0765",
+            "a program whose pixels look at the light cannot be uploaded: the loader does not set "
+            "IN between kernels, nor send digital registers",
+            helps=("`nscc run` executes its words on the emulator",),
+            status=1,
+        )
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",

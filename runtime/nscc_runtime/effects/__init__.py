@@ -22,8 +22,9 @@ from nscc_runtime.effects.effect import (
     InLoop,
 )
 from nscc_runtime.effects.field import Field
+from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parameters import parameter
-from nscc_runtime.effects.registry import effects_json, optional, register, registered
+from nscc_runtime.effects.registry import effects_json, marks, optional, register, registered
 from nscc_runtime.effects.selection import Selection, everything, named, selected
 
 __all__ = [
@@ -34,9 +35,11 @@ __all__ = [
     "Effect",
     "Field",
     "InLoop",
+    "Mark",
     "Selection",
     "effects_json",
     "everything",
+    "marks",
     "named",
     "optional",
     "parameter",

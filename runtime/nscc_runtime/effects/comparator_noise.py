@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.comparator import NO_LOOK, ONLY_LOOKS
+from nscc_runtime.effects.comparator_offset import NO_LOOK, ONLY_LOOKS
 from nscc_runtime.effects.effect import CannotHave, Effect
 from nscc_runtime.effects.field import Field, Sampled, Values
 from nscc_runtime.effects.full_well import FULL

@@ -68,9 +68,9 @@ class ByParts:
 @dataclass(frozen=True)
 class InLoop:
     """What the loop over the words of single pixels is told of an effect, by the loop's own names
-    (`nscc_runtime.plan.layout`): `switch` turns it on, `numbers` are its figures, `device_key` is
-    that of its stream on the device, `function` what it calls. `cost_ns`: nanoseconds a pixel that
-    leaving it out saves there.
+    (`nscc_runtime.planner.layout`): `switch` turns it on, `numbers` are its figures, `device_key`
+    is that of its stream on the device, `function` what it calls. `cost_ns`: nanoseconds a pixel
+    that leaving it out saves there.
     """
 
     switch: str | None = None
@@ -190,11 +190,13 @@ class Effect:
             found.append("`fused` that is CannotHave, as `sums` is")
         if not isinstance(self.words, InLoop | CannotHave):
             found.append("`words`, InLoop(..) or CannotHave(reason)")
-        found += [
-            f"`marks` of {', '.join(MARKED)} only, each a Mark(..) at a stage of `reference`"
+        if not isinstance(self.marks, Mapping) or not all(
+            at in MARKED and MARKED[at][0] in self.reference and isinstance(mark, Mark)
             for at, mark in self.marks.items()
-            if at not in MARKED or MARKED[at][0] not in self.reference or not isinstance(mark, Mark)
-        ]
+        ):
+            found.append(
+                f"`marks` of {', '.join(MARKED)} only, each a Mark(..) at a stage of `reference`"
+            )
         if not (isinstance(self.cost_ns, int | float) and 0 <= self.cost_ns < math.inf):
             found.append("`cost_ns`, a number from 0 on")
         return found

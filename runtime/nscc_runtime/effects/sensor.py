@@ -6,9 +6,12 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import islice
+
+from nscc import html
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Sensor:
     """The parameters of a sensor by name, all finite and within their ranges.
 
@@ -17,6 +20,14 @@ class Sensor:
     """
 
     values: Mapping[str, float]
+
+    def __repr__(self) -> str:
+        first = ", ".join(f"{name}={value:g}" for name, value in islice(self.values.items(), 4))
+        return f"<nscc sensor: {first}, .. {len(self.values)} numbers>"
+
+    def _repr_html_(self) -> str:
+        rows = [(name, f"{value:g}") for name, value in self.values.items()]
+        return html.card("sensor", f"{len(rows)} numbers", html.table(rows))
 
     def __getattr__(self, name: str) -> float:
         # Copies and pickles ask for attributes of a sensor that has no values yet.

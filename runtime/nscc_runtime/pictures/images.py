@@ -30,10 +30,13 @@ class Image:
     note: str = ""
 
 
-def image_sheet(rows: Sequence[Sequence[Image]], title: str) -> Figure:
-    """Rows of images, magnified alike in a row of images of one size."""
+def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None = None) -> Figure:
+    """Rows of images, magnified alike in a row of images of one size.
+
+    An image has `side` inches a side, by default as many as the width of a page leaves it.
+    """
     columns = max(map(len, rows))
-    side = min(_SIDE, sheet.WIDTH / columns - _GAP)
+    side = side or min(_SIDE, sheet.WIDTH / columns - _GAP)
 
     def lines(text: str) -> list[str]:
         return textwrap.wrap(text, int(side * _LETTERS))

@@ -36,7 +36,7 @@ _CLEAR = 1.5
 """Dots that stay free around a text."""
 _STEP = 3.0
 """Dots between the points by which lines are known."""
-_ON_LINE, _CROSSED, _NEXT, _ASTRAY = 3.0, 1.5, 5.0, 2.0
+_ON_LINE, _CROSSED, _NEXT, _ASTRAY = 6.0, 2.0, 5.0, 2.0
 """Cost, in points of distance: of a line's point below a text or a leader, of a later anchor, of a
 point nearer to another mark than to one's own."""
 
@@ -241,8 +241,7 @@ def _around(points: Points, reach: float) -> Boxes:
 def _overlaps(some: Boxes, others: Boxes) -> NDArray[np.bool_]:
     """Which of (n, 4) overlap which of (m, 4): (n, m)."""
     a, b = some[:, None], others[None]
-    found: NDArray[np.bool_] = (a[..., :2] < b[..., 2:]).all(2) & (b[..., :2] < a[..., 2:]).all(2)
-    return found
+    return np.asarray((a[..., :2] < b[..., 2:]).all(2) & (b[..., :2] < a[..., 2:]).all(2))
 
 
 def _held(boxes: Boxes, points: Points) -> NDArray[np.int64]:

@@ -35,7 +35,7 @@ SIZE = 8.5
 _MARGIN = 0.15
 
 
-def _settings(chosen: Look) -> dict[str, Any]:
+def _settings(chosen: Look) -> dict[Any, Any]:  # matplotlib lists every key as a type
     return {
         "figure.dpi": DPI, "savefig.dpi": "figure", "font.size": SIZE, "text.color": chosen.ink,
         "figure.facecolor": chosen.paper, "axes.facecolor": chosen.paper,

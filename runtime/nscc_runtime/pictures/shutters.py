@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc.words.shutters import Shutters, shutters_of
 from nscc_runtime.merge import tile_of
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.look import look
@@ -32,50 +33,6 @@ _CHART = 2 * _MAP + _BETWEEN
 _ABOVE, _BELOW = 0.36, 1.0
 """Inches for the numbers of the slots, and from the chart to the maps."""
 _BAR = 0.84
-
-
-@dataclass(frozen=True, eq=False)
-class Shutters:
-    """The shutters that a picture shows, in the order in which it shows them.
-
-    `rows` bool (rows, buckets, N); `labels` one a row; `rank` int (shutters of the table,), the
-    place of each in the order, -1 for those that no pixel has.
-    """
-
-    rows: NDArray[np.bool_]
-    labels: tuple[str, ...]
-    rank: NDArray[np.int64]
-
-
-def shutters_of(container: Container) -> Shutters:
-    """The distinct shutters in use (all of a program without pixels), by opening and length."""
-    table = container.table
-    codes = container.pixel_codes
-    used_codes = np.arange(len(table.codes)) if codes is None else np.unique(codes)
-    used = np.unique(table.shutter_of_code[used_codes])
-    patterns = table.shutters[used]
-    slots = patterns.shape[2]
-    union: NDArray[np.bool_] = np.any(patterns, axis=1)
-    first = np.where(np.any(union, axis=1), np.argmax(union, axis=1), slots)
-    order = np.lexsort((used, (patterns[:, 0] @ np.array(container.slot_us)), first))
-    rank = np.full(len(table.shutters), -1, np.int64)
-    rank[used[order]] = np.arange(len(used))
-    codes_by_rank: list[list[int]] = [[] for _ in used]
-    for code in used_codes:
-        codes_by_rank[rank[table.shutter_of_code[code]]].append(int(code))
-    labels = tuple(_label(container, alike) for alike in codes_by_rank)
-    return Shutters(patterns[order], labels, rank)
-
-
-def _label(container: Container, codes: list[int]) -> str:
-    """The first code of a shutter in words, and how many more mean the same."""
-    fields = container.table.fields
-    if not fields:
-        return "all pixels"
-    values = container.table.codes[codes[0]]
-    text = ", ".join(f"{name} {value}" for name, value in zip(fields, values, strict=True))
-    text = text if len(text) <= 30 else text[:29] + "…"
-    return text if len(codes) == 1 else f"{text}  (+{len(codes) - 1})"
 
 
 def shutter_sheet(container: Container, title: str) -> Figure:
@@ -236,7 +193,7 @@ def _draw_map(axes: Axes, drawing: _Map) -> None:
     axes.spines[:].set_visible(False)
     extent = axes.get_window_extent()
     for axis, dots in ((axes.xaxis, extent.width), (axes.yaxis, extent.height)):
-        axis.set_major_locator(MaxNLocator(max(1, int(dots / 55)), integer=True))
+        axis.set_major_locator(MaxNLocator(max(1, int(dots / 55)), integer=True, min_n_ticks=1))
         axis.set_visible(dots > 55)
     if max(rows, cols) <= 2 * _CORNER:
         axes.hlines(np.arange(rows - 1) + 0.5, -0.5, cols - 0.5, colors=look().paper)
@@ -250,5 +207,5 @@ def _draw_map(axes: Axes, drawing: _Map) -> None:
         if size >= 4.5:
             axes.text(
                 col, row, "\n".join(map(str, drawing.codes[row, col])), ha="center", va="center",
-                size=size, color=look().on(to_hex(drawing.colours[row, col])),
+                size=size, color=look().on(to_hex(tuple(drawing.colours[row, col]))),
             )  # fmt: skip

@@ -247,11 +247,7 @@ class _Pixels(Pixels):
         return self.noise[name].draw(number)
 
     def _fall(self, charge: Values) -> None:
-        self.charge = self.charge + charge
-        for effect, held in self.program.effects.acting("well"):
-            given, self.charge = self.charge, held(self, self.charge)
-            if "well" in effect.marks:
-                self.marks.fill(self.charge < given)
+        self.charge = self.marks.fallen(self, self.charge + charge)
 
     def _run(self, word: AnalogWord) -> None:
         here = word.lanes[self.lanes]
@@ -274,13 +270,9 @@ class _Pixels(Pixels):
             value = result
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
-            here_lost = lost
-            for effect, held in self.program.effects.acting("registers"):
-                given, value = value, held(self, value)
-                if "registers" in effect.marks:
-                    here_lost = here_lost + np.abs(given - value)
+            value, lost_here = self.marks.held(self, value, lost)
             self.register[name] = np.where(here, value, self.register[name])
-            self.marks.write(name, here, full, here_lost)
+            self.marks.write(name, here, full, lost_here)
 
     def _source(self, name: str, word: AnalogWord) -> Values:
         if name == "IN":

@@ -1,16 +1,22 @@
 """Programs that look, word by word: every pixel has its own bits, because they hang on its light.
 
-As `nscc_runtime.reference.capture`, slot by slot in float64 with the effects that are on; `where`
-compares what pixels hold, IN is what a launch sets, and what a word does in a pixel is decided by
-the FLAG that the pixel has at that moment. Random numbers are keyed by the word, not by the sum of
-words: no plan has to meet them. A frame starts with arbitrary bits in registers that carry neither
-code nor a kept state.
+As `nscc_runtime.reference.capture`, in float64 with the effects that are on; `where` compares what
+pixels hold, IN is what a launch sets, and what a word does in a pixel is decided by the FLAG that
+the pixel has at that moment. Random numbers are keyed by the word, not by the sum of words: no plan
+has to meet them. A frame starts with arbitrary bits in registers that carry neither code nor a kept
+state.
+
+Between two boundaries with words nothing happens but that charge falls, registers leak and PIX may
+fill: the counts of such slots are drawn as one, which changes no distribution, and the first slot
+after a boundary stays by itself, for its words take a part of it. Without effects every slot is
+added by itself, as the exposure is defined.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 from math import inf
 
 import numpy as np
@@ -20,7 +26,6 @@ from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
-from nscc.words.machine import Machine
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.sensor import Sensor
@@ -29,9 +34,11 @@ from nscc_runtime.emulator.capture import check
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
+from nscc_runtime.looked_light import told_by
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
 from nscc_runtime.reference.charge import Groups, charge_of_rows
+from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.weights import error_sign
 
 Values = NDArray[np.float64]
@@ -74,6 +81,21 @@ class LookingReference:
             raise ValueError("a container without pixels or without a machine")
         object.__setattr__(self, "kernels", decoded(self.container))
 
+    @cached_property
+    def starts(self) -> tuple[int, ...]:
+        """The slots with which the intervals begin that are simulated as one."""
+        slots = self.container.slots
+        if self.effects.noiseless:
+            return tuple(range(slots))
+        at = {launch.instant for launch in self.container.launches}
+        found = {0, slots - 1, *at, *(n + 1 for n in at)}
+        return tuple(sorted(n for n in found if n < slots))
+
+    @cached_property
+    def interval_us(self) -> NDArray[np.float64]:
+        """How long each one lasts."""
+        return np.add.reduceat(np.array(self.container.slot_us, np.float64), self.starts)
+
     def expose(
         self,
         scene: Scene,
@@ -85,18 +107,21 @@ class LookingReference:
         """Frame number `frame`; `before` are the planes that the last one left, None at first."""
         container = self.container
         rows, cols = scene.light.shape
+        light, previous = (each.joined(self.starts) for each in (scene.light, scene.previous))
+        scene = Scene(light, previous, self.interval_us * 1e-6)
         loaded = container.planes()
         kept = {r for name in self._kept() for r in container.state_planes[name].registers}
         if before is not None:
             loaded |= {name: plane for name, plane in before.items() if name in kept}
         told = {r for planes in container.state_planes.values() for r in planes.registers}
         exposure = np.empty((len(container.buckets), rows, cols))
+        saturated_by = np.empty(exposure.shape, np.uint8)
         valid = np.empty((rows, cols), np.bool_)
         planes = {name: np.empty((rows, cols), np.bool_) for name in sorted(told)}
         # Nothing is summed over groups of slots: all slots are one.
         lane = np.zeros((rows, cols), np.intp)
-        groups = Groups(np.zeros((1, container.slots), np.int64), lane)
-        step = max(1, _CELLS // (container.slots * cols))
+        groups = Groups(np.zeros((1, len(self.starts)), np.int64), lane)
+        step = max(1, _CELLS // (len(self.starts) * cols))
         for begin in range(0, rows, step):
             part = range(begin, min(begin + step, rows))
             charge, good = charge_of_rows(
@@ -108,12 +133,14 @@ class LookingReference:
                 sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
                 program=self, code={n: p[chunk].reshape(-1) for n, p in loaded.items()},
             )  # fmt: skip
-            found = pixels.run(charge.reshape(container.slots, -1))
+            found, marked = pixels.run(charge.reshape(len(self.starts), -1))
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
+            saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
             valid[chunk] = good
             for name, plane in planes.items():
                 plane[chunk] = pixels.bits[name].reshape(len(part), cols)
-        return Executed(Exposure(exposure, np.isfinite(exposure) & valid), planes)
+        valid_here = np.isfinite(exposure) & valid
+        return Executed(Exposure(exposure, valid_here, saturated_by), planes)
 
     def _kept(self) -> list[str]:
         machine = self.container.machine
@@ -147,52 +174,11 @@ def _frames(
     for number in range(count):
         executed = reference.expose(scene, *seeds, number, planes)
         planes = executed.planes
-        told = told_by(container, planes, scene.light.shape)
-        yield converted(
-            executed.exposure, container.target, reference.sensor, reference.effects, seeds, number,
-            told,
-        )  # fmt: skip
-
-
-def told_by(
-    container: Container, planes: Mapping[str, Bits], shape: tuple[int, int]
-) -> dict[str, NDArray[np.int64]]:
-    """What a frame file says beside the exposure: `states_NAME` (rows, cols) of the states that are
-    read, `open_slots` (buckets, rows, cols)."""
-    machine = container.machine
-    assert machine is not None
-    assert container.pixel_codes is not None
-    found = {
-        state.name: container.state_planes[state.name].read(planes, shape)
-        for state in machine.states
-        if state.read
-    }
-    behaviour = container.table.shutter_of_code[container.pixel_codes]
-    slots, _ = open_times(machine, behaviour, found)
-    return {**{f"states_{name}": each for name, each in found.items()}, "open_slots": slots}
-
-
-def open_times(
-    machine: Machine, behaviour: NDArray[np.int32], states: Mapping[str, NDArray[np.int64]]
-) -> tuple[NDArray[np.int64], Values]:
-    """How many slots each bucket of a pixel was open, and for how many microseconds, (buckets,
-    rows, cols), from its behaviour and the states that were read; -1 where no pixel ends so."""
-    last = machine.nodes(machine.stages - 1)
-    read = [k for k, state in enumerate(machine.states) if state.read]
-    ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
-    known, first = np.unique(ends, axis=0, return_index=True)
-    numbers = {tuple(row): place for row, place in zip(known.tolist(), first.tolist(), strict=True)}
-    pixels = np.stack([behaviour, *(states[machine.states[k].name] for k in read)], axis=-1)
-    distinct, inverse = np.unique(pixels.reshape(-1, pixels.shape[-1]), axis=0, return_inverse=True)
-    rows = np.array([numbers.get(tuple(row), -1) for row in distinct.tolist()], np.intp)
-    buckets = machine.opens.shape[1]
-    slots = np.full((len(distinct), buckets), -1, np.int64)
-    us = np.full((len(distinct), buckets), -1.0)
-    there = rows >= 0
-    slots[there] = machine.open_slots[last][rows[there]]
-    us[there] = machine.open_us[last][rows[there]]
-    shape = (buckets, *behaviour.shape)
-    return slots[inverse.reshape(-1)].T.reshape(shape), us[inverse.reshape(-1)].T.reshape(shape)
+        frame = converted(
+            executed.exposure, container.target, reference.sensor, reference.effects, seeds, number
+        )
+        told = told_by(container, planes, frame, reference.sensor, reference.effects)
+        yield replace(frame, told=told)
 
 
 @dataclass(eq=False, kw_only=True)
@@ -216,6 +202,7 @@ class _LookingPixels(Pixels):
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
         self.reset_e = np.zeros(len(self.places))
+        self.marks = Marks(self.program.effects, self.sensor, (*names, "IN"), len(self.places))
         bits = (*target.digital_registers, "FLAG")
         self.bits = {
             name: uniforms(key(self.device_seed, START, group=_FIRST_BIT + i), self.places) < 0.5
@@ -237,13 +224,15 @@ class _LookingPixels(Pixels):
         effect = next(each for each in self.program.effects.effects if each.name == name)
         return normals(key(self.seed, effect.stream, 1, self.frame, number), self.places)
 
-    def run(self, charge: Values) -> Values:
-        """The exposures (buckets, pixels) of a frame of `charge` (N, pixels)."""
+    def run(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
+        """The exposures (buckets, pixels) of a frame of `charge` (intervals, pixels), and what cut
+        them off (`nscc_runtime.effects.marks`)."""
         slots, target = self.container.slots, self.target
         launches = iter(self.container.launches)
         launch = next(launches, None)
-        for n in range(slots + 1):
-            slot = min(n, slots - 1)
+        interval_us = self.program.interval_us.tolist()
+        for number, n in enumerate((*self.program.starts, slots)):
+            now = min(number, len(interval_us) - 1)
             self.fallen, self.after_us = 0.0, 0.0
             while launch is not None and launch.instant == n:
                 if launch.level is not None:
@@ -252,15 +241,15 @@ class _LookingPixels(Pixels):
                 for op in self.program.kernels[launch.kernel]:
                     self.after_us += word_us(op, target)
                     if op.analog:
-                        self._until(op, charge[slot], self.container.slot_us[slot], n == slots)
+                        self._until(op, charge[now], interval_us[now], n == slots)
                     self._run(op)
                 launch = next(launches, None)
             if n < slots:
-                self._fall(charge[n] * (1.0 - self.fallen) if self.fallen else charge[n])
+                self._fall(charge[now] * (1.0 - self.fallen) if self.fallen else charge[now])
                 for held in self.at("hold"):
-                    kept = held(self, self.container.slot_us[n] * 1e-6)
+                    kept = held(self, interval_us[now] * 1e-6)
                     self.register = {name: v * kept for name, v in self.register.items()}
-                self.now_us += self.container.slot_us[n]
+                self.now_us += interval_us[now]
         return self._read_out()
 
     def _until(self, op: Op, charge: Values, slot_us: float, at_end: bool) -> None:
@@ -272,9 +261,7 @@ class _LookingPixels(Pixels):
             self.fallen = now
 
     def _fall(self, charge: Values) -> None:
-        self.charge = self.charge + charge
-        for held in self.at("well"):
-            self.charge = held(self, self.charge)
+        self.charge = self.marks.fallen(self, self.charge + charge)
 
     def _run(self, op: Op) -> None:
         match op.operation.effect:
@@ -303,6 +290,7 @@ class _LookingPixels(Pixels):
         if self.target.reset_honours_flag != "no":
             here = self._read("FLAG")
         self.charge = np.where(here, 0.0, self.charge)
+        self.marks.empty(here)
         level = np.zeros(len(self.places))
         for left in self.at("resets"):
             level = left(self, level, word)
@@ -326,13 +314,14 @@ class _LookingPixels(Pixels):
         word = self._running(op)
         here = self._read("FLAG")
         result = self._total(word) / -op.operation.divisor
+        full, lost = self.marks.gathered(op)
         for index, name in enumerate(op.destinations):
             value = result
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
-            for held in self.at("registers"):
-                value = held(self, value)
+            value, lost_here = self.marks.held(self, value, lost)
             self.register[name] = np.where(here, value, self.register[name])
+            self.marks.write(name, here, full, lost_here)
 
     def _compare(self, op: Op) -> None:
         word = self._running(op)
@@ -374,8 +363,9 @@ class _LookingPixels(Pixels):
         self.bits[name] = value
         self.written_us[name] = self.now_us
 
-    def _read_out(self) -> Values:
+    def _read_out(self) -> tuple[Values, NDArray[np.uint8]]:
         exposures = np.empty((len(self.container.buckets), len(self.places)))
+        marked = np.empty(exposures.shape, np.uint8)
         for order, readout in enumerate(self.container.readouts):
             value = self.register[readout.register] * readout.gain
             for held in self.at("hold"):
@@ -384,4 +374,5 @@ class _LookingPixels(Pixels):
             for leaves in self.at("readout"):
                 value = leaves(self, value, bucket)
             exposures[bucket] = value + 0.0  # -0 + 0 is +0
-        return exposures
+            marked[bucket] = self.marks.read_out(readout.register, readout.gain)
+        return exposures, marked

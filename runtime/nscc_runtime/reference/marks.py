@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 from nscc.operations import Op
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Pixels
 
 Full = NDArray[np.uint8]
-Lost = NDArray[np.float64]
+Values = NDArray[np.float64]
 
 ADDED, SUBTRACTED = 1, 2
 
@@ -25,7 +26,7 @@ class Marks:
     def __init__(
         self, effects: Selection, sensor: Sensor, registers: Iterable[str], pixels: int
     ) -> None:
-        self.sensor = sensor
+        self.effects, self.sensor = effects, sensor
         self.mark = {at: effects.marking(at) for at in ("well", "subtracted", "registers")}
         self.full = {name: np.zeros(pixels, np.uint8) for name in registers}
         self.lost = {name: np.zeros(pixels) for name in registers}
@@ -34,18 +35,34 @@ class Marks:
         """PIX is full there."""
         self.full["PIX"] = self.full["PIX"] | full.astype(np.uint8) * np.uint8(ADDED)
 
+    def fallen(self, pixels: Pixels, charge: Values) -> Values:
+        """What PIX holds of its charge: it is full where that is less."""
+        for effect, held in self.effects.acting("well"):
+            given, charge = charge, held(pixels, charge)
+            if "well" in effect.marks:
+                self.fill(charge < given)
+        return charge
+
+    def held(self, pixels: Pixels, value: Values, lost: Values) -> tuple[Values, Values]:
+        """What a register holds of a value with which so much was lost, and what is then."""
+        for effect, held in self.effects.acting("registers"):
+            given, value = value, held(pixels, value)
+            if "registers" in effect.marks:
+                lost = lost + np.abs(given - value)
+        return value, lost
+
     def empty(self, here: NDArray[np.bool_]) -> None:
         """PIX is reset there."""
         self.full["PIX"] = np.where(here, np.uint8(0), self.full["PIX"])
 
-    def gathered(self, op: Op) -> tuple[Full, Lost]:
+    def gathered(self, op: Op) -> tuple[Full, Values]:
         """What the result of a bus word has of its sources'."""
         full, lost = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
         for name in op.sources:
             full, lost = full | self.full[name], lost + self.lost[name]
         return inverted(full), lost / op.operation.divisor
 
-    def write(self, name: str, here: NDArray[np.bool_], full: Full, lost: Lost) -> None:
+    def write(self, name: str, here: NDArray[np.bool_], full: Full, lost: Values) -> None:
         """A register holds that there."""
         self.full[name] = np.where(here, full, self.full[name])
         self.lost[name] = np.where(here, lost, self.lost[name])

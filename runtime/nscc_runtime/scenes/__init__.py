@@ -4,7 +4,20 @@ from __future__ import annotations
 
 from nscc_runtime.scenes.crop import parse_crop
 from nscc_runtime.scenes.exposure import Exposure, parse_exposure
-from nscc_runtime.scenes.load import light_of_array, load_scene
+from nscc_runtime.scenes.fit import FITS, Fit, Layout
+from nscc_runtime.scenes.load import Laid, laid_scene, light_of_array, load_scene
 from nscc_runtime.scenes.scene import Scene
 
-__all__ = ["Exposure", "Scene", "light_of_array", "load_scene", "parse_crop", "parse_exposure"]
+__all__ = [
+    "FITS",
+    "Exposure",
+    "Fit",
+    "Laid",
+    "Layout",
+    "Scene",
+    "laid_scene",
+    "light_of_array",
+    "load_scene",
+    "parse_crop",
+    "parse_exposure",
+]

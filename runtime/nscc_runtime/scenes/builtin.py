@@ -1,4 +1,5 @@
-"""Scenes that need no file: `builtin:hdr`, `builtin:motion`, `builtin:flat:E`, `builtin:dark`."""
+"""Scenes that need no file: `builtin:hdr`, `builtin:motion[:PART]`, `builtin:flat:E`,
+`builtin:dark`."""
 
 from __future__ import annotations
 
@@ -30,14 +31,16 @@ def load_builtin(
     number of electrons over the whole frame, shared out by slot length.
     """
     _, name, *arguments = spec.split(":")
-    if name not in NAMES or bool(arguments) != (name == "flat") or len(arguments) > 1:
+    least, most = {"flat": (1, 1), "motion": (0, 1)}.get(name, (0, 0))
+    if name not in NAMES or not least <= len(arguments) <= most:
         raise _unknown(spec, name)
     seconds = np.array(slot_us, np.float64) * 1e-6
     match name:
         case "motion":
             from nscc_runtime.scenes.builtin_motion import motion
 
-            return motion(slot_us, rows, cols, exposure or BUILTIN, spec)
+            part = _part(spec, arguments[0]) if arguments else 1.0
+            return motion(slot_us, rows, cols, exposure or BUILTIN, spec, part)
         case "hdr":
             from nscc_runtime.scenes.builtin_hdr import landscape
 
@@ -55,6 +58,21 @@ def load_builtin(
         open_sum = frame.astype(np.float64) * float(seconds.sum())
         factor = exposures.scale(open_sum, wanted, spec)
     return Light.of_still(frame, seconds * factor, factor)
+
+
+def _part(spec: str, text: str) -> float:
+    try:
+        part = float(text)
+    except ValueError:
+        part = math.nan
+    if 0.0 <= part <= 1.0:
+        return part
+    raise rejected(
+        "NS0731",
+        f"'{text[:60]}' in '{spec[:80]}' is no part of the clip",
+        notes=("builtin:motion:PART shows the middle PART of it, 0 to 1, so much more slowly",),
+        helps=("for instance builtin:motion:0.2",),
+    )
 
 
 def _electrons(spec: str, text: str) -> float:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import timing
-from nscc_runtime.scenes.exposure import Exposure
+from nscc_runtime.scenes.exposure import Exposure, scale
 from nscc_runtime.scenes.shapes import Field, fractal, hashed, turn
 
 Picture = NDArray[np.float32]
@@ -21,8 +21,12 @@ _FEWEST, _MOST = 64, 256
 """Pictures of the clip: fewer would jump, more would cost a gigabyte for thousands of slots."""
 
 
-def motion(slot_us: Sequence[float], rows: int, cols: int, exposure: Exposure, name: str) -> Light:
+def motion(
+    slot_us: Sequence[float], rows: int, cols: int, exposure: Exposure, name: str, part: float = 1.0
+) -> Light:
     """The clip under the slots of a frame; it lasts exactly as long as the frame.
+
+    Of its way everything goes only the middle `part`, so much more slowly.
 
     It has 64 to 256 pictures: a multiple of the number of slots where that is below 256, so that
     a slot of equal slots holds whole pictures. Slots integrate them piecewise constant.
@@ -31,11 +35,14 @@ def motion(slot_us: Sequence[float], rows: int, cols: int, exposure: Exposure, n
     count = slots * ceil(_FEWEST / slots) if slots <= _MOST else _MOST
     length_us = timing.slot_edges_us(slot_us)[-1]
     parts = timing.overlaps(slot_us, Fraction(count * 1_000_000) / length_us)
-    return timing.spread(frames(count, rows, cols), parts, exposure, name)
+    return timing.spread(
+        frames(count, rows, cols, part), parts, lambda open_sum: scale(open_sum, exposure, name)
+    )
 
 
-def frames(count: int, rows: int, cols: int) -> NDArray[np.float32]:
-    """`count` pictures (count, rows, cols) of the clip, relative luminance up to 8."""
+def frames(count: int, rows: int, cols: int, part: float = 1.0) -> NDArray[np.float32]:
+    """`count` pictures (count, rows, cols) of the middle `part` of the clip, relative luminance up
+    to 8."""
     unit = float(min(rows, cols))
     x = (np.arange(cols, dtype=np.float64) + 0.5 - cols / 2) / unit
     y = (np.arange(rows, dtype=np.float64) + 0.5 - rows / 2) / unit
@@ -44,7 +51,7 @@ def frames(count: int, rows: int, cols: int) -> NDArray[np.float32]:
     half = (cols / 2 / unit, rows / 2 / unit)
     wheel = _Wheel(x, y, 1.0 / unit)
     for k, picture in enumerate(clip):
-        phase = (k + 0.5) / count
+        phase = (1.0 - part) / 2 + part * ((k + 0.5) / count)
         _train(picture, x, y, phase, half, 1.0 / unit)
         wheel.draw(picture, phase)
         _ball(picture, x, y, phase, half, 1.0 / unit)

@@ -1,4 +1,4 @@
-"""Scenes given as moving pictures: .mp4 and .avi through OpenCV, .gif through Pillow."""
+"""Scenes given as moving pictures: .gif through Pillow, the others through OpenCV's FFmpeg."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nscc_runtime.scenes.errors import damaged
 from nscc_runtime.scenes.picture_files import quiet
 
-CLIPS = (".avi", ".gif", ".mp4")
+CLIPS = (".avi", ".gif", ".m4v", ".mkv", ".mov", ".mp4", ".webm")
 
 
 def read_clip(path: Path) -> Iterator[NDArray[Any]]:

@@ -41,3 +41,11 @@ def luminance(rgb: NDArray[np.float64]) -> NDArray[np.float64]:
     """Luminance (rows, cols) of linear colours (rows, cols, 3) in the order red, green, blue."""
     red, green, blue = LUMINANCE
     return red * rgb[..., 0] + green * rgb[..., 1] + blue * rgb[..., 2]
+
+
+def grey(stored: NDArray[Any], transfer: Transfer, channel: int | None) -> NDArray[np.float64]:
+    """The luminance (rows, cols) of a stored picture, or the light of one of its colours."""
+    if stored.ndim == 3 and channel is not None:
+        stored = stored[..., channel]
+    light = linear(np.ascontiguousarray(stored), transfer)
+    return luminance(light) if light.ndim == 3 else light

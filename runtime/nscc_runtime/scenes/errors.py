@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 
 Path_or_name = Path | str
@@ -31,6 +31,18 @@ def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) ->
 def size(shape: Sequence[int]) -> str:
     """`256 x 256` for (256, 256)."""
     return " x ".join(str(n) for n in shape) if len(shape) else "a single number"
+
+
+def clamped(name: str, count: int, total: int, low: float) -> Diagnostic:
+    """The warning (NS0740) that so many pixels of a picture were a little below 0."""
+    return Diagnostic(
+        "NS0740",
+        f"{count} of {total} pixels of '{name}' were negative and are taken as dark",
+        severity=Severity.WARNING,
+        notes=(f"the lowest is {low:.3g}; so little below zero is left by filters, not by light",),
+        helps=("nothing needs to be done; clip the picture at 0 to be rid of this message",),
+        data={"count": count},
+    )
 
 
 _NOT_LIGHT = {"NaN": "not a number (NaN)", "infinite": "too large", "negative": "negative"}

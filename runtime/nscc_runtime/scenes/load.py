@@ -5,27 +5,33 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import partial
+from itertools import islice
 from pathlib import Path
 from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
+from nscc.files import reads
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import arrays, exposure, timing
-from nscc_runtime.scenes.colour import Transfer, linear, luminance
+from nscc_runtime.scenes.colour import Transfer, grey
 from nscc_runtime.scenes.crop import Window
-from nscc_runtime.scenes.errors import refuse_no_light, size
+from nscc_runtime.scenes.errors import clamped, refuse_no_light, size
 from nscc_runtime.scenes.exposure import Exposure
+from nscc_runtime.scenes.fit import Fit, Layout, changes, in_colour, layout, placed
 
 FramesAre = Literal["integrals", "samples"]
 
 ARRAYS = (".mat", ".npy", ".npz")
 _BUILTINS = ("hdr", "motion", "dark")
+_STRIP = 256
+"""Rows of a picture that become light at a time: a large one never exists in double precision and
+in colours."""
 _TINY_NEGATIVE = 1e-3
 """Samples below 0 by at most this part of a picture's peak are filter ringing: set to 0."""
 
@@ -43,8 +49,31 @@ class _Request:
     fps: float | None = None
     crop: tuple[int, int] | None = None
     frames_are: FramesAre = "integrals"
+    fit: Fit = "crop"
+    first: int = 0
+    single: bool = False
+    channel: int | None = None
+    factor: float | None = None
     warn: Callable[[Diagnostic], None] = lambda _: None
     progress: Progress = unseen
+
+    def check_exposure(self) -> None:
+        """NS0737 where nothing says how many electrons the scene amounts to."""
+        if self.factor is None and self.exposure is None:
+            exposure.needed(self.name)
+
+    def scale(self, open_sum: NDArray[np.float64], where: Layout) -> float:
+        """From the scene's own unit to electrons: the factor given, or that of the exposure."""
+        if self.factor is not None:
+            return self.factor
+        assert self.exposure is not None  # checked, or given
+        return exposure.scale(where.cut(open_sum), self.exposure, self.name)
+
+    @property
+    def on_array(self) -> Layout:
+        """Of a scene that is made for the array."""
+        size = (self.window.rows, self.window.cols)
+        return Layout("crop", size, size, size)
 
     @property
     def slots(self) -> int:
@@ -55,7 +84,21 @@ class _Request:
         return np.array(self.slot_us, np.float64) * 1e-6
 
 
-def load_scene(
+def load_scene(spec: str, **settings: Any) -> Light:
+    """The light of a scene that is cropped to one array; `settings` and errors as `laid_scene`."""
+    return laid_scene(spec, **settings).light
+
+
+@dataclass(frozen=True, eq=False)
+class Laid:
+    """Light on as many arrays as `where` says; `colour`: it is of a picture or clip in colour."""
+
+    light: Light
+    where: Layout
+    colour: bool = False
+
+
+def laid_scene(
     spec: str,
     *,
     slot_us: Sequence[float],
@@ -66,14 +109,23 @@ def load_scene(
     fps: float | None = None,
     crop: tuple[int, int] | None = None,
     frames_are: FramesAre = "integrals",
+    fit: Fit = "crop",
+    first: int = 0,
+    single: bool = False,
+    channel: int | None = None,
+    factor: float | None = None,
     warn: Callable[[Diagnostic], None] = lambda _: None,
     progress: Progress = unseen,
-) -> Light:
-    """The light of scene `spec` in slots of `slot_us` on an array of rows x cols.
+) -> Laid:
+    """The light of scene `spec` in slots of `slot_us`, and how it lies on arrays of rows x cols.
 
     `spec` is a file, a folder of pictures or `builtin:NAME`. Raises Rejected with status 2
     (NS0730..NS0739); `warn` is handed what was changed in the scene (NS0740), `progress` the
-    frames as they are read.
+    frames as they are read, and what was cut off, scaled or turned grey (NS0773).
+
+    A clip begins with frame `first`; with `single` that frame is a still. `channel` exposes red,
+    green or blue (0 to 2) of a picture in colour instead of its luminance, `factor` is known
+    electrons for one unit of the scene instead of an exposure.
 
     `frames_are` "samples" declares that the scene moves within a frame. That motion is an effect of
     the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as an
@@ -81,13 +133,16 @@ def load_scene(
     """
     request = _Request(
         spec, tuple(slot_us), Window(rows, cols, crop), exposure, transfer, fps, crop, frames_are,
-        warn, progress,
+        fit, first, single, channel, factor, warn, progress,
     )  # fmt: skip
+    if crop is not None and fit != "crop":
+        _refuse(request, f"--fit {fit} exposes the whole picture", "crop")
     if spec.startswith("builtin:"):
         from nscc_runtime.scenes.builtin import load_builtin
 
         _refuse(request, "a builtin scene is made for the array", "transfer", "fps", "crop")
-        return load_builtin(spec, slot_us=request.slot_us, rows=rows, cols=cols, exposure=exposure)
+        made = load_builtin(spec, slot_us=request.slot_us, rows=rows, cols=cols, exposure=exposure)
+        return Laid(made, request.on_array)
     return _load_path(request, _existing(spec))
 
 
@@ -127,8 +182,10 @@ def _existing(spec: str) -> Path:
     )
 
 
-def _load_path(request: _Request, path: Path) -> Light:
+def _load_path(request: _Request, path: Path) -> Laid:
     from nscc_runtime.scenes import clips, picture_files
+
+    reads(path)
 
     suffix = path.suffix.lower()
     if path.is_dir():
@@ -138,7 +195,11 @@ def _load_path(request: _Request, path: Path) -> Light:
     if suffix in ARRAYS:
         return _array(request, path)
     if suffix in picture_files.PICTURES:
-        return _still(request, path)
+        transfer = request.transfer or picture_files.default_transfer(path)
+        return _still(request, partial(picture_files.read_picture, path), transfer)
+    if suffix in clips.CLIPS and request.single:
+        clip = clips.read_clip(path)
+        return _still(request, lambda: next(clip), request.transfer or "srgb")
     if suffix in clips.CLIPS:
         return _clip(request, clips.read_clip(path), request.transfer or "srgb")
     known = ", ".join(sorted(ARRAYS + picture_files.PICTURES + clips.CLIPS))
@@ -162,7 +223,7 @@ def _refuse(request: _Request, why: str, *names: str) -> None:
             )
 
 
-def _array(request: _Request, path: Path) -> Light:
+def _array(request: _Request, path: Path) -> Laid:
     """Light in electrons, or a .mat clip."""
     check = partial(_check_light, request)
     if path.suffix.lower() == ".mat":
@@ -175,7 +236,7 @@ def _array(request: _Request, path: Path) -> Light:
     _refuse(request, "`light` arrays hold electrons, slot by slot, for every pixel", "fps", "crop")
     if request.transfer == "srgb":
         _refuse(request, "`light` arrays hold electrons, which are linear", "transfer")
-    return _electrons(request, found)
+    return Laid(_electrons(request, found), request.on_array)
 
 
 def _electrons(request: _Request, found: NDArray[np.float32]) -> Light:
@@ -188,7 +249,8 @@ def _electrons(request: _Request, found: NDArray[np.float32]) -> Light:
         return timing.with_motion(clip) if request.frames_are == "samples" else clip
     seconds = request.slot_s
     if wanted is not None:
-        factor = _still_scale(request, found, wanted)
+        open_sum = found.astype(np.float64) * float(seconds.sum())
+        factor = request.scale(open_sum, request.on_array)
         return Light.of_still(found, seconds * factor, factor)
     peak = float(found.max()) * float(seconds.max())
     if peak > float(np.finfo(np.float32).max):
@@ -254,33 +316,28 @@ def _refuse_other_axes(request: _Request, shape: tuple[int, ...], need: tuple[in
     )
 
 
-def _still(request: _Request, path: Path) -> Light:
-    from nscc_runtime.scenes import picture_files
-
+def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transfer) -> Laid:
     _refuse(request, "a still has no frame rate", "fps")
-    wanted = request.exposure or exposure.needed(request.name)
-    transfer = request.transfer or picture_files.default_transfer(path)
-    frame = _luminance(request, picture_files.read_picture(path), transfer, str(path))
-    factor = _still_scale(request, frame, wanted)
-    return Light.of_still(frame, request.slot_s * factor, factor)
+    request.check_exposure()
+    stored = read()
+    frame, where = _light(request, stored, transfer, request.name)
+    colour = _say_changes(request, stored, where)
+    seconds = request.slot_s
+    factor = request.scale(frame.astype(np.float64) * float(seconds.sum()), where)
+    return Laid(Light.of_still(frame, seconds * factor, factor), where, colour)
 
 
-def _still_scale(request: _Request, frame: NDArray[np.float32], wanted: Exposure) -> float:
-    """Electrons a second for one unit of a still."""
-    return exposure.scale(
-        frame.astype(np.float64) * float(request.slot_s.sum()), wanted, request.name
-    )
-
-
-def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> Light:
+def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> Laid:
     """The first frames of a clip: one a slot, or as `--fps` lays them under the slots."""
-    wanted = request.exposure or exposure.needed(request.name)
+    request.check_exposure()
     fps = None if request.fps is None else timing.check_fps(request.fps)
     need = request.slots if fps is None else timing.frames_needed(request.slot_us, fps)
-    frames = np.empty((0, request.window.rows, request.window.cols), np.float32)
-    have = 0
-    for picture in request.progress(stored, "reading frames", need):
-        frame = _luminance(request, picture, transfer, f"{request.name}, frame {have}")
+    frames, where = np.empty((0, 0, 0), np.float32), request.on_array
+    have, colour = 0, False
+    for picture in request.progress(islice(stored, request.first, None), "reading frames", need):
+        frame, where = _light(request, picture, transfer, f"{request.name}, frame {have}")
+        if have == 0:
+            colour = _say_changes(request, picture, where)
         if have == len(frames):
             # realloc grows a large block without a copy; the final size is exactly `need`
             frames.resize((min(need, max(64, 2 * have)), *frame.shape), refcheck=False)
@@ -291,38 +348,40 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
     if have < need:
         raise timing.too_short(request.name, have, need, request.slots, request.fps)
     if fps is None:
-        factor = exposure.scale(frames.sum(axis=0, dtype=np.float64), wanted, request.name)
+        factor = request.scale(frames.sum(axis=0, dtype=np.float64), where)
         clip, seconds, rate = Light.of_clip(frames, factor), None, 1.0
     else:
         parts = timing.overlaps(request.slot_us, fps)
-        clip = timing.spread(frames, parts, wanted, request.name)
+        clip = timing.spread(frames, parts, lambda open_sum: request.scale(open_sum, where))
         seconds, rate = parts.seconds, float(fps)
-    return timing.with_motion(clip, seconds, rate) if request.frames_are == "samples" else clip
+    if request.frames_are == "samples":
+        clip = timing.with_motion(clip, seconds, rate)
+    return Laid(clip, where, colour)
 
 
-def _luminance(
+def _say_changes(request: _Request, stored: NDArray[Any], where: Layout) -> bool:
+    """Whether the picture is in colour; what becomes of size and colours is said once."""
+    colour = in_colour(stored)
+    if request.channel is None:
+        for found in changes(where, colour, request.name):
+            request.warn(found)
+    return colour
+
+
+def _light(
     request: _Request, stored: NDArray[Any], transfer: Transfer, name: str
-) -> NDArray[np.float32]:
-    """The part of a stored picture on the array as luminance; NS0736 for what is not light."""
+) -> tuple[NDArray[np.float32], Layout]:
+    """A stored picture as light on the arrays, and how it lies; NS0736 for what is not light."""
+    where = layout(request.fit, (stored.shape[0], stored.shape[1]), request.window, name)
     with np.errstate(invalid="ignore", over="ignore"):  # the census says what is no light
         peak = float(stored.max()) if stored.dtype.kind == "f" else 0.0
-        part = linear(request.window.of(stored, request.name), transfer)
-        values = luminance(part) if part.ndim == 3 else part
+        part = request.window.of(stored, request.name) if where.fit == "crop" else stored
+        strips = (part[top : top + _STRIP] for top in range(0, len(part), _STRIP))
+        values = np.concatenate([grey(strip, transfer, request.channel) for strip in strips])
         low = float(values.min())
     if low < 0 and low >= -_TINY_NEGATIVE * peak:
         count = int(np.count_nonzero(values < 0))
         values = np.maximum(values, 0.0)
-        request.warn(_clamped(name, count, values.size, low))
+        request.warn(clamped(name, count, values.size, low))
     refuse_no_light(values, name)
-    return values.astype(np.float32)
-
-
-def _clamped(name: str, count: int, total: int, low: float) -> Diagnostic:
-    return Diagnostic(
-        "NS0740",
-        f"{count} of {total} pixels of '{name}' were negative and are taken as dark",
-        severity=Severity.WARNING,
-        notes=(f"the lowest is {low:.3g}; so little below zero is left by filters, not by light",),
-        helps=("nothing needs to be done; clip the picture at 0 to be rid of this message",),
-        data={"count": count},
-    )
+    return placed(values, where), where

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.errors import damaged
 
@@ -35,6 +36,7 @@ def read_picture(path: Path) -> NDArray[Any]:
 
     Alpha is dropped; the rotation noted in a photograph is applied.
     """
+    reads(path)
     try:
         with quiet():
             picture = _READERS.get(path.suffix.lower(), _read_opencv)(path)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.target.target import Target
@@ -12,7 +13,8 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.crop import parse_crop
 from nscc_runtime.scenes.exposure import parse_exposure
-from nscc_runtime.scenes.load import FramesAre, load_scene
+from nscc_runtime.scenes.fit import Fit
+from nscc_runtime.scenes.load import FramesAre, Laid, laid_scene
 
 
 @dataclass(frozen=True)
@@ -20,6 +22,8 @@ class Scene:
     """A scene as the command line names it, with what it says of it; None: not said.
 
     `name` is a file, a folder or `builtin:NAME`, `exposure` is text as E[@P], `crop` as R,C.
+    `color` exposes a picture in colour three times. `first` is the frame that a clip begins with;
+    `single` takes it as a still.
     """
 
     name: str
@@ -28,6 +32,10 @@ class Scene:
     fps: float | None = None
     crop: str | None = None
     frames_are: FramesAre = "integrals"
+    fit: Fit = "crop"
+    color: bool = False
+    first: int = 0
+    single: bool = False
 
     def light(
         self,
@@ -36,17 +44,45 @@ class Scene:
         warn: Callable[[Diagnostic], None] = lambda _: None,
         progress: Progress = unseen,
     ) -> Light:
-        """The light in slots of these lengths on the array of `target`; raises as `load_scene`."""
-        return load_scene(
-            self.name,
-            slot_us=slot_us,
-            rows=target.rows,
-            cols=target.cols,
-            exposure=None if self.exposure is None else parse_exposure(self.exposure),
-            transfer=self.transfer,
-            fps=self.fps,
-            crop=None if self.crop is None else parse_crop(self.crop),
-            frames_are=self.frames_are,
-            warn=warn,
-            progress=progress,
-        )
+        """The light on one array, of a scene that is neither laid on several nor in colours."""
+        return self.laid(slot_us, target, warn, progress)[0].light
+
+    def laid(
+        self,
+        slot_us: Sequence[float],
+        target: Target,
+        warn: Callable[[Diagnostic], None] = lambda _: None,
+        progress: Progress = unseen,
+    ) -> tuple[Laid, ...]:
+        """The light in slots of these lengths on the array of `target`: its luminance, or red,
+        green and blue at the exposure of the luminance. Raises as `laid_scene`."""
+
+        def load(told: Callable[[Diagnostic], None], **which: Any) -> Laid:
+            return laid_scene(
+                self.name,
+                slot_us=slot_us,
+                rows=target.rows,
+                cols=target.cols,
+                exposure=None if self.exposure is None else parse_exposure(self.exposure),
+                transfer=self.transfer,
+                fps=self.fps,
+                crop=None if self.crop is None else parse_crop(self.crop),
+                frames_are=self.frames_are,
+                fit=self.fit,
+                first=self.first,
+                single=self.single,
+                warn=told,
+                progress=progress,
+                **which,
+            )
+
+        said: list[Diagnostic] = []
+        grey = load(said.append)
+        in_colours = self.color and grey.colour
+        for each in said:
+            if not (in_colours and each.data.get("grey")):
+                warn(each)
+        if not in_colours:
+            return (grey,)
+        factor = grey.light.exposure_scale_e
+        return tuple(load(lambda _: None, channel=k, factor=factor) for k in range(3))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import accumulate
@@ -15,7 +15,6 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.light import Light
 from nscc_runtime.scenes.errors import Path_or_name
-from nscc_runtime.scenes.exposure import Exposure, scale
 
 _SLACK_FRAMES = Fraction(1, 1000)
 """So much of a frame may the last slot reach beyond the clip: slots of 16.667 ms at 60 frames/s."""
@@ -71,13 +70,18 @@ def overlaps(slot_us: Sequence[float], fps: Fraction) -> Overlaps:
     )
 
 
-def spread(frames: NDArray[np.float32], parts: Overlaps, wanted: Exposure, name: str) -> Light:
-    """A clip of electrons a second, up to a factor, that slots integrate piecewise constant."""
+def spread(
+    frames: NDArray[np.float32], parts: Overlaps, factor_of: Callable[[NDArray[np.float64]], float]
+) -> Light:
+    """A clip of electrons a second, up to a factor, that slots integrate piecewise constant.
+
+    `factor_of` finds the factor from the all-open sum (rows, cols).
+    """
     share = np.bincount(parts.frame_index, parts.seconds, len(frames))
     open_sum = np.zeros(frames.shape[1:], np.float64)
     for frame, time_s in zip(frames, share, strict=True):
         open_sum += frame * time_s
-    factor = scale(open_sum, wanted, name)
+    factor = factor_of(open_sum)
     weight = parts.seconds * factor
     return Light(frames, parts.row_start, parts.frame_index, weight, "clip", factor)
 

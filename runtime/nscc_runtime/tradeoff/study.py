@@ -11,14 +11,14 @@ from time import perf_counter
 import numpy as np
 
 from nscc.tradeoff.points import Point
-from nscc_runtime.capture import planned_frames
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.plan.choose import plan_for
-from nscc_runtime.plan.plan import Plan
-from nscc_runtime.plan.program import Program
+from nscc_runtime.planner.choose import plan_for
+from nscc_runtime.planner.frames import planned_frames
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.program import Program
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.tradeoff.naive import Naive, floor_ms

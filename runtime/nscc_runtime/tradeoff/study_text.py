@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from nscc.columns import columns
 from nscc.tradeoff.points import Point, dominated
-from nscc_runtime.plan.plan import Decision, Plan
+from nscc_runtime.planner.plan import Decision, Plan
 from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, REFERENCE, WITH_PLANNING, Asked, Study
 
 SLACK = 1.1

@@ -79,6 +79,8 @@ def read_coded_frame(path: Path, program: Path | None = None) -> CodedFrame:
         raise no_coded_frame(path, said(error)) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA:
         raise no_coded_frame(path, f"its schema is not {SCHEMA}")
+    if "colours" in meta:
+        raise no_coded_frame(path, "it has colours, and this decoder takes one at a time")
     if program is not None:
         arrays |= _table_of(program, meta)
     if "decode_row" not in arrays:

@@ -9,12 +9,15 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
-from nscc_training.evaluation import hdr_baselines, video_baselines
+from nscc_training.evaluation import hdr_baselines, hdr_looks, video_baselines
 from nscc_training.evaluation.runs import evaluate_run
 from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import load_run
 
-_OF_PROTOCOL = {"hdr-v1": hdr_baselines.BASELINES, "video-v1": video_baselines.BASELINES}
+_OF_PROTOCOL = {
+    "hdr-v1": (*hdr_baselines.BASELINES, *hdr_looks.LOOKING),
+    "video-v1": video_baselines.BASELINES,
+}
 
 
 def evaluate(
@@ -30,6 +33,8 @@ def evaluate(
     chosen = load_protocol(protocol)
     known = _OF_PROTOCOL.get(chosen.name, ())
     if subject in known:
+        if subject in hdr_looks.LOOKING:
+            return hdr_looks.evaluate_looks(subject, data, seed)
         if chosen.name == "hdr-v1":
             return hdr_baselines.evaluate_hdr_baseline(subject, data, seed)
         return video_baselines.evaluate_video_baseline(subject, data, seed)

@@ -22,7 +22,7 @@ from nscc.target.target import Target
 from nscc.tradeoff.points import Point, Refused
 from nscc.tradeoff.synthesis import Case, Way, compiled_or_not
 from nscc.words.container import Container
-from nscc_runtime.capture import capture
+from nscc_runtime import capture
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.baselines.sci import gap_tv
@@ -189,7 +189,7 @@ class _Bench:
         scores = []
         for index, scene in enumerate(self.shown):
             shot = capture(
-                _light(scene, encoder.spec.slots), container, self.sensor,
+                container, _light(scene, encoder.spec.slots), sensor=self.sensor,
                 effects=settings.effects, seed=1000 * settings.seed + index,
                 device_seed=settings.seed,
             )  # fmt: skip

@@ -1,0 +1,53 @@
+"""`nscc demo`: what a coded exposure makes of a photo or a clip, as pictures in a folder."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import click
+
+from nscc.requirements import line_for
+from nscc_cli.options import OUT, SEED, color_option, fit_option, tone_option
+from nscc_cli.support import CommonCommand, done, progress, say
+
+
+@click.command("demo", cls=CommonCommand)
+@click.argument("scene", metavar="[PHOTO|CLIP]", required=False)
+@click.option("-o", "out", type=OUT, metavar="DIR",
+              help="The folder for the pictures (default: NAME_demo, or demo).")  # fmt: skip
+@fit_option("scale")
+@color_option
+@click.option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P "
+              "(default: as the run was trained).")  # fmt: skip
+@click.option("--fps", type=float, help="The clip's frames a second, seen in the slots' own time "
+              "(default: a frame a slot).")  # fmt: skip
+@tone_option
+@click.option("--merge", is_flag=True, help="Without the decoder: no torch is needed.")
+@click.option("--seed", type=SEED, default=0, help="Seed of the frame's noise.")
+def command(
+    scene: str | None, out: Path | None, fit: str, color: bool, exposure: str | None,
+    fps: float | None, tone: str | None, merge: bool, seed: int,
+) -> None:  # fmt: skip
+    """Expose a photo or a clip with shutters that come with nscc, and reconstruct it.
+
+    It leaves a sheet of truth, an ordinary exposure, the readout, the reconstruction and its
+    error, and the reconstruction as files that other programs open. Without a PHOTO, a scene that
+    is built in.
+    """
+    from nscc_runtime.scenes import Scene
+    from nscc_runtime.simulate import Listener
+    from nscc_training.demo import BUILTIN, Settings, demo
+
+    settings = Settings(fit, color, exposure, tone, seed)  # type: ignore[arg-type]  # Choice
+    if merge:
+        settings = replace(settings, learned=False)
+    elif not settings.learned:
+        done(f"without torch the frame is merged; {line_for('torch')} brings the decoder")
+    folder = out or Path(f"{Path(scene).stem}_demo" if scene and ":" not in scene else "demo")
+    listener = Listener(done, lambda diagnostic: say([diagnostic]), progress)
+    for name in (scene,) if scene else BUILTIN:
+        made = demo(Scene(name, fps=fps), folder, settings, listener)
+        done("\n".join(f"wrote {path.as_posix()}" for path in made.files))
+        done(f"always open {made.open_db:.1f} dB, reconstructed {made.psnr_db:.1f} dB")
+        done("step by step:\n" + "\n".join(f"  {line}" for line in made.commands))

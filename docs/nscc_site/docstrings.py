@@ -1,0 +1,28 @@
+"""Docstrings are plain text: names in backticks, code indented. Sphinx reads reStructuredText."""
+
+from __future__ import annotations
+
+import re
+from typing import Any
+
+_CODE = "    "
+
+
+def as_rst(_app: Any, _what: str, _name: str, _obj: Any, _options: Any, lines: list[str]) -> None:
+    """Make of the lines of a docstring, in place, what Sphinx shows as they read."""
+    shown: list[str] = []
+    in_code = False
+    for line in lines:
+        if line.strip() and not line.startswith(_CODE):
+            in_code = False
+        elif line.startswith(_CODE) and not in_code and not (shown and shown[-1].strip()):
+            shown += ["::", ""]
+            in_code = True
+        shown.append(line if in_code else _escaped(line))
+    lines[:] = shown
+
+
+def _escaped(line: str) -> str:
+    """The line with signs that mean something to reStructuredText escaped outside backticks."""
+    parts = re.split(r"(`[^`]*`)", line)
+    return "".join(part if part[:1] == "`" else re.sub(r"([*|])", r"\\\1", part) for part in parts)

@@ -1,0 +1,72 @@
+"""What a Python call is told whose arguments are of another kind than it takes."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Collection, Iterable, Sequence
+from typing import Any
+
+import numpy as np
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.render import render
+from nscc.diagnostics.suggest import meant
+
+
+class WrongArgument(Rejected, TypeError, ValueError):
+    """A call got an argument that it does not take (NS0785, status 2).
+
+    Python's own exceptions for such calls catch it, too.
+    """
+
+
+def wrong_argument(
+    message: str, *, notes: Sequence[str] = (), helps: Sequence[str] = ()
+) -> WrongArgument:
+    """The exception for a call's wrong argument, said in one sentence."""
+    return WrongArgument(
+        Diagnostic("NS0785", message, notes=tuple(notes), helps=tuple(helps)), status=2
+    )
+
+
+def one_of(call: str, name: str, value: object, allowed: Collection[Any]) -> None:
+    """Raises WrongArgument unless the call's argument `name` has one of the allowed values."""
+    if any(type(value) is type(each) and value == each for each in allowed):
+        return
+    names = [each for each in allowed if isinstance(each, str)]
+    raise wrong_argument(
+        f"{call}: {name} is one of {', '.join(map(repr, allowed))}, not {shown(value)}",
+        helps=meant(value, names) if isinstance(value, str) else (),
+    )
+
+
+def whole(call: str, name: str, value: object, least: int = 0, most: int = 2**63 - 1) -> None:
+    """Raises WrongArgument unless the call's argument `name` is a whole number within limits."""
+    is_number = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    if not is_number or not least <= int(value) <= most:  # type: ignore[call-overload]
+        limits = f"from {least}" + ("" if most == 2**63 - 1 else f" to {most}")
+        raise wrong_argument(f"{call}: {name} is a whole number {limits}, not {shown(value)}")
+
+
+def warn(diagnostics: Iterable[Diagnostic]) -> None:
+    """Warnings among diagnostics as Python's own, at the place that the caller was called from."""
+    for each in diagnostics:
+        if each.severity is Severity.WARNING:
+            warnings.warn(render([each], "human").rstrip(), stacklevel=3)
+
+
+def shown(value: object) -> str:
+    """What a value is, in a few words: `an array (64, 64) of float32`, `the text 'abc'`, `a list`.
+
+    Told by what a value has, so that nothing is imported to name somebody else's kinds.
+    """
+    if value is None or isinstance(value, bool | int | float):
+        return repr(value)[:60]
+    if isinstance(value, str | bytes):
+        kind = "the text" if isinstance(value, str) else "the bytes"
+        return f"{kind} {value[:40]!r}" + (" .." if len(value) > 40 else "")
+    name, kind_of = type(value).__name__, getattr(value, "dtype", None)
+    if kind_of is not None and hasattr(value, "shape"):
+        what = "an array" if name == "ndarray" else f"a {name}"
+        return f"{what} {tuple(value.shape)} of {str(kind_of).removeprefix('torch.')}"
+    return f"{'an' if name[:1].lower() in 'aeiou' else 'a'} {name}"

@@ -1,0 +1,114 @@
+"""Diagnostics for services that show them beside the code: SARIF 2.1.0 (an OASIS standard), and the
+annotations of GitHub's workflow commands."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from typing import Any
+from urllib.parse import quote
+
+from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Severity
+from nscc.diagnostics.render import names
+from nscc.source import Source
+from nscc.version import __version__
+
+_SCHEMA = "https://json.schemastore.org/sarif-2.1.0.json"
+_KINDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.NOTE: "notice"}
+
+
+def workflow_commands(diagnostics: Iterable[Diagnostic]) -> str:
+    """Workflow commands, one a line."""
+    return "".join(map(_annotation, diagnostics))
+
+
+def _annotation(diagnostic: Diagnostic) -> str:
+    name = names().get(diagnostic.code, "")
+    properties = {"title": f"{diagnostic.code} {name}".strip()}
+    source = diagnostic.source
+    if source is not None:
+        properties["file"] = source.name
+        if diagnostic.label is not None:
+            region = _region(source, diagnostic.label)
+            properties["line"] = str(region["startLine"])
+            properties["col"] = str(region["startColumn"])
+            properties["endLine"] = str(region["endLine"])
+            if region["endLine"] == region["startLine"]:  # columns are of one line only
+                properties["endColumn"] = str(region["endColumn"])
+    fields = ",".join(
+        f"{key}={_escaped(value).replace(':', '%3A').replace(',', '%2C')}"
+        for key, value in properties.items()
+    )
+    return f"::{_KINDS[diagnostic.severity]} {fields}::{_escaped(_text(diagnostic))}\n"
+
+
+def sarif(diagnostics: Sequence[Diagnostic]) -> str:
+    """A log of one run; its results stand in the order of `diagnostics`, which may be none."""
+    codes = sorted({diagnostic.code for diagnostic in diagnostics})
+    rules = [{"id": code, "name": names().get(code, code)} for code in codes]
+    driver = {"name": "nscc", "version": __version__, "rules": rules}
+    run = {
+        "tool": {"driver": driver},
+        "columnKind": "unicodeCodePoints",
+        "results": [_result(diagnostic, codes) for diagnostic in diagnostics],
+    }
+    return json.dumps({"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2) + "\n"
+
+
+def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
+    source = diagnostic.source
+    found: dict[str, Any] = {
+        "ruleId": diagnostic.code,
+        "ruleIndex": codes.index(diagnostic.code),
+        "level": str(diagnostic.severity),
+        "message": {"text": _text(diagnostic)},
+    }
+    if source is not None:
+        found["locations"] = [_location(source, diagnostic.label)]
+        related = [_location(source, label) for label in diagnostic.related]
+        if related:
+            found["relatedLocations"] = related
+        if diagnostic.fixes:
+            found["fixes"] = [_fix(source, fix) for fix in diagnostic.fixes]
+    if diagnostic.data:
+        found["properties"] = dict(diagnostic.data)
+    return found
+
+
+def _location(source: Source, label: Label | None) -> dict[str, Any]:
+    place: dict[str, Any] = {"artifactLocation": {"uri": quote(source.name)}}
+    if label is None:
+        return {"physicalLocation": place}
+    place["region"] = _region(source, label)
+    text = {"message": {"text": label.text}} if label.text else {}
+    return {"physicalLocation": place, **text}
+
+
+def _fix(source: Source, fix: Fix) -> dict[str, Any]:
+    change = {
+        "artifactLocation": {"uri": quote(source.name)},
+        "replacements": [
+            {
+                "deletedRegion": _region(source, fix),
+                "insertedContent": {"text": fix.replacement},
+            }
+        ],
+    }
+    return {"description": {"text": fix.title}, "artifactChanges": [change]}
+
+
+def _region(source: Source, at: Label | Fix) -> dict[str, int]:
+    """From the first character to that after the last one, counted from 1."""
+    (row, column), (end_row, end_column) = map(source.row_column, (at.span.start, at.span.end))
+    return {"startLine": row, "startColumn": column, "endLine": end_row, "endColumn": end_column}
+
+
+def _text(diagnostic: Diagnostic) -> str:
+    """All that a message says, a line each; its place stands beside it."""
+    ways = [f"{i}. {way}" for i, way in enumerate(diagnostic.ways_out, 1)]
+    fixes = [fix.title for fix in diagnostic.fixes]
+    return "\n".join([diagnostic.message, *diagnostic.notes, *diagnostic.helps, *fixes, *ways])
+
+
+def _escaped(text: str) -> str:
+    return text.replace("%", "%25").replace("\r", "%0D").replace("\n", "%0A")

@@ -1,0 +1,72 @@
+"""A program as a notebook shows it: its shutters over time, and what its words cost."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc import html
+from nscc.lower.resources import time_text
+
+_MOST_ROWS = 24
+_COLUMNS = 360
+"""With more slots than this a bar shows the share of open time in each of its columns."""
+_SHADES = 4
+_LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
+"""Pixels for the labels, the chart, one of its rows and the time below it."""
+
+
+def shutter_chart(
+    rows: NDArray[np.bool_], labels: Sequence[str], slot_us: Sequence[float], buckets: Sequence[str]
+) -> html.Html:
+    """When shutters bool (shutters, buckets, N) are open, a line each, time to scale.
+
+    Of more than a screenful some are shown, evenly chosen; the first and the last are among them.
+    """
+    count = len(rows)
+    chosen = np.unique(np.rint(np.linspace(0, count - 1, min(count, _MOST_ROWS))).astype(int))
+    edges = np.concatenate(([0.0], np.cumsum(slot_us)))
+    columns = edges if len(slot_us) <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
+    shapes = []
+    for line, row in enumerate(chosen):
+        top = line * _ROW
+        shapes.append(html.words(_LABELS - 8, top + 13, labels[row], "end"))
+        shapes.append(
+            f"<rect x='{_LABELS:g}' y='{top + 2:g}' width='{_WIDTH:g}' height='{_ROW - 4:g}' "
+            "fill-opacity='.1'/>"
+        )
+        lane = (_ROW - 4) / len(buckets)
+        for bucket, opened in enumerate(rows[row]):
+            until = np.concatenate(([0.0], np.cumsum(np.diff(edges) * opened)))
+            share = np.diff(np.interp(columns, edges, until)) / np.diff(columns)
+            shapes += _bars(columns / edges[-1], share, top + 2 + bucket * lane, lane, bucket)
+    bottom = len(chosen) * _ROW
+    shapes.append(html.words(_LABELS, bottom + 15, "0"))
+    shapes.append(html.words(_LABELS + _WIDTH, bottom + 15, time_text(float(edges[-1])), "end"))
+    title = f"when {count} shutters are open"
+    chart = html.drawing(_LABELS + _WIDTH, bottom + _AXIS, shapes, title)
+    some = html.text(f"{len(chosen)} of {count} shutters") if len(chosen) < count else html.Html()
+    legend = html.legend(buckets) if len(buckets) > 1 else html.Html()
+    return html.Html(f"{chart}{legend}{some}")
+
+
+def _bars(
+    places: NDArray[np.float64], share: NDArray[np.float64], top: float, height: float, bucket: int
+) -> list[str]:
+    """Runs of columns that are open alike, one path for each shade."""
+    shade = np.ceil(share * _SHADES - 1e-9).astype(int)
+    starts = np.concatenate(([0], np.flatnonzero(np.diff(shade)) + 1))
+    ends = np.concatenate((starts[1:], [len(shade)]))
+    paths: dict[int, list[str]] = {}
+    for start, end in zip(starts, ends, strict=True):
+        left, right = (_LABELS + _WIDTH * places[edge] for edge in (start, end))
+        box = f"M{left:.4g} {top:.4g}H{right:.4g}v{height:.4g}H{left:.4g}z"
+        paths.setdefault(int(shade[start]), []).append(box)
+    colour = html.SERIES[bucket % len(html.SERIES)]
+    return [
+        f"<path fill='{colour}' fill-opacity='{level / _SHADES:g}' d='{''.join(boxes)}'/>"
+        for level, boxes in paths.items()
+        if level
+    ]

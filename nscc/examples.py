@@ -1,0 +1,77 @@
+"""Programs that come with nscc, and one to begin a program of one's own with."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import closest
+
+_ENDINGS = (".nsl", ".toml")
+
+START = """\
+# What this program is for: who sees what, and when.
+nsl 1
+
+frame 64 slots of 500us             # a frame is a row of time slots: 32 ms in all
+
+# A pixel's code is one or more fields; what they mean is the next statement's business.
+code start : 0..N - 1               # N is the number of slots, 64
+code stop  : 1..N
+require start < stop                # legal codes only: pixels must obey
+
+# In slot n a pixel's shutter is open where this holds.
+open when start <= n < stop
+
+# The data: which pixel has which code, here a tile that repeats over the array. It may also be
+# computed from x and y, or come from a file: pixels from "codes.npz".
+pixels start = tile [[0, 16],
+                     [0, 48]]
+pixels stop  = tile [[64, 32],
+                     [16, 64]]
+
+# nscc check FILE     whether it fits the chip, and what it costs
+# nscc view FILE      when each pixel is open
+# nscc run FILE --scene builtin:motion --png frame.png
+# nscc examples       more programs to look at
+"""
+"""A commented program of class d, for `nscc new`."""
+
+
+def examples() -> Mapping[str, Path]:
+    """The example programs and configurations by name, a file's without `.nsl`."""
+    installed = Path(__file__).with_name("example_files")
+    folder = installed if installed.is_dir() else Path(__file__).resolve().parents[1] / "examples"
+    files = sorted(path for path in folder.iterdir() if path.suffix in _ENDINGS)
+    return {path.stem if path.suffix == ".nsl" else path.name: path for path in files}
+
+
+def example(name: str) -> Path:
+    """The file of an example; Rejected (NS0787) where there is none of that name."""
+    known = examples()
+    found = known.get(name.removesuffix(".nsl"))
+    if found is None:
+        near = closest(name, known)
+        raise rejected(
+            "NS0787",
+            f"there is no example '{name[:60]}'",
+            helps=(
+                *((f"did you mean `nscc examples {near}`?",) if near else ()),
+                "`nscc examples` lists them",
+            ),
+        )
+    return found
+
+
+def about(path: Path) -> str:
+    """What an example says of itself: the first sentence of the comment at its head."""
+    words: list[str] = []
+    for line in path.read_text(encoding="utf-8").splitlines():
+        if not line.startswith("#"):
+            break
+        words += line.lstrip("# ").split()
+    for place, word in enumerate(words):
+        if word.endswith((".", ":")):
+            return " ".join(words[: place + 1]).rstrip(".:")
+    return " ".join(words)

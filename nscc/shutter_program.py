@@ -1,0 +1,351 @@
+"""Programs in Python: compiled from text or a file, or loaded from words.
+
+    import nscc
+
+    p = nscc.compile("examples/hdr_2x2.nsl", level=2)   # or the text itself
+    p.codes["stop"]                                     # int64 (codes,)
+    p.shutters()                                        # bool (buckets, codes, slots)
+    p.save("hdr_2x2.icw")
+    p = nscc.load("hdr_2x2.icw")
+
+Options are those of `nscc build`, with its defaults.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.compiler import compile_source
+from nscc.containers import is_compiled, with_pixels
+from nscc.diagnostics.arguments import one_of, shown, warn, whole, wrong_argument
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.render import render
+from nscc.files import write_together
+from nscc.lower.plan import LOWERINGS, LoweringOption
+from nscc.pipeline import LEVELS, Compiled, Options, all_lowerings
+from nscc.program.problems import counted
+from nscc.program.program import Codes
+from nscc.prove.shutters import replayed
+from nscc.source import Source
+from nscc.syntax.parse import read_source
+from nscc.target.target import Target
+from nscc.words.container import Container
+from nscc.words.file import read_container
+
+_DEFAULTS = Options()
+_TEXT = "<text>"
+"""What messages call a program that is in no file."""
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ShutterProgram:
+    """A program whose words are proved, or were loaded.
+
+    `name` is what messages call it, `container` its words as the runtime takes them. `compiled`
+    holds all that the compiler knows of it, `options` how it was compiled; both are None of a
+    loaded one.
+    """
+
+    name: str
+    container: Container
+    compiled: Compiled | None = None
+    options: Options | None = None
+
+    @property
+    def target(self) -> Target:
+        """The chip that it is for; `dataclasses.replace(target, rows=64, cols=64)` is another."""
+        return self.container.target
+
+    @property
+    def slots(self) -> int:
+        """N, the number of time slots in a frame."""
+        return self.container.slots
+
+    @property
+    def slot_us(self) -> tuple[float, ...]:
+        """The length of each slot in microseconds."""
+        return self.container.slot_us
+
+    @property
+    def buckets(self) -> tuple[str, ...]:
+        """The names of the frames that one exposure gives; mostly there is one."""
+        return self.container.buckets
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """(rows, cols) of the array."""
+        return self.target.rows, self.target.cols
+
+    @property
+    def messages(self) -> tuple[Diagnostic, ...]:
+        """The compiler's warnings and notes."""
+        return () if self.compiled is None else self.compiled.diagnostics
+
+    @cached_property
+    def codes(self) -> dict[str, NDArray[np.int64]]:
+        """The value of each field of the code, int64 (codes,), by the field's name.
+
+        Code k opens the shutter `shutters()[:, k]`. A program without fields has one code.
+        """
+        table = self.container.table
+        return {name: table.codes[:, i].copy() for i, name in enumerate(table.fields)}
+
+    @property
+    def code_at_pixels(self) -> NDArray[np.int32]:
+        """Which code each pixel holds, int32 (rows, cols): `codes[field][code_at_pixels]` is a map.
+
+        Raises Rejected (NS0741) for a program without data; `with_pixels` gives it some.
+        """
+        codes = self._with_data.container.pixel_codes
+        assert codes is not None  # what has none is rejected
+        return codes
+
+    def shutters(self, *, pixels: bool = False) -> NDArray[np.bool_]:
+        """When shutters are open, by replaying the words: bool (buckets, codes, slots).
+
+        With `pixels`, the shutter of every pixel: bool (buckets, slots, rows, cols), the mask of
+        snapshot compressive imaging. Raises Rejected: NS0741 for `pixels` without data, NS0442 for
+        words that open no shutters, and for pixels that look at the light.
+        """
+        table = self.container.table
+        at_code = self._replayed[table.shutter_of_code].transpose(1, 0, 2)
+        if not pixels:
+            return at_code.copy()
+        at_pixel = table.shutter_of_code[self.code_at_pixels]
+        laid = self._replayed.transpose(1, 2, 0)
+        return np.ascontiguousarray(laid[:, :, at_pixel])
+
+    @property
+    def words(self) -> NDArray[np.uint32]:
+        """The stored instruction code words, kernel after kernel: uint32 (words, 5)."""
+        stored = [word for kernel in self.container.kernels for word in kernel.words]
+        return np.array(stored, np.uint32).reshape(len(stored), 5)
+
+    @property
+    def words_per_frame(self) -> int:
+        """How many words a frame executes."""
+        return self.container.words_per_frame
+
+    @cached_property
+    def report(self) -> dict[str, Any]:
+        """What was compiled, what it costs, what was proved: `nscc build --emit report`.
+
+        Raises Rejected (NS0743) for a program that was loaded: words do not tell it.
+        """
+        from nscc.emit.report import report
+
+        found, options = self._as_compiled("report")
+        assert found.proof is not None
+        return report(all_lowerings(found.program, options), found.proof)
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Write the program, whole or not at all, as its name's ending says; where it went.
+
+        `.icw` words, as `nscc.load` reads them, with the pixels' codes; `.asm`, `.cpp`, `.dot`,
+        `.graphml`, `.report.json` and the others of `nscc build --emit` where it was compiled.
+        Raises Rejected: NS0505 for other endings, NS0743 for what a loaded program cannot give,
+        NS0784 where nothing can be written.
+        """
+        from nscc.emit.products import SUFFIXES
+
+        out = Path(path)
+        kind = next((kind for kind, end in SUFFIXES.items() if out.name.endswith(end)), None)
+        if kind is None:
+            raise rejected(
+                "NS0505",
+                f"a program cannot be saved as '{out.name}'",
+                notes=(f"names may end in {', '.join(SUFFIXES.values())}",),
+                helps=(f"p.save('{out.stem or 'program'}.icw') writes its words",),
+            )
+        write_together(self._product(kind, out, SUFFIXES[kind]))
+        return out
+
+    def with_pixels(
+        self, codes: str | os.PathLike[str] | None = None, /, **fields: NDArray[np.integer[Any]]
+    ) -> ShutterProgram:
+        """The same words with other codes: those of an `.npz` file, or integers (rows, cols) by
+        field: `p.with_pixels(stop=array)`.
+
+        Compile with `codes="open"` for codes that the program's own pixels do not have. Raises
+        Rejected: NS0314 for arrays that do not fit, NS0319 for codes it was not compiled for.
+        """
+        if codes is not None and fields:
+            raise wrong_argument("with_pixels takes a file or fields, not both")
+        given = fields if codes is None else _path("with_pixels", codes)
+        return replace(self, container=with_pixels(self.container, self.name, given))
+
+    def __repr__(self) -> str:
+        name = self.container.notes.get("class", "")
+        kind = f"class {name}, " if len(name) == 1 else f"{name}, " if name else ""
+        return (
+            f"<nscc program {self.name!r}: {kind}{counted(len(self.container.table.codes), 'code')}"
+            f", {counted(self.slots, 'slot')}, {self.words_per_frame} words a frame, "
+            f"for {self.target.name}>"
+        )
+
+    def _repr_html_(self) -> str:
+        from nscc import html
+        from nscc.emit.notebook import shutter_chart
+        from nscc.emit.summary import summary_rows
+        from nscc.words.shutters import shutters_of
+
+        chart = html.Html()
+        if self.container.has_table:
+            drawn = shutters_of(self.container)
+            chart = shutter_chart(drawn.rows, drawn.labels, self.slot_us, self.buckets)
+        if self.compiled is not None:
+            rows: list[tuple[str, str]] = summary_rows(self.compiled)
+        else:
+            stored = f"{len(self.words)} stored, {self.words_per_frame} a frame"
+            rows = [*sorted(self.container.notes.items()), ("words", stored)]
+        said = html.plain(render(self.messages, "human")) if self.messages else html.Html()
+        return html.card(self.name, f"for {self.target.name}", chart, html.table(rows), said)
+
+    @cached_property
+    def _replayed(self) -> NDArray[np.bool_]:
+        if self.container.machine is not None:
+            raise rejected(
+                "NS0442",
+                f"the shutters of '{self.name}' depend on the light: before it there are none",
+                helps=("a frame of it tells how many slots each pixel was open: `open_slots`",),
+                status=1,
+            )
+        return replayed(self.container, f"'{self.name}'")
+
+    @cached_property
+    def _with_data(self) -> ShutterProgram:
+        """The same program, its pixels' codes known; NS0741 where they are not."""
+        return replace(self, container=with_pixels(self.container, self.name))
+
+    def _as_compiled(self, wanted: str) -> tuple[Compiled, Options]:
+        if self.compiled is None or self.options is None:
+            raise rejected(
+                "NS0743",
+                f"'{self.name}' holds words and no {wanted}: it was compiled before",
+                helps=("nscc.compile gives a program that knows how its words came about",),
+            )
+        return self.compiled, self.options
+
+    def _product(self, kind: str, out: Path, ending: str) -> dict[Path, bytes]:
+        """What a kind of file holds, with the files that go beside it."""
+        if kind == "icw":
+            from nscc.words.file import to_bytes
+
+            return {out: to_bytes(self.container)}
+        if kind == "asm":
+            from nscc.words.disassembly import disassemble
+
+            return {out: disassemble(self.container).encode()}
+        if kind == "report":
+            from nscc.emit.report import report_bytes
+
+            return {out: report_bytes(self.report)}
+        from nscc.emit.products import emitted
+
+        found, _ = self._as_compiled(f"what goes into '{out.name}'")
+        made = emitted(kind, replace(found, container=self.container), out.name[: -len(ending)])
+        return {out.with_name(name): data for name, data in made.items()}
+
+
+def compile(
+    source: str | os.PathLike[str],
+    *,
+    target: Target | str | os.PathLike[str] | None = _DEFAULTS.target,
+    level: int = _DEFAULTS.level,
+    codes: Codes = _DEFAULTS.codes,
+    lowering: LoweringOption = _DEFAULTS.lowering,
+    max_words_per_slot: int | None = _DEFAULTS.max_words_per_slot,
+    cache: bool = _DEFAULTS.cache,
+    folder: str | os.PathLike[str] | None = None,
+) -> ShutterProgram:
+    """Compile a program and prove its words.
+
+    `source` is a path, or a text: a str is a path if it is one line that ends in `.nsl`, else the
+    program itself. The rest are the options of `nscc build`: `target` a chip's name, its TOML file
+    or a `Target`; `level` 0 to 3, how long to search; `codes` "fixed" to those in use, or "open" to
+    all legal ones; `lowering` how exposure is gathered; `max_words_per_slot` a limit; `cache`
+    whether search results are kept. Paths in a text are relative to `folder`, by default the
+    current one; those in a file to the file.
+
+    Raises Rejected with everything that is wrong, each with its place; warnings are Python's.
+    """
+    one_of("nscc.compile", "level", level, LEVELS)
+    one_of("nscc.compile", "codes", codes, get_args(Codes))
+    one_of("nscc.compile", "lowering", lowering, ("auto", *LOWERINGS))
+    if not (target is None or isinstance(target, Target | str | os.PathLike)):
+        raise wrong_argument(
+            f"nscc.compile: target is a chip's name, its file or a Target, not {shown(target)}"
+        )
+    chip = target if target is None or isinstance(target, Target) else os.fspath(target)
+    if max_words_per_slot is not None:
+        whole("nscc.compile", "max_words_per_slot", max_words_per_slot, least=1)
+    options = Options(
+        level=level, codes=codes, lowering=lowering, target=chip, cache=bool(cache),
+        max_words_per_slot=max_words_per_slot,
+    )  # fmt: skip
+    text, base = _source(source, folder)
+    made = compile_source(text, base, options)
+    assert made.container is not None  # what does not fit is rejected
+    warn(made.diagnostics)
+    return ShutterProgram(text.name, made.container, made, options)
+
+
+def load(path: str | os.PathLike[str]) -> ShutterProgram:
+    """The compiled program in an `.icw` file. Raises Rejected where there is none."""
+    found = _path("nscc.load", path)
+    if found.suffix.lower() == ".nsl":
+        raise wrong_argument(
+            f"nscc.load reads compiled programs (.icw), and '{found}' is the text of one",
+            helps=(f"nscc.compile('{found}') compiles it",),
+        )
+    return ShutterProgram(found.as_posix(), read_container(found))
+
+
+def _source(source: object, folder: str | os.PathLike[str] | None) -> tuple[Source, Path]:
+    """A program's text, and the folder that its paths are relative to."""
+    if not isinstance(source, str | os.PathLike):
+        raise wrong_argument(
+            f"nscc.compile takes a program's path or its text, not {shown(source)}",
+            helps=("a str that ends in .nsl is a path, any other the text of a program",),
+        )
+    is_path = not isinstance(source, str) or _is_path(source)
+    if not is_path:
+        text = str(source)
+        if text.strip() and not any(map(str.isspace, text.strip())):
+            raise wrong_argument(
+                f"nscc.compile: {shown(text)} is neither a program nor the path of one",
+                notes=("a str is a path if it ends in .nsl, else the text of a program",),
+            )
+        return Source(_TEXT, text), Path() if folder is None else _path("nscc.compile", folder)
+    path = _path("nscc.compile", source)
+    if is_compiled(path):
+        raise wrong_argument(
+            f"nscc.compile takes the text of programs, and '{path}' is compiled already",
+            helps=(f"nscc.load('{path}') reads it",),
+        )
+    if folder is not None:
+        raise wrong_argument(
+            "nscc.compile: folder is for a program that is in no file",
+            helps=("leave it out: a file's paths are relative to the file",),
+        )
+    return read_source(path), path.parent
+
+
+def _is_path(text: str) -> bool:
+    return "\n" not in text and text.lower().endswith((".nsl", ".icw"))
+
+
+def _path(call: str, value: object) -> Path:
+    if isinstance(value, str | os.PathLike):
+        found = os.fspath(value)
+        if isinstance(found, str):
+            return Path(found)
+    raise wrong_argument(f"{call} takes a path, not {shown(value)}")

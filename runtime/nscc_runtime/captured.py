@@ -1,0 +1,165 @@
+"""What a capture gives in Python: the arrays of a frame file, and where they come from."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc import html
+from nscc.diagnostics.arguments import wrong_argument
+from nscc.files import write_together
+from nscc.words.container import Container
+from nscc_runtime.decode_table import with_table
+from nscc_runtime.formats import check_ending, endings, file_of
+from nscc_runtime.formats.frames import frame_content
+from nscc_runtime.frame_file import KEEP, Frame, FrameFile, frame_lines, meta
+from nscc_runtime.light import Light
+from nscc_runtime.merge import Readout, light_estimate, readouts
+from nscc_runtime.pieces import Taken
+from nscc_runtime.plan_file import plan_table
+from nscc_runtime.planner.audit import Audit
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.response import Response
+
+_SIDE, _MOST = 256, 1024
+"""Pixels a side that a picture has on a page: at least about, and at most."""
+
+
+@dataclass(frozen=True, eq=False, repr=False, kw_only=True)
+class Capture(Frame):
+    """One scene captured; with `repeat` its arrays have a leading axis K.
+
+    `frame` uint8, codes of the converter; `exposure_e` float64, electrons before it; `valid` and
+    `saturated` bool, `saturated_by` uint8; each (buckets, rows, cols) as in a frame file. The frame
+    is as large as the array, or as a picture in pieces; colours are a leading axis. `exposed` says
+    what was exposed, and how.
+    """
+
+    exposed: Taken
+
+    @property
+    def plan(self) -> Plan | None:
+        """What was simulated, and to what error; None where that was no plan's to decide."""
+        return self.exposed.simulated.plan
+
+    @property
+    def audit(self) -> Audit | None:
+        """What was measured, where an audit was asked for."""
+        return self.exposed.simulated.audit
+
+    @property
+    def container(self) -> Container:
+        """The words, with a code for every pixel of the frame."""
+        return self.exposed.container
+
+    @property
+    def light(self) -> Light:
+        """What was exposed; of colours red."""
+        return self.exposed.light
+
+    @property
+    def truth_e(self) -> NDArray[np.floating[Any]]:
+        """What a shutter that is always open would see: electrons over the frame (rows, cols) of a
+        still, electrons a slot (N, rows, cols) of a clip. The unit of reconstructions."""
+        return self.light.total_e() if self.light.kind == "still" else self.light.dense()
+
+    @property
+    def response(self) -> Response:
+        """How an exposure follows from light: gain, and what is there in the dark."""
+        return self.exposed.response(self.exposed.simulated.origin.sensor)
+
+    def light_e_per_s(self) -> NDArray[np.float64]:
+        """The light that the frame tells of, electrons a second (buckets, rows, cols); NaN where no
+        pixel tells any.
+
+        Around each pixel the light of unsaturated ones, free of what the words add, divided by the
+        time that they were open: as the picture of `nscc run --png`. Of repeats the first, of
+        colours red.
+        """
+        told = (light_estimate(each) for each in self._readouts())
+        return np.stack([np.where(known, light, np.nan) for light, known in told])
+
+    @property
+    def meta(self) -> dict[str, Any]:
+        """How it was made, as JSON values: `meta` of a frame file."""
+        origin = self.exposed.simulated.origin
+        return meta(self.container, self.light, self, origin) | self.exposed.laid
+
+    def save(
+        self, path: str | os.PathLike[str], keep: Sequence[str] = (), *, tone: str | None = None
+    ) -> Path:
+        """Write the file that `nscc run -o` writes, in the format of its name; where it went.
+
+        `.npz` is a frame file; `keep` names what else goes in, of light, truth, shutter, codes.
+        `.hdr`, `.exr`, `.pfm`, `.tiff` hold electrons, `.png`, `.gif`, `.mp4` the codes, or with a
+        `tone` what a screen makes of electrons. Raises Rejected: NS0786 for other endings, NS0784
+        where nothing can be written.
+        """
+        out = Path(path)
+        check_ending(out, endings(), "a frame")
+        named = (keep,) if isinstance(keep, str) else tuple(keep)
+        for name in named:
+            if name not in KEEP:
+                raise wrong_argument(f"save can keep {', '.join(KEEP)}, not {name[:60]!r}")
+        shutters = self.container.table.shutters
+        file = FrameFile.of(self.container, self.light, self, self.meta, named, shutters)
+        content = frame_content(
+            with_table(file, self.container), self.container, self.light, lambda: shutters, tone
+        )
+        write_together({out: file_of(out, content, "a frame")})
+        return out
+
+    def __repr__(self) -> str:
+        shape = " x ".join(map(str, self.frame.shape))
+        mean = float(self.exposure_e[self.valid].mean()) if self.valid.any() else 0.0
+        how = self._fidelity if self.plan is None else (
+            f"error {self.plan.predicted_e:.3g} e predicted"
+        )  # fmt: skip
+        return f"<nscc capture: {shape}, codes {self._codes()}, mean {mean:.6g} e, {how}>"
+
+    def _repr_html_(self) -> str:
+        shown = np.moveaxis(self.frame, 0, -1) if self._in_colours else self.first.frame
+        cols = shown.shape[2]
+        step, scale = -(-max(shown.shape[1:3]) // _MOST), max(1, round(_SIDE / cols))
+        pictures = html.side_by_side(
+            html.picture(_png(image[::step, ::step]), name, scale * cols // step)
+            for image, name in zip(shown, self.container.buckets, strict=True)
+        )
+        lines = html.plain("\n".join(frame_lines(self.container, self)))
+        told = html.Html()
+        if self.plan is not None:
+            summary = f"what was simulated, to {self.plan.tolerance_e:.4g} e"
+            told = html.folded(summary, html.plain(plan_table(self.plan, self.audit)))
+        effects = "by a plan" if self.plan is not None else f"fidelity {self._fidelity}"
+        subtitle = f"{' x '.join(map(str, self.frame.shape))}, codes {self._codes()}, {effects}"
+        return html.card("capture", subtitle, pictures, lines, told)
+
+    @property
+    def _in_colours(self) -> bool:
+        return "colours" in self.exposed.laid
+
+    @property
+    def _fidelity(self) -> str:
+        return self.exposed.simulated.origin.fidelity
+
+    def _readouts(self) -> list[Readout]:
+        return readouts(self.container, self.first, self.response)
+
+    def _codes(self) -> str:
+        return f"{self.frame.min()}..{self.frame.max()}"
+
+
+def _png(image: NDArray[np.uint8]) -> bytes:
+    """A grey picture (rows, cols), or one (rows, cols, 3) of red, green and blue."""
+    import cv2
+
+    _, data = cv2.imencode(
+        ".png", np.ascontiguousarray(image[..., ::-1] if image.ndim == 3 else image)
+    )
+    return data.tobytes()

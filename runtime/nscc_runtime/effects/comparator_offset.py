@@ -1,0 +1,54 @@
+"""The offset that each pixel's comparator has."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nscc_runtime.effects.effect import CannotHave, Effect
+from nscc_runtime.effects.field import Field, Places, Sampled, Values
+from nscc_runtime.effects.full_well import FULL
+from nscc_runtime.effects.parameters import parameter
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Pixels, Word
+from nscc_runtime.noise import key, normals
+
+SPREAD = parameter(
+    "comparator_offset_fraction", "comparator", 0.01, "1", 0, 1,
+    "standard deviation over the pixels of a comparator's offset, in full wells",
+)  # fmt: skip
+ONLY_LOOKS = "programs whose pixels look at the light run word by word in the reference"
+NO_LOOK = "no word of this program compares the light"
+
+
+def offset_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
+    """The offset of each pixel."""
+    z = normals(key(device_seed, COMPARATOR_OFFSET.stream), pixels)
+    return np.asarray(SPREAD(sensor) * FULL(sensor) * z)
+
+
+def _seen(pixels: Pixels, total: Values, word: Word) -> Values:
+    return total + pixels.fixed(offset_e)
+
+
+def _field(sample: Sampled) -> Field:
+    """nothing in programs without looks, which alone have plans"""
+    return Field()
+
+
+COMPARATOR_OFFSET = Effect(
+    name="comparator_offset",
+    stream=17,
+    kind="fixed",
+    title="offset of the comparators",
+    model="`where` compares the sum of its sources and an offset o F z with 0: F the full well, z "
+    "a standard normal number of the device for each pixel.",
+    cost="one sum a comparison, in the reference",
+    applied="to every `where`",
+    absent=NO_LOOK,
+    parameters=(SPREAD, FULL),
+    reference={"compare": _seen},
+    field=_field,
+    sums=CannotHave(ONLY_LOOKS),
+    fused=CannotHave(ONLY_LOOKS),
+    words=CannotHave(ONLY_LOOKS),
+)

@@ -1,0 +1,230 @@
+"""The emulator in Python: what a chip would have captured, from programs and light to arrays.
+
+    import nscc, nscc_runtime
+
+    p = nscc.compile("examples/hdr_2x2.nsl")
+    taken = nscc_runtime.capture(p, "builtin:hdr", effects="auto")
+    taken.frame, taken.exposure_e, taken.plan
+
+The calls take what `nscc run` takes, under the same names, with the same defaults.
+`docs/emulator.md` says what a plan is and what it promises.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import fields
+from itertools import cycle, islice
+from pathlib import Path
+from typing import Any, get_args
+
+from nscc.diagnostics.arguments import one_of, shown, warn, whole, wrong_argument
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc_runtime.captured import Capture
+from nscc_runtime.effects import Selection
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.given import (
+    LightLike,
+    ProgramLike,
+    SensorLike,
+    container_of,
+    laid_of,
+    sensor_of,
+)
+from nscc_runtime.pieces import simulate_scene
+from nscc_runtime.planner.audit import Audit
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.pool import processors
+from nscc_runtime.scenes.colour import Transfer
+from nscc_runtime.scenes.fit import FITS, Fit
+from nscc_runtime.scenes.load import FramesAre
+from nscc_runtime.scenes.scene import Scene
+from nscc_runtime.simulate import Fidelity, Listener, Request
+
+_MOST_REPEATS = 10000
+
+
+def capture(
+    program: ProgramLike,
+    light: LightLike,
+    *,
+    sensor: SensorLike = None,
+    effects: str | Selection | None = None,
+    tolerance: str | float | None = None,
+    plan: Plan | str | Path | None = None,
+    fidelity: Fidelity = "planned",
+    audit: bool = Request.audit,
+    seed: int = Request.seed,
+    device_seed: int = Request.device_seed,
+    repeat: int | None = Request.repeat,
+    threads: int | None = Request.threads,
+) -> Capture:
+    """Capture a scene with a program on the emulated chip, or `repeat` frames of it.
+
+    `light`: electrons a slot (N, rows, cols); electrons a second of a still (rows, cols); a
+    `scene(..)` or its name; a `Light`. float32 arrays are not copied. `sensor`: a sensor, its file,
+    or numbers by name, as {"full_well_e": 20000}; by default that of the program's chip.
+
+    `effects`: "none" (the default: exact sums of light), "auto", "all" or names, as `nscc run
+    --effects`; "auto" is meant where only a `tolerance` ("5e", "0.1lsb" or electrons), a `plan` (of
+    `nscc_runtime.plan`, or a file of one) or an `audit` is given. `fidelity` "reference" executes
+    words slot by slot. `seed` is that of a frame's noise, `device_seed` of fixed patterns.
+    `threads`, by default as many as there are processors, change no bit.
+
+    Raises Rejected: WrongArgument for other kinds of values, NS0730 to NS0740 for light that does
+    not fit or is none, NS0739 for options that exclude each other, NS0442 and NS0741 for programs
+    that open no shutters or have no data.
+    """
+    call = "nscc_runtime.capture"
+    container = container_of(call, program)
+    said: list[Diagnostic] = []
+    scene = laid_of(call, light, container, said.append)
+    one_of(call, "fidelity", fidelity, get_args(Fidelity))
+    whole(call, "seed", seed)
+    whole(call, "device_seed", device_seed)
+    if repeat is not None:
+        whole(call, "repeat", repeat, least=1, most=_MOST_REPEATS)
+    request = Request.of(
+        effects=_effects(call, effects), tolerance=tolerance, plan=_plan(call, plan),
+        fidelity=fidelity, audit=audit, seed=int(seed), device_seed=int(device_seed),
+        repeat=repeat, threads=threads,
+    )  # fmt: skip
+    chip = sensor_of(call, sensor, container.target)
+    exposed = simulate_scene(container, scene, chip, request, Listener(warn=said.append))
+    warn(said)
+    frame = exposed.simulated.frame
+    arrays = {each.name: getattr(frame, each.name) for each in fields(Frame)}
+    return Capture(**arrays, exposed=exposed)
+
+
+def captures(
+    programs: Sequence[ProgramLike] | ProgramLike,
+    lights: Iterable[LightLike] | LightLike,
+    *,
+    threads: int | None = None,
+    **options: Any,
+) -> list[Capture]:
+    """Capture many scenes with one program, one scene with many, or pair by pair; as `capture`.
+
+    Lists hold many, anything else is one. Programs are analysed once. WrongArgument where there are
+    neither as many scenes as programs nor one of either.
+    """
+    many_programs = [*programs] if isinstance(programs, list | tuple) else [programs]
+    many_lights = [*lights] if isinstance(lights, list | tuple) else [lights]
+    count = max(len(many_programs), len(many_lights))
+    if {len(many_programs), len(many_lights)} - {1, count} or not (many_programs and many_lights):
+        raise wrong_argument(
+            f"nscc_runtime.captures: {len(many_lights)} scenes for {len(many_programs)} programs",
+            helps=("give as many of both in lists, or one of either",),
+        )
+
+    def run(program: Any, light: Any) -> Capture:
+        return capture(program, light, threads=1, **options)
+
+    with ThreadPoolExecutor(threads or processors()) as pool:
+        return [*pool.map(run, islice(cycle(many_programs), count), cycle(many_lights))]
+
+
+def plan(
+    program: ProgramLike,
+    light: LightLike,
+    *,
+    sensor: SensorLike = None,
+    effects: str | Selection = "auto",
+    tolerance: str | float = Request.tolerance,
+    device_seed: int = Request.device_seed,
+) -> Plan:
+    """What of the sensor's effects a capture would simulate, and how wrong that makes it.
+
+    Arguments as of `capture`, which takes the plan for this scene and others. Nothing is exposed.
+    """
+    from nscc_runtime.emulator.capture import check
+    from nscc_runtime.planner.choose import plan_for
+    from nscc_runtime.planner.frames import made_ready
+    from nscc_runtime.planner.tolerance import tolerance_e
+
+    call = "nscc_runtime.plan"
+    container = container_of(call, program)
+    said: list[Diagnostic] = []
+    scene = laid_of(call, light, container, said.append)[0].light
+    chip = sensor_of(call, sensor, container.target)
+    whole(call, "device_seed", device_seed)
+    request = Request.of(effects=_effects(call, effects), tolerance=tolerance)
+    check(container, scene)
+    warn(said)
+    allowed_e = tolerance_e(request.tolerance, chip)
+    return plan_for(made_ready(container, chip), scene, allowed_e, request.effects, device_seed)
+
+
+def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
+    """How far a plan's frames are from the reference's, measured: `holds` says whether the promise
+    is kept. Arguments as of `capture`."""
+    found = capture(program, light, audit=True, **options).audit
+    assert found is not None  # it was asked for
+    return found
+
+
+def scene(
+    name: str | Path,
+    *,
+    exposure: str | float | None = Scene.exposure,
+    transfer: Transfer | None = Scene.transfer,
+    fps: float | None = Scene.fps,
+    crop: str | tuple[int, int] | None = Scene.crop,
+    frames_are: FramesAre = Scene.frames_are,
+    fit: Fit = Scene.fit,
+    color: bool = Scene.color,
+    first: int = Scene.first,
+) -> Scene:
+    """A scene by its name, to be exposed by `capture` with programs of any slots.
+
+    `name` is a file (pictures, clips, arrays), a folder of pictures, or `builtin:hdr`,
+    `builtin:motion`, `builtin:flat:E`, `builtin:dark`. `exposure` says how bright it is: electrons
+    over the frame at percentile 99, or text such as "30000@70". `transfer` is the curve of stored
+    values, "linear" or "srgb"; `fps` lays a clip's frames under the slots, from frame `first` on;
+    `crop` (row, column) is the array's top left corner; `frames_are` "integrals" or "samples".
+    `fit` says what becomes of a picture of another size, "crop", "scale" or "tiles": the frame is
+    then the picture's. `color` exposes red, green and blue. All as for `nscc run`.
+
+    Nothing is read before it is exposed, which raises what is wrong with it.
+    """
+    call = "nscc_runtime.scene"
+    if not isinstance(name, str | Path):
+        raise wrong_argument(
+            f"{call} takes the name of a scene, not {shown(name)}",
+            helps=("an array is light already: capture(program, array)",),
+        )
+    if transfer is not None:
+        one_of(call, "transfer", transfer, get_args(Transfer))
+    one_of(call, "frames_are", frames_are, get_args(FramesAre))
+    one_of(call, "fit", fit, FITS)
+    whole(call, "first", first)
+    return Scene(
+        str(name),
+        exposure=exposure if exposure is None or isinstance(exposure, str) else f"{exposure:.17g}",
+        transfer=transfer,
+        fps=fps,
+        crop=crop if crop is None or isinstance(crop, str) else ",".join(map(str, crop)),
+        frames_are=frames_are,
+        fit=fit,
+        color=bool(color),
+        first=first,
+    )
+
+
+def _effects(call: str, effects: object) -> str | Selection | None:
+    if effects is None or isinstance(effects, str | Selection):
+        return effects
+    raise wrong_argument(
+        f"{call}: effects is text, not {shown(effects)}",
+        helps=("for instance effects='auto', 'all', 'none' or 'shot,read'",),
+    )
+
+
+def _plan(call: str, plan: object) -> Plan | Path | None:
+    if plan is None or isinstance(plan, Plan):
+        return plan
+    if isinstance(plan, str | Path):
+        return Path(plan)
+    raise wrong_argument(f"{call}: plan is a plan or a file of one, not {shown(plan)}")

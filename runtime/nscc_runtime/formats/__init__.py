@@ -1,0 +1,8 @@
+"""Files that pictures, clips and frames are written as: one table, and a function for each."""
+
+from __future__ import annotations
+
+from nscc_runtime.formats.content import Content
+from nscc_runtime.formats.table import FORMATS, Format, check_ending, endings, file_of
+
+__all__ = ["FORMATS", "Content", "Format", "check_ending", "endings", "file_of"]

@@ -1,0 +1,63 @@
+"""Clips as files that a viewer plays: .gif by Pillow, .mp4 by OpenCV."""
+
+from __future__ import annotations
+
+import io
+import os
+import tempfile
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.formats.content import Content
+from nscc_runtime.scenes.picture_files import quiet
+
+FRAMES_A_SECOND = 10.0
+"""A clip of sixteen moments in two milliseconds is shown in slow motion."""
+_CODECS = ("vp09", "mp4v")
+"""VP9 plays in browsers; where OpenCV was built without it, MPEG-4."""
+
+
+def gif(content: Content) -> bytes:
+    """Frames of 256 greys or colours, again and again."""
+    from PIL import Image
+
+    first, *others = [Image.fromarray(frame) for frame in content.shown]
+    stream = io.BytesIO()
+    first.save(
+        stream, "GIF", save_all=True, append_images=others, loop=0, comment=content.told.encode(),
+        duration=round(1000 / FRAMES_A_SECOND), optimize=False,
+    )  # fmt: skip
+    return stream.getvalue()
+
+
+def mp4(content: Content) -> bytes:
+    """VP9 or MPEG-4, lossy; an odd last row or column is repeated: codecs take even sizes."""
+    with quiet():
+        import cv2
+
+    frames = [_even(frame) for frame in content.shown]
+    size = (frames[0].shape[1], frames[0].shape[0])
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "clip.mp4")
+        for codec in _CODECS:
+            four = cv2.VideoWriter.fourcc(*codec)
+            with quiet():
+                video = cv2.VideoWriter(path, cv2.CAP_FFMPEG, four, FRAMES_A_SECOND, size)
+            if video.isOpened():
+                break
+        else:
+            raise OSError(0, f"OpenCV cannot write .mp4: it has none of {', '.join(_CODECS)}")
+        with quiet():
+            for frame in frames:
+                video.write(np.ascontiguousarray(frame))
+            video.release()
+        with open(path, "rb") as stream:
+            return stream.read()
+
+
+def _even(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Blue, green, red, in even numbers of rows and columns."""
+    colours = frame[..., ::-1] if frame.ndim == 3 else np.repeat(frame[..., None], 3, axis=-1)
+    odd = [(0, side % 2) for side in colours.shape[:2]]
+    return np.pad(colours, [*odd, (0, 0)], mode="edge")

@@ -1,0 +1,88 @@
+"""Pictures as files: linear light (.hdr .exr .pfm .tiff) and what a screen shows (.png)."""
+
+from __future__ import annotations
+
+import io
+import os
+import tempfile
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.formats.content import Content
+
+
+def png(content: Content) -> bytes:
+    """8 bits a sample; the text chunk Description names the tone curve."""
+    from PIL import Image
+    from PIL.PngImagePlugin import PngInfo
+
+    about = PngInfo()
+    about.add_text("Description", content.told)
+    about.add_text("Software", "nscc")
+    stream = io.BytesIO()
+    Image.fromarray(content.shown).save(stream, "PNG", pnginfo=about)
+    return stream.getvalue()
+
+
+def hdr(content: Content) -> bytes:
+    """Radiance: 8 bits of mantissa a sample, colours with a common exponent."""
+    return _encoded(".hdr", _in_three(_light(content)))
+
+
+def pfm(content: Content) -> bytes:
+    """Portable float map: float32, bit by bit."""
+    return _encoded(".pfm", _light(content))
+
+
+def tiff(content: Content) -> bytes:
+    """float32, bit by bit; a clip is a file of as many pages."""
+    import cv2
+
+    light = _light(content)
+    pages = [np.ascontiguousarray(_to_opencv(page)) for page in light] if content.moving else []
+    if not pages:
+        return _encoded(".tiff", light)
+    good, data = cv2.imencodemulti(".tiff", pages)
+    if not good:
+        raise OSError(0, "OpenCV cannot write .tiff")
+    return bytes(data)
+
+
+def exr(content: Content) -> bytes:
+    """OpenEXR: float32, bit by bit; grey light is the channel Y."""
+    import OpenEXR
+
+    light = np.ascontiguousarray(_light(content))
+    header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
+    # The library writes to a path only.
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "picture.exr")
+        channels = {"RGB" if content.colour else "Y": light}
+        with OpenEXR.File(header, channels) as file:
+            file.write(path)
+        with open(path, "rb") as stream:
+            return stream.read()
+
+
+def _light(content: Content) -> NDArray[np.float32]:
+    return np.asarray(content.light, np.float32)
+
+
+def _in_three(light: NDArray[np.float32]) -> NDArray[np.float32]:
+    return light if light.ndim == 3 else np.repeat(light[..., None], 3, axis=-1)
+
+
+def _to_opencv(light: NDArray[Any]) -> NDArray[Any]:
+    """OpenCV has blue first."""
+    return light[..., ::-1] if light.ndim == 3 else light
+
+
+def _encoded(ending: str, light: NDArray[np.float32]) -> bytes:
+    import cv2
+
+    good, data = cv2.imencode(ending, np.ascontiguousarray(_to_opencv(light)))
+    if not good:
+        raise OSError(0, f"OpenCV cannot write {ending}")
+    return bytes(data)

@@ -1,0 +1,221 @@
+"""Light from a frame whose pixels looked: each pixel's exposure over the time that it was open.
+
+No decoder and no neighbour has a part in it. The estimate is that of greatest likelihood for a
+steady light: what saturates softly is bent back, gain, leakage and dark charge are taken away as
+the sensor's figures have them in the mean, and the rest is divided by the time. Its standard
+deviation adds what the same figures say of counts, reads, words, converter and unequal pixels; it
+is infinite where a pixel was full, for there the light was at least so much.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
+from nscc.words.container import Container
+from nscc.words.machine import Machine
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.parts import (
+    Converter,
+    CountedDark,
+    CountedLight,
+    Leak,
+    Response,
+    Soft,
+    WordGain,
+)
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.frame_file import Frame
+
+Values = NDArray[np.float64]
+
+LIGHT, DEVIATION = "light_e_per_s", "light_sd_e_per_s"
+"""The keys of the frame file: (buckets, rows, cols), electrons a second."""
+
+_READS, _WORDS = 2, 4
+"""An exposure is PIX less its reset level: each is read once, and copied by two words."""
+_PIXELS = np.arange(4096, dtype=np.int64)
+"""Of a chip, for the mean and the spread of what differs from pixel to pixel."""
+
+
+def told_by(
+    container: Container,
+    planes: Mapping[str, NDArray[np.bool_]],
+    frame: Frame,
+    sensor: Sensor,
+    effects: Selection,
+) -> dict[str, NDArray[Any]]:
+    """What a frame file says beside the exposure, from the digital planes that came with one frame:
+    `states_NAME` (rows, cols) of the states that are read, `open_slots` (buckets, rows, cols), and
+    the light as `light_of` has it."""
+    machine = container.machine
+    assert machine is not None
+    assert container.pixel_codes is not None
+    found = {
+        state.name: container.state_planes[state.name].read(planes, frame.frame.shape[1:])
+        for state in machine.states
+        if state.read
+    }
+    behaviour = container.table.shutter_of_code[container.pixel_codes]
+    slots, open_us = open_times(machine, behaviour, found)
+    states = {f"states_{name}": each for name, each in found.items()}
+    light = light_of(frame, open_us, container, sensor, effects)
+    return {**states, "open_slots": slots, **light}
+
+
+def open_us_of(container: Container, told: Mapping[str, NDArray[Any]]) -> Values:
+    """How long each bucket of a pixel was open, in microseconds (buckets, rows, cols), from what
+    `told_by` says of a frame; -1 where the states are those of no pixel."""
+    assert container.machine is not None
+    assert container.pixel_codes is not None
+    behaviour = container.table.shutter_of_code[container.pixel_codes]
+    prefix = "states_"
+    states = {k.removeprefix(prefix): v for k, v in told.items() if k.startswith(prefix)}
+    return open_times(container.machine, behaviour, states)[1]
+
+
+def open_times(
+    machine: Machine, behaviour: NDArray[np.int32], states: Mapping[str, NDArray[np.int64]]
+) -> tuple[NDArray[np.int64], Values]:
+    """How many slots each bucket of a pixel was open, and for how many microseconds, (buckets,
+    rows, cols), from its behaviour and the states that were read; -1 where no pixel ends so."""
+    last = machine.nodes(machine.stages - 1)
+    read = [k for k, state in enumerate(machine.states) if state.read]
+    ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
+    known, first = np.unique(ends, axis=0, return_index=True)
+    numbers = {tuple(row): place for row, place in zip(known.tolist(), first.tolist(), strict=True)}
+    pixels = np.stack([behaviour, *(states[machine.states[k].name] for k in read)], axis=-1)
+    distinct, inverse = np.unique(pixels.reshape(-1, pixels.shape[-1]), axis=0, return_inverse=True)
+    rows = np.array([numbers.get(tuple(row), -1) for row in distinct.tolist()], np.intp)
+    buckets = machine.opens.shape[1]
+    slots = np.full((len(distinct), buckets), -1, np.int64)
+    us = np.full((len(distinct), buckets), -1.0)
+    there = rows >= 0
+    slots[there] = machine.open_slots[last][rows[there]]
+    us[there] = machine.open_us[last][rows[there]]
+    shape = (buckets, *behaviour.shape)
+    return slots[inverse.reshape(-1)].T.reshape(shape), us[inverse.reshape(-1)].T.reshape(shape)
+
+
+def light_of(
+    frame: Frame,
+    open_us: Values,
+    container: Container,
+    sensor: Sensor,
+    effects: Selection,
+) -> dict[str, Values]:
+    """The light and its standard deviation, by key, each (buckets, rows, cols).
+
+    `frame` is one frame, `open_us` (buckets, rows, cols) is -1 where the states are those of no
+    pixel. `effects` are those of the chip: all, or what an emulator had on. Of a pixel that never
+    opened, or whose time is unknown, both are NaN.
+    """
+    frame_us = float(sum(container.slot_us))
+    step_e = sensor.electrons_per_lsb
+    read_e = (frame.frame.astype(np.float64) - sensor.adc_offset_lsb) * step_e
+    gain = _gain(container, sensor, effects, open_us, frame_us)
+    held_e = _unbent(read_e, sensor, effects)
+    open_s = np.where(open_us > 0, open_us, np.nan) * 1e-6
+    dark_e = _dark_e_per_s(sensor, effects) * open_s
+    electrons = held_e / gain
+    light_e = electrons - dark_e
+    variance = _variance_e2(np.maximum(electrons, 0.0), gain, sensor, effects)
+    deviation = np.where(frame.saturated, np.inf, np.sqrt(variance) / open_s)
+    deviation[np.isnan(open_s)] = np.nan
+    return {LIGHT: light_e / open_s, DEVIATION: deviation}
+
+
+def _gain(
+    container: Container, sensor: Sensor, effects: Selection, open_us: Values, frame_us: float
+) -> Values:
+    """What of the light is left in the exposure."""
+    words, leak = effects.part(WordGain), effects.part(Leak)
+    gain = np.full(open_us.shape, 1.0 if words is None else words.gain(sensor) ** 2)
+    if leak is not None:
+        # A copy is made when the shutter closes; a sum is half that old in the mean.
+        closed_us = frame_us - np.maximum(open_us, 0.0)
+        share = 1.0 if container.notes.get("lowering") == "latch" else 0.5
+        readout_us = container.target.readout_us * np.arange(len(open_us))[:, None, None]
+        gain *= np.exp(-(share * closed_us + readout_us) * 1e-6 / leak.tau_s(sensor))
+    return gain
+
+
+def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
+    """What two registers were to hold, one after the other, that saturate softly."""
+    soft = effects.part(Soft)
+    if soft is None:
+        return read_e
+    meant = np.linspace(0.0, 2.0 * soft.linear_e(sensor), 4097)
+    held = meant
+    for _ in range(2):
+        held = held - soft.lost_e(sensor, held)
+    unbent = np.interp(read_e, held, meant)
+    return np.where(read_e > soft.linear_e(sensor), unbent, read_e)
+
+
+def _dark_e_per_s(sensor: Sensor, effects: Selection) -> float:
+    dark = effects.part(CountedDark)
+    return 0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean())
+
+
+def _variance_e2(electrons: Values, gain: Values, sensor: Sensor, effects: Selection) -> Values:
+    """Of the estimate, in square electrons on PIX."""
+    found = np.full(electrons.shape, sensor.electrons_per_lsb**2 / 12.0)
+    converter = effects.part(Converter)
+    if converter is not None:
+        found += (converter.sigma_lsb(sensor) * sensor.electrons_per_lsb) ** 2
+    times = {"reads": _READS, "words": _WORDS, "resets": 0}
+    for _, errors in effects.errors():
+        found += times[errors.at] * errors.sigma_e(sensor) ** 2
+    found /= gain**2
+    if effects.part(CountedLight) is not None:
+        found += electrons
+    response = effects.part(Response)
+    if response is not None:
+        found += (float(response.factor(sensor, 0, _PIXELS).std()) * electrons) ** 2
+    return found
+
+
+def merged_image(light: Values, deviation: Values) -> Values:
+    """One light (rows, cols) of all buckets, each weighted by what it knows; where every one was
+    full, the greatest."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        weight = np.nan_to_num(1.0 / deviation**2, nan=0.0, posinf=0.0)
+    known = weight.sum(axis=0)
+    mean = (np.nan_to_num(light) * weight).sum(axis=0) / np.where(known > 0, known, 1.0)
+    least = np.nan_to_num(np.fmax.reduce(light, axis=0))
+    return np.asarray(np.where(known > 0, mean, least))
+
+
+def image_of(frame: Path) -> NDArray[np.float32]:
+    """What `nscc reconstruct FRAME` writes: electrons over the frame (rows, cols), from the light
+    that the frame file has; of repeats, their mean.
+
+    Raises Rejected (NS0819, status 2) for a file that is no frame whose pixels looked.
+    """
+    reads(frame)
+    try:
+        with np.load(frame, allow_pickle=False) as file:
+            arrays: Mapping[str, Any] = {key: file[key] for key in (LIGHT, DEVIATION)}
+            meta = json.loads(str(file["meta"]))
+        frame_s = float(meta["frame_us"]) * 1e-6
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise rejected(
+            "NS0819",
+            f"'{frame.as_posix()}' says no light by itself: it is no frame file of a program whose "
+            "pixels look at the light",
+            notes=(f"{type(error).__name__}: {error}",),
+            helps=("name the run that the frame was taken for: `nscc reconstruct RUN FRAME.npz`",),
+        ) from None
+    light, deviation = arrays[LIGHT], arrays[DEVIATION]
+    if light.ndim == 3:
+        light, deviation = light[None], deviation[None]
+    images = [merged_image(*each) for each in zip(light, deviation, strict=True)]
+    return np.asarray(np.mean(images, axis=0) * frame_s, np.float32)

@@ -1,0 +1,114 @@
+"""From light to the greys and colours of a screen: curves that are fitted to one picture and serve
+others beside it, so that equal light looks equal."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import closest
+from nscc_runtime.scenes.colour import LUMINANCE
+
+Field = NDArray[np.float64]
+
+WHITE_PERCENTILE = 99.8
+"""What is brighter is left to burn out: single lights would darken all the rest."""
+_MIDDLE = 0.45
+"""The grey of the median under a logarithmic curve."""
+_KEY = 0.18
+"""Reinhard's middle grey."""
+
+
+@dataclass(frozen=True)
+class Tone:
+    """A fitted curve: `curve` takes light over `white` (0 and above) to 0..1; `name` tells a reader
+    of the picture which it is."""
+
+    name: str
+    white: float
+    curve: Callable[[Field], Field]
+
+    def __call__(self, light: NDArray[Any]) -> NDArray[np.uint8]:
+        """Light of any shape as 0..255; what is negative is dark."""
+        if not self.white > 0:
+            return np.zeros(light.shape, np.uint8)
+        relative = np.maximum(np.asarray(light, np.float64) / self.white, 0.0)
+        return np.rint(255.0 * np.clip(self.curve(relative), 0.0, 1.0)).astype(np.uint8)
+
+
+def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
+    """The curve of that name for light (.., rows, cols), or (.., rows, cols, 3) in colours.
+
+    `white` is the light that is shown as white, by default the percentile `WHITE_PERCENTILE`.
+    Raises Rejected (NS0739) for a name that is none of `TONES`.
+    """
+    if tone not in TONES:
+        near = closest(tone, TONES)
+        raise rejected(
+            "NS0739",
+            f"there is no tone curve '{tone[:60]}'",
+            notes=(f"the curves are {', '.join(TONES)}",),
+            helps=(f"did you mean {near}?" if near else "name one of them",),
+        )
+    values = np.maximum(np.asarray(light, np.float64), 0.0).ravel()
+    if white is None:
+        white = float(np.percentile(values, WHITE_PERCENTILE)) if values.size else 0.0
+        white = white or (float(values.max()) if values.size else 0.0)
+    if not white > 0:
+        return Tone(f"{tone} curve", 0.0, lambda relative: relative)
+    return Tone(f"{tone} curve", white, TONES[tone](values / white))
+
+
+def srgb_of_linear(values: Field) -> Field:
+    """The curve of IEC 61966-2-1 from linear light on 0..1 and above."""
+    power = 1.055 * np.maximum(values, 0.0031308) ** (1 / 2.4) - 0.055
+    return np.where(values > 0.0031308, power, 12.92 * values)
+
+
+def _logarithmic(relative: Field) -> Callable[[Field], Field]:
+    """log(1 + b x) / log(1 + b), b such that the median is a middle grey."""
+    middle = min(float(np.median(relative)), 1.0)
+    low, high = 0.0, 30.0
+    for _ in range(40):
+        bend = (low + high) / 2
+        grey = np.log1p(2.0**bend * middle) / np.log1p(2.0**bend)
+        low, high = (bend, high) if grey < _MIDDLE else (low, bend)
+    factor = 2.0**low
+    return lambda light: np.log1p(factor * np.minimum(light, 1.0)) / np.log1p(factor)
+
+
+def _reinhard(relative: Field) -> Callable[[Field], Field]:
+    """Reinhard's global operator (SIGGRAPH 2002), whose white burns out, for an sRGB screen."""
+    lit = relative[relative > 0]
+    scale = _KEY / float(np.exp(np.mean(np.log(lit)))) if lit.size else 1.0
+
+    def curve(light: Field) -> Field:
+        bright = light * scale
+        return srgb_of_linear(bright * (1.0 + bright / scale**2) / (1.0 + bright))
+
+    return curve
+
+
+def _mu_law(_relative: Field) -> Callable[[Field], Field]:
+    """log(1 + 5000 x) / log 5001, in which PSNR-mu counts errors."""
+    return lambda light: np.log1p(5000.0 * np.minimum(light, 1.0)) / np.log1p(5000.0)
+
+
+TONES: dict[str, Callable[[Field], Callable[[Field], Field]]] = {
+    "log": _logarithmic,
+    "reinhard": _reinhard,
+    "mu-law": _mu_law,
+    "srgb": lambda _relative: srgb_of_linear,
+    "linear": lambda _relative: lambda light: light,
+}
+"""Each is fitted to light over white."""
+
+
+def grey_of(light: NDArray[Any]) -> Field:
+    """Luminance (.., rows, cols) of light in colours (.., rows, cols, 3)."""
+    return np.asarray(light @ np.array(LUMINANCE), np.float64)

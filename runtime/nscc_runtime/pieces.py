@@ -1,0 +1,95 @@
+"""A picture of any size on one chip: exposed piece by piece and colour by colour, put together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from nscc.diagnostics.rejection import rejected
+from nscc.words.container import Container
+from nscc_runtime.frame_file import joined, stacked
+from nscc_runtime.light import Light
+from nscc_runtime.progress import unseen
+from nscc_runtime.response import Response, response_of
+from nscc_runtime.scenes import Laid, Layout
+from nscc_runtime.sensor import Sensor
+from nscc_runtime.simulate import Listener, Request, Simulated, simulate
+
+COLOURS = ("red", "green", "blue")
+
+
+@dataclass(frozen=True, eq=False)
+class Taken:
+    """What became of a scene: frames of the picture's size, with those of colours on a leading
+    axis; `container` has a code for every pixel of them, `light` is what the first of them saw.
+
+    `laid` belongs into the frame file's meta. `program` is the chip's, `where` how it sees the
+    picture.
+    """
+
+    simulated: Simulated
+    container: Container
+    light: Light
+    laid: dict[str, Any]
+    program: Container
+    where: Layout
+
+    def response(self, sensor: Sensor) -> Response:
+        """What the chip makes of steady light, at every pixel of the picture."""
+        found = response_of(self.program, sensor, self.simulated.effects)
+        open_s, gain, zero_e = (
+            self.where.repeated(values) for values in (found.open_s, found.gain, found.zero_e)
+        )
+        return replace(found, open_s=open_s, gain=gain, zero_e=zero_e)
+
+
+def simulate_scene(
+    container: Container,
+    scene: Sequence[Laid],
+    sensor: Sensor,
+    request: Request,
+    listener: Listener | None = None,
+) -> Taken:
+    """Expose a scene of one or three colours; raises as `simulate`, NS0739 for what cannot be.
+
+    The pieces are exposed on the same chip, with the same fixed patterns, one frame after the
+    other: their noise has the seeds `request.seed`, and so on. Plan and audit are those of the
+    piece that is furthest off.
+    """
+    listener = listener or Listener()
+    where = scene[0].where
+    lights = [piece for laid in scene for piece in where.pieces(laid.light)]
+    numbered: Iterable[tuple[int, Light]] = enumerate(lights)
+    one = listener
+    if len(lights) > 1:
+        _refuse_once(request)
+        one = replace(listener, progress=unseen)
+        numbered = listener.progress(numbered, "exposing pieces", len(lights))
+    made = [
+        simulate(container, light, sensor, replace(request, seed=request.seed + number), one)
+        for number, light in numbered
+    ]
+    frames, each = [one.frame for one in made], len(lights) // len(scene)
+    frames = [joined(frames[k : k + each], where.joined) for k in range(0, len(made), each)]
+    frame = frames[0] if len(scene) == 1 else stacked(frames)
+    worst = max(made, key=lambda one: one.plan.predicted_e if one.plan else 0.0)
+    broken = next((one.broken for one in made if one.broken), None)
+    light = scene[0].light
+    light = light if where.whole else light.part(*(slice(0, side) for side in where.size))
+    about: dict[str, Any] = {} if where.fit == "crop" else {"laid": where.as_json()}
+    about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
+    simulated = replace(worst, frame=frame, broken=broken)
+    return Taken(simulated, where.widened(container), light, about, container, where)
+
+
+def _refuse_once(request: Request) -> None:
+    """NS0739 for what means one exposure."""
+    for name in ("plan", "repeat"):
+        if getattr(request, name) is not None:
+            raise rejected(
+                "NS0739",
+                f"--{name} is for one exposure, and this scene takes several",
+                notes=("pieces of a picture and colours are exposed one after the other",),
+                helps=(f"leave --{name} out, or --fit tiles and --color",),
+            )

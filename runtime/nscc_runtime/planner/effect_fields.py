@@ -1,0 +1,192 @@
+"""What each effect does to the exposures of a sample of pixels: the matter of predictions.
+
+Every effect says so by its field (`nscc_runtime.effects.field`). Where pixels may saturate, what
+the words make of them is found by running them.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import (
+    AfterExposure,
+    ByWords,
+    CannotHave,
+    Effect,
+    Field,
+    Selection,
+    registered,
+)
+from nscc_runtime.effects.parts import Exchange, Soft, Well
+from nscc_runtime.effects.selection import everything
+from nscc_runtime.light import Light
+from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.sample import Sample
+from nscc_runtime.planner.sampled import SampledScene
+
+Values = NDArray[np.float64]
+
+FORCED = "forced off"
+"""What all that is forced off does where pixels run through their words: random parts included."""
+BOTH = "saturation"
+"""What saturation of PIX and of registers do together."""
+_CLIPPED_E = 1.0
+_SIGMAS = 8
+
+
+@dataclass(frozen=True, eq=False)
+class Fields:
+    """Predictions for a sample; arrays are (buckets, pixels of the sample).
+
+    `fixed` and `variance` by effect; `shifts`: the electrons by which an effect changes the counts;
+    `expected`: the exposure with every effect; `thinning[closed]`: the variance that sums leave out
+    because counts are not spread over the slots, with closed slots counted or not;
+    `neighbours[closed]`: the same of crosstalk; `noise_cut`: that the noise of words is drawn as at
+    the mean leakage. All but what saturation loses is as if nothing saturated; `clipped`: where the
+    full well is passed; `after`: the fields there of effects that act on what the well lets through
+    (0 where only their noise does).
+    """
+
+    sample: Sample
+    expected: Values
+    fixed: dict[str, Values]
+    variance: dict[str, Values]
+    shifts: dict[str, Values]
+    thinning: dict[bool, Values]
+    neighbours: dict[bool, Values]
+    noise_cut: Values
+    clipped: NDArray[np.bool_]
+    after: dict[str, Values]
+
+
+def fields_of(
+    program: Program,
+    light: Light,
+    sample: Sample,
+    device_seed: int,
+    forced_off: frozenset[str] = frozenset(),
+) -> Fields:
+    """The fields of a scene, each effect against all others; `forced_off` are effects that pixels
+    near saturation lack as well.
+    """
+    scene = SampledScene(program, light, sample, device_seed)
+    found = {effect.name: _field(effect, scene) for effect in registered()}
+    fixed = {name: each.fixed for name, each in found.items() if each.fixed is not None}
+    expected = scene.base + scene.dark_s * (scene.dark + scene.spilt) + scene.pattern
+    noise_cut = np.zeros(expected.shape)
+    for _, part in scene.all.errors():
+        noise_cut += scene.errors_cut(part.at, part.sigma_e(program.sensor))
+    thinning, neighbours = scene.left_out()
+    fields = Fields(
+        sample,
+        expected,
+        fixed,
+        {name: each.variance for name, each in found.items() if each.variance is not None},
+        {name: each.shift for name, each in found.items() if each.shift is not None},
+        thinning,
+        neighbours,
+        noise_cut,
+        np.zeros(expected.shape, np.bool_),
+        {},
+    )
+    if not sample.near.any():
+        return fields
+    return _Near(scene, forced_off).added(fields, found)
+
+
+def _field(effect: Effect, scene: SampledScene) -> Field:
+    """What an effect does on the sample, all of it (buckets, pixels); ValueError for what has
+    another shape.
+    """
+    if isinstance(effect.field, ByWords | AfterExposure):
+        return Field()
+    found, shape = effect.field(scene), (len(scene.buckets), len(scene.places))
+
+    def whole(values: Values | float | None) -> Values | None:
+        return None if values is None else np.broadcast_to(np.asarray(values, np.float64), shape)
+
+    try:
+        parts = (found.fixed, found.variance, found.shift, found.behind_well)
+        return Field(*(whole(values) for values in parts))
+    except ValueError as error:
+        raise ValueError(f"the field of the effect {effect.name!a}: {error}") from None
+
+
+@dataclass(frozen=True, eq=False)
+class _Near:
+    """The pixels of a sample that may saturate, run through their words."""
+
+    scene: SampledScene
+    forced_off: frozenset[str]
+
+    def added(self, fields: Fields, found: Mapping[str, Field]) -> Fields:
+        """The fields with what the words make of these pixels."""
+        near = self.scene.sample.near
+        every = everything()
+        every = every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))
+        exchanges = every.names(Exchange)
+        (well,), (register,) = every.names(Well), every.names(Soft)
+        held = {
+            names: self._held(every.without(*names, *exchanges))
+            for names in ((), (well,), (register,), (well, register))
+        }
+        fixed, blank = dict(fields.fixed), np.zeros_like(fields.expected)
+        rare = self._rarely_lost(held[(register,)])
+        for name, lost, least in (
+            (well, held[()] - held[(well,)], 0.0),
+            (register, held[()] - held[(register,)], rare),
+            (BOTH, held[()] - held[(well, register)], self._rarely_lost(held[(well, register)])),
+        ):
+            fixed[name] = blank.copy()
+            fixed[name][:, near] = np.where(np.abs(lost) < least, -least, lost)
+        if self.forced_off:
+            fixed[FORCED] = blank.copy()
+            fixed[FORCED][:, near] = self._held(every) - self._held(every.without(*self.forced_off))
+        expected = fields.expected.copy()
+        expected[:, near] = held[()]
+        clipped = np.zeros(expected.shape, np.bool_)
+        clipped[:, near] = np.abs(held[(register,)] - held[(well, register)]) > _CLIPPED_E
+        # Of the charge that effects after the well act on, the part that it lets through.
+        pattern, passed = self.scene.pattern, np.ones_like(expected)
+        free = np.maximum((fields.expected - pattern)[:, near], 1.0)
+        passed[:, near] = (held[(register,)] - pattern[:, near]) / free
+        after: dict[str, Values] = {}
+        for name, each in found.items():
+            if each.behind_well is not None:
+                rest = 0.0 if each.fixed is None else (each.fixed - each.behind_well) * passed
+                after[name] = np.asarray(each.behind_well + rest)
+        return replace(fields, expected=expected, fixed=fixed, clipped=clipped, after=after)
+
+    def _rarely_lost(self, expected: Values) -> Values:
+        """The RMS of what registers lose of exposures (buckets, pixels) that noise takes beyond
+        their linear range: a few pixels in a frame, which no sample shows.
+        """
+        scene, reach, soft = self.scene, self.scene.program.reach, self.scene.all.the(Soft)
+        lanes = scene.lanes[scene.sample.near]
+        z = np.linspace(-_SIGMAS, _SIGMAS, 16 * _SIGMAS + 1)[:, None, None]
+        density = np.exp(-z * z / 2)
+        size = np.abs(expected) + reach.offset_e[lanes]
+        sigma = np.sqrt(reach.sigma_e[lanes] ** 2 + np.abs(expected))
+        lost = soft.lost_e(scene.sensor, size + sigma * z)
+        # Of many pixels the one that goes farthest may carry all of it.
+        count = max(2.0, scene.sample.weight[scene.sample.near].sum())
+        farthest = np.argmin(np.abs(z[:, 0, 0] - (math.sqrt(2 * math.log(count)) + 1.0)))
+        mean = (density * lost**2).sum(axis=0) / density.sum()
+        return np.asarray(np.sqrt(np.maximum(mean, lost[farthest] ** 2 / count)))
+
+    def _held(self, kept: Selection) -> Values:
+        """What the words make of pixels that may saturate: noise alone may take them there."""
+        program = self.scene.program
+        exposures, _ = program.pixels.exposures(
+            self.scene.scene,
+            program.slot_s,
+            self.scene.places[self.scene.sample.near],
+            kept,
+            device_seed=self.scene.device.device_seed,
+        )
+        return exposures

@@ -1,0 +1,50 @@
+"""Frames under a plan, read out: from a program's analysis, made once, to codes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from threading import Lock
+from weakref import WeakKeyDictionary
+
+from nscc.words.container import Container
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.frame_file import Frame, check_adc, converted
+from nscc_runtime.light import Light
+from nscc_runtime.planner.capture import prepared
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.program import Program
+
+_programs: WeakKeyDictionary[Container, dict[Sensor, Program]] = WeakKeyDictionary()
+_analysing = Lock()
+
+
+def made_ready(container: Container, sensor: Sensor) -> Program:
+    """The analysis of a program, kept as long as the program is."""
+    with _analysing:  # threads that share a program wait for one analysis of it
+        found = _programs.setdefault(container, {})
+        if sensor not in found:
+            found[sensor] = Program.of(container, sensor)
+        return found[sensor]
+
+
+def planned_frames(
+    program: Program,
+    light: Light,
+    plan: Plan,
+    seed: int = 0,
+    device_seed: int = 0,
+    count: int = 1,
+    threads: int | None = None,
+) -> Iterable[Frame]:
+    """Frames 0 .. `count` - 1 under a plan, read out; ValueError for fewer than one."""
+    if count < 1:
+        raise ValueError(f"{count} frames")
+    scene = prepared(program, light, plan, device_seed=device_seed, threads=threads)
+    sensor, target = program.sensor, program.container.target
+    check_adc(target)
+    for number in range(count):
+        if scene.fused is not None:
+            yield scene.fused.expose(seed, number, read_out=True)
+        else:
+            exposure = scene.expose(seed, number)
+            yield converted(exposure, target, sensor, plan.kept, (seed, device_seed), number)

@@ -1,0 +1,376 @@
+"""The loop for plans without slot loops and without weights: light is added up, counted, made
+noisy, clipped and read out while it is in the cache.
+
+`nscc_runtime.planner.fused` makes what it is given.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import numpy as np
+
+from nscc_runtime.loop import (
+    Bytes,
+    Floats,
+    Floats32,
+    Ints,
+    Ints32,
+    Words,
+    Written,
+    compiled,
+    inlined,
+    loop,
+    record,
+)
+from nscc_runtime.noise.counter import bits, unit
+from nscc_runtime.noise.gaussian_fast import normal_fast
+from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
+from nscc_runtime.planner.masks import Masks
+
+BLOCK = 1024
+"""Pixels that go through all steps together."""
+
+MOST_COUNTED = 80
+_NOTHING = 1e-17
+_EXACT_SLOTS = 8
+"""Frames added up in float32 before float64 takes over: an error of 4e-7 at most."""
+
+_FIRST_LANE = np.uint64(0)
+_LARGE = 1e30
+"""Sums from here on are made once more, in float64."""
+
+SKIPPED, EVEN, MASKED, TABLED = Masks.SKIPPED, Masks.EVEN, Masks.MASKED, Masks.TABLED
+
+
+@compiled
+def _added(
+    frames: Floats32, pixels: int, k: int, kind: int, frame_weight: Floats32, mask_row: Ints,
+    masks: Bytes, table: Floats32, lane_count: int, lanes: Ints32, first: int, stop: int,
+    part: Floats32,
+) -> None:  # fmt: skip
+    """part[i] += a frame's light at pixel first + i."""
+    row, weight, mask = k * pixels, frame_weight[k], mask_row[k] * pixels
+    if kind == EVEN:
+        for p in range(first, stop):
+            part[p - first] += weight * frames[row + p]
+    elif kind == MASKED:
+        for p in range(first, stop):
+            part[p - first] += weight * frames[row + p] * np.float32(masks[mask + p])
+    else:
+        for p in range(first, stop):
+            part[p - first] += frames[row + p] * table[k * lane_count + lanes[p]]
+
+
+@compiled
+def _added_four(
+    frames: Floats32, pixels: int, k: int, kind: int, frame_weight: Floats32, mask_row: Ints,
+    masks: Bytes, first: int, stop: int, part: Floats32,
+) -> None:  # fmt: skip
+    """The same of four frames of one kind and weight, for one time through `part`."""
+    weight = frame_weight[k]
+    a, b, c, d = k * pixels, (k + 1) * pixels, (k + 2) * pixels, (k + 3) * pixels
+    if kind == EVEN:
+        for p in range(first, stop):
+            four = (frames[a + p] + frames[b + p]) + (frames[c + p] + frames[d + p])
+            part[p - first] += weight * four
+        return
+    e, f = mask_row[k] * pixels, mask_row[k + 1] * pixels
+    g, h = mask_row[k + 2] * pixels, mask_row[k + 3] * pixels
+    for p in range(first, stop):
+        two = frames[a + p] * np.float32(masks[e + p]) + frames[b + p] * np.float32(masks[f + p])
+        four = frames[c + p] * np.float32(masks[g + p]) + frames[d + p] * np.float32(masks[h + p])
+        part[p - first] += weight * (two + four)
+
+
+@compiled
+def _alike(kinds: Ints, frame_weight: Floats32, k: int, count: int) -> bool:
+    """Whether four frames from k on are even or masked alike, with one weight."""
+    if k + 4 > count or (kinds[k] != EVEN and kinds[k] != MASKED):
+        return False
+    for other in range(k + 1, k + 4):
+        if kinds[other] != kinds[k] or frame_weight[other] != frame_weight[k]:
+            return False
+    return True
+
+
+@compiled
+def _summed(
+    frames: Floats32, pixels: int, count: int, kinds: Ints, frame_weight: Floats32, mask_row: Ints,
+    masks: Bytes, table: Floats32, lane_count: int, lanes: Ints32, p: int,
+) -> float:  # fmt: skip
+    """The light of one pixel in float64: what float32 has no room for."""
+    total = 0.0
+    for k in range(count):
+        light, weight = float(frames[k * pixels + p]), float(frame_weight[k])
+        if kinds[k] == EVEN:
+            total += weight * light
+        elif kinds[k] == MASKED:
+            total += weight * light * masks[mask_row[k] * pixels + p]
+        elif kinds[k] == TABLED:
+            total += light * float(table[k * lane_count + lanes[p]])
+    return total
+
+
+@inlined
+def _exp_minus(x: float) -> float:
+    """exp(-x) for x in [0, 16], to 2e-16: without branches, so that LLVM makes vectors."""
+    n = np.floor(0.5 - x * 1.4426950408889634)
+    r = -x - n * 0.6931471803691238 - n * 1.9082149292705877e-10
+    p = 1.0 / 6227020800.0
+    p = p * r + 1.0 / 479001600.0
+    p = p * r + 1.0 / 39916800.0
+    p = p * r + 1.0 / 3628800.0
+    p = p * r + 1.0 / 362880.0
+    p = p * r + 1.0 / 40320.0
+    p = p * r + 1.0 / 5040.0
+    p = p * r + 1.0 / 720.0
+    p = p * r + 1.0 / 120.0
+    p = p * r + 1.0 / 24.0
+    p = p * r + 1.0 / 6.0
+    p = p * r + 0.5
+    p = p * r + 1.0
+    p = p * r + 1.0
+    power = np.int64((np.int64(n) + np.int64(1023)) << np.int64(52)).view(np.float64)
+    found: float = p * power
+    return found
+
+
+@compiled
+def _searched(count: int, rates: Floats, rest: int, room: int, scratch: Floats) -> None:
+    """`nscc_runtime.noise.poisson_law.search`, step by step for many pixels at once.
+
+    `scratch` holds uniform numbers from `rest` on, then masses and the counts found, each of
+    `room`; `rates` are at most SEARCH_BELOW.
+    """
+    mass, found = rest + room, rest + 2 * room
+    for i in range(count):
+        start = _exp_minus(rates[i])
+        scratch[mass + i] = start
+        scratch[rest + i] -= start
+        scratch[found + i] = 0.0
+    for step in range(1, MOST_COUNTED):
+        inverse, going = 1.0 / step, 0
+        for i in range(count):
+            next_mass = scratch[mass + i] * (rates[i] * inverse)
+            left = scratch[rest + i]
+            on = left > 0.0 and next_mass > _NOTHING
+            scratch[mass + i] = next_mass
+            scratch[rest + i] = left - next_mass
+            scratch[found + i] += 1.0 if on else 0.0
+            going += 1 if on else 0
+        if going == 0:
+            break
+
+
+@compiled
+def _counted(
+    stream: np.uint64, top: float, first: int, stop: int, values: Floats, scratch: Floats,
+    few: Floats, places: Ints,
+) -> None:  # fmt: skip
+    """values[i] := a count of the rate values[i] at pixel first + i."""
+    low = 0
+    for i in range(stop - first):
+        rate = values[i] if values[i] > 0.0 else 0.0
+        values[i] = rate if rate < top else top
+    for i in range(stop - first):
+        scratch[i] = unit(bits(stream, first + i, _FIRST_LANE))
+    for i in range(stop - first):
+        if values[i] < SETTLED_ABOVE:
+            places[low] = i
+            few[low] = values[i] if values[i] < SEARCH_BELOW else SEARCH_BELOW
+            low += 1
+    for j in range(low):
+        scratch[BLOCK + j] = scratch[places[j]]
+    for i in range(stop - first):
+        z = float(normal_fast(scratch[i]))
+        x = np.floor(quantile(z, values[i] if values[i] > SEARCH_BELOW else SEARCH_BELOW))
+        scratch[i] = x if x > 0.0 else 0.0
+    if low:
+        _searched(low, few, BLOCK, BLOCK, scratch)
+        for j in range(low):
+            i, found = places[j], scratch[3 * BLOCK + j]
+            # The formula's error at the crossover must not let a greater rate give a smaller count.
+            formula = scratch[i] if values[i] >= SEARCH_BELOW else 0.0
+            scratch[i] = found if found > formula else formula
+    for i in range(stop - first):
+        values[i] = scratch[i]
+
+
+@compiled
+def _noisy(
+    stream: np.uint64, sigma: Floats, row: int, lanes: Ints32, first: int, stop: int,
+    values: Floats, scratch: Floats,
+) -> None:  # fmt: skip
+    """values[i] += a normal number times the lane's sigma."""
+    for i in range(stop - first):
+        scratch[i] = float(normal_fast(unit(bits(stream, first + i, _FIRST_LANE))))
+    for i in range(stop - first):
+        values[i] += sigma[row + lanes[first + i]] * scratch[i]
+
+
+@inlined
+def _code(value: float, noise: float, lsb: float, offset: float, top: float) -> float:
+    """What the ADC makes of an exposure."""
+    code = np.rint(value / lsb + noise) + offset
+    code = code if code > 0.0 else 0.0
+    return float(np.rint(code if code < top else top))
+
+
+@record
+class Simple:
+    """What a simple plan does to one bucket of one frame.
+
+    Of all `pixels` those from `begin` to `end` - 1 are to be done; `sources` are those of noise.
+    Numbers in codes are `offset`, `top` (the highest code) and `readout_noise`.
+    """
+
+    pixels: int
+    begin: int
+    end: int
+    count: int
+    lane_count: int
+    sources: int
+    uneven: int
+    """Whether the response is given; so on with the switches below."""
+    counted: int
+    clipped: int
+    readout_noisy: int
+    read_out: int
+    well_bit: int
+    """What marks pixels that are clipped: those above `full` times their limit."""
+    full: float
+    factor: float
+    """Of all light."""
+    rate_cap: float
+    electrons_per_code: float
+    offset: float
+    top: float
+    readout_noise: float
+    count_key: np.uint64
+    readout_key: np.uint64
+
+
+@inlined
+def _lit(
+    plan: Simple, frames: Floats32, kinds: Ints, frame_weight: Floats32, mask_row: Ints,
+    masks: Bytes, table: Floats32, lanes: Ints32, first: int, stop: int, part: Floats32,
+    values: Floats, valid: Bytes,
+) -> None:  # fmt: skip
+    """values[i] := the light of pixel first + i, `valid` 0 where that is no number."""
+    pixels, count, lane_count = plan.pixels, plan.count, plan.lane_count
+    for i in range(stop - first):
+        values[i] = 0.0
+        part[i] = np.float32(0.0)
+    added, k = 0, 0
+    while k < count:
+        if kinds[k] == SKIPPED:
+            k += 1
+            continue
+        if _alike(kinds, frame_weight, k, count):
+            _added_four(
+                frames, pixels, k, kinds[k], frame_weight, mask_row, masks, first, stop, part
+            )
+            added += 4
+            k += 4
+        else:
+            _added(
+                frames, pixels, k, kinds[k], frame_weight, mask_row, masks, table, lane_count,
+                lanes, first, stop, part,
+            )  # fmt: skip
+            added += 1
+            k += 1
+        if added >= _EXACT_SLOTS:
+            for i in range(stop - first):
+                values[i] += float(part[i])
+                part[i] = np.float32(0.0)
+            added = 0
+    large = 0
+    for i in range(stop - first):
+        values[i] += float(part[i])
+        large += not values[i] < _LARGE
+    if large:
+        for i in range(stop - first):
+            if not values[i] < _LARGE:
+                valid[first + i] = values[i] == values[i]
+                values[i] = _summed(
+                    frames, pixels, count, kinds, frame_weight, mask_row, masks, table,
+                    lane_count, lanes, first + i,
+                )  # fmt: skip
+
+
+@inlined
+def _read_out(
+    plan: Simple, first: int, stop: int, values: Floats, scratch: Floats, frame: Bytes
+) -> None:
+    """frame[first + i] := the code of values[i]."""
+    if plan.readout_noisy:
+        for i in range(stop - first):
+            z = float(normal_fast(unit(bits(plan.readout_key, first + i, _FIRST_LANE))))
+            scratch[i] = plan.readout_noise * z
+    else:
+        for i in range(stop - first):
+            scratch[i] = 0.0
+    for i in range(stop - first):
+        code = _code(values[i], scratch[i], plan.electrons_per_code, plan.offset, plan.top)
+        frame[first + i] = np.uint8(np.int32(code))
+
+
+@loop
+def fused(
+    plan: Simple,
+    noise_keys: Annotated[Words, "sources"],
+    frames: Annotated[Floats32, "count pixels"],
+    kinds: Annotated[Ints, "count"],
+    frame_weight: Annotated[Floats32, "count"],
+    mask_row: Annotated[Ints, "count"],
+    masks: Bytes,
+    table: Floats32,
+    lanes: Annotated[Ints32, "pixels"],
+    response: Floats,
+    limit: Annotated[Floats, "lane_count"],
+    sigma: Annotated[Floats, "sources lane_count"],
+    part: Written[Floats32],
+    values: Written[Floats],
+    scratch: Written[Floats],
+    few: Written[Floats],
+    places: Written[Ints],
+    exposure: Written[Annotated[Floats, "pixels"]],
+    frame: Written[Annotated[Bytes, "pixels"]],
+    valid: Written[Annotated[Bytes, "pixels"]],
+    marked: Written[Annotated[Bytes, "pixels"]],
+) -> None:
+    """One bucket of one frame.
+
+    `masks` (rows, pixels) and `table` (frames, lanes) where a frame's kind asks for them,
+    `response` (pixels,) where it is given. `part`, `values`, `few`, `places`: scratch for `BLOCK`
+    pixels; `scratch` for four times as many. `valid` comes filled with 1, and is 0 where light is
+    no number; `marked` with 0, and is `well_bit` where it is clipped.
+    """
+    lane_count = plan.lane_count
+    for first in range(plan.begin, plan.end, BLOCK):
+        stop = min(first + BLOCK, plan.end)
+        _lit(
+            plan, frames, kinds, frame_weight, mask_row, masks, table, lanes, first, stop, part,
+            values, valid,
+        )  # fmt: skip
+        for i in range(stop - first):
+            values[i] *= plan.factor
+        if plan.uneven:
+            for i in range(stop - first):
+                values[i] *= response[first + i]
+        if plan.counted:
+            _counted(plan.count_key, plan.rate_cap, first, stop, values, scratch, few, places)
+        if plan.clipped:
+            for i in range(stop - first):
+                most = limit[lanes[first + i]]
+                marked[first + i] = plan.well_bit if values[i] > most * plan.full else 0
+                values[i] = values[i] if values[i] < most else most
+        for source in range(plan.sources):
+            _noisy(
+                noise_keys[source], sigma, source * lane_count, lanes, first, stop, values, scratch
+            )
+        for i in range(stop - first):
+            exposure[first + i] = values[i] + 0.0
+        if plan.read_out:
+            _read_out(plan, first, stop, values, scratch, frame)

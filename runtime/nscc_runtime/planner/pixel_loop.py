@@ -1,0 +1,346 @@
+"""The loop that runs the words for single pixels: the reference, compiled, event by event.
+
+It does what `nscc_runtime.reference` does with the same keyed numbers, but moves from word to word
+instead of from slot to slot: charge between two words is found by halving counts
+(`nscc_runtime.noise.thin`), so a program of few words costs little however many slots it has.
+
+`nscc_runtime.planner.pixels` makes what it is given.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects.registry import in_loop
+from nscc_runtime.effects.spread import log_normal_in_loop
+from nscc_runtime.loop import (
+    Bytes,
+    Floats,
+    Floats32,
+    Ints,
+    Ints32,
+    Words,
+    Written,
+    compiled,
+    loop,
+)
+from nscc_runtime.noise.gaussian import normal
+from nscc_runtime.noise.loops import uniform
+from nscc_runtime.planner.charge_loop import SITES, charge, kept_at, lit, stream_key
+from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
+
+_READS, _RESETS, _WORDS = 0, 1, 2
+ERRORS = 3
+"""Kinds of small errors."""
+_ADDED, _SUBTRACTED = 1, 2
+"""Of what a register holds: it has a full PIX in it."""
+_bent = in_loop("bends")
+"""What a register holds of a value, by the effect that bends it."""
+
+Entries = Annotated[NDArray[Any], Entry]
+
+
+@compiled
+def _missing(
+    sizes: Sizes, of_sum: np.uint64, of_part: np.uint64, place: int, first: int, stop: int,
+    entries: Entries, weights: Floats, kind: int, missing: Floats,
+) -> None:  # fmt: skip
+    """What the draws of the words lack of the draws of the buckets: z - Q^T x, by their keys."""
+    buckets = sizes.buckets
+    for bucket in range(buckets):
+        stream = stream_key(of_sum, sizes.frame, np.uint64(bucket))
+        missing[kind * buckets + bucket] = normal(uniform(stream, place))
+    for e in range(first, stop):
+        for draw in range(sizes.draws):
+            if not _draws(entries[e], kind, draw):
+                continue
+            number = _drawn_number(sizes, entries[e], kind, draw)
+            stream = stream_key(of_part, sizes.frame, number)
+            x = normal(uniform(stream, place))
+            for bucket in range(buckets):
+                at = (e * sizes.draws + draw) * buckets + bucket
+                missing[kind * buckets + bucket] -= weights[at] * x
+
+
+@compiled
+def _draws(entry: Entry, kind: int, draw: int) -> bool:
+    """Whether a word has this draw of this kind of noise."""
+    if kind == _RESETS:
+        return draw == 0 and entry.resets == 1
+    if kind == _READS:
+        return draw == 0 and entry.reads_pix == 1
+    return draw > 0 and draw <= entry.destinations
+
+
+@compiled
+def _drawn_number(sizes: Sizes, entry: Entry, kind: int, draw: int) -> np.uint64:
+    """The number under which the reference draws it."""
+    number = entry.number
+    return np.uint64(number * sizes.numbered + draw - 1 if kind == _WORDS else number)
+
+
+@compiled
+def _error(
+    sizes: Sizes, of_part: np.uint64, place: int, e: int, entries: Entries, weights: Floats,
+    kind: int, draw: int, missing: Floats,
+) -> float:  # fmt: skip
+    """The unit normal error of one draw of a word."""
+    buckets = sizes.buckets
+    number = _drawn_number(sizes, entries[e], kind, draw)
+    stream = stream_key(of_part, sizes.frame, number)
+    found = normal(uniform(stream, place))
+    for bucket in range(buckets):
+        at = (e * sizes.draws + draw) * buckets + bucket
+        found += weights[at] * missing[kind * buckets + bucket]
+    return found
+
+
+@compiled
+def _execute(
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, e: int, entries: Entries,
+    operands: Ints, weights: Floats, signs: Floats, missing: Floats, pattern: float,
+    registers: Floats, full: Ints, lost: Floats,
+) -> None:  # fmt: skip
+    """Run one word. PIX is register `registers`, its reset level the next one, then IN."""
+    entry, pix = entries[e], sizes.registers
+    if entry.resets:
+        registers[pix] = 0.0
+        full[pix] = 0
+        if sizes.reset_errors:
+            z = _error(sizes, keys.part_resets, place, e, entries, weights, _RESETS, 0, missing)
+            registers[pix + 1] = numbers.reset_error * z
+        return
+    total, gathered, lost_e = 0.0, 0, 0.0
+    for i in range(entry.sources):
+        source = operands[entry.operands + i]
+        total += registers[source]
+        gathered |= full[source]
+        lost_e += lost[source]
+        if source == pix:
+            total += registers[pix + 1]
+            if sizes.read_errors:
+                z = _error(sizes, keys.part_reads, place, e, entries, weights, _READS, 0, missing)
+                total += numbers.read_error * z
+    result = total / -entry.divisor
+    lost_e /= entry.divisor
+    for i in range(entry.destinations):
+        register = operands[entry.operands + entry.sources + i]
+        value, here_e = result, lost_e
+        if sizes.word_errors:
+            z = _error(sizes, keys.part_words, place, e, entries, weights, _WORDS, i + 1, missing)
+            error = pattern + numbers.word_error * z
+            value = numbers.gain * value + signs[register] * error
+        if sizes.bends:
+            held = _bent(value, numbers.lowest, numbers.highest, numbers.knee)
+            here_e += abs(value - held)
+            value = held
+        registers[register] = value
+        # What is added of the negative was subtracted.
+        full[register] = (gathered & _ADDED) * _SUBTRACTED | (gathered // _SUBTRACTED)
+        lost[register] = here_e
+
+
+@compiled
+def _surround(sizes: Sizes, place: int, places: Ints) -> None:
+    """places := the pixel and its neighbours up, down, left and right; -1 where there is none."""
+    rows, cols = sizes.rows, sizes.cols
+    row, col = place // cols, place % cols
+    places[0] = place
+    places[1] = place - cols if row > 0 else -1
+    places[2] = place + cols if row + 1 < rows else -1
+    places[3] = place - 1 if col > 0 else -1
+    places[4] = place + 1 if col + 1 < cols else -1
+
+
+@compiled
+def _begin(
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, registers: Floats, full: Ints,
+    lost: Floats,
+) -> None:  # fmt: skip
+    """What registers hold when a frame begins."""
+    pix = sizes.registers
+    for register in range(pix + 3):
+        full[register] = 0
+        lost[register] = 0.0
+    for register in range(pix + 1):
+        # PIX comes first in the stream of what registers hold at the start.
+        stream = np.uint64(0 if register == pix else register + 1)
+        held = uniform(stream_key(keys.start, 0, stream), place) / 2.0
+        most = numbers.pix_start if register == pix else numbers.register_start
+        registers[register] = held * most
+    registers[pix + 1] = 0.0
+    registers[pix + 2] = 0.0
+
+
+@compiled
+def _fall(sizes: Sizes, numbers: Numbers, charge_e: float, registers: Floats, full: Ints) -> None:
+    """Charge falls on PIX."""
+    pix = sizes.registers
+    registers[pix] += charge_e
+    if sizes.holds and registers[pix] > numbers.well:
+        registers[pix] = numbers.well
+        full[pix] = _ADDED
+
+
+@compiled
+def _run(
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, leak: float, first: int, stop: int,
+    start_s: Floats, groups: Ints32, present: Bytes, lanes: Ints32, group_ids: Words,
+    entries: Entries, operands: Ints, weights: Floats, signs: Floats, rates: Floats, heap: Floats,
+    stamps: Ints, missing: Floats, registers: Floats, full: Ints, lost: Floats, places: Ints,
+) -> None:  # fmt: skip
+    """Run a pixel through its words, the charge of the slots falling meanwhile."""
+    slots, pattern = sizes.slots, 0.0
+    if sizes.word_errors:
+        z = normal(uniform(keys.pattern, place))
+        pattern = numbers.bias + numbers.pattern * z
+    at, fallen = 0, 0.0
+    for e in range(first, stop + 1):
+        boundary = slots if e == stop else entries[e].boundary
+        if e < stop and not entries[e].acts:
+            continue
+        if at < boundary:
+            fallen_e = charge(
+                sizes, numbers, keys, places, at + 1, boundary, rates, groups, present,
+                lanes, group_ids, heap, stamps,
+            )  # fmt: skip
+            fallen_e += (1.0 - fallen) * charge(
+                sizes, numbers, keys, places, at, at + 1, rates, groups, present,
+                lanes, group_ids, heap, stamps,
+            )  # fmt: skip
+            _fall(sizes, numbers, fallen_e, registers, full)
+            if sizes.leaks:
+                kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
+                for register in range(sizes.registers):
+                    registers[register] *= kept
+            at, fallen = boundary, 0.0
+        if e == stop:
+            break
+        if sizes.slow_words:
+            now = entries[e].end
+            slot = at if at < slots else slots - 1
+            fallen_e = (now - fallen) * charge(
+                sizes, numbers, keys, places, slot, slot + 1, rates, groups, present,
+                lanes, group_ids, heap, stamps,
+            )  # fmt: skip
+            _fall(sizes, numbers, fallen_e, registers, full)
+            fallen = now
+        _execute(
+            sizes, numbers, keys, place, e, entries, operands, weights, signs, missing, pattern,
+            registers, full, lost,
+        )  # fmt: skip
+
+
+@compiled
+def _read_out(
+    sizes: Sizes, numbers: Numbers, i: int, leak: float, readout_register: Ints,
+    readout_gain: Floats, readout_wait_s: Floats, registers: Floats, full: Ints, lost: Floats,
+    out: Floats, marked: Bytes,
+) -> None:  # fmt: skip
+    """The exposures of pixel chosen[i]: what its registers hold when their turn has come."""
+    for bucket in range(sizes.buckets):
+        register = readout_register[bucket]
+        value = registers[register] * readout_gain[bucket]
+        negative = readout_gain[bucket] < 0.0
+        bits = sizes.registers_bit if lost[register] > numbers.least_lost else 0
+        if full[register] & _ADDED:
+            bits |= sizes.subtracted_bit if negative else sizes.well_bit
+        if full[register] & _SUBTRACTED:
+            bits |= sizes.well_bit if negative else sizes.subtracted_bit
+        marked[bucket * sizes.pixels + i] = np.uint8(bits)
+        if sizes.leaks:
+            value *= math.exp(-leak * readout_wait_s[bucket])
+        out[bucket * sizes.pixels + i] = value + 0.0
+
+
+@loop
+def run_pixels(
+    sizes: Sizes,
+    numbers: Numbers,
+    keys: Keys,
+    chosen: Annotated[Ints, "pixels"],
+    lanes: Annotated[Ints32, "rows cols"],
+    frames: Annotated[Floats32, "frames rows cols"],
+    row_start: Annotated[Ints, "slots+1"],
+    frame_index: Annotated[Ints32, "shares"],
+    weight: Annotated[Floats, "shares"],
+    slot_s: Annotated[Floats, "slots"],
+    start_s: Annotated[Floats, "slots+1"],
+    groups: Annotated[Ints32, "lanes slots"],
+    present: Annotated[Bytes, "lanes groups"],
+    group_ids: Annotated[Words, "groups"],
+    entry_start: Annotated[Ints, "lanes+1"],
+    entries: Annotated[Entries, "entries"],
+    operands: Ints,
+    weights: Annotated[Floats, "entries draws buckets"],
+    signs: Annotated[Floats, "registers+1"],
+    readout_register: Annotated[Ints, "buckets"],
+    readout_gain: Annotated[Floats, "buckets"],
+    readout_wait_s: Annotated[Floats, "buckets"],
+    rates: Written[Floats],
+    heap: Written[Floats],
+    stamps: Written[Ints],
+    tags: Written[Ints],
+    missing: Written[Floats],
+    registers: Written[Annotated[Floats, "registers+3"]],
+    full: Written[Annotated[Ints, "registers+3"]],
+    lost: Written[Annotated[Floats, "registers+3"]],
+    places: Written[Ints],
+    out: Written[Annotated[Floats, "buckets pixels"]],
+    marked: Written[Annotated[Bytes, "buckets pixels"]],
+) -> None:
+    """out[b, i] := the exposure of pixel chosen[i] in bucket b, in electrons, and marked[b, i] what
+    cut it off.
+
+    `lanes`: the lane of each pixel. `groups`: the index of the group of each slot; `group_ids`:
+    what keys call them. The words of lane l are entry_start[l] .. entry_start[l + 1] of `entries`;
+    `weights`: of their draws in the buckets. From `rates` to `places`: scratch, `stamps` and `tags`
+    once filled with -1. Places in rising order find most of their neighbours' charge already there.
+    """
+    for i in range(sizes.pixels):
+        place, lane = chosen[i], lanes[chosen[i]]
+        _surround(sizes, place, places)
+        for site in range(SITES if sizes.exchanges else 1):
+            if places[site] < 0:
+                continue
+            site_at = kept_at(sizes, places[site])
+            if tags[site_at] != places[site]:
+                lit(
+                    sizes, numbers, keys, places[site], frames, row_start, frame_index, weight,
+                    slot_s, groups, present, lanes, group_ids, rates, heap, stamps,
+                )  # fmt: skip
+                tags[site_at] = places[site]
+        first, stop = entry_start[lane], entry_start[lane + 1]
+        if sizes.read_errors:
+            _missing(
+                sizes, keys.sum_reads, keys.part_reads, place, first, stop, entries, weights,
+                _READS, missing,
+            )  # fmt: skip
+        if sizes.reset_errors:
+            _missing(
+                sizes, keys.sum_resets, keys.part_resets, place, first, stop, entries, weights,
+                _RESETS, missing,
+            )  # fmt: skip
+        leak = 0.0
+        if sizes.word_errors:
+            _missing(
+                sizes, keys.sum_words, keys.part_words, place, first, stop, entries, weights,
+                _WORDS, missing,
+            )  # fmt: skip
+        if sizes.leaks:
+            z = normal(uniform(keys.leak, place))
+            leak = numbers.leak * log_normal_in_loop(numbers.leak_variance, z)
+        _begin(sizes, numbers, keys, place, registers, full, lost)
+        _run(
+            sizes, numbers, keys, place, leak, first, stop, start_s, groups, present, lanes,
+            group_ids, entries, operands, weights, signs, rates, heap, stamps, missing, registers,
+            full, lost, places,
+        )  # fmt: skip
+        _read_out(
+            sizes, numbers, i, leak, readout_register, readout_gain, readout_wait_s, registers,
+            full, lost, out, marked,
+        )  # fmt: skip

@@ -1,0 +1,275 @@
+"""Forecasts: how wrong a scene's exposures get when effects are left out of it.
+
+Dropped fixed effects are added up as signed fields on a sample of pixels, since they may cancel or
+add; random ones, and the short cuts of running a plan, in quadrature.
+"""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import CannotHave, Effect, everything, registered
+from nscc_runtime.effects.parts import (
+    Counted,
+    CountedLight,
+    Errors,
+    Exchange,
+    Leak,
+    Part,
+    Saturates,
+    SlowWords,
+    Soft,
+)
+from nscc_runtime.light import Light
+from nscc_runtime.planner import leak_nodes
+from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, fields_of
+from nscc_runtime.planner.plan import Decision, Plan
+from nscc_runtime.planner.prepared import Prepared
+from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.sample import sample_of
+from nscc_runtime.remembered import remembered
+
+_CLIP = "clip"
+"""Sums that are clipped know nothing of light that falls before the level of a reset is read; that
+is about as much as all of the gates' switching does.
+"""
+_FORMULA_E = 0.015
+"""RMS of counts by formula against exact ones: one electron in some five thousand pixels."""
+_LEAK_PART = 0.05
+_CLOSED_PART = 0.1
+_NOTHING = np.zeros(1)
+
+
+@dataclass(frozen=True, eq=False)
+class Forecast(ABC):
+    """What a scene makes of a program's effects; `tolerance_e` decides on short cuts only."""
+
+    program: Program
+    light: Light
+    tolerance_e: float
+    device_seed: int
+
+    @property
+    @abstractmethod
+    def forced_off(self) -> frozenset[str]:
+        """Effects that not even pixels running through their words have."""
+
+    @cached_property
+    def fields(self) -> Fields:
+        """What each effect does to a sample of the scene."""
+        # A few pixels may have most of the dark charge, as lamps have most of the light.
+        dark_e = self._everything.current * self.program.slot_s.sum()
+        total_e = (self._everything.total + dark_e).reshape(self.light.shape)
+        sample = sample_of(total_e, len(self.light.frames), self.near)
+        lost = self.forced_off - self.saturation - self.slow
+        return fields_of(self.program, self.light, sample, self.device_seed, lost)
+
+    @cached_property
+    def saturation(self) -> frozenset[str]:
+        """Effects that need single pixels to run through their words."""
+        return everything().names(Saturates)
+
+    @cached_property
+    def slow(self) -> frozenset[str]:
+        """Effects that the loop over words cannot have: only the reference has them."""
+        return frozenset(e.name for e in registered() if isinstance(e.words, CannotHave))
+
+    def _dropped(self, kind: type[Part], dropped: frozenset[str]) -> bool:
+        """Whether all effects that have a part of a kind are left out."""
+        return everything().names(kind) <= dropped
+
+    def _stays(self, kind: type[Part], dropped: frozenset[str]) -> bool:
+        """Whether an effect that has a part of a kind, and does something here, is not."""
+        having = everything().names(kind) - dropped
+        return any(effect.name in having for effect in self.present)
+
+    @cached_property
+    def near(self) -> NDArray[np.int64]:
+        """The pixels that may saturate with every effect on."""
+        return self._everything.saturating
+
+    @cached_property
+    def _everything(self) -> Prepared:
+        """The scene with every effect kept."""
+        decisions = tuple(
+            Decision(effect.name, effect.kind, "kept", False, "", None, None, None, 0.0)
+            for effect in registered()
+        )
+        plan = Plan(0.0, 0.0, 0.0, "some", (), 0.0, (), decisions)
+        return Prepared(self.program, self.light, plan, self.device_seed, threads=1)
+
+    @cached_property
+    def present(self) -> list[Effect]:
+        """The effects that change the exposures of this scene at all."""
+        fields = self.fields
+        return [
+            effect for effect in registered()
+            if (effect.kind != "after"
+            and any(
+                np.any(found.get(effect.name, 0.0)) for found in (fields.fixed, fields.variance)
+            ))
+            or (effect.name in self.saturation and len(self.near))
+        ]  # fmt: skip
+
+    @remembered
+    def square(self, dropped: frozenset[str], everywhere: bool) -> float:
+        """The predicted mean square error of the worst bucket, in square electrons.
+
+        `everywhere`: all pixels run through their words.
+        """
+        return float(np.max(self.squares(dropped, everywhere)[0]))
+
+    def squares(
+        self, dropped: frozenset[str], everywhere: bool
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Predicted mean squares (buckets,), and the most that they can be: fixed parts add up."""
+        state = self.state(dropped)
+        names, products = self._products(state)
+        # Saturation is a field of its own: in `BOTH` where neither is simulated.
+        lost = self.saturation & dropped
+        inside = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
+        at = [i for i, name in enumerate(names) if name in inside or name in (_CLIP, FORCED)]
+        part = products[:, at][:, :, at]
+        variances = self._variances(state)
+        random = sum((variances[name] for name in variances if name in dropped), _NOTHING)
+        random = random + self._rounding(dropped)
+        if not everywhere:
+            random = random + sum((square for _, square in self.short_cuts(dropped)), _NOTHING)
+        sizes = np.sqrt(np.maximum(np.diagonal(part, axis1=1, axis2=2), 0.0)).sum(axis=1)
+        return part.sum(axis=(1, 2)) + random, sizes**2 + random
+
+    def state(self, dropped: frozenset[str]) -> str:
+        """What becomes of pixels that may saturate: they run through their words with all effects,
+        are clipped at the full well, or are taken as any others.
+        """
+        if not len(self.near) or dropped >= self.saturation:
+            return "sums"
+        return "clip" if self._dropped(Soft, dropped) and self._all_single else "words"
+
+    @cached_property
+    def _all_single(self) -> bool:
+        tables = self.program.tables
+        return not np.isnan(tables.single(self.program.full)).any()
+
+    def _where(self, state: str, name: str = "") -> NDArray[np.float64]:
+        """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""
+        fields = self.fields
+        if state == "sums" or name in self.slow:
+            return np.ones(fields.expected.shape)
+        if state == "clip":
+            return np.where(fields.clipped, 0.0, 1.0)
+        return np.broadcast_to(np.where(fields.sample.near, 0.0, 1.0), fields.expected.shape)
+
+    @remembered
+    def _products(self, state: str) -> tuple[list[str], NDArray[np.float64]]:
+        """Names of the fixed fields, and the means (buckets, ., .) of their products."""
+        names = [*self.fields.fixed, _CLIP]
+        stack = np.stack([self._left(name, state) for name in names], axis=1)
+        weight = self.fields.sample.weight
+        return names, (stack * (weight / weight.sum())) @ stack.transpose(0, 2, 1)
+
+    def _left(self, name: str, state: str) -> NDArray[np.float64]:
+        """The field (buckets, pixels) of a fixed effect as far as a state does not simulate it."""
+        fixed, clipped = self.fields.fixed, self.fields.clipped
+        if name == _CLIP:
+            slow = everything().names(SlowWords)
+            field = sum((fixed[name] for name in sorted(slow)), np.zeros(clipped.shape))
+            return np.where(clipped, field, 0.0) if state == "clip" else np.zeros_like(field)
+        field = fixed[name]
+        if name in {*self.saturation, BOTH}:
+            return field
+        if state == "clip":
+            return np.where(clipped, self.fields.after.get(name, 0.0), field)
+        if name == FORCED:
+            return field * (state == "words")
+        return field * self._where(state, name)
+
+    @remembered
+    def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
+        behind = self.fields.after if state == "clip" else ()
+        return {
+            name: self.fields.sample.mean(
+                variance if name in behind else variance * self._where(state, name)
+            )
+            for name, variance in self.fields.variance.items()
+        }
+
+    def _rounding(self, dropped: frozenset[str]) -> NDArray[np.float64]:
+        """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""
+        shifting = frozenset(dropped & set(self.fields.shifts))
+        if not shifting or self._dropped(CountedLight, dropped):
+            return _NOTHING
+        return self._rounded(shifting)
+
+    @remembered
+    def _rounded(self, shifting: frozenset[str]) -> NDArray[np.float64]:
+        part = np.abs(sum((self.fields.shifts[name] for name in shifting), _NOTHING)) % 1.0
+        return self.fields.sample.mean(part * (1.0 - part))
+
+    @cached_property
+    def closed(self) -> bool:
+        """Whether the charge of closed slots is worth counting."""
+        sample, fields = self.fields.sample, self.fields
+        more = fields.thinning[False] - fields.thinning[True]
+        more = more + fields.neighbours[False] - fields.neighbours[True]
+        more = sample.mean(more * self._where("words"))
+        return bool(np.max(more) > (_CLOSED_PART * self.tolerance_e) ** 2)
+
+    @cached_property
+    def leak_nodes(self) -> int:
+        """At how many rates of leakage sums are made."""
+        size = math.sqrt(float(np.max(self.fields.sample.mean(self.fields.expected**2))))
+        most = _LEAK_PART * self.tolerance_e
+        enough = (n for n in range(1, leak_nodes.MOST) if self._leak_error(n) * size <= most)
+        return next(enough, leak_nodes.MOST)
+
+    def _leak_error(self, count: int) -> float:
+        """The relative error of sums at so many rates of leakage."""
+        age_s = float(self.program.slot_s.sum())
+        return leak_nodes.error(everything().the(Leak), self.program.sensor, count, age_s)
+
+    def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
+        """The short cuts of a plan by sums, with their mean squares (buckets,)."""
+        means = self._means(self.state(dropped))
+        if not self._dropped(Counted, dropped):
+            yield "counts are not spread over the slots of a group", means["thinning"]
+            yield "counts from a rate of 10 on by formula", np.full(1, _FORMULA_E**2)
+            if self._stays(Exchange, dropped):
+                yield "neighbours' counts are taken as even over their slots", means["neighbours"]
+        if not self._dropped(Errors, dropped):
+            yield "the noise of words as at the mean leakage", means["noise"]
+        if self._stays(Leak, dropped):
+            many = "s" * (self.leak_nodes > 1)
+            yield f"leakage from sums at {self.leak_nodes} rate{many}", means["leak"]
+
+    @remembered
+    def _means(self, state: str) -> dict[str, NDArray[np.float64]]:
+        """The mean squares of the short cuts."""
+        fields, mean, where = self.fields, self.fields.sample.mean, self._where(state)
+        after = np.ones(1) if state == "clip" else where
+        return {
+            "thinning": mean(fields.thinning[self.closed] * where),
+            "neighbours": mean(fields.neighbours[self.closed] * where),
+            "noise": mean(fields.noise_cut * after),
+            "leak": self._leak_error(self.leak_nodes) ** 2 * mean(fields.expected**2 * after),
+        }
+
+    def contribution(self, effect: Effect) -> tuple[float, float]:
+        """RMS and mean of what an effect does, in the bucket where it does most."""
+        mean = self.fields.sample.mean
+        field, variance = self.fields.fixed.get(effect.name), self.fields.variance.get(effect.name)
+        where = self._where("words" if len(self.near) else "sums", effect.name)
+        if effect.name in self.saturation:
+            where = np.ones_like(where)
+        square = _NOTHING if field is None else mean(field**2 * where)
+        square = np.atleast_1d(square + (0.0 if variance is None else mean(variance * where)))
+        worst = int(np.argmax(square))
+        bias = 0.0 if field is None else float(mean(field * where)[worst])
+        return math.sqrt(float(square[worst])), bias

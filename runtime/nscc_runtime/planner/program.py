@@ -1,0 +1,148 @@
+"""A compiled program on a sensor, analysed once for any number of scenes, plans and chips."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection, everything
+from nscc_runtime.effects.parts import Exchange, Fading, Leak, SlowWords, WordGain
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Device
+from nscc_runtime.emulator.capture import check_program
+from nscc_runtime.planner.masks import Masks
+from nscc_runtime.planner.overlap import Overlap
+from nscc_runtime.planner.pixels import Pixels
+from nscc_runtime.planner.reach import Reach, reach_of
+from nscc_runtime.planner.tables import Model, Tables
+from nscc_runtime.reference.capture import Reference
+from nscc_runtime.remembered import remembered
+
+Values = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """A compiled program and a sensor, made ready once for any number of scenes and plans."""
+
+    container: Container
+    sensor: Sensor
+    reference: Reference
+    tables: Tables
+    slot_s: Values
+
+    @classmethod
+    def of(cls, container: Container, sensor: Sensor) -> Program:
+        """Raises Rejected where the words open no shutters (NS0442) or cannot run."""
+        check_program(container)
+        reference = Reference.of(container, sensor, everything())
+        slot_s = np.array(container.slot_us, np.float64) * 1e-6
+        return cls(container, sensor, reference, Tables.of(reference), slot_s)
+
+    @property
+    def full(self) -> Model:
+        """The weights with every effect on."""
+        return self.model(everything())
+
+    def model(self, kept: Selection) -> Model:
+        """The weights under the effects of a plan, at the mean leakage."""
+        gain, leak = kept.part(WordGain), kept.part(Leak)
+        return Model(
+            gain.gain(self.sensor) if gain else 1.0,
+            1.0 / leak.tau_s(self.sensor) if leak else 0.0,
+            kept.part(SlowWords) is not None,
+            kept.part(Fading) is not None,
+        )
+
+    @cached_property
+    def less(self) -> dict[str, Model]:
+        """The weights with every effect on but one, by its name."""
+        names = (effect.name for effect in everything().effects)
+        return {name: self.model(everything().without(name)) for name in names}
+
+    @cached_property
+    def pixels(self) -> Pixels:
+        """The words as they are, decayed."""
+        return Pixels.of(self.reference)
+
+    @cached_property
+    def fresh_pixels(self) -> Pixels:
+        """The words as they are meant."""
+        return Pixels.of(replace(self.reference, words=self.tables.fresh))
+
+    def words(self, kept: Selection) -> Pixels:
+        """The loop over the words of single pixels."""
+        faded = self.model(kept).decay or not self.tables.decays
+        return self.pixels if faded else self.fresh_pixels
+
+    @cached_property
+    def reach(self) -> Reach:
+        """How far registers go with every effect on."""
+        return reach_of(self.tables, everything())
+
+    @cached_property
+    def lanes(self) -> NDArray[np.int32]:
+        """The lane of every pixel, flat."""
+        return self.reference.groups.lane.reshape(-1).astype(np.int32)
+
+    @cached_property
+    def overlapping(self) -> bool:
+        """Whether some slot is open in several buckets at once."""
+        return any(group & (group - 1) for group in self.group_ids.tolist())
+
+    @cached_property
+    def group_ids(self) -> NDArray[np.int64]:
+        """The groups of slots that occur."""
+        return np.unique(self.reference.groups.of_slot)
+
+    def device(self, device_seed: int) -> Device:
+        """What is fixed on a chip; the last one asked for is kept."""
+        if device_seed not in self._devices:
+            self._devices.clear()
+            places = np.arange(len(self.lanes), dtype=np.int64)
+            self._devices[device_seed] = Device(
+                sensor=self.sensor, device_seed=device_seed, places=places
+            )
+        return self._devices[device_seed]
+
+    @cached_property
+    def _devices(self) -> dict[int, Device]:
+        return {}
+
+    @remembered
+    def overlap(self, model: Model, exchange: Exchange) -> Overlap:
+        """How much of the neighbours' groups falls on a pixel's open slots; kept."""
+        means = self.mean_weights(model)
+        return Overlap.of(
+            exchange.fraction(self.sensor),
+            self.lanes.reshape(self.reference.groups.lane.shape),
+            self.slot_s,
+            self.tables.weights(model).slots,
+            {group: (self.members(group), means[group]) for group in means},
+        )
+
+    @remembered
+    def masks(self, group: int) -> Masks | None:
+        """Where each slot belongs to a group, pixel by pixel; kept. None: too large."""
+        members = np.ascontiguousarray((self.reference.groups.of_slot == group).T)
+        return Masks.of(members, self.lanes)
+
+    def members(self, group: int) -> Values:
+        """1 where a slot (N, lanes) belongs to a group."""
+        return np.ascontiguousarray((self.reference.groups.of_slot == group).T, np.float64)
+
+    @remembered
+    def mean_weights(self, model: Model) -> dict[int, Values]:
+        """The mean weight (lanes, buckets) over the time of each group's slots; kept."""
+        weights = self.tables.weights(model).slots
+        found = {}
+        for group in self.group_ids.tolist():
+            time = self.members(group) * self.slot_s[:, None]
+            total = time.sum(axis=0)[:, None]
+            part = np.einsum("nl,nlb->lb", time, weights)
+            found[group] = np.divide(part, total, out=np.zeros_like(part), where=total > 0)
+        return found

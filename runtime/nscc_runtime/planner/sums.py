@@ -1,0 +1,97 @@
+"""Weighted sums of a scene's frames, by the compiled loop."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.light import Light
+from nscc_runtime.planner import sum_loop
+from nscc_runtime.planner.pool import in_parts
+from nscc_runtime.planner.sum_loop import SmearSizes, SumSizes
+
+_MOST_ENTRIES = 1 << 23
+"""Of tables in memory at once, unless a single one is larger."""
+
+
+def weighted_sums(
+    frames: NDArray[np.float32],
+    lanes: NDArray[np.integer],
+    tables: NDArray[np.float64],
+    threads: int = 1,
+) -> NDArray[np.float64]:
+    """The sums (J, pixels) over k of tables[j, k, lane] * frames[k], in float64.
+
+    `frames` (T, pixels), `lanes` (pixels,), `tables` (J, T, lanes). Threads change no bit.
+    """
+    count, pixels = frames.shape
+    sums, _, lane_count = tables.shape
+    if tables.shape[1] != count or lanes.shape != (pixels,):
+        raise ValueError(f"frames {frames.shape}, lanes {lanes.shape}, tables {tables.shape}")
+    if pixels and not (lanes.min() >= 0 and lanes.max() < lane_count):
+        raise ValueError("a lane that the tables do not have")
+    out = np.empty((sums, pixels))
+    bound = sum_loop.weighted_sums.bound(
+        frames=np.require(frames, np.float32, ["C", "A"]),
+        lanes=np.require(lanes, np.int32, ["C", "A"]),
+        table=np.require(tables, np.float64, ["C", "A"]),
+        out=out,
+    )
+
+    def run(begin: int, end: int) -> None:
+        bound(
+            sizes=SumSizes(
+                pixels=pixels, begin=begin, end=end, count=count, lane_count=lane_count, sums=sums
+            )
+        )
+
+    in_parts(run, pixels, threads, sum_loop.BLOCK)
+    return out
+
+
+def smeared_frames(
+    frames: NDArray[np.float32], scale: NDArray[np.float64], fraction: float, threads: int = 1
+) -> NDArray[np.float32]:
+    """Frames (T, rows, cols) times `scale` (rows, cols), smeared by crosstalk; in float32."""
+    out = np.empty(frames.shape, np.float32)
+    rows, cols = scale.shape
+    bound = sum_loop.smeared_frames.bound(
+        frames=np.require(frames, np.float32, ["C", "A"]),
+        scale=np.require(scale, np.float64, ["C", "A"]),
+        out=out,
+    )
+
+    def run(begin: int, end: int) -> None:
+        bound(sizes=SmearSizes(begin=begin, end=end, rows=rows, cols=cols, fraction=fraction))
+
+    in_parts(run, len(frames), threads)
+    return out
+
+
+def sums_by_slot(
+    light: Light,
+    frames: NDArray[np.float32],
+    lanes: NDArray[np.integer],
+    weights: Sequence[NDArray[np.float64]],
+    threads: int = 1,
+) -> NDArray[np.float64]:
+    """The sums (len(weights), pixels) of a light's slots, each weighted by slot and lane.
+
+    `frames` (T, pixels) are the light's frames at the pixels that are asked for, or what takes
+    their place; each of `weights` is (N, lanes of the program).
+    """
+    found = np.empty((len(weights), frames.shape[1]))
+    room = max(1, _MOST_ENTRIES // max(1, len(frames) * (weights[0].shape[1] if weights else 1)))
+    for first in range(0, len(weights), room):
+        part = weights[first : first + room]
+        tables = np.stack([on_frames(light, each) for each in part])
+        found[first : first + room] = weighted_sums(frames, lanes, tables, threads)
+    return found
+
+
+def on_frames(light: Light, slots: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Weights of slots (N, ..) as weights of the light's own frames (T, ..)."""
+    flat = slots.reshape(len(slots), -1)
+    return light.on_frames(flat).reshape(len(light.frames), *slots.shape[1:])

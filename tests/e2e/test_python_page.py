@@ -1,0 +1,113 @@
+"""docs/python.md, and what the packages say of themselves: run word by word."""
+
+from __future__ import annotations
+
+import importlib
+import inspect
+import pkgutil
+import re
+import shutil
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs" / "python.md"
+PACKAGES = ("nscc", "nscc_runtime", "nscc_training")
+
+
+def blocks(language: str) -> list[str]:
+    """The fenced blocks of a language on the page."""
+    return re.findall(rf"^```{language}\n(.*?)^```$", PAGE.read_text(), re.M | re.S)
+
+
+def test_the_page_works_from_top_to_bottom(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pytest.importorskip("torch")
+    from cpu_torchvision import declare_operators
+
+    declare_operators()
+    pytest.importorskip("deepinv")
+    shutil.copytree(ROOT / "examples", tmp_path / "examples")
+    monkeypatch.chdir(tmp_path)
+    names: dict[str, object] = {}
+    printed = []
+    for text in blocks("python"):
+        capsys.readouterr()
+        exec(compile(text, PAGE.name, "exec"), names)
+        printed.append(capsys.readouterr().out)
+    for shown in blocks("text"):
+        assert shown in printed
+
+
+DOCUMENTED = (
+    "nscc", "nscc.shutter_program", "nscc_runtime", "nscc_runtime.exposing", "nscc_training",
+    "nscc_training.deepinv",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("name", DOCUMENTED)
+def test_what_a_module_shows_works(
+    name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    if name.startswith("nscc_training"):
+        pytest.importorskip("torch")
+        from cpu_torchvision import declare_operators
+
+        declare_operators()
+        pytest.importorskip("deepinv")
+    shutil.copytree(ROOT / "examples", tmp_path / "examples")
+    monkeypatch.chdir(tmp_path)
+    text = inspect.getdoc(importlib.import_module(name))
+    shown = textwrap.dedent("\n".join(re.findall(r"^(?: {4}.*)?$", text or "", re.M)))
+    assert "import nscc" in shown
+    exec(compile(shown, name, "exec"), {})
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_public_names_are_there_and_are_no_modules(package: str) -> None:
+    """A module of a public name would take its place in the package once it is imported."""
+    if package == "nscc_training":
+        pytest.importorskip("torch")
+    module = importlib.import_module(package)
+    submodules = {each.name for each in pkgutil.iter_modules(module.__path__)}
+    assert not submodules & {*module.__all__}
+    assert [*module.__all__] == sorted(module.__all__)
+    for name in {*module.__all__} - {"__version__"}:
+        found = getattr(module, name)
+        assert inspect.getdoc(found), name
+        assert name in dir(module)
+    with pytest.raises(AttributeError, match="no attribute 'nothing'"):
+        _ = module.nothing
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_the_page_names_everything_public(package: str) -> None:
+    public = {*importlib.import_module(package).__all__} - {"__version__"}
+    [row] = re.findall(rf"^\| `{package}` \| (.*?) \|", PAGE.read_text(), re.M)
+    assert set(re.findall(r"`(\w+)`", row)) == public
+
+
+def test_importing_is_light() -> None:
+    code = (
+        "import sys, nscc, nscc_runtime, nscc_training; "
+        "heavy = ('numpy', 'lark', 'numba', 'torch', 'nscc.pipeline'); "
+        "print([name for name in heavy if name in sys.modules])"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert found.stdout == "[]\n"
+
+
+def test_a_missing_package_is_named_with_what_to_type() -> None:
+    code = (
+        "import sys; sys.modules['torch'] = None; import nscc_training\n"
+        "try: nscc_training.load_run\n"
+        "except ModuleNotFoundError as error: print(error, error.name)"
+    )
+    found = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    wanted = r"nscc_training.load_run needs torch: pip install 'nscc\[(train|all)\]' torch\n"
+    assert re.fullmatch(wanted, found.stdout)

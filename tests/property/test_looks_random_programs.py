@@ -1,0 +1,105 @@
+"""Random programs that look: their words do to every pixel what an interpreter of the text does."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import product
+from pathlib import Path
+
+import numpy as np
+import pytest
+from looks_oracle import FULL_WELL_E, Interpreter
+from looks_programs import random_program
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.pipeline import Options, run_passes
+from nscc.source import Source
+from nscc.target.load import builtin_target
+from nscc.words.container import Container
+from nscc.words.file import from_bytes, to_bytes
+from nscc_runtime.effects import selected
+from nscc_runtime.light import Light
+from nscc_runtime.reference.looks import looking_frames
+from nscc_runtime.sensor import default_sensor
+
+PROGRAMS = 2000
+CHUNKS = 40
+SIDE = 6
+ALLOWED = {"NS0324", "NS0502", "NS0601", "NS0415", "NS0350"}
+"""What such a program may be refused for: it tells too little, or is too large."""
+
+
+def compiled(text: str, level: int) -> Container | None:
+    """The proved container for a small array; None where the program is refused for good."""
+    name = "scamp5-algorithm1" if "algorithm1" in text else "scamp5"
+    target = replace(builtin_target(name), rows=SIDE, cols=SIDE)
+    options = Options(level=level, target=target, codes="open", cache=False)
+    try:
+        made = run_passes(Source("random.nsl", text), Path(), options)
+    except Rejected as rejected:
+        wrong = {d.code for d in rejected.diagnostics if d.severity.value == "error"}
+        if not wrong <= ALLOWED:
+            raise
+        return None
+    assert made.container is not None
+    return made.container
+
+
+def with_codes(container: Container, seed: int) -> Container:
+    """The container with a code of its own for every pixel."""
+    codes = np.random.default_rng(seed).integers(0, len(container.table.codes), (SIDE, SIDE))
+    return replace(container, pixel_codes=codes.astype(np.int32))
+
+
+@pytest.mark.parametrize("chunk", range(CHUNKS))
+def test_words_do_what_the_text_says(chunk: int) -> None:
+    done = 0
+    for seed in range(chunk * (PROGRAMS // CHUNKS), (chunk + 1) * (PROGRAMS // CHUNKS)):
+        text = random_program(seed)
+        found = compiled(text, 1 if seed % 8 == 0 else 0)
+        if found is None:
+            continue
+        done += 1
+        check(text, with_codes(found, seed), seed)
+    assert done > PROGRAMS // CHUNKS // 4
+
+
+def check(text: str, container: Container, seed: int) -> None:
+    """Two frames of random light, pixel by pixel."""
+    interpreter = Interpreter(text)
+    choose = np.random.default_rng(seed)
+    share = choose.uniform(0, 2.0, (container.slots, SIDE, SIDE)) * choose.uniform(
+        0, 1, (SIDE, SIDE)
+    )
+    light = (share * FULL_WELL_E / container.slots).astype(np.float32)
+    sensor = default_sensor(container.target)
+    taken = looking_frames(
+        container, Light.of_clip(light), sensor, selected("none"), device_seed=seed, count=2
+    )
+    assert container.machine is not None
+    kept_names = {state.name for state in container.machine.states if state.kept}
+    kept: dict[tuple[int, int], dict[str, object]] = {}
+    for number, frame in enumerate(taken):
+        for y, x in product(range(SIDE), repeat=2):
+            code = container.table.codes[container.pixel_codes[y, x]].tolist()
+            fields = dict(zip(container.table.fields, code, strict=True))
+            electrons = light[:, y, x].astype(float).tolist()
+            pixel = interpreter.run(fields, electrons, kept.get((y, x)))
+            where = (text, number, (y, x), fields)
+            np.testing.assert_allclose(
+                frame.exposure_e[:, y, x], pixel.exposure, rtol=1e-9, atol=1e-6, err_msg=str(where)
+            )
+            opens = [sum(each) for each in pixel.opens]
+            assert frame.told["open_slots"][:, y, x].tolist() == opens, where
+            for name, value in pixel.states.items():
+                assert frame.told[f"states_{name}"][y, x] == int(value), (name, where)
+            kept[y, x] = {name: pixel.states[name] for name in kept_names & pixel.states.keys()}
+
+
+@pytest.mark.parametrize("seed", range(0, 60))
+def test_containers_of_machines_are_their_bytes(seed: int) -> None:
+    container = compiled(random_program(seed), 0)
+    if container is None:
+        return
+    data = to_bytes(container)
+    assert to_bytes(from_bytes(data, "x")) == data

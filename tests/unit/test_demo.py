@@ -1,0 +1,148 @@
+"""From a picture to pictures: `nscc demo` and the commands that it names, step by step."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from conftest import RunNscc
+from PIL import Image
+
+from nscc.examples import START, about, examples
+from nscc_training.demo.subject import liveliest
+from nscc_training.metrics import mu_psnr
+from nscc_training.run_files import run_capture, shipped_runs
+
+pytest.importorskip("torch")
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    found = tmp_path_factory.mktemp("demo")
+    rng = np.random.default_rng(2)
+    small = cv2.resize(rng.uniform(0, 255, (9, 12, 3)).astype(np.float32), (400, 300))
+    Image.fromarray(np.clip(small, 0, 255).astype(np.uint8)).save(found / "photo.jpg")
+    frames = [
+        Image.fromarray(np.roll(small[::2, ::2].astype(np.uint8), 9 * k, 1)) for k in range(5)
+    ]
+    frames[0].save(found / "short.gif", save_all=True, append_images=frames[1:])
+    Image.new("L", (90, 60)).save(found / "black.png")
+    return found
+
+
+def test_a_photo_becomes_a_sheet_and_a_picture(folder: Path, run_nscc: RunNscc) -> None:
+    """What the sheet counts is what its files hold, and its commands make the same files."""
+    outcome = run_nscc(["demo", "photo.jpg", "-o", "out", "--tone", "log"], folder)
+    assert outcome.status == 0, outcome.err
+    made = folder / "out"
+    left = {
+        "picture_sheet.png",
+        "picture.hdr",
+        "picture.png",
+        "picture_frame.npz",
+        "picture_dark.npz",
+    }
+    assert {path.name for path in made.iterdir()} == left
+    with Image.open(made / "picture.png") as picture:
+        assert picture.size == (256, 192)
+    before = {path.name: path.read_bytes() for path in made.iterdir()}
+    lines = [line.strip() for line in outcome.err.splitlines() if line.startswith("  nscc ")]
+    assert [line.split()[1] for line in lines] == ["run", "run", "reconstruct"]
+    for line in lines:
+        assert run_nscc(line.split()[1:], folder).status == 0
+    assert (made / "picture.hdr").read_bytes() == before["picture.hdr"]
+    with np.load(made / "picture_frame.npz") as now:
+        assert now["frame"].shape == (1, 192, 256)
+
+
+def test_light_of_high_range_is_counted_as_protocols_do(folder: Path, run_nscc: RunNscc) -> None:
+    outcome = run_nscc(["demo", "builtin:hdr", "-o", "lake"], folder)
+    said = float(outcome.err.split("reconstructed ")[1].split(" dB")[0])
+    with np.load(folder / "lake/picture_frame.npz") as frame:
+        truth = frame["truth_e"]
+    data = np.fromfile(folder / "lake/picture.hdr", np.uint8)
+    made = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | cv2.IMREAD_COLOR)[..., 0]
+    assert mu_psnr(truth, made, np.percentile(truth, 99.9)) == pytest.approx(said, abs=0.1)
+    assert said > float(outcome.err.split("always open ")[1].split(" dB")[0]) + 5
+
+
+@pytest.mark.parametrize("how", [[], ["--merge"]], ids=["decoder", "merge"])
+def test_a_short_clip_becomes_a_film(folder: Path, run_nscc: RunNscc, how: list[str]) -> None:
+    outcome = run_nscc(["demo", "short.gif", "-o", "film", *how], folder)
+    assert outcome.status == 0, outcome.err
+    assert "its 5 frames are spread over 16 slots" in outcome.err
+    with Image.open(folder / "film/clip.gif") as film:
+        assert film.n_frames == 16
+    video, count = cv2.VideoCapture(str(folder / "film/clip.mp4")), 0
+    while video.read()[0]:
+        count += 1
+    assert count == 16
+
+
+def test_what_is_black_or_not_there_is_told(folder: Path, run_nscc: RunNscc) -> None:
+    assert run_nscc(["demo", "black.png"], folder).codes == ["NS0738"]
+    assert run_nscc(["demo", "nothing.jpg"], folder).codes == ["NS0730"]
+    assert not list(folder.glob("*_demo"))
+
+
+def test_like_a_run(folder: Path, run_nscc: RunNscc) -> None:
+    """Its program, slots, exposure and sensor; what is said wins."""
+    like = run_capture(Path("hdr"))
+    assert (like.slots, like.exposure, like.still) == (256, "30000@70", True)
+    line = ["run", "--like", "hdr", "--scene", "builtin:hdr", "--keep", "truth", "-o", "like.npz"]
+    assert run_nscc(line, folder).status == 0
+    with np.load(folder / "like.npz") as file:
+        assert np.percentile(file["truth_e"], 70) == pytest.approx(30000)
+    assert run_nscc([*line, "--exposure", "500@50"], folder).status == 0
+    with np.load(folder / "like.npz") as file:
+        assert np.percentile(file["truth_e"], 50) == pytest.approx(500)
+    (folder / "other.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when true\n")
+    assert run_nscc(["run", "other.nsl", *line[1:]], folder).codes == ["NS0821"]
+    assert run_nscc(["run", "--like", ".", *line[3:]], folder).codes == ["NS0818"]
+    for name, path in shipped_runs().items():
+        assert (path / "decoder.safetensors").is_file(), name
+
+
+def test_the_liveliest_part_of_a_clip() -> None:
+    frames = np.zeros((30, 8, 8), np.float32)
+    for k in range(30):
+        frames[k, :, k % 8] = 1 if 10 <= k < 18 else 0.1
+    frames[25:] += 40  # a cut
+    first = liveliest(frames, 8)
+    assert 9 <= first <= 11
+
+
+def test_examples_are_listed_copied_and_never_overwritten(
+    tmp_path: Path, run_nscc: RunNscc
+) -> None:
+    listed = run_nscc(["examples"], tmp_path).out
+    for name, path in examples().items():
+        assert name in listed
+        assert about(path)
+    assert run_nscc(["examples", "hdr_2x2", "learn_hdr.toml"], tmp_path).status == 0
+    assert (tmp_path / "hdr_2x2.nsl").read_bytes() == examples()["hdr_2x2"].read_bytes()
+    assert run_nscc(["examples", "hdr_2x2"], tmp_path).codes == ["NS0788"]
+
+
+def test_a_new_program_checks(tmp_path: Path, run_nscc: RunNscc) -> None:
+    assert run_nscc(["new", "mine"], tmp_path).status == 0
+    assert (tmp_path / "mine.nsl").read_text() == START
+    assert run_nscc(["check", "mine.nsl"], tmp_path).status == 0
+
+
+def test_views_of_all_that_is_made(folder: Path, run_nscc: RunNscc) -> None:
+    runs = shipped_runs()
+    (folder / "sensor.toml").write_text(run_nscc(["effects", "--toml"], folder).out)
+    run_nscc(["run", "--like", "hdr", "--scene", "builtin:hdr", "-o", "frame.npz"], folder)
+    run_nscc(["reconstruct", "hdr", "frame.npz", "-o", "rec.npz"], folder)
+    seen = set()
+    for path in ("frame.npz", "rec.npz", "sensor.toml", "photo.jpg", "short.gif", "hdr",
+                 str(runs["hdr"] / "result.json"), str(runs["hdr"] / "shutter.nsl")):  # fmt: skip
+        outcome = run_nscc(["view", path, "-o", "view.png"], folder)
+        assert outcome.status == 0, outcome.err
+        seen.add((folder / "view.png").read_bytes())
+    assert len(seen) == 8
+    assert run_nscc(["view", "nothing.npz"], folder).codes == ["NS0801"]
+    assert run_nscc(["view", "frame.npz", "-o", "view.jpg"], folder).codes == ["NS0786"]

@@ -1,0 +1,215 @@
+"""Frames in Python are those of `nscc run`: options, defaults, files; what is told otherwise."""
+
+from __future__ import annotations
+
+import inspect
+import re
+import warnings
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+
+import nscc
+import nscc_runtime
+from nscc.target.load import builtin_target
+from nscc_cli.run import command
+from nscc_runtime.frame_file import KEEP
+from nscc_runtime.simulate import Request
+
+ROWS, COLS = 8, 6
+TARGET = replace(builtin_target("scamp5"), rows=ROWS, cols=COLS)
+TEXT = "nsl 1\nframe 8 slots of 1ms\ncode stop : 1..8\nopen when n < stop\n"
+DATA = "pixels stop = 1 + (x + y) % 8\n"
+LIGHT = np.random.default_rng(2).exponential(400.0, (8, ROWS, COLS))
+
+
+@pytest.fixture(scope="module")
+def program() -> nscc.ShutterProgram:
+    return nscc.compile(TEXT + DATA, target=TARGET, level=1)
+
+
+@pytest.mark.parametrize(
+    ("options", "arguments"),
+    [
+        ({}, []),
+        ({"effects": "auto", "seed": 3}, ["--effects", "auto", "--seed", "3"]),
+        ({"tolerance": "2e", "repeat": 2}, ["--tolerance", "2e", "--repeat", "2"]),
+        (
+            {"effects": "shot,read", "fidelity": "reference", "device_seed": 1},
+            ["--effects", "shot,read", "--fidelity", "reference", "--device-seed", "1"],
+        ),
+        (
+            {"audit": True, "sensor": {"full_well_e": 20000, "prnu_fraction": 0.02}},
+            ["--audit", "--sensor-set", "full_well_e=20000", "--sensor-set", "prnu_fraction=0.02"],
+        ),
+    ],
+)
+def test_a_frame_file_is_the_commands(
+    options: dict[str, Any], arguments: list[str], tmp_path: Path
+) -> None:
+    """Byte for byte, with everything that can be kept."""
+    (tmp_path / "p.nsl").write_text(TEXT + DATA)
+    keep = KEEP
+    line = ["run", "p.nsl", "--scene", "builtin:flat:30000", "-o", "c.npz", "--keep",
+            ",".join(keep), *arguments]  # fmt: skip
+    outcome = invoke(line, tmp_path)
+    assert outcome.status == 0, outcome.err
+    p = nscc.compile(tmp_path / "p.nsl")
+    taken = nscc_runtime.capture(p, "builtin:flat:30000", **options)
+    taken.save(tmp_path / "python.npz", keep=keep)
+    assert (tmp_path / "python.npz").read_bytes() == (tmp_path / "c.npz").read_bytes()
+    with np.load(tmp_path / "c.npz") as file:
+        np.testing.assert_array_equal(taken.truth_e, file["truth_e"])
+
+
+@pytest.mark.parametrize(
+    ("options", "arguments", "shape"),
+    [
+        ({"fit": "tiles"}, ["--fit", "tiles"], (1, 300, 270)),
+        ({"fit": "tiles", "color": True}, ["--fit", "tiles", "--color"], (3, 1, 300, 270)),
+        ({"crop": (3, 5), "transfer": "linear"}, ["--crop", "3,5", "--transfer", "linear"],
+         (1, 256, 256)),
+    ],
+)  # fmt: skip
+def test_a_photo_of_any_size_is_exposed_as_by_the_command(
+    options: dict[str, Any], arguments: list[str], shape: tuple[int, ...], tmp_path: Path
+) -> None:
+    import cv2
+
+    photo = np.random.default_rng(4).integers(0, 255, (300, 270, 3), np.uint8)
+    cv2.imwrite(str(tmp_path / "photo.png"), photo)
+    (tmp_path / "p.nsl").write_text(TEXT + DATA)
+    names = ("f.npz", "f.hdr", "f.png")
+    p = nscc.compile(tmp_path / "p.nsl")
+    with warnings.catch_warnings(action="ignore"):  # grey, or cut: told by the command, too
+        scene = nscc_runtime.scene(tmp_path / "photo.png", exposure="30000@70", **options)
+        taken = nscc_runtime.capture(p, scene, effects="shot", seed=1)
+    assert taken.frame.shape == shape
+    for name in names:
+        line = ["run", "p.nsl", "--scene", "photo.png", "--exposure", "30000@70", "-o",
+                f"c_{name}", "--effects", "shot", "--seed", "1", *arguments]  # fmt: skip
+        outcome = invoke(line, tmp_path)
+        assert outcome.status == 0, outcome.err
+        saved = taken.save(tmp_path / name).read_bytes()
+        assert saved == (tmp_path / f"c_{name}").read_bytes(), name
+
+
+def test_only_formats_that_there_are_are_written(program: nscc.ShutterProgram) -> None:
+    with pytest.raises(nscc.Rejected, match="NS0786"):
+        nscc_runtime.capture(program, LIGHT).save("x.doc")
+
+
+def test_defaults_are_declared_once() -> None:
+    """An option that is not given has no value in the command line, but Python's."""
+    asked = command.make_context("run", ["program.nsl"]).params
+    shared = inspect.signature(nscc_runtime.capture).parameters.keys() & asked.keys()
+    for name in shared - {"program"}:
+        assert asked[name] in (None, False), name
+    signature = inspect.signature(nscc_runtime.capture).parameters
+    for name in ("audit", "seed", "device_seed", "repeat", "threads"):
+        assert signature[name].default == getattr(Request, name)
+    told = inspect.signature(nscc_runtime.plan).parameters["tolerance"].default
+    assert told == Request.tolerance
+
+
+def test_scenes_are_named_and_loaded_for_each_program(
+    program: nscc.ShutterProgram, tmp_path: Path
+) -> None:
+    np.savez(tmp_path / "light.npz", light=LIGHT)
+    wanted = nscc_runtime.capture(program, LIGHT).exposure_e
+    for light in (
+        tmp_path / "light.npz",
+        str(tmp_path / "light.npz"),
+        nscc_runtime.scene(tmp_path / "light.npz"),
+        LIGHT.tolist(),
+        nscc_runtime.Light.of_clip(LIGHT.astype(np.float32)),
+    ):
+        np.testing.assert_array_equal(nscc_runtime.capture(program, light).exposure_e, wanted)
+    bright = nscc_runtime.scene(tmp_path / "light.npz", exposure=30000)
+    taken = nscc_runtime.capture(program, bright)
+    assert np.percentile(taken.truth_e.sum(axis=0), 99) == pytest.approx(30000, rel=1e-3)
+
+
+def test_a_plan_is_made_without_a_frame_and_used_for_others(program: nscc.ShutterProgram) -> None:
+    plan = nscc_runtime.plan(program, LIGHT, tolerance=3)
+    assert nscc_runtime.capture(program, LIGHT, tolerance=3).plan == plan
+    assert nscc_runtime.capture(program, 2 * LIGHT, plan=plan).plan is plan
+    found = nscc_runtime.audit(program, LIGHT, plan=plan)
+    assert found.holds
+    assert found.measured_rms_e <= 1.1 * 3
+    assert "the promise holds" in str(found)
+    first, *_ = str(plan).splitlines()
+    assert first.split()[0] == "effect"
+
+
+def test_torch_is_taken_where_it_is_numbers(program: nscc.ShutterProgram) -> None:
+    torch = pytest.importorskip("torch")
+    light = torch.from_numpy(LIGHT)
+    wanted = nscc_runtime.capture(program, LIGHT).exposure_e
+    np.testing.assert_array_equal(nscc_runtime.capture(program, light).exposure_e, wanted)
+    with pytest.raises(TypeError, match=r"Tensor \(8, 8, 6\) of float64\n.*\n.*differentiable_"):
+        nscc_runtime.capture(program, light.clone().requires_grad_(True))
+
+
+WRONG = {
+    "swapped": (lambda p: nscc_runtime.capture(LIGHT, p), "takes a compiled program first, not an"),
+    "two programs": (lambda p: nscc_runtime.capture(p, p), "the light is a ShutterProgram"),
+    "a path": (lambda p: nscc_runtime.capture("p.nsl", LIGHT), r"nscc.compile\('p.nsl'\) gives"),
+    "words": (lambda p: nscc_runtime.capture("p.icw", LIGHT), r"nscc.load\('p.icw'\) gives"),
+    "nothing": (lambda p: nscc_runtime.capture(p, None), "a scene or a scene's name, not None"),
+    "effects": (lambda p: nscc_runtime.capture(p, LIGHT, effects=1), "effects is text, not 1"),
+    "plan": (lambda p: nscc_runtime.capture(p, LIGHT, plan=1), "a plan or a file of one, not 1"),
+    "sensor": (lambda p: nscc_runtime.capture(p, LIGHT, sensor=1), "or numbers by name, not 1"),
+    "seed": (lambda p: nscc_runtime.capture(p, LIGHT, seed=-1), "seed is a whole number from 0"),
+    "fidelity": (lambda p: nscc_runtime.capture(p, LIGHT, fidelity="ref"), "'planned', 'referenc"),
+    "repeat": (lambda p: nscc_runtime.capture(p, LIGHT, repeat=1.5), "from 1 to 10000, not 1.5"),
+    "a scene of": (lambda p: nscc_runtime.scene(LIGHT), "takes the name of a scene, not an array"),
+    "transfer": (lambda p: nscc_runtime.scene("x", transfer="sgb"), "did you mean `srgb`"),
+    "pairs": (lambda p: nscc_runtime.captures([p] * 2, [LIGHT] * 3), "3 scenes for 2 programs"),
+    "none": (lambda p: nscc_runtime.captures([], [LIGHT]), "1 scenes for 0 programs"),
+    "keep": (lambda p: nscc_runtime.capture(p, LIGHT).save("x.npz", ["a"]), "save can keep light"),
+    "fit": (lambda p: nscc_runtime.scene("x", fit="tile"), "did you mean `tiles`"),
+    "first": (lambda p: nscc_runtime.scene("x", first=-1), "first is a whole number from 0"),
+}
+
+
+@pytest.mark.parametrize("wrong", WRONG)
+def test_wrong_arguments_are_told_in_a_sentence(wrong: str, program: nscc.ShutterProgram) -> None:
+    call, words = WRONG[wrong]
+    with pytest.raises(TypeError, match=words) as caught:
+        call(program)
+    assert isinstance(caught.value, nscc.Rejected)
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"effects": "shott"}, "NS0756.*'shott'"),
+        ({"sensor": {"full_well": 3}}, "NS0753.*\n.*did you mean `full_well_e`"),
+        ({"sensor": {"full_well_e": float("nan")}}, "NS0754"),
+        ({"tolerance": "5"}, "NS0746"),
+        ({"effects": "auto", "fidelity": "reference"}, "NS0739.*effects auto with fidelity ref"),
+    ],
+)
+def test_what_the_command_refuses_is_refused(
+    options: dict[str, Any], words: str, program: nscc.ShutterProgram
+) -> None:
+    with pytest.raises(nscc.Rejected, match=words):
+        nscc_runtime.capture(program, LIGHT, **options)
+
+
+def test_a_program_without_data_has_no_frame() -> None:
+    empty = nscc.compile(TEXT, target=TARGET, level=1)
+    with pytest.raises(nscc.Rejected, match="NS0741"):
+        nscc_runtime.capture(empty, LIGHT)
+
+
+def test_repr_is_a_line(program: nscc.ShutterProgram) -> None:
+    taken = nscc_runtime.capture(program, LIGHT, effects="auto", repeat=2)
+    sensor = nscc_runtime.load_sensor(TARGET)
+    for value in (taken, taken.plan, taken.light, sensor):
+        assert re.fullmatch(r"<nscc [^\n]{10,200}>", repr(value))

@@ -1,0 +1,155 @@
+"""Pictures of any size on the array: cut out, scaled, in pieces; in grey and in colours."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+from conftest import RunNscc
+from numpy.typing import NDArray
+from PIL import Image
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc_runtime.scenes import Exposure, Laid, laid_scene, load_scene
+from nscc_runtime.scenes.colour import srgb_to_linear
+
+RNG = np.random.default_rng(11)
+SIZE = {"slot_us": (1000.0, 1000.0), "rows": 24, "cols": 32}
+
+
+@pytest.fixture
+def photo(tmp_path: Path) -> Path:
+    """100 x 96 in colours that differ."""
+    Image.fromarray(RNG.integers(0, 256, (100, 96, 3), np.uint8)).save(tmp_path / "photo.png")
+    return tmp_path / "photo.png"
+
+
+def light_of(path: Path) -> NDArray[np.float64]:
+    """Red, green, blue, by the definition of sRGB."""
+    return srgb_to_linear(np.asarray(Image.open(path), np.float64) / 255)
+
+
+def laid(path: Path, **more: Any) -> tuple[Laid, list[Diagnostic]]:
+    said: list[Diagnostic] = []
+    found = laid_scene(str(path), exposure=Exposure(5000.0, 50.0), warn=said.append,
+                       **{**SIZE, **more})  # fmt: skip
+    return found, said
+
+
+def test_scaled_pictures_are_means_of_areas(photo: Path) -> None:
+    """100 x 96 on 25 x 24: blocks of 4 x 4, and the median of them has the exposure asked for."""
+    found, said = laid(photo, rows=25, fit="scale")
+    assert (found.where.size, found.where.arrays) == ((25, 24), (1, 1))
+    grey = light_of(photo) @ [0.2126, 0.7152, 0.0722]
+    means = grey.reshape(25, 4, 24, 4).mean(axis=(1, 3))
+    total = found.where.cut(found.light.total_e())
+    assert np.allclose(total, means * 5000 / np.median(means), rtol=1e-5)
+    assert [each.code for each in said] == ["NS0773", "NS0773"]
+    assert found.colour
+
+
+def test_the_rest_of_the_array_sees_a_mirror(photo: Path) -> None:
+    found, _ = laid(photo, rows=25, fit="scale")
+    total = found.light.total_e()
+    assert np.allclose(total[:, 24:], total[:, 23:15:-1])
+
+
+def test_pieces_put_together_are_the_picture(photo: Path) -> None:
+    found, _ = laid(photo, fit="tiles")
+    where = found.where
+    assert (where.size, where.arrays) == ((100, 96), (5, 3))
+    pieces = [piece.total_e() for piece in where.pieces(found.light)]
+    assert {piece.shape for piece in pieces} == {(24, 32)}
+    whole = where.joined(pieces)
+    grey = light_of(photo) @ [0.2126, 0.7152, 0.0722]
+    assert np.allclose(whole, grey * 5000 / np.median(grey), rtol=1e-5)
+
+
+def test_small_and_thin_pictures_are_scaled_up(tmp_path: Path) -> None:
+    for shape, size in (((3, 4), (24, 32)), ((1, 200), (1, 32)), ((500, 2), (24, 1))):
+        Image.fromarray(np.full(shape, 128, np.uint8)).save(tmp_path / "small.png")
+        found, _ = laid(tmp_path / "small.png", fit="scale")
+        assert found.where.size == size
+        assert np.allclose(found.light.total_e(), 5000, rtol=1e-6)
+    with pytest.raises(Rejected, match="NS0734"):
+        laid(tmp_path / "small.png")
+
+
+def test_what_is_cut_off_is_said(photo: Path) -> None:
+    found, said = laid(photo)
+    assert found.where.whole
+    assert (
+        said[0].message
+        == f"'{photo}' is 100 x 96, the array 24 x 32: 0.08 of the picture is exposed"
+    )
+    plain = load_scene(str(photo), exposure=Exposure(5000.0, 50.0), **SIZE)
+    assert np.array_equal(found.light.total_e(), plain.total_e())
+    with pytest.raises(Rejected, match="NS0739"):
+        laid(photo, fit="tiles", crop=(0, 0))
+
+
+def test_a_clip_may_begin_later_or_be_a_still(tmp_path: Path) -> None:
+    levels = (10, 50, 90, 200)
+    frames = [Image.fromarray(np.full((24, 32), level, np.uint8)) for level in levels]
+    frames[0].save(tmp_path / "clip.gif", save_all=True, append_images=frames[1:])
+    clip, _ = laid(tmp_path / "clip.gif", first=2)
+    means = clip.light.dense().mean(axis=(1, 2))
+    assert means[1] / means[0] == pytest.approx(
+        srgb_to_linear(np.array(200 / 255)) / srgb_to_linear(np.array(90 / 255))
+    )
+    assert laid(tmp_path / "clip.gif", single=True)[0].light.kind == "still"
+    with pytest.raises(Rejected, match="NS0735"):
+        laid(tmp_path / "clip.gif", first=3)
+
+
+PROGRAM = """nsl 1
+frame 4 slots of 1ms
+code stop : 1..4
+open when n < stop
+pixels stop = tile [[4, 3, 1], [2, 4, 2], [1, 1, 3]]
+"""
+
+
+def test_runs_of_pieces_and_colours(photo: Path, tmp_path: Path, run_nscc: RunNscc) -> None:
+    """Without effects every pixel of the picture has the light of its shutter; codes go on over
+    the edges of arrays as they lie."""
+    large = np.asarray(Image.open(photo).resize((300, 270)))
+    Image.fromarray(large).save(tmp_path / "large.png")
+    (tmp_path / "a.nsl").write_text(PROGRAM)
+    line = "run a.nsl --scene large.png --exposure 8000@50 --fit tiles --keep truth -o a.npz"
+    outcome = run_nscc([*line.split(), "--png", "a.png"], tmp_path)
+    assert (outcome.status, outcome.codes) == (0, ["NS0773", "NS0773"])
+    with np.load(tmp_path / "a.npz") as file:
+        arrays = {name: file[name] for name in ("exposure_e", "truth_e", "meta")}
+    y, x = (np.arange(side) % 256 % 3 for side in (270, 300))
+    stop = np.array([[4, 3, 1], [2, 4, 2], [1, 1, 3]])[y][:, x]
+    assert np.allclose(arrays["exposure_e"][0], arrays["truth_e"] * stop / 4)
+    assert json.loads(str(arrays["meta"]))["laid"] == {
+        "fit": "tiles", "picture": [270, 300], "arrays": [2, 2],
+    }  # fmt: skip
+    line = line.replace("a.npz", "c.npz").replace("--keep truth", "--color")
+    assert run_nscc(line.split(), tmp_path).status == 0
+    with np.load(tmp_path / "c.npz") as file:
+        colours = file["exposure_e"][:, 0]
+    grey = np.tensordot([0.2126, 0.7152, 0.0722], colours, 1)
+    assert np.allclose(grey, arrays["exposure_e"][0], rtol=1e-4)
+    assert not np.allclose(colours[0], colours[1])
+    for wrong in ("--repeat 2", "--plan new.json --effects auto"):
+        assert "NS0739" in run_nscc([*line.split(), *wrong.split()], tmp_path).codes
+
+
+def test_16_bits_alpha_and_grey(tmp_path: Path) -> None:
+    deep = RNG.integers(0, 65536, (24, 32), np.uint16)
+    cv2.imwrite(str(tmp_path / "deep.png"), deep)
+    found, said = laid(tmp_path / "deep.png", transfer="linear", fit="scale")
+    assert np.allclose(found.light.total_e(), deep * (5000 / np.median(deep)), rtol=1e-5)
+    assert not said
+    alpha = np.dstack([RNG.integers(0, 256, (24, 32, 3), np.uint8), np.full((24, 32), 7, np.uint8)])
+    Image.fromarray(alpha, "RGBA").save(tmp_path / "alpha.png")
+    opaque, _ = laid(tmp_path / "alpha.png")
+    grey = srgb_to_linear(alpha[..., :3] / 255.0) @ [0.2126, 0.7152, 0.0722]
+    assert np.allclose(opaque.light.total_e(), grey * 5000 / np.median(grey), rtol=1e-5)

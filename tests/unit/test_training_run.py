@@ -1,0 +1,128 @@
+"""Runs in Python: reconstructions are the command's, curves the file's, mistakes are told."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from notebook_page import checked
+from nscc_command import invoke
+
+pytest.importorskip("torch")
+
+from small_runs import trained
+
+import nscc
+import nscc_runtime
+import nscc_training
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory: pytest.TempPathFactory) -> nscc_training.Run:
+    return nscc_training.load_run(trained(tmp_path_factory.mktemp("runs") / "r"))
+
+
+def test_reconstructions_are_the_commands(run: nscc_training.Run, tmp_path: Path) -> None:
+    taken = nscc_runtime.capture(run.program, "builtin:hdr")
+    path = taken.save(tmp_path / "frame.npz")
+    outcome = invoke(["reconstruct", str(run.path), "frame.npz", "-o", "r.npz"], tmp_path)
+    assert outcome.status == 0, outcome.err
+    wanted = np.load(tmp_path / "r.npz")["image"]
+    assert wanted.shape == taken.truth_e.shape
+    for frame in (taken, path, taken.frame, taken.frame[0].astype(int)):
+        found = run.reconstruct(frame)
+        assert found.dtype == np.float32
+        np.testing.assert_array_equal(found, wanted)
+
+
+def test_frames_are_those_of_run_like(run: nscc_training.Run, tmp_path: Path) -> None:
+    line = ["run", "--like", str(run.path), "--scene", "builtin:hdr", "-o", "c.npz"]
+    outcome = invoke(line, tmp_path)
+    assert outcome.status == 0, outcome.err
+    saved = run.capture("builtin:hdr").save(tmp_path / "python.npz")
+    assert saved.read_bytes() == (tmp_path / "c.npz").read_bytes()
+    bright = run.capture(nscc_runtime.scene("builtin:hdr", exposure=1e6))
+    assert np.percentile(bright.truth_e, 99) == pytest.approx(1e6, rel=1e-3)
+
+
+def test_what_is_there_in_the_dark_is_taken_away(run: nscc_training.Run, tmp_path: Path) -> None:
+    taken = run.capture("builtin:hdr", effects="auto")
+    dark = run.capture("builtin:dark", effects="auto", repeat=3)
+    path, without = taken.save(tmp_path / "f.npz"), dark.save(tmp_path / "d.npz")
+    line = ["reconstruct", str(run.path), "f.npz", "--dark", "d.npz", "-o", "r.npz"]
+    outcome = invoke(line, tmp_path)
+    assert outcome.status == 0, outcome.err
+    wanted = np.load(tmp_path / "r.npz")["image"]
+    np.testing.assert_array_equal(run.reconstruct(taken, dark=dark), wanted)
+    np.testing.assert_array_equal(run.reconstruct(path, dark=without), wanted)
+
+
+def test_colours_are_reconstructed_one_by_one(run: nscc_training.Run, tmp_path: Path) -> None:
+    import cv2
+
+    photo = np.random.default_rng(4).integers(0, 255, (48, 56, 3), np.uint8)
+    cv2.imwrite(str(tmp_path / "photo.png"), photo)
+    scene = nscc_runtime.scene(tmp_path / "photo.png", fit="tiles", color=True)
+    taken = run.capture(scene)
+    path = taken.save(tmp_path / "f.npz")
+    found = run.reconstruct(taken)
+    assert found.shape == (48, 56, 3)
+    np.testing.assert_array_equal(found, run.reconstruct(path))
+
+
+def test_a_frame_of_another_program_is_refused(run: nscc_training.Run) -> None:
+    other = nscc.compile("nsl 1\nframe 4 slots of 8ms\nopen when true\n", level=1)
+    taken = nscc_runtime.capture(other, "builtin:hdr")
+    with pytest.raises(nscc.Rejected, match=r"NS0819.*the capture.*program is not the run's"):
+        run.reconstruct(taken)
+    with pytest.warns(UserWarning, match="NS0819"):
+        assert run.reconstruct(taken, force=True).shape == other.shape
+
+
+@pytest.mark.parametrize(
+    ("frame", "words"),
+    [
+        (np.ones((256, 256)), r"its codes \(256, 256\), not an array \(256, 256\) of float64"),
+        (np.ones((4, 4), np.uint8), r"not an array \(4, 4\) of uint8"),
+        (np.full((256, 256), 300), r"codes are 0..255, and these 300..300"),
+        (None, "not None"),
+    ],
+)
+def test_what_is_no_frame_is_told(run: nscc_training.Run, frame: Any, words: str) -> None:
+    with pytest.raises(TypeError, match=words):
+        run.reconstruct(frame)
+
+
+def test_only_one_exposure_is_reconstructed(run: nscc_training.Run) -> None:
+    taken = nscc_runtime.capture(run.program, "builtin:dark", repeat=2)
+    with pytest.raises(TypeError, match="one bucket of one exposure"):
+        run.reconstruct(taken)
+
+
+def test_what_is_no_run_is_told(tmp_path: Path) -> None:
+    with pytest.raises(nscc.Rejected, match="NS0818"):
+        nscc_training.load_run(tmp_path)
+    with pytest.raises(TypeError, match="the folder of a run, not 3"):
+        nscc_training.load_run(3)  # type: ignore[arg-type]
+
+
+def test_curves_are_those_of_the_file(run: nscc_training.Run) -> None:
+    rows = [*csv.DictReader((run.path / "metrics.csv").read_text().splitlines())]
+    assert [*run.curves] == [*rows[0]]
+    for number, row in enumerate(rows):
+        assert run.curves["split"][number] == (row["split"] == "val")
+        for name in row.keys() - {"split"}:
+            value = run.curves[name][number]
+            assert np.isnan(value) if row[name] == "" else value == float(row[name])
+
+
+def test_it_is_shown_as_a_line_and_as_curves_and_codes(run: nscc_training.Run) -> None:
+    assert "\n" not in repr(run)
+    assert f"{run.curves['psnr_db'][-1]:.2f} dB" in repr(run)
+    words = {*checked(run).words}
+    stops = {f"stop {stop}" for stop in np.unique(run.encoder.codes()["stop"])}
+    assert stops | {"validation PSNR, dB", "training loss", "the program"} <= words
+    assert run.program.codes["stop"].tolist() == sorted({*run.encoder.codes()["stop"].flat})

@@ -1,0 +1,206 @@
+"""Pixel-wise shutters as a forward operator of DeepInverse (deepinv.github.io), in electrons.
+
+    import nscc
+    import torch
+    from nscc_training.deepinv import PixelShutters, SensorNoise
+
+    p = nscc.compile("examples/flutter.nsl")
+    physics = PixelShutters(p, noise_model=SensorNoise.of(p))
+    x = 300 * torch.rand(1, *physics.img_size)      # electrons a slot (batch, 1, N, rows, cols)
+    y = physics(x)                                  # electrons (batch, buckets, rows, cols)
+    x_hat = physics.A_dagger(y)
+
+Needs `nscc[deepinv]`. Clips follow the layout of deepinv's other dynamic operators (batch,
+channels, time, rows, cols), so that what is written for pictures of four dimensions, as
+`LinearPhysicsMultiScaler`, takes stills only.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import torch
+from deepinv.physics import LinearPhysics, ZeroNoise
+from deepinv.physics.noise import NoiseModel
+from torch import Tensor
+
+from nscc.diagnostics.arguments import shown, wrong_argument
+from nscc.shutter_program import ShutterProgram
+from nscc.words.container import Container
+from nscc_runtime.given import SensorLike, sensor_of
+from nscc_training.encoders.base import Encoder
+from nscc_training.sensor_model import SensorModel, laid, read_out
+
+
+class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no types
+    """Every pixel adds up the light of those slots in which its shutter is open.
+
+    From a clip x (batch, 1, N, rows, cols), electrons a slot, to y (batch, buckets, rows, cols),
+    electrons. With `still`, from a picture x (batch, 1, rows, cols), electrons over the whole
+    frame, of which slot n has the part `slot_share[n]` (default: the part of a program's frame that
+    it is, else 1 / N).
+
+    `shutters` is a program with data, compiled or loaded; an `Encoder`, into whose codes gradients
+    flow; or a tensor (N, rows, cols) or (buckets, N, rows, cols) of 0..1, the buffer `shutters`,
+    which a call of `A` may replace, as deepinv's parameters of physics. They are a tile, repeated
+    over the array of `size` (rows, cols) from its top left corner, and cut where it is smaller.
+
+    The pseudo-inverse and the proximal step of the L2 fidelity are exact and cost one pass: the
+    pixels do not mix. `options` are those of `LinearPhysics`. WrongArgument for anything else.
+    """
+
+    def __init__(
+        self,
+        shutters: ShutterProgram | Container | Encoder | Tensor,
+        *,
+        size: tuple[int, int] | None = None,
+        still: bool = False,
+        slot_share: Tensor | None = None,
+        noise_model: NoiseModel | None = None,
+        device: torch.device | str = "cpu",
+        **options: Any,
+    ) -> None:
+        encoder = shutters if isinstance(shutters, Encoder) else None
+        tile = _tile(shutters)
+        rows, cols = tile.shape[-2:] if size is None else size
+        slots = tile.shape[1]
+        if slot_share is None:
+            slot_share = _shares(shutters, slots)
+        elif slot_share.shape != (slots,):
+            raise wrong_argument(
+                f"PixelShutters: slot_share is ({slots},), not {tuple(slot_share.shape)}"
+            )
+        img_size = (1, rows, cols) if still else (1, slots, rows, cols)
+        super().__init__(
+            img_size=img_size, noise_model=noise_model or ZeroNoise(), device=device, **options
+        )
+        self.still = still
+        self.encoder = encoder
+        self.register_buffer("slot_share", slot_share.float())
+        self.register_buffer("shutters", None if encoder else laid(tile.float(), rows, cols))
+        self.to(device)
+
+    def A(self, x: Tensor, shutters: Tensor | None = None, **parameters: Any) -> Tensor:  # noqa: N802 (deepinv's)
+        """Electrons (batch, buckets, rows, cols) of the light x; `shutters` are kept if given."""
+        self.update_parameters(shutters=shutters, **parameters)
+        if x.shape[1:] != self.img_size:
+            raise wrong_argument(
+                f"PixelShutters takes light (batch, {', '.join(map(str, self.img_size))}), "
+                f"not {shown(x)}"
+            )
+        light = x if self.still else x[:, 0]
+        buckets = self._weights(x)
+        return torch.stack([(light * bucket).sum(dim=1) for bucket in buckets], dim=1)
+
+    def A_adjoint(self, y: Tensor, shutters: Tensor | None = None, **parameters: Any) -> Tensor:  # noqa: N802
+        """The frame in each slot that it was open in: from (batch, buckets, rows, cols) to x."""
+        self.update_parameters(shutters=shutters, **parameters)
+        light = (y.unsqueeze(2) * self._weights(y)).sum(dim=1)
+        return light if self.still else light.unsqueeze(1)
+
+    def A_A_adjoint(self, y: Tensor, **parameters: Any) -> Tensor:  # noqa: N802
+        """A of the adjoint: each pixel's buckets times how long two of them are open together."""
+        self.update_parameters(**parameters)
+        return _times(self._overlap(y), y)
+
+    def A_dagger(self, y: Tensor, *_solver: Any, **options: Any) -> Tensor:  # noqa: N802
+        """The least light that gives y, of all that come nearest to it. A solver is not needed."""
+        return self.A_adjoint(_times(_inverse(self._overlap(y)), y))
+
+    def prox_l2(self, z: Any, y: Tensor, gamma: Any, *solver: Any, **options: Any) -> Tensor:
+        """The x that minimises gamma / 2 |A x - y|^2 + 1 / 2 |x - z|^2, for one number gamma."""
+        if isinstance(gamma, Tensor) and gamma.numel() > 1:
+            found: Tensor = super().prox_l2(z, y, gamma, *solver, **options)
+            return found
+        x = z if isinstance(z, Tensor) else torch.full_like(self.A_adjoint(y), z or 0.0)
+        inverse = _inverse(self._overlap(y), 1.0 / gamma)
+        return x + self.A_adjoint(_times(inverse, y - self.A(x)))
+
+    def _weights(self, like: Tensor) -> Tensor:
+        """What light counts, (buckets, slots, rows, cols); a still has one slot, the frame."""
+        found: Tensor = self.shutters
+        if self.encoder is not None:
+            found = laid(self.encoder().unsqueeze(0), *self.img_size[-2:])
+        if self.still:
+            found = torch.einsum("kthw,t->khw", found, self.slot_share.to(found)).unsqueeze(1)
+        return found.to(like)
+
+    def _overlap(self, like: Tensor) -> Tensor:
+        weights = self._weights(like)
+        return torch.einsum("ithw,jthw->hwij", weights, weights)
+
+
+class SensorNoise(NoiseModel):  # type: ignore[misc]
+    """The noise of the sensor that training sees: photons, full well, readout, the converter.
+
+    From exact electrons to electrons as `(frame - adc_offset) * electrons_per_lsb` of a frame file
+    tells them: whole codes, of which the last means full. Gradients pass as in
+    `nscc_training.differentiable_capture`. Without `rng` the noise follows `torch.manual_seed`.
+    """
+
+    def __init__(self, sensor: SensorModel, rng: torch.Generator | None = None) -> None:
+        super().__init__(rng=rng)
+        self.sensor = sensor
+
+    @classmethod
+    def of(
+        cls,
+        program: ShutterProgram,
+        sensor: SensorLike = None,
+        rng: torch.Generator | None = None,
+    ) -> SensorNoise:
+        """The noise of a program's chip, or of another `sensor`, as `nscc_runtime.capture` takes
+        it."""
+        chip = sensor_of("SensorNoise.of", sensor, program.container.target)
+        return cls(SensorModel.of(chip, program.container.target), rng)
+
+    def forward(self, input: Tensor, seed: int | None = None, **_parameters: Any) -> Tensor:
+        """Electrons with the noise of one readout; a `seed` begins the generator anew."""
+        self.rng_manual_seed(seed)
+        generator = self.rng
+        if generator is None:
+            generator = torch.Generator().manual_seed(int(torch.randint(2**62, ())))
+        codes = read_out(input.double(), self.sensor, generator)
+        electrons = (codes - self.sensor.adc_offset_lsb) * self.sensor.electrons_per_lsb
+        return electrons.to(input.dtype)
+
+
+def _tile(shutters: object) -> Tensor:
+    """Shutters (buckets, N, rows, cols), of an encoder those that it has now."""
+    if isinstance(shutters, Encoder):
+        return shutters.hard().unsqueeze(0)
+    if isinstance(shutters, Container):
+        shutters = ShutterProgram("the program", shutters)
+    if isinstance(shutters, ShutterProgram):
+        return torch.from_numpy(shutters.shutters(pixels=True))
+    if isinstance(shutters, Tensor) and shutters.ndim in (3, 4):
+        return shutters if shutters.ndim == 4 else shutters.unsqueeze(0)
+    raise wrong_argument(
+        f"PixelShutters takes a program, an Encoder or a tensor (N, rows, cols), "
+        f"not {shown(shutters)}",
+        helps=("nscc.compile gives programs, nscc_training.make_encoder encoders",),
+    )
+
+
+def _shares(shutters: object, slots: int) -> Tensor:
+    """The part of a frame that each slot is."""
+    if not isinstance(shutters, ShutterProgram | Container):
+        return torch.full((slots,), 1.0 / slots)
+    lengths = torch.tensor(shutters.slot_us, dtype=torch.float64)
+    return lengths / lengths.sum()
+
+
+def _times(matrix: Tensor, y: Tensor) -> Tensor:
+    """Each pixel's matrix (rows, cols, buckets, buckets) times its buckets."""
+    return torch.einsum("hwij,bjhw->bihw", matrix, y)
+
+
+def _inverse(matrix: Tensor, damping: Any = 0.0) -> Tensor:
+    """Each pixel's inverse of matrix + damping; the pseudo-inverse where there is none."""
+    count = matrix.shape[-1]
+    damped = matrix + damping * torch.eye(count).to(matrix)
+    if count == 1:
+        opened = damped > 0  # a pixel that never opens has no inverse, nor a gradient that is none
+        return torch.where(opened, 1.0 / torch.where(opened, damped, 1.0), 0.0)
+    found: Tensor = torch.linalg.pinv(damped, hermitian=True)
+    return found

@@ -1,0 +1,164 @@
+"""A scene exposed: with a run's shutters, by an ordinary camera, and both without light."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+from importlib.util import find_spec
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.compiler import compile_file, compile_source
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.pipeline import Options
+from nscc.source import Source
+from nscc.words.container import Container
+from nscc_runtime.effects import selected
+from nscc_runtime.frame_file import FrameFile, meta
+from nscc_runtime.pieces import Taken, simulate_scene
+from nscc_runtime.scenes import Fit, Laid, Scene
+from nscc_runtime.sensor import Sensor, load_sensor
+from nscc_runtime.simulate import Listener, Request
+from nscc_training.demo.subject import Subject
+from nscc_training.run_files import RunCapture, run_capture
+
+RUNS = {True: Path("hdr"), False: Path("clip")}
+"""The run for stills, and that for clips."""
+DARK_FRAMES, DARK_SEED = 16, 1 << 20
+"""Frames without light, whose mean is taken from every other, and how far their seed is off."""
+_BRIGHTER = ("@99", "@100")
+"""Where the run's pixel of a scene is dark, one of these is given its electrons."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How a scene is shown.
+
+    `exposure` is text as `--exposure` takes it (None: the run's), `tone` a curve (None: sRGB for
+    what was made for screens, a logarithm for light), `learned` decodes by the run's decoder,
+    which needs torch; else frames are merged.
+    """
+
+    fit: Fit = "scale"
+    color: bool = False
+    exposure: str | None = None
+    tone: str | None = None
+    seed: int = 0
+    learned: bool = field(default_factory=lambda: find_spec("torch") is not None)
+
+
+@dataclass(frozen=True, eq=False)
+class Exposed:
+    """What was exposed, and how: `scene` with its exposure on the arrays (`laid`, one for each
+    colour), the coded frame (`taken`) and that of always open pixels (`usual`), each with its
+    frames without light; `seconds` that the coded frame took.
+    """
+
+    run: Path
+    scene: Scene
+    laid: tuple[Laid, ...]
+    container: Container
+    sensor: Sensor
+    taken: Taken
+    dark: Taken
+    usual: Taken
+    usual_dark: Taken
+    seconds: float
+
+    @property
+    def still(self) -> bool:
+        """Whether it is a still."""
+        return self.laid[0].light.kind == "still"
+
+    def truth(self) -> NDArray[Any]:
+        """Electrons over the frame (rows, cols), or a slot (T, rows, cols); colours last."""
+        cut = [
+            one.where.cut(one.light.total_e() if self.still else one.light.dense())
+            for one in self.laid
+        ]
+        return cut[0] if len(cut) == 1 else np.stack(cut, axis=-1)
+
+    def white_e(self) -> float:
+        """The light that a picture made for screens shows as white."""
+        light = self.laid[0].light
+        return float(light.weight.sum()) / (1 if self.still else light.slots)
+
+    def codes(self, taken: Taken) -> NDArray[np.uint8]:
+        """A frame's codes (rows, cols), or (rows, cols, 3) in colours."""
+        codes = taken.simulated.frame.frame[..., 0, :, :]
+        return codes if len(self.laid) == 1 else np.moveaxis(codes, 0, -1)
+
+    def files(self) -> tuple[FrameFile, FrameFile]:
+        """The coded frame, with its truth if it has one colour, and its frames without light."""
+        keep = ("truth",) if len(self.laid) == 1 else ()
+        return _frame_file(self.taken, keep), _frame_file(self.dark)
+
+
+def exposed(found: Subject, settings: Settings, listener: Listener) -> Exposed:
+    """A subject through the run that is for it, under the default sensor, with the effects that it
+    calls for. Raises Rejected for a scene that is dark or cannot be read."""
+    run = RUNS[found.still]
+    like = run_capture(run)
+    compiled = compile_file(like.program, Options()).container
+    assert compiled is not None  # a run's program has compiled before
+    sensor = load_sensor(compiled.target, like.sensor)
+    laid, scene = _laid(found, like, compiled, settings, listener)
+    request = Request(selected("auto"), seed=settings.seed)
+    begin = perf_counter()
+    taken = simulate_scene(compiled, laid, sensor, request, listener)
+    seconds = perf_counter() - begin
+    target = None if like.target is None else str(like.target)
+    usual_camera = camera(like.slots, like.slot_us, target)
+    usual = simulate_scene(usual_camera, laid, sensor, request, listener)
+    dark, usual_dark = (
+        _dark(each, sensor, settings, listener) for each in (compiled, usual_camera)
+    )
+    return Exposed(run, scene, laid, compiled, sensor, taken, dark, usual, usual_dark, seconds)
+
+
+def _laid(
+    found: Subject, like: RunCapture, container: Container, settings: Settings, listener: Listener
+) -> tuple[tuple[Laid, ...], Scene]:
+    """The scene's light, and the scene with the exposure that it was given."""
+    scene = replace(found.scene, fit=settings.fit, color=settings.color)
+    electrons, _, _ = like.exposure.partition("@")
+    asked = (settings.exposure,) if settings.exposure else (
+        like.exposure, *(electrons + brighter for brighter in _BRIGHTER))  # fmt: skip
+    for exposure in asked:
+        exposed = scene if found.in_electrons else replace(scene, exposure=exposure)
+        try:
+            laid = exposed.laid(
+                container.slot_us, container.target, listener.warn, listener.progress
+            )
+        except Rejected as rejected:
+            if exposure == asked[-1] or rejected.diagnostics[0].code != "NS0738":
+                raise
+            continue
+        return laid, exposed
+    raise AssertionError("there is an exposure to ask for")
+
+
+def camera(slots: int, slot_us: float, target: str | None = None) -> Container:
+    """An ordinary camera: every shutter is open in all `slots` of `slot_us`."""
+    text = f"nsl 1\nframe {slots} slots of {slot_us:g}us\nopen when true\n"
+    made = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
+    assert made.container is not None  # one shutter fits wherever any does
+    return made.container
+
+
+def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Listener) -> Taken:
+    """Frames without light, with other noise than the scene's."""
+    night = Scene("builtin:dark").laid(container.slot_us, container.target)
+    seed = settings.seed + DARK_SEED
+    request = Request(selected("auto"), seed=seed, repeat=DARK_FRAMES)
+    return simulate_scene(container, night, sensor, request, listener)
+
+
+def _frame_file(taken: Taken, keep: Sequence[str] = ()) -> FrameFile:
+    simulated, light = taken.simulated, taken.light
+    about = meta(taken.container, light, simulated.frame, simulated.origin) | taken.laid
+    return FrameFile.of(taken.container, light, simulated.frame, about, keep)

@@ -1,0 +1,123 @@
+"""A scene through a run that comes with nscc: exposed, reconstructed, drawn, written."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from shlex import quote
+from time import perf_counter
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.files import Product, write_together
+from nscc_runtime.formats import Content, file_of
+from nscc_runtime.pictures.sheet import png_of
+from nscc_runtime.scenes import Scene
+from nscc_runtime.simulate import Listener
+from nscc_training.demo.expose import DARK_FRAMES, DARK_SEED, Exposed, Settings, exposed
+from nscc_training.demo.merge import dark_codes, merged_light
+from nscc_training.demo.sheet import Shown, demo_sheet
+from nscc_training.demo.subject import Subject, subject
+from nscc_training.run_files import run_capture
+
+BUILTIN = ("builtin:hdr", "builtin:motion:0.15")
+"""What is shown to those who name nothing."""
+_CORNER = 16
+"""Rows and columns of the array whose shutters are shown."""
+
+
+@dataclass(frozen=True)
+class Demo:
+    """What a demo left: its `files`, the sheet first, PSNR in dB of the always open pixels and of
+    the reconstruction, and the commands that make the same step by step."""
+
+    files: tuple[Path, ...]
+    open_db: float
+    psnr_db: float
+    commands: tuple[str, ...]
+
+
+def demo(
+    scene: Scene, out: Path, settings: Settings | None = None, listener: Listener | None = None
+) -> Demo:
+    """Expose a scene with a run that comes with nscc, reconstruct it, and write both into `out`.
+
+    A still leaves `picture_sheet.png`, `picture.hdr` and `picture.png`, a clip `clip_sheet.png`,
+    `clip.mp4` and `clip.gif`; both their frame files, `.._frame.npz` and `.._dark.npz`. Raises
+    Rejected for scenes that cannot be read or are dark.
+    """
+    settings, listener = settings or Settings(), listener or Listener()
+    clips = run_capture(Path("clip"))
+    found = subject(scene, clips.slots, clips.slots * clips.slot_us * 1e-6)
+    if found.chosen:
+        listener.say(f"{Path(scene.name).name}: {found.chosen}")
+    made = exposed(found, settings, listener)
+    name = "picture" if made.still else "clip"
+    out.mkdir(parents=True, exist_ok=True)
+    frames = (out / f"{name}_frame.npz", out / f"{name}_dark.npz")
+    write_together({path: file.write for path, file in zip(frames, made.files(), strict=True)})
+    light, decode_s, how = _reconstructed(made, frames, settings)
+    shown = _shown(found, made, settings, light, decode_s, how)
+    content = Content(
+        {"image" if made.still else "video": light}, light, not made.still, len(made.laid) > 1,
+        tone=shown.curve, white=shown.fitted.white,
+    )  # fmt: skip
+    paths = [out / (name + end) for end in ((".hdr", ".png") if made.still else (".mp4", ".gif"))]
+    products: dict[Path, Product] = {out / f"{name}_sheet.png": png_of(demo_sheet, shown)}
+    products |= {path: file_of(path, content, "it") for path in paths}
+    write_together(products)
+    files = (*products, *frames)
+    return Demo(files, shown.open_db, shown.psnr_db, _commands(made, settings, files))
+
+
+def _reconstructed(
+    made: Exposed, frames: tuple[Path, Path], settings: Settings
+) -> tuple[NDArray[np.float32], float, str]:
+    """The light, in the shape of the truth; the seconds that it took; by what."""
+    if settings.learned:
+        from nscc_training.reconstruct import reconstruct
+
+        found = reconstruct(made.run, frames[0], force=False, dark=frames[1])
+        return found.light, found.decode_s, f"U-Net of run {made.run.name}"
+    begin = perf_counter()
+    light, how = merged_light(made.taken, dark_codes(made.dark), made.sensor)
+    return light, perf_counter() - begin, how
+
+
+def _shown(
+    found: Subject, made: Exposed, settings: Settings, light: NDArray[np.float32],
+    decode_s: float, how: str,
+) -> Shown:  # fmt: skip
+    container, display = made.container, found.transfer == "srgb"
+    assert container.pixel_codes is not None  # it has been exposed
+    corner = container.table.shutter_of_code[container.pixel_codes[:_CORNER, :_CORNER]]
+    name = found.scene.name
+    return Shown(
+        title=name if name.startswith("builtin:") else Path(name).name, still=made.still,
+        display=display, truth=made.truth(), light=light, frame=made.codes(made.taken),
+        usual=made.codes(made.usual), dark=dark_codes(made.usual_dark),
+        top=2**container.target.adc_bits - 1, lsb_e=made.sensor.electrons_per_lsb,
+        white_e=made.white_e() if display else None, tone=settings.tone,
+        shutters=container.table.shutters[:, 0][corner], slot_us=container.slot_us,
+        how=how, expose_s=made.seconds, decode_s=decode_s,
+    )  # fmt: skip
+
+
+def _commands(made: Exposed, settings: Settings, files: tuple[Path, ...]) -> tuple[str, ...]:
+    """What does the same step by step."""
+    scene, run = made.scene, made.run
+    options = {
+        "--scene": scene.name, "--exposure": scene.exposure, "--fit": scene.fit,
+        "--fps": scene.fps, "--first": scene.first or None, "--transfer": scene.transfer,
+        "--seed": settings.seed or None, "--effects": "auto",
+    }  # fmt: skip
+    said = [f"{name} {quote(str(value))}" for name, value in options.items() if value is not None]
+    said += ["--color"] * scene.color + ["--still"] * scene.single
+    product, frame, dark = (quote(files[k].as_posix()) for k in (1, -2, -1))
+    seed = settings.seed + DARK_SEED
+    night = f"--scene builtin:dark --effects auto --repeat {DARK_FRAMES} --seed {seed}"
+    expose = f"nscc run --like {run} {' '.join(said)} -o {frame}"
+    darkness = f"nscc run --like {run} {night} -o {dark}"
+    decode = f"nscc reconstruct {run} {frame} --dark {dark} -o {product}"
+    return (expose, darkness, decode) if settings.learned else (expose, darkness)

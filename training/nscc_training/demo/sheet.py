@@ -1,0 +1,200 @@
+"""The sheet of a demo: truth, always open, readout, reconstruction, error, and what they count."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.pictures.images import Image, image_sheet
+from nscc_runtime.pictures.tone import Tone, fitted
+from nscc_training.demo.merge import laid_like
+from nscc_training.metrics import finite_mean, mu_psnr, psnr
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_SIDE_PIXELS = 512
+"""A panel has so many pixels a side, or a little more or less: pictures are magnified by whole
+numbers."""
+_SIDE_INCHES = 3.6
+_MOMENTS = 4
+_ERROR_TOP = 64
+"""Errors of so many of 255 greys have the last colour of the scale."""
+_PEAK_PERCENTILE = 99.9
+"""Light relative to which errors of stills of high dynamic range count, as in protocol hdr-v1."""
+
+
+@dataclass(frozen=True, eq=False)
+class Shown:
+    """What a sheet shows. `truth` and `light` are (rows, cols) of a still, electrons over the
+    frame, or (T, rows, cols) of a clip, electrons a slot; `frame` and `usual`, the codes of the
+    coded frame and of always open pixels, (rows, cols); all with an axis of colours or none.
+
+    `dark` (rows, cols) of the array is what always open pixels read without light, `top` the last
+    code; `lsb_e` makes electrons of codes. `shutters` (rows, cols, N) are those of a corner of the
+    array. `display` says that the scene was made for screens, which show `white_e` as white. `how`
+    names the reconstruction.
+    """
+
+    title: str
+    still: bool
+    display: bool
+    truth: NDArray[Any]
+    light: NDArray[Any]
+    frame: NDArray[np.uint8]
+    usual: NDArray[np.uint8]
+    dark: NDArray[np.float64]
+    top: int
+    lsb_e: float
+    white_e: float | None
+    tone: str | None
+    shutters: NDArray[np.bool_]
+    slot_us: tuple[float, ...]
+    how: str
+    expose_s: float
+    decode_s: float
+
+    @property
+    def curve(self) -> str:
+        """The name of the tone curve."""
+        return self.tone or ("log" if self.still and not self.display else "srgb")
+
+    @cached_property
+    def fitted(self) -> Tone:
+        """The curve for light, fitted to the truth."""
+        return fitted(self.curve, self.truth, self.white_e)
+
+    @cached_property
+    def usual_light(self) -> NDArray[np.float64]:
+        """The light that always open pixels tell of, in the shape of the truth."""
+        light = (self.usual - laid_like(self.dark, self.usual)) * self.lsb_e
+        if self.still:
+            return light
+        return np.broadcast_to(light / len(self.truth), self.truth.shape)
+
+    @property
+    def psnr_db(self) -> float:
+        """Of the reconstruction."""
+        return self.decibels(self.light)
+
+    @property
+    def open_db(self) -> float:
+        """Of what always open pixels tell."""
+        return self.decibels(self.usual_light)
+
+    @property
+    def measure(self) -> str:
+        """What `decibels` counts."""
+        return "PSNR" if self.display or not self.still else "PSNR-mu"
+
+    def decibels(self, light: NDArray[Any]) -> float:
+        """In display encoding for clips and what was made for screens, mean of the frames; mu-law
+        over the truth's 99.9th percentile for light of high dynamic range."""
+        truth = np.asarray(self.truth, np.float64)
+        if self.measure == "PSNR-mu":
+            peak = float(np.percentile(truth, _PEAK_PERCENTILE)) or float(truth.max()) or 1.0
+            return mu_psnr(truth, np.asarray(light, np.float64), peak)
+        screen = fitted("srgb", truth, self.white_e)
+        white = screen.white or 1.0
+        there, here = (screen.curve(np.clip(x / white, 0, 1)) for x in (truth, light))
+        pairs = [(there, here)] if self.still else zip(there, here, strict=True)
+        return finite_mean(psnr(a, b, 1.0) for a, b in pairs)
+
+
+def demo_sheet(shown: Shown) -> Figure:
+    """The sheet."""
+    top = np.float64(shown.top)
+    codes = fitted("srgb", np.array([0.0]), float(top))
+    panels = {
+        "usual": Image(_fit(codes(shown.usual)), "always open",
+                       f"an ordinary camera: {shown.measure} {shown.open_db:.1f} dB"),
+        "frame": Image(_fit(codes(shown.frame)), "readout",
+                       f"one exposure through the shutters, emulated in {_time(shown.expose_s)}"),
+    }  # fmt: skip
+    reached = f"{shown.measure} {shown.psnr_db:.1f} dB"
+    told, title = f"{shown.how}: {reached}, in {_time(shown.decode_s)}", f"{shown.title}: {reached}"
+    tone = f"{shown.fitted.name}, white {shown.fitted.white:.3g} electrons"
+    if shown.still:
+        truth, light = shown.fitted(shown.truth), shown.fitted(shown.light)
+        rows: list[list[Image]] = [
+            [Image(_fit(truth), "truth", tone), panels["usual"], panels["frame"]],
+            [Image(_fit(light), "reconstruction", told), _error(truth, light), _shutters(shown)],
+        ]
+        return image_sheet(rows, title, _SIDE_INCHES)
+    moments = np.linspace(0, len(shown.truth) - 1, _MOMENTS).round().astype(int)
+    truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
+    rows = [
+        [panels["usual"], panels["frame"], _shutters(shown)],
+        _row(truth, [f"truth, frame {k + 1} of {len(shown.truth)}" for k in moments], tone),
+        _row(light, ["reconstruction", *[""] * (_MOMENTS - 1)], told),
+        [_error(a, b, k > 0) for k, (a, b) in enumerate(zip(truth, light, strict=True))],
+    ]
+    return image_sheet(rows, title, _SIDE_INCHES)
+
+
+def _time(seconds: float) -> str:
+    """With a space that lines are not broken at."""
+    return f"{seconds:.2g}\N{NO-BREAK SPACE}s"
+
+
+def _row(frames: NDArray[np.uint8], titles: Sequence[str], note: str) -> list[Image]:
+    return [
+        Image(_fit(frame), title, note if k == 0 else "")
+        for k, (frame, title) in enumerate(zip(frames, titles, strict=True))
+    ]
+
+
+def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = False) -> Image:
+    """Differences of the greys that are shown, in colours."""
+    difference = np.abs(truth.astype(np.float64) - light)
+    if difference.ndim == 3:
+        difference = difference.mean(axis=-1)
+    note = f"between the greys shown: mean {difference.mean():.1f} of 255"
+    scale = "" if quiet else f"; dark is 0, yellow {_ERROR_TOP} and more"
+    colours = _coloured(difference / _ERROR_TOP)
+    return Image(_fit(colours), "" if quiet else "error", note + scale)
+
+
+def _shutters(shown: Shown) -> Image:
+    """How long, or when, pixels of the corner are open: of a picture's shape, as the others are."""
+    down, across = shown.frame.shape[:2]
+    rows, cols = (
+        max(4, len(shown.shutters) * side // max(down, across)) for side in (down, across)
+    )
+    corner, slot_us = shown.shutters[:rows, :cols], np.array(shown.slot_us)
+    open_us = corner @ slot_us
+    shortest, longest = (f"{time_us * 1e-3:.3g}" for time_us in (open_us.min(), open_us.max()))
+    length = longest if shortest == longest else f"{shortest} to {longest}"
+    where = f"of {rows} x {cols} pixels, open for {length} ms"
+    if shown.still:
+        image = _coloured(np.sqrt(open_us / open_us.max()))
+        return Image(_fit(image), "shutters", f"{where}: yellow is longest")
+    middle_us = np.cumsum(slot_us) - slot_us / 2
+    when = corner @ (slot_us * middle_us) / np.maximum(open_us, 1e-9)
+    note = f"{where} of {slot_us.sum() * 1e-3:.3g}: dark is early, yellow late"
+    return Image(_fit(_coloured(when / slot_us.sum())), "shutters", note)
+
+
+def _coloured(scale: NDArray[np.float64]) -> NDArray[np.uint8]:
+    from matplotlib import colormaps
+
+    colours = np.asarray(colormaps["viridis"](np.clip(scale, 0, 1)))[..., :3]
+    return np.asarray(np.rint(255 * colours), np.uint8)
+
+
+def _fit(image: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """An image of about `_SIDE_PIXELS` a side: magnified by a whole number, or reduced."""
+    side = max(image.shape[:2])
+    if side > 1.5 * _SIDE_PIXELS:
+        import cv2
+
+        factor = _SIDE_PIXELS / side
+        size = (max(1, round(image.shape[1] * factor)), max(1, round(image.shape[0] * factor)))
+        return np.asarray(cv2.resize(image, size, interpolation=cv2.INTER_AREA), np.uint8)
+    zoom = max(1, round(_SIDE_PIXELS / side))
+    return image.repeat(zoom, axis=0).repeat(zoom, axis=1)

@@ -1,0 +1,110 @@
+"""What somebody wants to see exposed: a still or a clip, and which part of a clip."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from itertools import islice
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.scenes import Scene
+from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, read_light, read_mat
+from nscc_runtime.scenes.clips import CLIPS, read_clip
+from nscc_runtime.scenes.colour import Transfer
+from nscc_runtime.scenes.load import ARRAYS
+from nscc_runtime.scenes.picture_files import default_transfer, files_of, read_picture
+
+_MOST_FRAMES = 600
+"""Frames of a clip that are looked through for the part in which most moves."""
+_SIDE = 64
+"""Motion is looked for in frames reduced to so many pixels a side."""
+_CUT = 4.0
+"""A step from frame to frame that is so much larger than both beside it is a cut, no motion."""
+
+
+@dataclass(frozen=True)
+class Subject:
+    """A scene without its exposure: whether it is `still`, its curve, and what was `chosen` of it
+    (a sentence, or nothing); `in_electrons` says that it has units of its own."""
+
+    scene: Scene
+    still: bool
+    transfer: Transfer
+    chosen: str = ""
+    in_electrons: bool = False
+
+
+def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
+    """What a scene is; a clip has to fill `slots` in `frame_s` seconds.
+
+    Of a longer clip the frames in which most moves are taken, one a slot; a shorter one is slowed
+    down. Raises Rejected as the scenes' readers do; what is wrong with a scene that is read later
+    is said then.
+    """
+    path = Path(scene.name)
+    suffix = path.suffix.lower()
+    if scene.name.startswith("builtin:"):
+        return Subject(scene, not scene.name.startswith("builtin:motion"), "linear")
+    if suffix in ARRAYS and path.is_file():
+        return _of_arrays(scene, path)
+    if path.is_dir():
+        files = files_of(path)
+        transfer = scene.transfer or default_transfer(files[0])
+        if len(files) == 1:
+            return Subject(replace(scene, name=str(files[0])), True, transfer)
+        return _of_clip(scene, (read_picture(file) for file in files), transfer, slots, frame_s)
+    if suffix in CLIPS and path.is_file():
+        return _of_clip(scene, read_clip(path), scene.transfer or "srgb", slots, frame_s)
+    return Subject(scene, True, scene.transfer or default_transfer(path))
+
+
+def _of_arrays(scene: Scene, path: Path) -> Subject:
+    shapes: list[tuple[int, ...]] = []
+    if path.suffix.lower() == ".mat":
+        key, found = read_mat(path, shapes.append)
+        if key == MAT_CLIP_KEY:
+            return Subject(scene, False, scene.transfer or "linear")
+    else:
+        found = read_light(path, shapes.append)
+    return Subject(scene, found.ndim == 2, "linear", in_electrons=True)
+
+
+def _of_clip(
+    scene: Scene, frames: Iterator[NDArray[Any]], transfer: Transfer, slots: int, frame_s: float
+) -> Subject:
+    small = np.stack([_reduced(frame) for frame in islice(frames, _MOST_FRAMES)])
+    have = len(small)
+    if have == 1:
+        return Subject(replace(scene, single=True), True, transfer)
+    if scene.fps is not None:
+        return Subject(scene, False, transfer)
+    if have < slots:
+        text = f"its {have} frames are spread over {slots} slots"
+        return Subject(replace(scene, fps=have / frame_s), False, transfer, text)
+    first = liveliest(small, slots)
+    text = f"frames {first} to {first + slots - 1} of it, where most moves" if first else ""
+    return Subject(replace(scene, first=first), False, transfer, text)
+
+
+def liveliest(frames: NDArray[np.float32], count: int) -> int:
+    """The first of `count` frames in a row in which most moves, of (T, rows, cols); no cut is
+    among them if there is such a part."""
+    steps = np.abs(np.diff(frames, axis=0)).mean(axis=(1, 2))
+    beside = np.pad(steps, 1)
+    cuts = steps > _CUT * np.maximum(beside[:-2], beside[2:])
+    windows = range(len(frames) - count + 1)
+    moved = [float(steps[k : k + count - 1].sum()) for k in windows]
+    whole = [k for k in windows if not cuts[k : k + count - 1].any()]
+    return max(whole or windows, key=lambda k: (moved[k], -k))
+
+
+def _reduced(frame: NDArray[Any]) -> NDArray[np.float32]:
+    import cv2
+
+    grey = frame.mean(axis=-1) if frame.ndim == 3 else frame
+    size = (_SIDE, _SIDE)
+    return np.asarray(cv2.resize(grey.astype(np.float32), size, interpolation=cv2.INTER_AREA))

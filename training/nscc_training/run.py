@@ -1,0 +1,211 @@
+"""Finished runs in Python: what was learned, how, and what it makes of frames."""
+
+from __future__ import annotations
+
+import csv
+import os
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from torch import nn
+
+from nscc import html
+from nscc.diagnostics.arguments import shown, warn, wrong_argument
+from nscc.emit.notebook import shutter_chart
+from nscc.shutter_program import ShutterProgram, compile
+from nscc_runtime import exposing
+from nscc_runtime.captured import Capture
+from nscc_runtime.frame_file import last_codes
+from nscc_runtime.given import LightLike
+from nscc_runtime.scenes.scene import Scene
+from nscc_training import run_folder
+from nscc_training.curve_chart import curve_chart
+from nscc_training.encoders import Encoder
+from nscc_training.reconstruct import FrameRead, decoded_frame, read_dark, read_frame, reconstructed
+from nscc_training.run_files import run_capture
+from nscc_training.run_folder import RunFolder
+
+_CURVES = "metrics.csv"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Run:
+    """A run that `nscc train` finished: `folder` holds its parts, loaded."""
+
+    folder: RunFolder
+
+    @property
+    def path(self) -> Path:
+        """Its folder."""
+        return self.folder.path
+
+    @property
+    def still(self) -> bool:
+        """Whether it reconstructs pictures, and not clips."""
+        return self.folder.parts.still
+
+    @property
+    def encoder(self) -> Encoder:
+        """The learned shutters: `encoder.codes()` are int64 on the tile, by field."""
+        return self.folder.parts.encoder
+
+    @property
+    def decoder(self) -> nn.Module:
+        """The learned decoder, from frames (batch, rows, cols) and shutters (N, rows, cols)."""
+        return self.folder.parts.decoder
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """What it is worth: `result.json`."""
+        return self.folder.result
+
+    @cached_property
+    def program(self) -> ShutterProgram:
+        """The learned shutters as a program, `shutter.nsl`, compiled as `nscc run` does it."""
+        return compile(self.path / "shutter.nsl", target=self.folder.parts.chip.file)
+
+    @cached_property
+    def curves(self) -> dict[str, NDArray[np.float64]]:
+        """The columns of `metrics.csv`, NaN where nothing is said; `split` is 1 where it is val."""
+        with open(self.path / _CURVES, encoding="utf-8", newline="") as file:
+            rows = [*csv.DictReader(file)]
+
+        def number(name: str, text: str) -> float:
+            if name == "split":
+                return float(text == "val")
+            return float(text) if text else float("nan")
+
+        names = rows[0] if rows else ()
+        return {name: np.array([number(name, row[name]) for row in rows]) for name in names}
+
+    def capture(self, light: LightLike, **options: Any) -> Capture:
+        """A frame as the decoder knows them: of the run's program, on its sensor; a scene that does
+        not say how bright it is gets the run's exposure, as with `nscc run --like`.
+
+        `light` and `options` as of `nscc_runtime.capture`.
+        """
+        like = run_capture(self.path)
+        if isinstance(light, str | os.PathLike):
+            light = Scene(os.fspath(light))
+        if isinstance(light, Scene):
+            light = replace(
+                light,
+                exposure=light.exposure or like.exposure_of(light.name),
+                transfer=light.transfer or like.transfer,
+            )
+        return exposing.capture(self.program, light, **{"sensor": like.sensor, **options})
+
+    def reconstruct(
+        self,
+        frame: Capture | NDArray[np.integer[Any]] | str | os.PathLike[str],
+        *,
+        force: bool = False,
+        dark: Capture | str | os.PathLike[str] | None = None,
+    ) -> NDArray[np.float32]:
+        """What the decoder makes of a frame: electrons over the frame (rows, cols), or of a clip
+        electrons a slot (T, rows, cols): the unit of `Capture.truth_e`. Of a frame in colours red,
+        green and blue are an axis at the end.
+
+        `frame`: a capture, a frame file, or codes of the converter (rows, cols), of which nothing
+        is known and which are believed. `dark` is a capture or file without light, of many
+        repeats, whose mean is taken from a capture or file. Raises Rejected (NS0819) for a frame of
+        another program or sensor, which with `force` is a warning; WrongArgument for what is no
+        frame.
+        """
+        if isinstance(frame, str | os.PathLike):
+            read, name = read_frame(Path(frame)), str(frame)
+        elif isinstance(frame, Capture):
+            about = frame.meta
+            in_colours = "colours" in about
+            if frame.frame.shape[-3] != 1 or (frame.frame.ndim != 3 and not in_colours):
+                raise wrong_argument(
+                    f"reconstruct takes one bucket of one exposure, not {shown(frame.frame)}"
+                )
+            one = (slice(None), 0) if in_colours else ...
+            read = FrameRead(frame.frame[one], frame.saturated[one], about, None)
+            name = "the capture"
+        else:
+            codes = self._codes(frame)
+            full = last_codes(codes, self.folder.parts.target) != 0
+            return decoded_frame(self.folder, codes, full)
+        offset = None if dark is None else self._offset(dark)
+        made, messages = reconstructed(self.folder, read, name, force=force, offset=offset)
+        warn(messages)
+        return made
+
+    def __repr__(self) -> str:
+        spec, score = self.encoder.spec, self._score()
+        return (
+            f"<nscc run {str(self.path)!r}: class {spec.kind}, {spec.slots} slots, tile "
+            f"{spec.tile[0]} x {spec.tile[1]}, {self.folder.parts.settings.decoder.name}{score}>"
+        )
+
+    def _repr_html_(self) -> str:
+        spec, parts = self.encoder.spec, self.folder.parts
+        about = (
+            f"class {spec.kind}, {spec.slots} slots, {parts.settings.decoder.name}{self._score()}"
+        )
+        return html.card(
+            str(self.path), about,
+            curve_chart(self.curves), self._shutters(),
+            html.folded("the program", html.plain(self.folder.program)),
+        )  # fmt: skip
+
+    def _score(self) -> str:
+        found = [v for v in self.curves.get("psnr_db", np.array([])) if np.isfinite(v)]
+        return f", {found[-1]:.2f} dB" if found else ""
+
+    def _shutters(self) -> html.Html:
+        """The chart of the distinct shutters of the tile, with the first code of each."""
+        spec, codes = self.encoder.spec, self.encoder.codes()
+        opened = self.encoder.hard().cpu().numpy().astype(bool).reshape(spec.slots, -1).T
+        rows, first = np.unique(opened, axis=0, return_index=True)
+        flat = {name: values.reshape(-1) for name, values in codes.items()}
+        labels = [
+            ", ".join(f"{name} {values[at]}" for name, values in flat.items()) or "all pixels"
+            for at in first
+        ]
+        slot_us = [self.folder.parts.chip.slot_us] * spec.slots
+        return shutter_chart(rows[:, None], labels, slot_us, ("exposure",))
+
+    def _offset(self, dark: Capture | str | os.PathLike[str]) -> NDArray[np.float64]:
+        """What the array (rows, cols) reads without light, codes above the ADC's offset."""
+        if not isinstance(dark, Capture):
+            return read_dark(Path(dark))
+        codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
+        return np.asarray(codes.mean(axis=0)[0] - self.folder.parts.model.adc_offset_lsb)
+
+    def _codes(self, frame: object) -> NDArray[np.uint8]:
+        """Codes that were given as an array."""
+        target = self.folder.parts.target
+        size = (target.rows, target.cols)
+        values = np.asarray(frame)
+        if values.shape == (1, *size):
+            values = values[0]
+        top = self.folder.parts.model.top_code
+        if values.dtype.kind not in "ui" or values.shape != size:
+            raise wrong_argument(
+                f"reconstruct takes a capture, a frame file or its codes {size}, not {shown(frame)}"
+            )
+        if values.min() < 0 or values.max() > top:
+            raise wrong_argument(
+                f"reconstruct: codes are 0..{top}, and these {values.min()}..{values.max()}"
+            )
+        return values.astype(np.uint8)
+
+
+def load_run(path: str | os.PathLike[str], *, trust_code: bool = False) -> Run:
+    """The run in a folder, or the one that comes with nscc under that name: hdr, clip.
+
+    Raises Rejected (NS0818) where there is none, or it did not finish.
+
+    A run that names Python code of its maker's is loaded only with `trust_code` (NS0823): loading
+    it runs that code.
+    """
+    if not isinstance(path, str | os.PathLike):
+        raise wrong_argument(f"load_run takes the folder of a run, not {shown(path)}")
+    return Run(run_folder.load_run(Path(path), trust_code=trust_code))

@@ -1,0 +1,108 @@
+"""Run folders as files: where they are, and what a capture for their decoder is like.
+
+Nothing here needs torch.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
+from nscc.words.container import Container
+from nscc_runtime.scenes.colour import Transfer
+from nscc_training.config import load_config
+from nscc_training.programs import SENSOR_FILE, TARGET_FILE
+from nscc_training.protocols import load_protocol
+
+PROGRAM, CONFIG = "shutter.nsl", "config.resolved.toml"
+_SHIPPED = {"hdr": "hdr_learned_0", "clip": "vid_learned_0"}
+"""Runs that come with nscc: what users call them, and their folder in training/results/runs."""
+_DARK = ("builtin:dark", "builtin:flat")
+_ELECTRONS = (".npz", ".npy")
+"""Scenes that say how many electrons they amount to."""
+
+
+@dataclass(frozen=True)
+class RunCapture:
+    """How the frames were made that a run's decoder knows.
+
+    `exposure` is text as `--exposure` takes it, `still` whether scenes are stills, `sensor` and
+    `target` are files of the run's own; None: the default one, or the program's.
+    """
+
+    program: Path
+    still: bool
+    slots: int
+    slot_us: float
+    exposure: str
+    transfer: Transfer | None
+    sensor: Path | None
+    target: Path | None
+
+    def exposure_of(self, scene: str) -> str | None:
+        """The exposure of a scene of that name; None of those that are electrons by themselves."""
+        return None if scene.startswith(_DARK) or scene.endswith(_ELECTRONS) else self.exposure
+
+    def check(self, container: Container, program: Path) -> None:
+        """NS0821 for a program whose slots are not those of the run."""
+        if tuple(container.slot_us) == (self.slot_us,) * self.slots:
+            return
+        raise rejected(
+            "NS0821",
+            f"'{program}' has other slots than the run: {container.slots} of "
+            f"{min(container.slot_us):g} us and more",
+            notes=(f"the run has {self.slots} slots of {self.slot_us:g} us",),
+            helps=("leave the program out: the run brings its own",),
+        )
+
+
+def shipped_runs() -> Mapping[str, Path]:
+    """The folders of the runs that come with nscc, by name."""
+    installed = Path(__file__).with_name("shipped_runs")
+    if installed.is_dir():
+        return {name: installed / name for name in _SHIPPED}
+    runs = Path(__file__).resolve().parents[1] / "results" / "runs"
+    return {name: runs / folder for name, folder in _SHIPPED.items()}
+
+
+def run_path(given: Path) -> Path:
+    """A run folder, or the one that comes with nscc under that name if there is no such run."""
+    if (given / CONFIG).is_file():
+        return given
+    return shipped_runs().get(str(given), given)
+
+
+def run_capture(given: Path) -> RunCapture:
+    """What a run's frames are like; Rejected (NS0818) for a folder that is none of a run."""
+    path = run_path(given)
+    config, program = path / CONFIG, path / PROGRAM
+    missing = [file.name for file in (config, program) if not file.is_file()]
+    if missing:
+        names = ", ".join(shipped_runs())
+        raise rejected(
+            "NS0818",
+            f"'{given}' is no run of nscc train",
+            notes=(f"it has no {', '.join(missing)}",),
+            helps=(f"name a run folder, or one that comes with nscc: {names}",),
+        )
+    reads(program)
+    settings = load_config(config)
+    data, shutter = settings.data, settings.shutter
+    protocol = load_protocol(data.protocol)
+    still = protocol.name == "hdr-v1"
+    # Of stills a part saturates when always open: the pixel below that part is at the full well.
+    part = sum(data.saturated) / len(data.saturated)
+    percentile = 100 * (1 - part) if still else float(protocol.values.get(
+        "full_well_percentile", 99))  # fmt: skip
+    well_e = float(protocol.values.get("full_well_e", 30000))
+    own_sensor = path / SENSOR_FILE
+    own_target = path / TARGET_FILE if shutter.target.endswith(".toml") else None
+    exposure = f"{well_e:g}@{percentile:g}"
+    transfers: dict[str, Transfer] = {"linear": "linear", "srgb": "srgb"}
+    return RunCapture(
+        program, still, shutter.slots, shutter.slot_us, exposure, transfers.get(data.transfer),
+        own_sensor if settings.sensor.file and own_sensor.is_file() else None, own_target,
+    )  # fmt: skip

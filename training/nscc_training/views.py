@@ -1,0 +1,141 @@
+"""Pictures of what nscc makes: frames, reconstructions, runs, results and sensors, by their files.
+
+Programs are drawn by `nscc_runtime.pictures.shutters`.
+"""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
+from nscc_runtime.formats import Content
+from nscc_runtime.formats.sheet import content_sheet
+from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.pictures.images import Image, image_sheet
+from nscc_runtime.pictures.sheet import png_of
+from nscc_runtime.pictures.tone import fitted
+from nscc_runtime.scenes.clips import CLIPS, read_clip
+from nscc_runtime.scenes.picture_files import PICTURES, default_transfer, read_picture
+from nscc_training.run_files import run_path
+from nscc_training.scene_files import light_in
+from nscc_training.view_charts import result_sheet, run_sheet, sensor_sheet
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+ENDINGS = (".json", ".npz", ".toml", *PICTURES, *CLIPS)
+_MOST_FRAMES = 64
+
+
+def view_of(path: Path, tone: str | None = None) -> bytes:
+    """The PNG of a frame file or a reconstruction (.npz), a picture or a clip, a run folder, a
+    result (.json) or a sensor (.toml).
+
+    `tone` names a curve for light. Raises Rejected: NS0801 for a file that is none of these, what
+    their readers raise for damaged ones.
+    """
+    found = run_path(path)
+    if found.is_dir():
+        if not (found / "metrics.csv").is_file():
+            raise _nothing_to_view(path, "it is a folder without metrics.csv, no run of nscc train")
+        reads(found / "metrics.csv")
+        result = found / "result.json"
+        told = _json(result) if result.is_file() else {}
+        return png_of(run_sheet, found, told)
+    suffix = path.suffix.lower()
+    if not path.is_file():
+        raise _nothing_to_view(path, "there is no such file")
+    reads(path)
+    if suffix == ".toml":
+        return png_of(sensor_sheet, path)
+    if suffix == ".json":
+        told = _json(path)
+        if not ("robustness" in told or "items" in told):
+            raise _nothing_to_view(path, "it has no items and no robustness: no result of nscc")
+        return png_of(result_sheet, told, path.name)
+    if suffix == ".npz":
+        return _of_arrays(path, tone)
+    if suffix in PICTURES:
+        light = light_in(read_picture(path), default_transfer(path))
+        usual = "log" if default_transfer(path) == "linear" else "srgb"
+        return png_of(content_sheet, Content({}, light, tone=tone, usual=usual), path.name)
+    if suffix in CLIPS:
+        frames = (frame for frame, _ in zip(read_clip(path), range(_MOST_FRAMES), strict=False))
+        clip = np.stack([light_in(frame, "srgb") for frame in frames])
+        content = Content({}, clip, moving=True, tone=tone, usual="srgb")
+        return png_of(content_sheet, content, path.name)
+    raise _nothing_to_view(path, f"nothing that is viewed ends in '{suffix}'")
+
+
+def _of_arrays(path: Path, tone: str | None) -> bytes:
+    try:
+        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
+            arrays: dict[str, NDArray[Any]] = {
+                name: file[name] for name in file.files if name not in ("light", "shutter")
+            }
+        meta = json.loads(str(arrays["meta"])) if "meta" in arrays else {}
+    except Exception as error:  # numpy and zipfile raise a dozen types for damaged files
+        raise _nothing_to_view(path, f"{type(error).__name__}: {error}") from error
+    if meta.get("schema") == SCHEMA and "frame" in arrays:
+        return png_of(frame_view, arrays, meta, path.name, tone)
+    for name in ("image", "video"):
+        if name in arrays:
+            light, moving = arrays[name], name == "video"
+            colour = light.ndim == (4 if moving else 3)
+            content = Content({}, light, moving, colour, tone=tone,
+                              usual="srgb" if moving else "log")  # fmt: skip
+            return png_of(content_sheet, content, path.name)
+    held = ", ".join(sorted(arrays)[:8])
+    raise _nothing_to_view(path, f"it is no frame file and has no image or video, but {held}")
+
+
+def frame_view(
+    arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str, tone: str | None
+) -> Figure:
+    """Every bucket of a frame file: codes, electrons, and what is saturated; of repeats the first,
+    of colours all three."""
+    keys = ("frame", "exposure_e", "saturated_by")
+    frame, exposure, marks = (arrays.get(key, np.zeros(arrays["frame"].shape)) for key in keys)
+    if frame.ndim == 4 and "colours" not in meta:
+        frame, exposure, marks = frame[0], exposure[0], marks[0]
+    names = meta.get("colours") or meta.get("buckets") or []
+    rows = []
+    flat = (values.reshape(-1, *values.shape[-2:]) for values in (frame, exposure, marks))
+    for k, (codes, electrons, by) in enumerate(zip(*flat, strict=True)):
+        name = f"{names[k]}: " if k < len(names) else ""
+        curve = fitted(tone or "linear", electrons)
+        share = np.count_nonzero(by) / by.size
+        rows.append([
+            Image(codes, f"{name}as read out", "codes of the converter"),
+            Image(curve(electrons), f"{name}electrons", f"{curve.name}, white {curve.white:.4g} e"),
+            Image(np.where(by != 0, 255, 0), f"{name}saturated", f"{share:.1%} of the pixels"),
+        ])  # fmt: skip
+    return image_sheet(rows, title)
+
+
+def _json(path: Path) -> dict[str, Any]:
+    reads(path)
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise _nothing_to_view(path, str(error)) from error
+    if not isinstance(found, dict):
+        raise _nothing_to_view(path, "it is no result of nscc")
+    return found
+
+
+def _nothing_to_view(path: Path, reason: str) -> Rejected:
+    return rejected(
+        "NS0801",
+        f"there is nothing to view in '{path}': {' '.join(reason.split())[:200]}",
+        notes=("programs, frames, reconstructions, pictures, clips, run folders, results and "
+               "sensors are viewed",),
+        helps=("name a .nsl, .icw, .npz, .json, .toml, a picture, a clip or a run folder",),
+    )  # fmt: skip
