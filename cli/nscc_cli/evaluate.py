@@ -45,8 +45,8 @@ _save_option = click.option("--save", type=OUT, metavar="DIR", help="Write recon
 @command.command("sci8", cls=CommonCommand)
 @click.argument("clips", metavar="CLIP.mat...", nargs=-1, required=True, type=PATH)
 @click.option("--method", default="gap-tv", show_default=True, metavar="M",
-              help="gap-tv, admm-tv, dictionary, adjoint; or a yardstick: bilinear, "
-              "thin-out.")  # fmt: skip
+              help="any, the decoder for any code; gap-tv, admm-tv, dictionary, adjoint; or a "
+              "yardstick: bilinear, thin-out.")  # fmt: skip
 @click.option("--iterations", type=click.IntRange(1, 10000), default=40, show_default=True)
 @click.option("--weight", type=NumberRange(0, 10, min_open=True), default=0.1,
               show_default=True, help="Of total variation, for values on [0, 1].")  # fmt: skip
@@ -90,9 +90,10 @@ def of(
     A run that has seen one of the files is refused, unless these are skipped. Baselines of hdr-v1:
     ldr (always open), best-uniform (the single stop that is best in hindsight, in linear PSNR),
     best-uniform-mu (the same in mu-law PSNR), quad (2 x 2 geometric exposures), random, all decoded
-    by merging neighbours; sparse-coding (random, by convolutional sparse coding); looks-2, looks-5,
-    looks-9 (pixels that close at the first look above a level, without a decoder). Of video-v1:
-    gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks bilinear and thin-out.
+    by merging neighbours; sparse-coding (random, by convolutional sparse coding); any (quad, by the
+    decoder for any code); looks-2, looks-5, looks-9 (pixels that close at the first look above a
+    level, without a decoder). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random
+    bits, and the yardsticks bilinear and thin-out.
     """
     from nscc_training.evaluation.subjects import evaluate
 

@@ -1,9 +1,10 @@
-"""`nscc reconstruct`: what a trained decoder makes of a frame."""
+"""`nscc reconstruct`: what a decoder makes of a frame."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from typing import Literal
 
 import click
 
@@ -13,7 +14,7 @@ from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command("reconstruct", cls=CommonCommand)
-@click.argument("run", metavar="[RUN]", type=PATH)
+@click.argument("run", metavar="[any|RUN]")
 @click.argument("frame", metavar="FRAME.npz", type=PATH, required=False)
 @click.option("-o", "out", required=True, metavar="OUT", type=OUT,
               help="The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, "
@@ -22,21 +23,34 @@ from nscc_cli.support import CommonCommand, done, say
 @tone_option
 @click.option("--dark", type=PATH, metavar="DARK.npz", help="A frame file of the same program "
               "without light, of many repeats: what it reads is taken from FRAME.")  # fmt: skip
+@click.option("--as", "kind", type=click.Choice(("image", "video")),
+              help="With any: a picture or a clip. Default: a picture where all shutters open with "
+              "the frame (class b), else a clip.")  # fmt: skip
+@click.option("--program", type=PATH, metavar="FILE",
+              help="With any: the program that exposed FRAME, where the file is an older one that "
+              "does not hold its shutters.")  # fmt: skip
 @click.option("--force", is_flag=True,
-              help="Only warn if the frame is of another program or sensor.")  # fmt: skip
+              help="With RUN: only warn if the frame is of another program or sensor.")  # fmt: skip
 @trust_code_option
 def command(
-    run: Path, frame: Path | None, out: Path, png: Path | None, tone: str | None,
-    dark: Path | None, force: bool, trust_code: bool,
+    run: str, frame: Path | None, out: Path, png: Path | None, tone: str | None,
+    dark: Path | None, kind: Literal["image", "video"] | None, program: Path | None, force: bool,
+    trust_code: bool,
 ) -> None:  # fmt: skip
-    """Make a picture or a clip of FRAME, which `nscc run RUN/shutter.nsl` wrote.
+    """Make a picture or a clip of FRAME, which `nscc run` wrote.
 
-    RUN is a run folder, or one that comes with nscc: hdr, clip. A frame whose pixels looked at the
-    light needs no RUN: it says itself how long each was open.
+    `any` is the decoder for any code: it needs no training and takes frames of every program (a
+    folder of that name is ./any). RUN is a run folder, whose decoder knows the shutters of
+    RUN/shutter.nsl alone, or one that comes with nscc: hdr, clip. A frame whose pixels looked at
+    the light needs no RUN: it says itself how long each was open.
 
     In an .npz there is `image` (rows, cols), electrons over the frame, or `video` (T, rows, cols),
     electrons a slot: the unit of the frame file's `truth_e`.
     """
+    if run != "any" and (kind or program):
+        raise click.UsageError("--as and --program are for `nscc reconstruct any`: a run has both")
+    if run == "any" and frame is not None and (force or dark):
+        raise click.UsageError("--force and --dark are for runs: `any` takes every frame as it is")
     from nscc_runtime.formats import FORMATS, Content, check_ending, endings, file_of
 
     what = "a reconstruction"
@@ -47,16 +61,21 @@ def command(
     if frame is None:
         from nscc_runtime.looked_light import image_of
 
-        image = image_of(run)
+        image = image_of(Path(run))
         content = Content({"image": image}, image)
+    elif run == "any":
+        from nscc_training.any_code.reconstruct import reconstruct_any
+
+        content = reconstruct_any(frame, program, kind).content
     else:
         from nscc_training.reconstruct import reconstruct
 
-        made = reconstruct(run, frame, force=force, dark=dark, trust_code=trust_code)
+        made = reconstruct(Path(run), frame, force=force, dark=dark, trust_code=trust_code)
         say(made.messages)
         content = made.content
     content = replace(content, tone=tone)
-    title = run.name if frame is None else f"{frame.name}  ·  {run.name}"
+    named = Path(run).name
+    title = named if frame is None else f"{frame.name}  ·  {named}"
     products = {out: file_of(out, content, what)}
     if png is not None:
         from nscc_runtime.formats.sheet import content_sheet

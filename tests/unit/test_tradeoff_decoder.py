@@ -18,10 +18,10 @@ from scipy.io import savemat
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc_training.baselines.sci import METHODS  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
 from nscc_training.decoders.declared import DECODERS  # noqa: E402
+from nscc_training.evaluation.methods import METHODS  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.tradeoff import decoder, ways  # noqa: E402

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_training.any_code.decode import decoded_still
+from nscc_training.any_code.measured import Measured
 from nscc_training.baselines.hdr import merged
 from nscc_training.baselines.sparse_coding import coded_still
 from nscc_training.encoders import ShutterSpec, make_encoder
@@ -17,9 +19,9 @@ from nscc_training.evaluation.results import Item, Scene, Scored, Subject, score
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
 from nscc_training.protocols import Protocol, load_protocol
-from nscc_training.sensor_model import SensorModel, frame_of
+from nscc_training.sensor_model import SensorModel, frame_of, laid
 
-BASELINES = ("ldr", "best-uniform", "best-uniform-mu", "quad", "random", "sparse-coding")
+BASELINES = ("ldr", "best-uniform", "best-uniform-mu", "quad", "random", "sparse-coding", "any")
 _HINDSIGHT = {"best-uniform": "psnr_db", "best-uniform-mu": "mu_psnr_db"}
 """What the best uniform stop is best in."""
 
@@ -31,7 +33,7 @@ def stops_of(name: str, protocol: Protocol, seed: int) -> list[NDArray[np.int64]
         return [np.full((1, 1), slots)]
     if name in _HINDSIGHT:
         return [np.full((1, 1), 1 << k) for k in range(slots.bit_length()) if 1 << k <= slots]
-    start, tile = ("quad", (2, 2)) if name == "quad" else ("random", (8, 8))
+    start, tile = ("quad", (2, 2)) if name in ("quad", "any") else ("random", (8, 8))
     encoder = make_encoder(ShutterSpec("b", slots, tile), start, seed)
     return [encoder.codes()["stop"]]
 
@@ -78,6 +80,10 @@ def _decoded(
     def decode(crop: Scene, index: int) -> tuple[Picture, float]:
         # A crop's noise is its own, whatever else is evaluated.
         frame = frame_of(crop.light_e, tile, sensor, 1000 * seed + index).numpy()
+        if method == "any":
+            mask = laid(tile.mean(dim=0, keepdim=True), *frame.shape).numpy()
+            light = decoded_still(Measured.read(frame, mask, sensor))
+            return light[0].double().numpy(), 0.0
         repeats = [-(-side // part) for side, part in zip(frame.shape, stops.shape, strict=True)]
         share = np.tile(stops / slots, repeats)[: frame.shape[0], : frame.shape[1]]
         # What saturates has to be told by the frame alone.

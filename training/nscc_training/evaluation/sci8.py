@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc_training.baselines.dictionary import made_dictionary
 from nscc_training.baselines.loops import denoise
-from nscc_training.baselines.sci import METHODS
 from nscc_training.baselines.tv import Clip
+from nscc_training.evaluation.methods import METHODS
 from nscc_training.evaluation.results import Item, Subject, result
 from nscc_training.measures import frame_scores
 from nscc_training.metrics import WINDOW
@@ -99,7 +99,7 @@ def evaluate_sci8(
             notes=(f"the methods are {', '.join(METHODS)}",),
             helps=("a trained decoder is evaluated by the name of its run folder",),
         )
-    if method in ("gap-tv", "admm-tv"):
+    if method in ("gap-tv", "admm-tv", "any"):
         denoise.load()  # compiled or loaded now: it is no part of a clip's time
     if method == "dictionary":
         made_dictionary(int(protocol["frames"]))  # learned now, for the same reason

@@ -56,6 +56,7 @@ ROWS: tuple[Row, ...] = (
     Row(2, "best uniform stop, merged", None, "best-uniform"),
     Row(2, "best uniform stop in mu-law, merged", None, "best-uniform-mu"),
     Row(2, "2 x 2 pattern, merged", None, "quad"),
+    Row(2, "2 x 2 pattern, the decoder for any code", None, "any"),
     Row(2, "2 x 2 pattern, U-Net", None, key=("unet2d", "b", "quad")),
     Row(3, "FC-net, c fixed", (27.73, 0.9445), key=("fcnet", "c", "quad"),
         remark="the 2 x 2 pattern"),
@@ -86,6 +87,7 @@ ROWS: tuple[Row, ...] = (
         remark="the paper's Table 3 has 27.78: unexplained, no target"),
     Row(4, "3D U-Net, c learned", (32.40, 0.8118), key=("unet3d", "c", "learned")),
     Row(4, "GAP-TV, e random", None, "gap-tv"),
+    Row(4, "the decoder for any code, e random", None, "any"),
 )  # fmt: skip
 
 

@@ -9,8 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_training.baselines.sci import ITERATIONS, METHODS, WEIGHT
+from nscc_training.any_code.decode import decoded_clip
+from nscc_training.any_code.measured import Measured
+from nscc_training.baselines.sci import ITERATIONS, WEIGHT
 from nscc_training.encoders import ShutterSpec, make_encoder
+from nscc_training.evaluation.methods import METHODS
 from nscc_training.evaluation.results import Scene, Subject, scored, with_arrays
 from nscc_training.evaluation.video import Window, clips_of, windows
 from nscc_training.protocols import load_protocol
@@ -47,6 +50,11 @@ def evaluate_video_baseline(
         mask = laid(tile, *window.light_e.shape[-2:]).numpy().astype(np.float32)
         truth, scale_e = window.light_e.astype(np.float32), 1.0
         measurement = np.zeros(truth.shape[1:], np.float32)
+        if name == "any":
+            # It weighs the sensor's noise, and needs no unit.
+            frame = frame_of(window.light_e, tile, sensor, 1000 * seed + index).numpy()
+            clip = decoded_clip(Measured.read(frame, mask, sensor))[0].double().numpy()
+            return clip, perf_counter() - begin
         if method.sees == "capture":
             # In units of the source's white a slot, for which the weight of TV is meant.
             scale_e = window.scale_e

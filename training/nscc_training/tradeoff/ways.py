@@ -11,6 +11,9 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
+from nscc_training.any_code.decode import decoded_clip, decoded_still, shipped
+from nscc_training.any_code.measured import Measured
+from nscc_training.any_code.stills import STILL_STAGES
 from nscc_training.baselines.hdr import merged
 from nscc_training.baselines.sci import adjoint, admm_tv, from_dictionary, gap_tv
 from nscc_training.baselines.sparse_coding import coded_still
@@ -25,6 +28,7 @@ Loop = Callable[..., NDArray[np.float32]]
 """Makes a clip of a measurement and a mask."""
 TV_ITERATIONS = (5, 10, 20, 40, 80)
 SPARSE_ITERATIONS = (15, 60)
+ANY_STAGES = (2, 4, 8)
 _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
 """Which directions blocks overlap in, by how many blocks then hold a pixel."""
 
@@ -66,11 +70,17 @@ def baselines(kind: Kind) -> list[Way]:
         for name, loop in (("gap-tv", gap_tv), ("admm-tv", admm_tv)):
             loops += [(name, f"{n}", partial(loop, iterations=n)) for n in TV_ITERATIONS]
         loops.append(("dictionary", "learned", from_dictionary))
-        return [Way(name, setting, partial(clip_light, loop)) for name, setting, loop in loops]
+        ways = [Way(name, setting, partial(clip_light, loop)) for name, setting, loop in loops]
+        counts = ANY_STAGES if shipped("clip") else (0,)
+        return [*ways, *(Way("any", f"{n}", partial(_any_clip, count=n)) for n in counts)]
     sparse = [
         Way("sparse-coding", f"{n}", partial(_sparse, iterations=n)) for n in SPARSE_ITERATIONS
     ]
-    return [Way("merged", "neighbours", merged_still), *sparse]
+    return [
+        Way("merged", "neighbours", merged_still),
+        *sparse,
+        Way("any", f"{STILL_STAGES}", _any_still),
+    ]
 
 
 def networks(folder: RunFolder, name: str) -> list[Way]:
@@ -122,6 +132,17 @@ def _sparse(taken: Taken, iterations: int) -> Light:
         taken.frame, _share(taken), merged_still(taken), model.electrons_per_lsb,
         taken.saturated, model.full_well_e, iterations,
     )  # fmt: skip
+
+
+def _any_clip(taken: Taken, count: int) -> Light:
+    found = decoded_clip(Measured.read(taken.frame, taken.mask, taken.model), count)
+    return np.asarray(found[0].numpy(), np.float64)
+
+
+def _any_still(taken: Taken) -> Light:
+    share = taken.mask.mean(axis=0, keepdims=True)
+    found = decoded_still(Measured.read(taken.frame, share, taken.model))
+    return np.asarray(found[0].numpy(), np.float64)
 
 
 def _network(folder: RunFolder, net: torch.nn.Module, dtype: str) -> Callable[[Taken], Light]:

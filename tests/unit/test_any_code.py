@@ -1,0 +1,228 @@
+"""The decoder for any code: its data term, its stages, frames of every program."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+
+torch = pytest.importorskip("torch")
+
+from nscc_training import made_scenes  # noqa: E402
+from nscc_training.any_code.decode import any_clip, decoded_clip, decoded_still  # noqa: E402
+from nscc_training.any_code.lessons import mask_drawn  # noqa: E402
+from nscc_training.any_code.measured import Measured  # noqa: E402
+from nscc_training.any_code.stages import schedule, stage, started  # noqa: E402
+from nscc_training.any_code.stills import started_still  # noqa: E402
+from nscc_training.any_code.training import Part, Trainer  # noqa: E402
+from nscc_training.baselines.sci import gap_tv  # noqa: E402
+from nscc_training.sensor_model import SensorModel  # noqa: E402
+
+
+def psnr_db(found: np.ndarray, truth: np.ndarray) -> float:
+    return float(-10 * np.log10(np.mean((np.clip(found, 0, 1) - truth) ** 2)))
+
+
+def scene(seed: int, frames: int, size: int, share: float = 0.5) -> tuple[np.ndarray, np.ndarray]:
+    """A made clip and a random mask."""
+    generator = np.random.default_rng([7, seed])
+    clip = made_scenes.clip(generator, frames, size)
+    return clip, (generator.random(clip.shape) < share).astype(np.float32)
+
+
+def random_measured(buckets: int) -> Measured:
+    generator = torch.Generator().manual_seed(buckets)
+    mask = torch.rand(2, buckets, 5, 3, 4, generator=generator)
+    value = torch.rand(2, buckets, 3, 4, generator=generator) * 3
+    variance = torch.rand(2, buckets, 3, 4, generator=generator) + 0.1
+    return Measured(value, mask, variance, torch.zeros_like(value, dtype=torch.bool))
+
+
+@pytest.mark.parametrize("buckets", [1, 2, 3])
+def test_a_correction_is_the_most_likely_error(buckets: int) -> None:
+    """Beside the posterior mean of one pixel's slots, by dense algebra in float64."""
+    measured = random_measured(buckets)
+    sigma = torch.tensor([0.5, 2.0])
+    found = measured.correction(measured.value, sigma)
+    for place in ((0, 0, 0), (1, 2, 3)):
+        batch, row, col = place
+        mask = measured.mask[batch, :, :, row, col].double().numpy()
+        noise = np.diag(measured.variance[batch, :, row, col].double().numpy())
+        gap = measured.value[batch, :, row, col].double().numpy()
+        spread = float(sigma[batch]) ** 2
+        joint = spread * mask @ mask.T + noise
+        wanted = spread * mask.T @ np.linalg.solve(joint, gap)
+        np.testing.assert_allclose(found[batch, :, row, col], wanted, rtol=2e-3, atol=1e-4)
+
+
+def test_saturated_places_are_one_sided_and_noise_is_trusted_less() -> None:
+    measured = random_measured(1)
+    full = Measured(measured.value, measured.mask, measured.variance,
+                    torch.ones_like(measured.saturated))  # fmt: skip
+    gap = full.missing(measured.value + 1, measured.value)
+    assert torch.equal(gap, torch.zeros_like(gap))
+    assert (full.missing(measured.value - 1, measured.value) > 0).all()
+    sigma = torch.tensor([0.5, 0.5])
+    noisier = Measured(measured.value, measured.mask, 4 * measured.variance, measured.saturated)
+    assert (noisier.trust(sigma) < measured.trust(sigma)).all()
+
+
+def test_the_start_is_gap_tv() -> None:
+    clip, mask = scene(1, 8, 40)
+    frame = (clip * mask).sum(axis=0)
+    # The baseline spends its first iteration on coming back to nothing.
+    wanted = gap_tv(frame, mask, 21)
+    measured = Measured.exact(*(torch.from_numpy(part)[None] for part in (frame, mask)))
+    np.testing.assert_allclose(started(measured, 20)[0][0], wanted, atol=2e-5)
+
+
+def test_a_stage_without_noise_and_denoiser_gives_the_frame() -> None:
+    clip, mask = scene(2, 6, 24)
+    measured = Measured.exact(
+        *(torch.from_numpy(part)[None] for part in ((clip * mask).sum(axis=0), mask))
+    )
+    now, target = started(measured, 3)
+    for sigma in schedule(2):
+        now, target = stage(measured, lambda noisy, _seen, _sigma: noisy, now, target, sigma)
+        # Asked for again: what the clip before lacked, on top of the frame.
+        open_somewhere = measured.energy > 0
+        np.testing.assert_allclose(
+            measured.of(now)[open_somewhere], target[open_somewhere], atol=1e-4
+        )
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_no_stage_of_stills_ends_below_its_start(seed: int) -> None:
+    """By squared errors of the logarithm, behind the 2 x 2 pattern of a noisy sensor."""
+    generator = np.random.default_rng([8, seed])
+    light = made_scenes.still(generator, 96)
+    light /= np.quantile(light, 0.7)
+    share = np.tile(np.array([[1, 1 / 4], [1 / 16, 1 / 64]], np.float32), (48, 48))
+    sensor = SensorModel(30000.0, 30000 / 255, adc_noise_lsb=0.65, shot_noise=True)
+    electrons = generator.poisson(np.minimum(light * share, 2) * 30000)
+    codes = np.clip(np.rint(electrons / sensor.electrons_per_lsb), 0, 255).astype(np.float32)
+    measured = Measured.read(codes, share[None], sensor)
+    reached = [
+        float(((made / 30000 + 1e-3).log() - torch.from_numpy(light + 1e-3).log()).square().mean())
+        for made in (started_still(measured), decoded_still(measured))
+    ]
+    assert reached[1] < reached[0]
+
+
+@pytest.mark.parametrize(("frames", "rows", "cols"), [(1, 9, 16), (4, 37, 41), (30, 24, 20)])
+def test_clips_of_any_length_and_size(frames: int, rows: int, cols: int) -> None:
+    generator = np.random.default_rng(frames)
+    mask = (generator.random((frames, rows, cols)) < 0.5).astype(np.float32)
+    mask[:, 2, 3] = 0
+    found = any_clip(generator.random((rows, cols)).astype(np.float32) * mask.sum(axis=0), mask)
+    assert found.shape == mask.shape
+    assert np.isfinite(found).all()
+    assert found.min() >= 0
+
+
+def test_light_that_is_twice_as_bright_is_so_in_the_clip() -> None:
+    clip, mask = scene(3, 8, 32)
+    frame = (clip * mask).sum(axis=0)
+    np.testing.assert_allclose(any_clip(2e4 * frame, mask), 2e4 * any_clip(frame, mask), rtol=2e-2,
+                               atol=200)  # fmt: skip
+
+
+def test_two_buckets_say_more_than_one() -> None:
+    clip, mask = scene(4, 8, 48)
+    both = np.stack([mask, 1 - mask])
+    frames = (clip * both).sum(axis=1)
+    arrays = (frames, both, np.zeros_like(frames), np.zeros(frames.shape, bool))
+    for_two = Measured(*(torch.from_numpy(part)[None] for part in arrays))
+    found = decoded_clip(for_two)[0].numpy()
+    assert psnr_db(found, clip) > psnr_db(any_clip(frames[0], mask), clip) + 1
+
+
+def test_masks_are_of_every_kind_and_open_everywhere() -> None:
+    generator = np.random.default_rng(1)
+    drawn = [mask_drawn(generator, 8, 12) for _ in range(60)]
+    assert all(mask.shape == (8, 12, 12) and set(np.unique(mask)) <= {0, 1} for mask in drawn)
+    assert all(mask.any(axis=0).all() for mask in drawn)
+    tiled = [np.array_equal(mask[:, :4, :4], mask[:, 4:8, 8:12]) for mask in drawn]
+    assert 5 < sum(tiled) < 55
+
+
+def test_what_is_shipped_is_small() -> None:
+    weights = files("nscc_training.any_code") / "weights.safetensors"
+    assert len(weights.read_bytes()) <= 4 << 20
+
+
+def test_training_goes_on_where_it_stopped(tmp_path: Path) -> None:
+    import cv2
+
+    (tmp_path / "in").mkdir()
+    noise = np.random.default_rng(5).integers(0, 255, (80, 90), np.uint8)
+    cv2.imwrite(str(tmp_path / "in/p.png"), cv2.GaussianBlur(noise, (0, 0), 2))
+    parts = (Part("noise", 2, 1, 16, 1e-3), Part("together", 1, 1, 16, 1e-3, 4))
+    weights = []
+    for stops in ((parts,), (parts[:1], parts)):
+        folder = tmp_path / f"out{len(stops)}"
+        for some in stops:
+            trainer = Trainer("clip", [tmp_path / "in"], folder)
+            assert [*trainer.run(some)]
+        weights.append(torch.cat([p.flatten() for p in trainer.average.parameters()]))
+    assert torch.equal(*weights)
+    stills = Trainer("still", [tmp_path / "in"], tmp_path / "stills")
+    [line] = stills.run((Part("stills", 1, 1, 16, 1e-3, 2),))
+    assert "nan" not in line
+
+
+PROGRAMS = {
+    "stops": "frame 16 slots of 1ms\ncode stop : 1..16\nopen when n < stop\n"
+    "pixels stop = 1 + x % 16",
+    "bits": "frame 6 slots of 1ms\ncode bits : bit[6]\nopen when bits[n]\n"
+    "pixels bits = 1 + (13 * x + 29 * y) % 62",
+    "unequal": "frame slots [1ms, 2ms, 4ms]\ncode skip : 0..3\nopen when n != skip\n"
+    "pixels skip = (x + 2 * y) % 4",
+    "buckets": "frame 4 slots of 1ms\ncode at : 1..3\nbucket early open when n < at\n"
+    "bucket late open when n >= at\npixels at = 1 + (x + y) % 3",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize("effects", ["none", "all"])
+def test_frames_of_every_program_are_reconstructed(name: str, effects: str, tmp_path: Path) -> None:
+    (tmp_path / "p.nsl").write_text(f"nsl 1\n{PROGRAMS[name]}\n")
+    scene = f"builtin:{'hdr' if name == 'stops' else 'motion'}"
+    line = ["run", "p.nsl", "--scene", scene, "--effects", effects, "--keep", "light"]
+    assert invoke([*line, "-o", "f.npz"], tmp_path).status == 0
+    made = invoke(["reconstruct", "any", "f.npz", "-o", "o.npz"], tmp_path)
+    assert made.status == 0, made.err
+    light = np.load(tmp_path / "f.npz")["light"]
+    [(key, found)] = np.load(tmp_path / "o.npz").items()
+    assert key == ("image" if name == "stops" else "video")
+    truth = light.sum(axis=0) if key == "image" else light
+    assert found.shape == truth.shape
+    peak = float(np.percentile(truth, 99.9))
+    assert psnr_db(found / peak, np.clip(truth / peak, 0, 1)) > (24 if effects == "none" else 20)
+
+
+def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "p.nsl").write_text(f"nsl 1\n{PROGRAMS['unequal']}\n")
+    line = ["run", "p.nsl", "--scene", "builtin:motion", "--effects", "all", "-o", "f.npz"]
+    assert invoke(line, tmp_path).status == 0
+    with np.load(tmp_path / "f.npz") as file:
+        whole = dict(file)
+    np.savez(tmp_path / "old.npz", **{k: v for k, v in whole.items() if k[:7] != "decode_"})
+    refused = invoke(["reconstruct", "any", "old.npz", "-o", "o.npz"], tmp_path)
+    assert (refused.status, refused.codes) == (2, ["NS0819"])
+    assert "--program" in refused.err
+    kept = ["reconstruct", "any", "f.npz", "-o", "a.npz", "--as", "image"]
+    named = ["reconstruct", "any", "old.npz", "-o", "b.npz", "--as", "image", "--program", "p.nsl"]
+    assert invoke(kept, tmp_path).status == invoke(named, tmp_path).status == 0
+    assert (tmp_path / "a.npz").read_bytes() == (tmp_path / "b.npz").read_bytes()
+    np.savez(tmp_path / "row.npz", **{**whole, "decode_row": whole["decode_row"][:9]})
+    np.savez(tmp_path / "high.npz", **{**whole, "decode_row": whole["decode_row"] + 99})
+    (tmp_path / "not.npz").write_bytes(b"PK")
+    for name in ("row.npz", "high.npz", "not.npz", "none.npz", "a.npz"):
+        refused = invoke(["reconstruct", "any", name, "-o", "o.npz"], tmp_path)
+        assert (refused.status, refused.codes) == (2, ["NS0819"]), refused.err
+    assert invoke([*kept, "--force"], tmp_path).status == 2
+    assert invoke(["reconstruct", "./any", *named[2:]], tmp_path).status == 2

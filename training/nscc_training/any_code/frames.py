@@ -1,0 +1,154 @@
+"""Frame files as measurements: what `nscc run` knows of codes, sensor and noise, used."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+
+from nscc.containers import load_container, with_pixels
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.decode_table import decode_arrays
+from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.sensor import Sensor, default_sensor
+from nscc_training.any_code.measured import Measured
+from nscc_training.problems import said
+
+_TOP = 255
+"""The last code, where a frame does not say what is saturated."""
+_MOST_VALUES = 1 << 28
+"""Slots times pixels of a clip: 4096 slots of 256 x 256 pixels."""
+
+
+@dataclass(frozen=True, eq=False)
+class CodedFrame:
+    """A frame file as light is found from it; all in electrons, B buckets.
+
+    `value_e`, `variance_e2` (B, rows, cols): the light of open slots and how sure that is;
+    `saturated` bool: it may be more. `opened` bool (shutters, B, N) are the shutters, `row` (rows,
+    cols) which of them a pixel has, `slot_us` (N,) how long slots are.
+    """
+
+    value_e: NDArray[np.float32]
+    variance_e2: NDArray[np.float32]
+    saturated: NDArray[np.bool_]
+    opened: NDArray[np.bool_]
+    row: NDArray[np.integer]
+    slot_us: NDArray[np.float64]
+
+    @property
+    def is_still(self) -> bool:
+        """Whether all shutters open with the frame, and differ in when they close alone (class b):
+        codes for light, not for motion."""
+        return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
+
+    def clip(self) -> Measured:
+        """As the frames of a clip, whose unit is electrons in a slot of mean length."""
+        weights = (self.opened * (self.slot_us / self.slot_us.mean())).astype(np.float32)
+        return self._measured(weights)
+
+    def still(self) -> Measured:
+        """As the frames of a still, whose unit is electrons over the whole frame."""
+        share = self.opened @ (self.slot_us / self.slot_us.sum())
+        return self._measured(share[..., None].astype(np.float32))
+
+    def _measured(self, weights: NDArray[np.float32]) -> Measured:
+        """`weights` (shutters, B, N)."""
+        if weights.shape[2] * self.row.size > _MOST_VALUES:
+            raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
+        mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
+        arrays = (self.value_e, mask, self.variance_e2, self.saturated)
+        return Measured(*(torch.from_numpy(part)[None] for part in arrays))
+
+
+def read_coded_frame(path: Path, program: Path | None = None) -> CodedFrame:
+    """A frame file of any program. Rejected: NS0819 for a file that is none, or holds no shutters
+    and `program`, the container or text that it was exposed with, is not named; and what loading
+    that raises. Repeats count as one frame, their mean.
+    """
+    try:
+        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
+            arrays = {key: file[key] for key in file.files if key not in ("light", "truth_e")}
+        meta = json.loads(str(arrays["meta"]))
+    except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
+        raise no_coded_frame(path, said(error)) from error
+    if not isinstance(meta, dict) or meta.get("schema") != SCHEMA:
+        raise no_coded_frame(path, f"its schema is not {SCHEMA}")
+    if "colours" in meta:
+        raise no_coded_frame(path, "it has colours, and this decoder takes one at a time")
+    if program is not None:
+        arrays |= _table_of(program, meta)
+    if "decode_row" not in arrays:
+        raise no_coded_frame(path, "it does not hold its pixels' shutters",
+                             "name the program that exposed it: --program FILE.icw")  # fmt: skip
+    try:
+        return _coded_frame(arrays, meta)
+    except (KeyError, ValueError, IndexError, TypeError) as error:
+        raise no_coded_frame(path, f"its arrays do not fit together: {said(error)}") from error
+
+
+def _coded_frame(arrays: dict[str, NDArray[Any]], meta: dict[str, Any]) -> CodedFrame:
+    codes = arrays["frame"]
+    codes = codes[None] if codes.ndim == 3 else codes
+    saturated = arrays.get("saturated", arrays["frame"] == _TOP)
+    saturated = (saturated[None] if saturated.ndim == 3 else saturated).any(axis=0)
+    slot_us, row = arrays["decode_slot_us"], arrays["decode_row"]
+    opened = np.unpackbits(
+        arrays["decode_shutter"], axis=-1, count=len(slot_us), bitorder="little"
+    ).astype(bool)
+    if codes.shape[1:] != (opened.shape[1], *row.shape):
+        raise ValueError(f"frames of {codes.shape[1:]}, shutters of {opened.shape[1:]}")
+    gain, bias_e, variance_e2 = (
+        arrays[f"decode_{name}"][row].transpose(2, 0, 1)
+        for name in ("gain", "bias_e", "variance_e2")
+    )
+    exposure_e = (codes.mean(axis=0) - meta["adc_offset"]) * meta["electrons_per_lsb"]
+    value_e = (exposure_e - bias_e) / gain
+    if _counts_photons(meta):
+        variance_e2 = variance_e2 + np.maximum(exposure_e, 0)
+    return CodedFrame(
+        value_e.astype(np.float32),
+        (variance_e2 / (len(codes) * gain**2)).astype(np.float32),
+        saturated,
+        opened,
+        row,
+        slot_us,
+    )
+
+
+def _counts_photons(meta: dict[str, Any]) -> bool:
+    """Whether light came as photons: always, but in frames simulated without."""
+    plan = meta.get("plan")
+    if plan is None:
+        return True
+    return any(row["name"] == "shot" and row["decision"] == "kept" for row in plan["effects"])
+
+
+def _table_of(program: Path, meta: dict[str, Any]) -> dict[str, NDArray[Any]]:
+    """What frame files of today hold, from the program and what older ones hold."""
+    container = with_pixels(load_container(program)[0], program)
+    values = meta.get("sensor", default_sensor(container.target).values)
+    found = decode_arrays(container, Sensor(values), meta.get("plan"))
+    if not found:
+        raise rejected(
+            "NS0819",
+            f"the codes of '{program}' do not tell its pixels' shutters",
+            notes=("its shutters hang on the light, or its words open none",),
+            helps=("name the program that exposed the frame",),
+        )
+    return found
+
+
+def no_coded_frame(path: Path, reason: str, help_text: str | None = None) -> Exception:
+    """NS0819 for a file that no light can be found from."""
+    return rejected(
+        "NS0819",
+        f"'{path}' is no frame that can be reconstructed",
+        notes=(reason,),
+        helps=(help_text or "`nscc run FILE --scene .. -o FRAME.npz` writes one",),
+    )

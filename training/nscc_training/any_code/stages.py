@@ -1,0 +1,67 @@
+"""A few stages of projection and denoising: from frames of any code to a clip."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+from nscc_training.any_code.measured import Measured
+from nscc_training.baselines.tv import tv_denoise
+
+Denoiser = Callable[[Tensor, Tensor, Tensor], Tensor]
+"""From a clip, planes of what is measured, and sigma: see `ClipDenoiser`."""
+
+STAGES = 8
+START = 20
+"""Iterations of GAP-TV that the stages begin with."""
+PLAIN = 41
+"""Iterations of GAP-TV by itself: the 40 of the baseline, whose first one is lost."""
+_SIGMA = (16 / 255, 12 / 255)
+"""How wrong a clip is taken to be before the first stage and before the last."""
+_TV_WEIGHT, _TV_INNER, _TV_TIME = 0.1, 5, 0.3
+_FAR = 1.0
+"""What a clip is taken to be wrong by while GAP-TV runs: frames are believed as they are."""
+
+
+def started(measured: Measured, iterations: int = START) -> tuple[Tensor, Tensor]:
+    """GAP-TV of so many iterations: the clip (batch, N, rows, cols), and its target as `stage`
+    takes it. Frames in several buckets, saturated and noisy ones too."""
+    far = measured.value.new_full((len(measured.value),), _FAR)
+    target = torch.zeros_like(measured.value)
+    clip = measured.value.new_zeros((len(target), *measured.mask.shape[2:]))
+    for _ in range(iterations):
+        clip, target = _stepped(measured, clip, target, far)
+        clip = torch.from_numpy(np.stack([_smoothed(part) for part in clip.cpu().numpy()])).to(clip)
+    return clip, target
+
+
+def schedule(count: int) -> list[float]:
+    """Sigma of each of `count` stages."""
+    return [float(sigma) for sigma in np.linspace(*_SIGMA, count)]
+
+
+def stage(
+    measured: Measured, denoiser: Denoiser, clip: Tensor, target: Tensor, sigma: float
+) -> tuple[Tensor, Tensor]:
+    """Clip and target after a stage of accelerated GAP (Liao, Li and Carin 2014), from those that
+    the one before or `started` left: what frames still lack is asked for again and again."""
+    level = clip.new_full((len(clip),), sigma)
+    clip, target = _stepped(measured, clip, target, level)
+    return denoiser(clip, measured.planes(), level), target
+
+
+def _smoothed(clip: NDArray[np.float32]) -> NDArray[np.float32]:
+    return tv_denoise(clip, _TV_WEIGHT, _TV_INNER, _TV_TIME)
+
+
+def _stepped(
+    measured: Measured, clip: Tensor, target: Tensor, sigma: Tensor
+) -> tuple[Tensor, Tensor]:
+    """A clip led towards the frames, and the frames as they are asked for from now on."""
+    seen = measured.of(clip)
+    target = target + measured.missing(seen, measured.value) * measured.trust(sigma)
+    return clip + measured.correction(measured.missing(seen, target), sigma), target

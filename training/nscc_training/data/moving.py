@@ -1,0 +1,204 @@
+"""Clips made of pictures: several layers that pan, turn, zoom, bend and cross one another.
+
+There is little video that may be used freely, and many photographs. What a clip needs to teach is
+in them: detail, and motion of its parts by itself, with edges that cover and uncover.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.scenes.picture_files import PICTURES, default_transfer, read_picture
+from nscc_training.curves import srgb
+from nscc_training.scene_files import light_in
+
+Picture = NDArray[np.uint8]
+Generator = np.random.Generator
+
+_SHORT = 1000
+_LOOKED_AT = 3
+"""Places of a picture of which the one with most detail is taken: skies teach little."""
+_SPEEDS = (0.03, 6.0)
+"""Pixels a frame, slowest and fastest: all ratios between are as likely."""
+_STILL = 0.15
+"""The part of layers that do not move at all."""
+_BLURRED = 3
+"""Moments that a frame is the mean of, where a clip's shutter stays open while things move."""
+
+
+def moving(
+    pictures: Sequence[Picture], generator: Generator, frames: int, size: int
+) -> NDArray[np.float32]:
+    """A clip (frames, size, size) on 0..1 of parts of `pictures`, 8 bits and larger than `size`.
+
+    A background and up to three things before it, each from a picture of its own; half of the
+    clips have motion within a frame, too. Values are as stored or, raised to a power, like light.
+    """
+    layers = [_Layer.drawn(pictures, generator, size, whole=True)]
+    for _ in range(int(generator.integers(0, 4))):
+        layers.append(_Layer.drawn(pictures, generator, size, whole=False))
+    moments = _BLURRED if generator.random() < 0.5 else 1
+    found = np.zeros((frames, size, size), np.float32)
+    for frame in range(frames):
+        for part in range(moments):
+            found[frame] += _seen(layers, frame + part / moments - frames / 2, size)
+    found /= moments * 255
+    if generator.random() < 0.6:
+        low, high = np.percentile(found[0], (1, 99))
+        found = np.clip((found - low) / max(high - low, 0.1), 0, 1)
+    power = float(np.exp(generator.uniform(np.log(0.7), np.log(2.4))))
+    gain, dark = generator.uniform(0.5, 1.0), generator.uniform(0.0, 0.1)
+    return np.asarray(dark + (gain - dark) * found**power, np.float32)
+
+
+@dataclass(frozen=True, eq=False)
+class _Layer:
+    """A picture on its way: at moment t the place p of a clip shows `picture` at
+    centre + turn(t) (p - size / 2 - velocity t) * scale * zoom^t, bent by waves.
+
+    `outline` is a polygon of radii around `middle`, none for a background.
+    """
+
+    picture: Picture
+    centre: NDArray[np.float64]
+    velocity: NDArray[np.float64]
+    scale: float
+    zoom: float
+    angle: float
+    spin: float
+    waves: NDArray[np.float64]
+    middle: NDArray[np.float64]
+    outline: NDArray[np.float64] | None
+
+    @classmethod
+    def drawn(
+        cls, pictures: Sequence[Picture], generator: Generator, size: int, *, whole: bool
+    ) -> _Layer:
+        picture = pictures[int(generator.integers(len(pictures)))]
+        speed = np.exp(generator.uniform(*np.log(_SPEEDS))) * (generator.random() > _STILL)
+        heading = generator.uniform(0, 2 * np.pi)
+        turning = generator.random() < 0.4
+        waves = np.zeros(6)
+        if generator.random() < 0.3:
+            # Height in pixels, cycles a pixel down and across, phases, cycles a frame.
+            waves = np.array([
+                generator.uniform(0.3, 3), *generator.uniform(-0.04, 0.04, 2),
+                *generator.uniform(0, 2 * np.pi, 2), generator.uniform(0.01, 0.15),
+            ])  # fmt: skip
+        outline = None
+        if not whole:
+            corners = generator.uniform(0.4, 1.0, int(generator.integers(4, 12)))
+            outline = corners * size * generator.uniform(0.08, 0.4)
+        return cls(
+            picture=picture,
+            centre=_detailed(picture, generator, size),
+            velocity=speed * np.array([np.sin(heading), np.cos(heading)]),
+            scale=float(np.exp(generator.uniform(np.log(0.6), np.log(1.7)))),
+            zoom=float(np.exp(generator.normal(0, 0.01) * turning)),
+            angle=float(generator.uniform(0, 2 * np.pi)),
+            spin=float(generator.normal(0, 0.03) * turning),
+            waves=waves,
+            middle=generator.uniform(0.1, 0.9, 2) * size,
+            outline=outline,
+        )
+
+    def picture_at(self, moment: float, size: int) -> NDArray[np.float32]:
+        import cv2
+
+        rows, cols = np.mgrid[:size, :size].astype(np.float32)
+        down = rows - size / 2 - self.velocity[0] * moment
+        right = cols - size / 2 - self.velocity[1] * moment
+        height, per_row, per_col, one, other, pace = self.waves
+        if height:
+            phase = 2 * np.pi * (per_row * rows + per_col * cols + pace * moment)
+            down, right = (
+                down + height * np.sin(phase + one),
+                right + height * np.sin(phase + other),
+            )
+        scale, angle = self.scale * self.zoom**moment, self.angle + self.spin * moment
+        sine, cosine = scale * np.sin(angle), scale * np.cos(angle)
+        y = self.centre[0] + cosine * down - sine * right
+        x = self.centre[1] + sine * down + cosine * right
+        found = cv2.remap(
+            self.picture, x.astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR,
+            borderMode=cv2.BORDER_REFLECT_101,
+        )  # fmt: skip
+        return np.asarray(found, np.float32)
+
+    def cover_at(self, moment: float, size: int) -> NDArray[np.float32]:
+        """How much of each pixel the thing covers: its edge is a pixel wide."""
+        assert self.outline is not None
+        y, x = self.middle + self.velocity * moment
+        rows, cols = np.mgrid[:size, :size].astype(np.float32)
+        rows, cols = rows - np.float32(y), cols - np.float32(x)
+        places = np.arange(len(self.outline) + 1) * (2 * np.pi / len(self.outline))
+        bearing = (np.arctan2(rows, cols) + self.spin * moment) % (2 * np.pi)
+        edge = np.interp(bearing, places, np.append(self.outline, self.outline[0]))
+        cover = np.clip(edge - np.hypot(rows, cols) + 0.5, 0, 1)
+        return np.asarray(cover, np.float32)
+
+
+def _detailed(picture: Picture, generator: Generator, size: int) -> NDArray[np.float64]:
+    """A place (row, column) of a picture, rather where there is something to see."""
+    places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
+
+    def detail(place: NDArray[np.float64]) -> float:
+        row, col = (int(at) - size // 2 for at in place)
+        part = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
+        return float(part.std())
+
+    return np.asarray(max(places, key=detail))
+
+
+def _seen(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np.float32]:
+    """The layers at a moment, each over those before it, 0..255."""
+    found = layers[0].picture_at(moment, size)
+    for layer in layers[1:]:
+        cover = layer.cover_at(moment, size)
+        if cover.any():
+            found += cover * (layer.picture_at(moment, size) - found)
+    return found
+
+
+def pictures_in(folders: Sequence[Path]) -> list[Picture]:
+    """The pictures of folders and folders in them, grey as a display shows them; as `lights_in`."""
+    return [_shown(light) for light in lights_in(folders)]
+
+
+def lights_in(folders: Sequence[Path]) -> list[NDArray[np.float32]]:
+    """The light of pictures in folders and folders in them, halved until their shorter side is
+    below 1000: detail as sharp as small cameras have it. NS0811 without any."""
+    files = sorted(
+        path for folder in folders for path in folder.rglob("*")
+        if path.suffix.lower() in PICTURES and path.is_file()
+    )  # fmt: skip
+    if not files:
+        raise rejected(
+            "NS0811",
+            "there are no pictures to make clips of",
+            notes=(f"pictures end in {', '.join(PICTURES)}",),
+            helps=("`python training/data/fetch.py DIR` fetches photographs that may be used",),
+        )
+    return [_light(path) for path in files]
+
+
+def _light(path: Path) -> NDArray[np.float32]:
+    import cv2
+
+    light = light_in(read_picture(path), default_transfer(path)).astype(np.float32)
+    while min(light.shape) >= _SHORT:
+        half = cv2.resize(light, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
+        light = np.asarray(half, np.float32)
+    return np.maximum(light, 0)
+
+
+def _shown(light: NDArray[np.float32]) -> Picture:
+    """The picture on a display whose white is the light that all but 2 % of the pixels have."""
+    level = max(float(np.percentile(light, 98)), 1e-30)
+    return np.asarray(np.rint(srgb(np.clip(light / level, 0, 1)) * 255), np.uint8)
