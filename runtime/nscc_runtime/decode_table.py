@@ -69,14 +69,17 @@ def decode_arrays(
     used, row = np.unique(lanes, return_inverse=True)
     flat_e2 = _flat_e2(sensor, kept, plan)
     small = next(t for t in (np.uint8, np.uint16, np.uint32) if len(used) - 1 <= np.iinfo(t).max)
-    gain, bias_e, variance_e2 = (part[used].astype(np.float32) for part in response)
+    # Beyond float32 a variance is infinite: such a code says nothing about the light.
+    with np.errstate(over="ignore"):
+        gain, bias_e, variance_e2 = (part[used].astype(np.float32) for part in response)
+        variance_e2 += np.float32(flat_e2)
     return {
         "decode_row": row.reshape(lanes.shape).astype(small),
         "decode_shutter": np.packbits(shutters[used], axis=-1, bitorder="little"),
         "decode_slot_us": np.array(container.slot_us, np.float64),
         "decode_gain": gain,
         "decode_bias_e": bias_e,
-        "decode_variance_e2": variance_e2 + np.float32(flat_e2),
+        "decode_variance_e2": variance_e2,
     }
 
 
