@@ -96,7 +96,7 @@ def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
         return False
     slots = array(np.arange(rules.slots, dtype=np.int64))
     found = evaluate(index, {"n": slots}, {})
-    return found.faults is None and len(set(found.data.tolist())) == rules.slots
+    return found.faults is None and len(set(np.ravel(found.data).tolist())) == rules.slots
 
 
 def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:

@@ -265,4 +265,5 @@ def test_every_effect_runs_alone_and_changes_something() -> None:
     nothing = exposures(container, light, sensor, "none")
     absent = {name for name in optional()
               if np.array_equal(exposures(container, light, sensor, name), nothing)}  # fmt: skip
-    assert absent == {"motion", "decay", "adc_noise"}
+    compared = {"comparator_offset", "comparator_noise"}
+    assert absent == {"motion", "decay", "adc_noise", *compared}

@@ -185,10 +185,11 @@ def test_what_is_certain_is_an_error_of_check_and_what_is_not_a_note(tmp_path):
 def test_every_command_that_compiles_takes_it(tmp_path, command):
     (tmp_path / "p.nsl").write_text(STOPS + "pixels stop = 1 + (x + 8 * y) % 64\n")
     scene = ["--scene", "builtin:dark"] if command == "run" else []
-    limited = [command, "p.nsl", *scene, "-o", "out.npz", "--max-words-per-slot"]
+    out = "out.png" if command == "view" else "out.npz"
+    limited = [command, "p.nsl", *scene, "-o", out, "--max-words-per-slot"]
     refused = invoke([*limited, "3"], tmp_path)
     assert (refused.status, refused.codes) == (1, ["NS0603"])
-    assert not (tmp_path / "out.npz").exists()
+    assert not (tmp_path / out).exists()
 
 
 def test_wrong_values(tmp_path):
