@@ -54,8 +54,15 @@ def word_us(name, target):
     return target.analog_word_us if analog else target.digital_word_us
 
 
-@pytest.mark.parametrize("chip", CHIPS)
-@pytest.mark.parametrize("name", TEXTS)
+EVERY = [
+    pytest.param(name, chip, marks=[pytest.mark.slow] * (name == "b_many" and chip != CHIPS[0]))
+    for name in TEXTS
+    for chip in CHIPS
+]
+"""Programs and chips; the large one takes its time on each."""
+
+
+@pytest.mark.parametrize(("name", "chip"), EVERY)
 def test_counts(name, chip):
     compiled, values = built(TEXTS[name], chip=chip)
     container, target = compiled.container, compiled.program.target
@@ -98,8 +105,7 @@ def test_counts(name, chip):
     )
 
 
-@pytest.mark.parametrize("chip", CHIPS)
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize(("name", "chip"), EVERY)
 def test_logic(name, chip):
     compiled, values = built(TEXTS[name], chip=chip)
     logic = values["logic"]
