@@ -47,32 +47,23 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Rea
     """The buckets of one frame of a container with pixels."""
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
+    most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
     if container.machine is not None:
-        return _looked(container, frame, response)
-    window = tile_of(container.table.shutter_of_code[container.pixel_codes])
-    if max(window) > _LARGEST_TILE:
-        rows, cols = container.pixel_codes.shape
-        window = min(3, rows), min(3, cols)
-    light_e = response.electrons(frame.frame)
-    most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
+        # Pixels that looked know how long they were open, and ask no neighbour.
+        window = (1, 1)
+        open_s = np.maximum(open_us_of(container, frame.told), 0.0) * 1e-6
+        light_e = np.nan_to_num(frame.told[LIGHT]) * open_s
+    else:
+        window = tile_of(container.table.shutter_of_code[container.pixel_codes])
+        if max(window) > _LARGEST_TILE:
+            rows, cols = container.pixel_codes.shape
+            window = min(3, rows), min(3, cols)
+        open_s = response.open_s
+        light_e = response.electrons(frame.frame)
     return [
-        Readout(
-            name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], response.open_s[b],
-            window,
-        )
+        Readout(name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], window)
         for b, name in enumerate(container.buckets)
-    ]  # fmt: skip
-
-
-def _looked(container: Container, frame: Frame, response: Response) -> list[Readout]:
-    """The same where pixels looked: each knows how long it was open, and asks no neighbour."""
-    open_s = np.maximum(open_us_of(container, frame.told), 0.0) * 1e-6
-    light_e = np.nan_to_num(frame.told[LIGHT]) * open_s
-    most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
-    return [
-        Readout(name, frame.frame[b], frame.saturated[b], light_e[b], most_e[b], open_s[b], (1, 1))
-        for b, name in enumerate(container.buckets)
-    ]  # fmt: skip
+    ]
 
 
 def tile_of(codes: NDArray[Any]) -> tuple[int, int]:
