@@ -76,7 +76,7 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         chip = replace(chip, table=target)
     protocol = load_protocol(settings.data.protocol)
     still = protocol.name == "hdr-v1"
-    encoder = _encoder(chosen, chip, target, seed)
+    encoder = started_encoder(chosen, chip, target, seed)
     if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
         # Codes of so many bits cannot be: the compiler says why.
         one = np.zeros(encoder.spec.tile, np.int64)
@@ -116,7 +116,8 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     )  # fmt: skip
 
 
-def _encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
+def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
+    """The shutters that a run begins with. Rejected (NS0815) where there can be none."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
     if tile != array and tile[0] * tile[1] > MOST_LISTED:
