@@ -51,9 +51,9 @@ class Part:
 
 PARTS: Mapping[str, tuple[Part, ...]] = {
     "clip": (
-        Part("noise", 3000, 4, 64, 1e-3),
-        Part("stages", 300, 2, 80, 4e-4, 1),
-        Part("together", 1200, 2, 80, 3e-4, 4),
+        Part("noise", 1800, 4, 64, 1e-3),
+        Part("stages", 200, 2, 80, 4e-4, 1),
+        Part("together", 700, 2, 80, 3e-4, 4),
     ),
     "still": (Part("stills", 3000, 6, 96, 8e-4, 3),),
 }

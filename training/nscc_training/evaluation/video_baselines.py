@@ -31,9 +31,9 @@ def evaluate_video_baseline(
     """The result of a baseline on a folder of clips, and its clips: arrays by name.
 
     Captures are coded with random bits (class e) on an 8 x 8 tile, one draw a seed, or as `codes`
-    names them (see `codes_named`), on the protocol's sensor; the yardsticks bilinear and thin-out see the truth instead, both a sixteenth
-    of it: one slot of every pixel, and all slots of every sixteenth pixel. The dictionary is
-    learned first, from made scenes.
+    names them (see `codes_named`), on the protocol's sensor; the yardsticks bilinear and thin-out
+    see the truth instead, both a sixteenth of it: one slot of every pixel, and all slots of every
+    sixteenth pixel. The dictionary is learned first, from made scenes.
     """
     protocol = load_protocol("video-v1")
     files = clips_of(folder)
