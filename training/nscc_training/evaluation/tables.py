@@ -73,7 +73,7 @@ ROWS: tuple[Row, ...] = (
     Row(3, "3D U-Net, c learned", (32.87, 0.9272), key=("unet3d", "c", "learned")),
     Row(3, "3D U-Net, e random", (32.19, 0.9254), key=("unet3d", "e", "random")),
     Row(3, "3D U-Net, e learned", (33.56, 0.9374), key=("unet3d", "e", "learned"),
-        remark="16 bits, more than its own chip has"),
+        remark="a tile of 64 codes: 6 bits a pixel"),
     Row(3, "3D U-Net, codebook learned", None, key=("unet3d", "codebook", "learned")),
     Row(3, "3D U-Net, codebook, words in the loss", None, key=("unet3d", "codebook", "words")),
     Row(3, "3D U-Net, d random", None, key=("unet3d", "d", "random")),
@@ -325,10 +325,10 @@ def _line(row: dict[str, Any]) -> str:
     count = len(row["data"])
     data = f"{count} file{'s' if count > 1 else ''}" if count else ""
     remark = "; ".join(part for part in (data, row["remark"]) if part)
-    source = row["psnr_by_source_db"]
+    source = "-" if row["psnr_by_source_db"] is None else f"{row['psnr_by_source_db']:.2f}"
     return (
         f"  {row['row']:42} {pair(row['paper_psnr_db'], row['paper_ssim']):>14}  "
-        f"{pair(row['psnr_db'], row['ssim']):>14}  {'-' if source is None else f'{source:.2f}':>6}  "
+        f"{pair(row['psnr_db'], row['ssim']):>14}  {source:>6}  "
         f"{row['size'] or '-':6} {row['steps'] if row['steps'] is not None else '-':>6} "
         f"{seeds:7} {remark}"
     ).rstrip()
