@@ -98,6 +98,7 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
             decoder = make_decoder(made.name, made.size, task, made.width)
         except ValueError as error:
             raise _wrong("decoder.name", error) from error
+    decoder.requires_grad_(settings.decoder.learn)
     learns = any(p.requires_grad for p in decoder.parameters())
     if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
         raise _wrong("shutter.learn", "neither the decoder nor the shutters have anything to learn")
