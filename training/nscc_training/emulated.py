@@ -25,12 +25,14 @@ from nscc_training.draws import normal
 from nscc_training.gradients import rounded, saturated
 from nscc_training.sensor_model import SensorModel, laid
 
-_LEVELS = 40
+_DARK_LEVELS = 16
+_DARKEST = 1 / 64
+"""Full wells that the longest shutter gets of the weakest light that is not 0."""
+_BENT = (0.85, 1.15)
+"""Full wells between which registers and PIX bend what they hold: levels are dense there."""
+_DENSE = 1.03
 _CHIPS, _FRAMES = 8, 2
 """Chips whose pixels differ, and frames of each."""
-_DARKEST, _BRIGHTEST = 1 / 64, 1.5
-"""Full wells that the longest shutter gets of the weakest light, and the shortest of the strongest.
-"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,8 +107,10 @@ def emulated_sensor(
     share = (container.table.shutters[:, 0] @ slot_s / slot_s.sum())[lanes]
     opened = share[share > 0]
     full_e = float(sensor.full_well_e)
-    ends = _DARKEST * full_e / opened.max(), _BRIGHTEST * full_e / opened.min()
-    light_e = np.concatenate([[0.0], np.geomspace(*ends, _LEVELS)])
+    first, last = _BENT[0] * full_e / opened.max(), _BENT[1] * full_e / opened.min()
+    weak = np.geomspace(_DARKEST * full_e / opened.max(), first, _DARK_LEVELS, endpoint=False)
+    dense = np.geomspace(first, last, 2 + int(np.log(last / first) / np.log(_DENSE)))
+    light_e = np.concatenate([[0.0], weak, dense])
     code, spread = _measured(container, tile, light_e, sensor, chosen)
     crosstalk = FRACTION(sensor) if CROSSTALK in chosen.effects else 0.0
     arrays = (torch.from_numpy(each) for each in (light_e, code, spread))

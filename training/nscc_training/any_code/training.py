@@ -53,7 +53,7 @@ PARTS: Mapping[str, tuple[Part, ...]] = {
     "clip": (
         Part("noise", 1800, 4, 64, 1e-3),
         Part("stages", 150, 2, 80, 4e-4, 1),
-        Part("together", 500, 2, 80, 3e-4, 4),
+        Part("together", 300, 2, 80, 3e-4, 4),
     ),
     "still": (Part("stills", 3000, 6, 96, 8e-4, 3),),
 }
