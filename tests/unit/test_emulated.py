@@ -6,8 +6,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from nscc_command import invoke
 
 torch = pytest.importorskip("torch")
+
+from small_runs import clip  # noqa: E402
 
 from nscc.compiler import compile_source  # noqa: E402
 from nscc.pipeline import Options  # noqa: E402
@@ -17,6 +20,9 @@ from nscc_runtime.effects.crosstalk import smeared  # noqa: E402
 from nscc_runtime.light import Light  # noqa: E402
 from nscc_runtime.sensor import default_sensor  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, emulated_codes, emulated_sensor  # noqa: E402
+from nscc_training.evaluation.result_text import result_text  # noqa: E402
+from nscc_training.evaluation.subjects import evaluate  # noqa: E402
+from nscc_training.run_files import shipped_runs  # noqa: E402
 from nscc_training.sensor_model import SensorModel, laid  # noqa: E402
 
 TILE = (2, 2)
@@ -90,3 +96,22 @@ def test_crosstalk_is_the_emulators_and_light_has_a_slope(
     table.read_out(exposure, share(program), model, None).sum().backward()
     gain = exposure.grad * sensor.electrons_per_lsb
     assert ((gain > 0.8) & (gain < 1.05)).all()
+
+
+def test_a_run_is_scored_and_doubted_on_a_chip_it_was_not_trained_for(tmp_path: Path) -> None:
+    """As protocol and `nscc run` expose it: the chip costs decibels, and the run is told so."""
+    clip(tmp_path / "c.mat", 16, 256)
+    run = shipped_runs()["clip"]
+    plain, _ = evaluate(str(run), tmp_path, "video-v1", 0)
+    chip, _ = evaluate(str(run), tmp_path, "video-v1", 0, effects="all")
+    assert chip["settings"]["effects"] == "all"
+    assert chip["mean"] < plain["mean"] - 0.1
+    assert "on a chip with effects all; trained with noise" in result_text(chip)
+    line = ["run", str(run / "shutter.nsl"), "--scene", "builtin:motion", "--effects", "all"]
+    assert invoke([*line, "-o", "f.npz"], tmp_path).status == 0
+    made = invoke(["reconstruct", "clip", "f.npz", "-o", "o.npz"], tmp_path)
+    assert made.status == 0, made.err
+    assert "warning[NS0842]" in made.err
+    assert "analog" in made.err
+    baseline = ["evaluate", "gap-tv", "--data", ".", "--protocol", "video-v1", "--effects", "all"]
+    assert "NS0841" in invoke(baseline, tmp_path).err
