@@ -53,6 +53,7 @@ PARTS: Mapping[str, tuple[Part, ...]] = {
     "clip": (
         Part("noise", 1800, 4, 64, 1e-3),
         Part("together", 240, 2, 80, 1e-4, 4),
+        Part("again", 360, 2, 80, 2e-4, 4),
     ),
     "still": (Part("stills", 3000, 6, 96, 8e-4, 3),),
 }
