@@ -1,9 +1,8 @@
 """How the weights beside this file were made; `python -m nscc_training.any_code --help`.
 
-Three parts, one after the other: noise is taken from clips (the plug-and-play form is ready then);
-the denoiser learns what a stage leaves, with a step at every stage and new masks for every clip;
-all stages learn together, with gradients through the last few. A checkpoint is written often, and
-an interrupted training goes on from it.
+Parts, one after the other: noise is taken from clips (the plug-and-play form is ready then), and
+all stages learn together, with new masks for every clip and gradients through a few of them. A
+checkpoint is written often, and an interrupted training goes on from it.
 """
 
 from __future__ import annotations
