@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from importlib.resources import files
 from pathlib import Path
 
@@ -241,3 +242,25 @@ def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -
         assert (refused.status, refused.codes) == (2, ["NS0819"]), refused.err
     assert invoke([*kept, "--force"], tmp_path).status == 2
     assert invoke(["reconstruct", "./any", *named[2:]], tmp_path).status == 2
+
+
+def test_colours_are_decoded_one_by_one(tmp_path: Path) -> None:
+    import cv2
+
+    made = np.random.default_rng(2).integers(40, 200, (64, 64, 3)).astype(np.uint8)
+    cv2.imwrite(str(tmp_path / "c.png"), cv2.resize(made, (256, 256)))
+    (tmp_path / "p.nsl").write_text(f"nsl 1\n{PROGRAMS['stops']}\n")
+    line = ["run", "p.nsl", "--scene", "c.png", "--color", "--exposure", "30000", "-o", "f.npz"]
+    assert invoke(line, tmp_path).status == 0
+    done = invoke(["reconstruct", "any", "f.npz", "-o", "o.npz"], tmp_path)
+    assert done.status == 0, done.err
+    image = np.load(tmp_path / "o.npz")["image"]
+    assert image.shape == (256, 256, 3)
+    with np.load(tmp_path / "f.npz") as file:
+        whole = dict(file)
+    meta = json.loads(str(whole["meta"]))
+    del meta["colours"]
+    one = {**whole, **{name: whole[name][1] for name in ("frame", "saturated")}}
+    np.savez(tmp_path / "g.npz", **{**one, "meta": json.dumps(meta)})
+    assert invoke(["reconstruct", "any", "g.npz", "-o", "g_o.npz"], tmp_path).status == 0
+    assert np.array_equal(image[..., 1], np.load(tmp_path / "g_o.npz")["image"])
