@@ -2,19 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 from nscc.editing.document import Document
 from nscc.source import Span
 from nscc.syntax import tree
 
+_KINDS = {
+    tree.EqualSlots: "frame",
+    tree.ListedSlots: "frame",
+    tree.Let: "let",
+    tree.CodeRange: "code",
+    tree.CodeBits: "code",
+    tree.CodeRow: "code",
+    tree.BookInline: "shutters",
+    tree.BookFromFile: "shutters",
+    tree.Open: "open",
+    tree.Bucket: "bucket",
+    tree.Sense: "sense",
+    tree.StateRange: "state",
+    tree.StateBit: "state",
+}
+"""The statements that are shown, by the words that begin them, however those were misspelt."""
+
+_LONGEST = 60
+
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """A statement: its name, how it is written in short, what it is, and its place.
+    """A statement: its name, what is written behind that, in short, what it is, and its place.
 
-    `kind` is the word that begins it; `at` is the place of the name.
+    `kind` is the word that begins it, and its name where it has no other; `at` is the place of the
+    name.
     """
 
     name: str
@@ -26,32 +45,16 @@ class Entry:
 
 def outline(document: Document) -> list[Entry]:
     """Those statements that have a name, the frame and the rule, in the order written."""
-    return list(_entries(document))
-
-
-def _entries(document: Document) -> Iterator[Entry]:
-    text = document.text
+    found = []
     for statement in document.parsed[0].statements:
-        span = statement.span
-        word = text[span.start : span.end].split(None, 1)[0]
-        written = " ".join(text[span.start : span.end].split())
-        match statement:
-            case tree.EqualSlots() | tree.ListedSlots() | tree.Open():
-                at = Span(span.start, span.start + len(word))
-                yield Entry(word, _after(written, word), word, span, at)
-            case (
-                tree.Let() | tree.CodeRange() | tree.CodeBits() | tree.CodeRow()
-                | tree.BookInline() | tree.BookFromFile() | tree.Bucket() | tree.Sense()
-                | tree.StateRange() | tree.StateBit()
-            ):  # fmt: skip
-                name = statement.name
-                yield Entry(name.text, _after(written, name.text), word, span, name.span)
-
-
-_LONGEST = 60
-
-
-def _after(written: str, name: str) -> str:
-    """What a statement says behind its name, cut short."""
-    rest = written.partition(name)[2].strip(" :=")
-    return rest if len(rest) <= _LONGEST else rest[: _LONGEST - 3] + "..."
+        kind = _KINDS.get(type(statement))
+        if kind is None:
+            continue
+        span, name = statement.span, getattr(statement, "name", None)
+        first = document.text[span.start : span.end].split(None, 1)[0]
+        at = Span(span.start, span.start + len(first)) if name is None else name.span
+        detail = " ".join(document.text[at.end : span.end].split()).lstrip(" :=")
+        if len(detail) > _LONGEST:
+            detail = detail[: _LONGEST - 3] + "..."
+        found.append(Entry(kind if name is None else name.text, detail, kind, span, at))
+    return found
