@@ -7,7 +7,7 @@ that the server hears what is typed meanwhile; a text that a newer one has repla
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TypeVar
@@ -257,7 +257,7 @@ def _whole(document: Document) -> Span:
     return Span(0, len(document.text))
 
 
-async def _or_refused(answer: Callable[..., Answer]) -> Answer:
+async def _or_refused(answer: Awaitable[Answer]) -> Answer:
     try:
         return await answer
     except CannotRename as reason:

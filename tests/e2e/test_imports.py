@@ -54,7 +54,7 @@ ROOMS = (
 EXTERNAL = {"nscc": {"lark", "networkx", "numpy"}}
 """What a floor may import that is neither nscc's nor Python's, where that is limited."""
 
-OF_THE_COMMAND_LINE = ("lsp", "watch")
+OF_THE_COMMAND_LINE = ("lsp",)
 """Extras that only ways to talk to users need."""
 
 HEAVY = (
@@ -68,7 +68,6 @@ HEAVY = (
     "scipy",
     "serial",
     "torch",
-    "watchfiles",
 )
 
 
