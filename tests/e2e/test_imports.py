@@ -48,6 +48,7 @@ ROOMS = (
     ("compiler",),
     ("containers", "editing"),
     ("shutter_program",),
+    ("cell_magic",),
 )
 """The compiler's rooms from the ground up: one may import those of earlier lines."""
 
