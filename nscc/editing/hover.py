@@ -100,14 +100,14 @@ def _field(document: Document, name: str) -> str:
     kinds = {
         "range": "", "bits": f", {field.bits} free bits", "row": f", a row of `{field.book}`",
     }  # fmt: skip
-    told = f"a field of the pixel code{kinds[field.kind]}: {field.low}..{field.high}"
+    told = f"a field of the pixel code{kinds[field.kind]}, {field.low}..{field.high}"
     compiled = document.checked.compiled
     if compiled is None or compiled.program.mode != "fixed":
         return told
     table = compiled.program.table
     used = np.unique(table.codes[:, table.fields.index(name)])
     listed = f": {', '.join(map(str, used))}" if len(used) <= _MOST_VALUES else ""
-    return f"{told}. {len(used)} of its {field.high - field.low + 1} values in use{listed}"
+    return f"{told}. {len(used)} of its {field.high - field.low + 1} values in use{listed}."
 
 
 def _sense(document: Document, name: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from hashlib import sha256
 from pathlib import Path
 
@@ -197,6 +198,14 @@ def test_fixes() -> None:
     assert (diagnostic.code, fix.replacement, fix.sure) == ("NS0107", "when", False)
     assert all_mended(found) == text.replace("1 ms", "1ms")
     assert all_mended(document(STOPS)) is None
+
+
+def test_the_page_works(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    (shown,) = re.findall(
+        r"^```python\n(.*?)^```$", (ROOT / "docs/editors.md").read_text(), re.M | re.S
+    )
+    exec(compile(shown, "editors.md", "exec"), {})
 
 
 @pytest.mark.parametrize("text", ["\ud800", "nsl 1\n\0", "\ufeffnsl 1", "x" * (257 << 10), "\r\r"])
