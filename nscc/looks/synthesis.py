@@ -122,15 +122,19 @@ class Board:
 
     def _ways(self, wanted: int, destination: str) -> Iterator[Made]:
         """Several ways to make a vector, by a cover of it and of its complement."""
-        names, values = list(self.values), list(self.values.values())
+        # Of registers that hold the same, the first: those of code and states stand before scratch.
+        first = {v: name for name, v in reversed(self.values.items()) if v}
+        names, values = list(first.values()), list(first)
         fewest = None
         for made in self._covers(names, values, wanted, destination):
             fewest = made.words if fewest is None else min(fewest, made.words)
             yield made
         # A complement takes a word, and what reads it another.
         if fewest is None or fewest > 2:
-            names += [f"~{name}" for name in names]
-            values += [self.everything & ~v for v in values]
+            for v, name in tuple(first.items()):
+                if self.everything & ~v not in first:
+                    names.append(f"~{name}")
+                    values.append(self.everything & ~v)
             yield from self._covers(names, values, wanted, destination)
 
     def _covers(
@@ -222,11 +226,15 @@ def _ordered(board: Board, wanted: dict[str, int], best: Board | None) -> Board 
         return best  # every value takes a word at least
     if not wanted:
         return board
-    written = [(name, _written(board, name, wanted)) for name in wanted]
-    tried = [(name, after) for name, after in written if after is not None]
+    tried: list[tuple[str, Board]] = []
+    for name in wanted:
+        after = _written(board, name, wanted)
+        if after is not None:
+            tried.append((name, after))
+            if len(wanted) > _MOST_ORDERED and after.words == board.words + 1:
+                break  # none is cheaper
     if len(wanted) > _MOST_ORDERED:
-        tried.sort(key=lambda each: each[1].words)
-        del tried[1:]
+        tried = sorted(tried, key=lambda each: each[1].words)[:1]
     for name, after in tried:
         left = {other: v for other, v in wanted.items() if other != name}
         best = _ordered(after, left, best)
