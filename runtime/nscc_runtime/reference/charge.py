@@ -32,7 +32,7 @@ class Groups:
 
 def charge_of_rows(
     scene: Scene,
-    groups: Groups,
+    groups: Groups | None,
     sensor: Sensor,
     effects: Selection,
     seeds: tuple[int, int],
@@ -41,7 +41,8 @@ def charge_of_rows(
 ) -> tuple[Charge, NDArray[np.bool_]]:
     """Electrons (N, rows, cols) that fall on PIX in each slot, and where they are numbers.
 
-    `seeds` are those of the frames' noise and of the device. What the pixels get does not depend
+    `groups` None: every slot is counted by itself. `seeds` are those of the frames' noise and of
+    the device. What the pixels get does not depend
     on how the array is cut into rows.
     """
     height, cols = scene.light.shape
@@ -52,8 +53,8 @@ def charge_of_rows(
     slots = _Slots(
         sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
         places=np.arange(begin * cols, end * cols, dtype=np.int64),
-        scene=scene, rows=slice(begin, end), of_slot=groups.of_slot,
-        lanes=groups.lane[begin:end].reshape(-1),
+        scene=scene, rows=slice(begin, end), of_slot=None if groups is None else groups.of_slot,
+        lanes=None if groups is None else groups.lane[begin:end].reshape(-1),
     )  # fmt: skip
     charge = slots.electrons(scene.light)
     for stage in ("light", "response", "count", "charge", "neighbours"):
@@ -68,8 +69,8 @@ class _Slots(Slots):
     """`valid` (pixels,) is cleared where a rate is no number."""
 
     rows: slice
-    of_slot: NDArray[np.int64]
-    lanes: NDArray[np.intp]
+    of_slot: NDArray[np.int64] | None
+    lanes: NDArray[np.intp] | None
 
     def __post_init__(self) -> None:
         self.valid = np.ones(len(self.places), np.bool_)
@@ -78,16 +79,21 @@ class _Slots(Slots):
         return super().fixed(make).reshape(-1, self.scene.light.shape[1])
 
     def electrons(self, light: Light) -> Charge:
-        slots = (light.slot(n)[self.rows].astype(np.float64) for n in range(light.slots))
+        slots = (light.slot(n, self.rows).astype(np.float64) for n in range(light.slots))
         return np.stack([*slots])
 
     def counted(self, stream: int, source: int, rates: Charge) -> Charge:
         """Rates below 0 count as 0, above `RATE_CAP` as that."""
         shape, rates = rates.shape, rates.reshape(len(rates), -1)
         self.valid &= ~np.isnan(rates).any(axis=0)
-        rates = np.clip(np.nan_to_num(rates, nan=0.0, posinf=RATE_CAP), 0.0, RATE_CAP)
-        counted = np.zeros_like(rates)
         named = self.seed, stream, source, self.frame
+        counted = np.zeros(rates.shape)
+        if self.of_slot is None or self.lanes is None:
+            for n, each in enumerate(rates):
+                counted[n], good = poisson(count_key(*named, n), self.places, each, exact=True)
+                self.valid &= good
+            return counted.reshape(shape)
+        rates = np.clip(np.nan_to_num(rates, nan=0.0, posinf=RATE_CAP), 0.0, RATE_CAP)
         for group in np.unique(self.of_slot[self.lanes]).tolist():
             among = group == self.of_slot[self.lanes].T
             shares = np.where(among, rates, 0.0)

@@ -6,10 +6,8 @@ the pixel has at that moment. Random numbers are keyed by the word, not by the s
 has to meet them. A frame starts with arbitrary bits in registers that carry neither code nor a kept
 state.
 
-Between two boundaries with words nothing happens but that charge falls, registers leak and PIX may
-fill: the counts of such slots are drawn as one, which changes no distribution, and the first slot
-after a boundary stays by itself, for its words take a part of it. Without effects every slot is
-added by itself, as the exposure is defined.
+Slots between two boundaries with words are one interval (`nscc_runtime.reference.intervals`).
+Without effects every slot is added by itself, as the exposure is defined.
 """
 
 from __future__ import annotations
@@ -37,13 +35,16 @@ from nscc_runtime.light import Light
 from nscc_runtime.looked_light import told_by
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
-from nscc_runtime.reference.charge import Groups, charge_of_rows
+from nscc_runtime.reference.charge import charge_of_rows
+from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.weights import error_sign
 
 Values = NDArray[np.float64]
 Bits = NDArray[np.bool_]
 
+WORD_DRAWS = 1
+"""The source, in the keys, of what is drawn word by word."""
 _CELLS = 1 << 21
 """Most slots x pixels of a chunk of rows."""
 _FIRST_BIT = 256
@@ -82,19 +83,9 @@ class LookingReference:
         object.__setattr__(self, "kernels", decoded(self.container))
 
     @cached_property
-    def starts(self) -> tuple[int, ...]:
-        """The slots with which the intervals begin that are simulated as one."""
-        slots = self.container.slots
-        if self.effects.noiseless:
-            return tuple(range(slots))
-        at = {launch.instant for launch in self.container.launches}
-        found = {0, slots - 1, *at, *(n + 1 for n in at)}
-        return tuple(sorted(n for n in found if n < slots))
-
-    @cached_property
-    def interval_us(self) -> NDArray[np.float64]:
-        """How long each one lasts."""
-        return np.add.reduceat(np.array(self.container.slot_us, np.float64), self.starts)
+    def intervals(self) -> Intervals:
+        """What is simulated as one."""
+        return Intervals.of(self.container, every_slot=self.effects.noiseless)
 
     def expose(
         self,
@@ -107,8 +98,8 @@ class LookingReference:
         """Frame number `frame`; `before` are the planes that the last one left, None at first."""
         container = self.container
         rows, cols = scene.light.shape
-        light, previous = (each.joined(self.starts) for each in (scene.light, scene.previous))
-        scene = Scene(light, previous, self.interval_us * 1e-6)
+        pace = self.intervals.paced(scene, self.effects)
+        scene = self.intervals.joined(scene)
         loaded = container.planes()
         kept = {r for name in self._kept() for r in container.state_planes[name].registers}
         if before is not None:
@@ -118,22 +109,20 @@ class LookingReference:
         saturated_by = np.empty(exposure.shape, np.uint8)
         valid = np.empty((rows, cols), np.bool_)
         planes = {name: np.empty((rows, cols), np.bool_) for name in sorted(told)}
-        # Nothing is summed over groups of slots: all slots are one.
-        lane = np.zeros((rows, cols), np.intp)
-        groups = Groups(np.zeros((1, len(self.starts)), np.int64), lane)
-        step = max(1, _CELLS // (len(self.starts) * cols))
+        step = max(1, _CELLS // (len(self.intervals) * cols))
         for begin in range(0, rows, step):
             part = range(begin, min(begin + step, rows))
             charge, good = charge_of_rows(
-                scene, groups, self.sensor, self.effects, (seed, device_seed), frame, part
+                scene, None, self.sensor, self.effects, (seed, device_seed), frame, part
             )
             chunk = slice(part.start, part.stop)
             places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
             pixels = _LookingPixels(
                 sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
                 program=self, code={n: p[chunk].reshape(-1) for n, p in loaded.items()},
+                pace=pace(chunk),
             )  # fmt: skip
-            found, marked = pixels.run(charge.reshape(len(self.starts), -1))
+            found, marked = pixels.run(charge.reshape(len(self.intervals), -1))
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
             saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
             valid[chunk] = good
@@ -183,10 +172,12 @@ def _frames(
 
 @dataclass(eq=False, kw_only=True)
 class _LookingPixels(Pixels):
-    """Some pixels while the words of one frame run. All arrays are (pixels,)."""
+    """Some pixels while the words of one frame run. All arrays are (pixels,) but `pace`, which
+    `nscc_runtime.reference.intervals` has made."""
 
     program: LookingReference
     code: Mapping[str, Bits]
+    pace: Values
 
     def __post_init__(self) -> None:
         self.at = self.program.effects.at
@@ -222,7 +213,7 @@ class _LookingPixels(Pixels):
 
     def draw(self, name: str, number: int) -> Values:
         effect = next(each for each in self.program.effects.effects if each.name == name)
-        return normals(key(self.seed, effect.stream, 1, self.frame, number), self.places)
+        return normals(key(self.seed, effect.stream, WORD_DRAWS, self.frame, number), self.places)
 
     def run(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
         """The exposures (buckets, pixels) of a frame of `charge` (intervals, pixels), and what cut
@@ -230,10 +221,10 @@ class _LookingPixels(Pixels):
         slots, target = self.container.slots, self.target
         launches = iter(self.container.launches)
         launch = next(launches, None)
-        interval_us = self.program.interval_us.tolist()
-        for number, n in enumerate((*self.program.starts, slots)):
-            now = min(number, len(interval_us) - 1)
-            self.fallen, self.after_us = 0.0, 0.0
+        intervals = self.program.intervals
+        interval_us = intervals.us.tolist()
+        for number, n in enumerate((*intervals.starts, slots)):
+            self.fallen, self.after_us = np.zeros(1), 0.0
             while launch is not None and launch.instant == n:
                 if launch.level is not None:
                     self.in_e = launch.level * target.electrons_per_step
@@ -241,22 +232,24 @@ class _LookingPixels(Pixels):
                 for op in self.program.kernels[launch.kernel]:
                     self.after_us += word_us(op, target)
                     if op.analog:
-                        self._until(op, charge[now], interval_us[now], n == slots)
+                        self._until(op, charge[min(number, len(charge) - 1)], number, n)
                     self._run(op)
                 launch = next(launches, None)
             if n < slots:
-                self._fall(charge[now] * (1.0 - self.fallen) if self.fallen else charge[now])
+                self._fall(charge[number] * (1.0 - self.fallen))
                 for held in self.at("hold"):
-                    kept = held(self, interval_us[now] * 1e-6)
+                    kept = held(self, interval_us[number] * 1e-6)
                     self.register = {name: v * kept for name, v in self.register.items()}
-                self.now_us += interval_us[now]
+                self.now_us += interval_us[number]
         return self._read_out()
 
-    def _until(self, op: Op, charge: Values, slot_us: float, at_end: bool) -> None:
+    def _until(self, op: Op, charge: Values, number: int, boundary: int) -> None:
         """The light that falls while words run, up to the end of this one."""
         for ends_us in self.at("time"):
-            now = ends_us(Running(self.number, self.after_us, op)) / slot_us
-            now = now if at_end else min(now, 1.0)
+            now_us = ends_us(Running(self.number, self.after_us, op))
+            if boundary < self.container.slots:
+                now_us = min(now_us, self.container.slot_us[boundary])
+            now = now_us * self.pace[number]
             self._fall(charge * (now - self.fallen))
             self.fallen = now
 
