@@ -227,14 +227,15 @@ class _Exposing:
         def fill(first: int, stop: int) -> None:
             for top in range(first, stop, step):
                 part = range(rows.start + top, rows.start + min(top + step, stop))
-                charge, good = charge_of_rows(
+                fallen = charge_of_rows(
                     joined, None, self.ways.sensor, self.effects, self.seeds, self.frame, part
                 )
                 here = slice(top, top + len(part))
-                paces = pace(slice(part.start, part.stop))
-                found = self._loop(bound, charge, paces, begins[part.start : part.stop], part)
+                paces = pace(slice(part.start, part.stop), fallen.light)
+                at = begins[part.start : part.stop]
+                found = self._loop(bound, fallen.charge, paces, at, part)
                 exposure[:, here], saturated_by[:, here], ends[here] = found
-                valid[here] = good
+                valid[here] = fallen.valid
 
         in_parts(fill, len(rows), threads)
         planes = {

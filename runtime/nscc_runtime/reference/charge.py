@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,8 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene, Slots
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, poisson, thin
+from nscc_runtime.reference.light_loop import LitSizes, add_light
+from nscc_runtime.remembered import remembered
 
 Charge = NDArray[np.float64]
 
@@ -30,6 +33,16 @@ class Groups:
     lane: NDArray[np.intp]
 
 
+class Fallen(NamedTuple):
+    """What has fallen on some rows: `charge` float64 (N, rows, cols) electrons on PIX in each slot,
+    `light` (N, rows, cols) those of the scene alone; `valid` (rows, cols): where they are numbers.
+    """
+
+    charge: Charge
+    light: Charge
+    valid: NDArray[np.bool_]
+
+
 def charge_of_rows(
     scene: Scene,
     groups: Groups | None,
@@ -38,8 +51,8 @@ def charge_of_rows(
     seeds: tuple[int, int],
     frame: int,
     rows: range,
-) -> tuple[Charge, NDArray[np.bool_]]:
-    """Electrons (N, rows, cols) that fall on PIX in each slot, and where they are numbers.
+) -> Fallen:
+    """The charge that falls on consecutive rows.
 
     `groups` None: every slot is counted by itself. `seeds` are those of the frames' noise and of
     the device. What the pixels get does not depend
@@ -56,12 +69,13 @@ def charge_of_rows(
         scene=scene, rows=slice(begin, end), of_slot=None if groups is None else groups.of_slot,
         lanes=None if groups is None else groups.lane[begin:end].reshape(-1),
     )  # fmt: skip
-    charge = slots.electrons(scene.light)
+    charge = light = slots.electrons(scene.light)
     for stage in ("light", "response", "count", "charge", "neighbours"):
         for change in effects.at(stage):
             charge = change(slots, charge)
     inner = slice(rows.start - begin, rows.stop - begin)
-    return charge[:, inner], slots.valid.reshape(end - begin, cols)[inner]
+    valid = slots.valid.reshape(end - begin, cols)[inner]
+    return Fallen(charge[:, inner], light[:, inner], valid)
 
 
 @dataclass(eq=False, kw_only=True)
@@ -78,9 +92,22 @@ class _Slots(Slots):
     def fixed(self, make: OnDevice) -> Charge:
         return super().fixed(make).reshape(-1, self.scene.light.shape[1])
 
+    @remembered
     def electrons(self, light: Light) -> Charge:
-        slots = (light.slot(n, self.rows).astype(np.float64) for n in range(light.slots))
-        return np.stack([*slots])
+        rows, cols = len(self.places) // light.shape[1], light.shape[1]
+        out = np.empty((light.slots, rows, cols))
+        add_light(
+            sizes=LitSizes(
+                slots=light.slots, pixels=rows * cols, first=self.rows.start * cols,
+                all_pixels=light.shape[0] * cols,
+            ),
+            frames=np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), -1),
+            row_start=np.require(light.row_start, np.int64, ["C", "A"]),
+            frame_index=np.require(light.frame_index, np.int32, ["C", "A"]),
+            weight=np.require(light.weight, np.float64, ["C", "A"]),
+            out=out.reshape(light.slots, -1),
+        )  # fmt: skip
+        return out
 
     def counted(self, stream: int, source: int, rates: Charge) -> Charge:
         """Rates below 0 count as 0, above `RATE_CAP` as that."""

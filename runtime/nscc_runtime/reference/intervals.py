@@ -51,11 +51,11 @@ class Intervals:
         previous = light if same else scene.previous.joined(self.starts)
         return Scene(light, previous, self.us * 1e-6)
 
-    def paced(self, scene: Scene, effects: Selection) -> Callable[[slice], Values]:
-        """Of some rows: what part of an interval's light falls in a microsecond while words run,
-        (intervals + 1, pixels), or (.., 1) where all pixels have the same. The last is for the
-        words after the last slot: the light goes on as in that slot. Nothing where words take no
-        time.
+    def paced(self, scene: Scene, effects: Selection) -> Callable[[slice, Values], Values]:
+        """Of some rows and their light in the intervals: what part of an interval's light falls in
+        a microsecond while words run, (intervals + 1, pixels), or (.., 1) where all pixels have the
+        same. The last is for the words after the last slot: the light goes on as in that slot.
+        Nothing where words take no time.
         """
         for choose in effects.at("scene"):
             scene = choose(scene)
@@ -64,18 +64,16 @@ class Intervals:
         interval = [*range(len(self)), len(self) - 1]
         slot_us, us = self.slot_us[first][:, None], self.us[interval][:, None]
         if not effects.at("time"):
-            return lambda _rows: np.zeros((len(first), 1))
+            return lambda _rows, _light: np.zeros((len(first), 1))
         if len(light.frames) == 1 and len(light.weight) == light.slots:
             # A still: the light of slots is their weight of the one picture.
             part = light.weight[first][:, None]
             whole = np.add.reduceat(light.weight, self.starts)[interval][:, None]
-            return lambda _rows: _share(part, whole, slot_us, us)
-        joined = light.joined(self.starts)
+            return lambda _rows, _light: _share(part, whole, slot_us, us)
 
-        def of_rows(rows: slice) -> Values:
+        def of_rows(rows: slice, all_of_it: Values) -> Values:
             part = np.stack([light.slot(n, rows).reshape(-1) for n in first])
-            whole = np.stack([joined.slot(k, rows).reshape(-1) for k in interval])
-            return _share(part, whole, slot_us, us)
+            return _share(part, all_of_it[interval].reshape(len(interval), -1), slot_us, us)
 
         return of_rows
 

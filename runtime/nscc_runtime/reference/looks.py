@@ -112,7 +112,7 @@ class LookingReference:
         step = max(1, _CELLS // (len(self.intervals) * cols))
         for begin in range(0, rows, step):
             part = range(begin, min(begin + step, rows))
-            charge, good = charge_of_rows(
+            fallen = charge_of_rows(
                 scene, None, self.sensor, self.effects, (seed, device_seed), frame, part
             )
             chunk = slice(part.start, part.stop)
@@ -120,12 +120,12 @@ class LookingReference:
             pixels = _LookingPixels(
                 sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
                 program=self, code={n: p[chunk].reshape(-1) for n, p in loaded.items()},
-                pace=pace(chunk),
+                pace=pace(chunk, fallen.light),
             )  # fmt: skip
-            found, marked = pixels.run(charge.reshape(len(self.intervals), -1))
+            found, marked = pixels.run(fallen.charge.reshape(len(self.intervals), -1))
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
             saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
-            valid[chunk] = good
+            valid[chunk] = fallen.valid
             for name, plane in planes.items():
                 plane[chunk] = pixels.bits[name].reshape(len(part), cols)
         valid_here = np.isfinite(exposure) & valid
