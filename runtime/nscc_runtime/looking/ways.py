@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from nscc.operations import Effect as Does
 from nscc.words.container import Container
 from nscc.words.legality import decoded
-from nscc_runtime.effects import CannotHave, Selection
+from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.in_loops import device_keys, draws_keys, figures, switches
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
@@ -28,7 +28,7 @@ from nscc_runtime.looking.paths import AnalogWord, Pathless, Paths
 from nscc_runtime.looking.way_loop import BLOCK, run_ways
 from nscc_runtime.planner.pool import in_parts
 from nscc_runtime.reference.capture import most_destinations
-from nscc_runtime.reference.charge import charge_of_rows
+from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import WORD_DRAWS, Executed
 from nscc_runtime.reference.weights import error_sign
@@ -38,7 +38,7 @@ Bits = NDArray[np.bool_]
 
 _CELLS = 1 << 18
 """Intervals x pixels whose charge is made at once: it stays in the cache."""
-_BEFORE_WORDS = {"scene", "light", "response", "count", "charge", "neighbours"}
+BEFORE_WORDS = {"scene", "light", "response", "count", "charge", "neighbours"}
 _AFTER_WORDS = {"converter", "codes"}
 """Stages that need no part in the loop: charge is made, and codes are, as in the reference."""
 
@@ -56,31 +56,56 @@ class Ways:
             f"{each.name}: only the reference has it ({each.words.reason})"
             for each in effects.effects
             if isinstance(each.words, CannotHave)
-            and not each.reference.keys() <= _BEFORE_WORDS | _AFTER_WORDS
+            and not each.reference.keys() <= BEFORE_WORDS | _AFTER_WORDS
         ]
         laid = self._laid(_retention_us(effects, self.sensor))
         return (*found, laid) if isinstance(laid, str) else tuple(found)
 
+    @cached_property
+    def fades(self) -> bool:
+        """Whether a digital register may go unwritten for too long in a frame."""
+        frame_us = float(sum(self.container.slot_us))
+        return _retention_us(everything(), self.sensor) < frame_us
+
     def expose(
         self,
         scene: Scene,
+        loaded: Mapping[str, Bits],
         effects: Selection,
         seeds: tuple[int, int],
         frame: int,
-        before: Mapping[str, Bits] | None = None,
-        threads: int = 1,
         rows: range | None = None,
+        threads: int = 1,
     ) -> Executed:
-        """Frame number `frame`, of some rows or all; as `LookingReference.expose`. ValueError for
-        what `lacks` names."""
-        laid = self._laid(_retention_us(effects, self.sensor))
-        if isinstance(laid, str):
-            raise ValueError(laid)
-        rows = range(scene.light.shape[0]) if rows is None else rows
+        """Frame number `frame`, or consecutive rows of it, as `LookingReference.expose` does;
+        threads change no bit. ValueError for what `lacks` names."""
         intervals = Intervals.of(self.container, every_slot=effects.noiseless)
-        return _Exposing(self, laid, intervals, scene, effects, seeds, frame, before).run(
-            rows, threads
-        )
+        joined = intervals.joined(scene)
+
+        def fall(part: range) -> Fallen:
+            return charge_of_rows(joined, None, self.sensor, effects, seeds, frame, part)
+
+        rows = range(scene.light.shape[0]) if rows is None else rows
+        return self.run(scene, loaded, effects, seeds, frame, rows, fall, threads)
+
+    def run(
+        self,
+        scene: Scene,
+        loaded: Mapping[str, Bits],
+        effects: Selection,
+        seeds: tuple[int, int],
+        frame: int,
+        rows: range,
+        fall: Callable[[range], Fallen],
+        threads: int = 1,
+    ) -> Executed:
+        """The same under the charge of rows that `fall` gives."""
+        lacking = self.lacks(effects)
+        laid = self._laid(_retention_us(effects, self.sensor))
+        if lacking or isinstance(laid, str):
+            raise ValueError("; ".join(lacking))
+        run = _Run(self, laid, scene, effects, seeds, frame)
+        return run.rows(rows, laid.begins(loaded, scene.light.shape), fall, threads)
 
     @remembered
     def _laid(self, retention_us: float) -> Laid | str:
@@ -116,11 +141,11 @@ class Laid:
         return np.array(found, np.int64)
 
     @remembered
-    def words(self, intervals: Intervals) -> NDArray[Any]:
-        """The words as records."""
-        starts = [*intervals.starts, self.container.slots]
+    def words(self, begins: tuple[int, ...]) -> NDArray[Any]:
+        """The words as records, where intervals begin with these slots."""
+        starts = [*begins, self.container.slots]
         slot_us = self.container.slot_us
-        start_s = np.concatenate(([0.0], np.cumsum(intervals.us))) * 1e-6
+        start_s = np.concatenate(([0.0], np.cumsum(slot_us)))[starts] * 1e-6
         dtype, rows, operands = np.dtype(Word), [], 0
         for word in self.paths.words:
             op, interval = word.op, starts.index(word.boundary)
@@ -197,50 +222,46 @@ def _together(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArr
 
 
 @dataclass(frozen=True, eq=False)
-class _Exposing:
+class _Run:
     """One frame."""
 
     ways: Ways
     laid: Laid
-    intervals: Intervals
     scene: Scene
     effects: Selection
     seeds: tuple[int, int]
     frame: int
-    before: Mapping[str, Bits] | None
 
-    def run(self, rows: range, threads: int) -> Executed:
-        """The exposures of consecutive rows."""
-        container, cols = self.ways.container, self.scene.light.shape[1]
-        shape = (len(container.buckets), len(rows), cols)
+    @cached_property
+    def intervals(self) -> Intervals:
+        return Intervals.of(self.ways.container, every_slot=self.effects.noiseless)
+
+    def rows(
+        self, rows: range, begins: NDArray[np.int64], fall: Callable[[range], Fallen], threads: int
+    ) -> Executed:
+        """Consecutive rows; `begins` (rows, cols) of all of them."""
+        cols = self.scene.light.shape[1]
+        shape = (len(self.ways.container.buckets), len(rows), cols)
         exposure, saturated_by = np.empty(shape), np.empty(shape, np.uint8)
-        valid = np.empty(shape[1:], np.bool_)
-        ends = np.empty(shape[1:], np.int32)
-        begins = self.laid.begins(
-            container.planes() | dict(self.before or {}), self.scene.light.shape
-        )
-        joined = self.intervals.joined(self.scene)
+        valid, ends = np.empty(shape[1:], np.bool_), np.empty(shape[1:], np.int32)
         pace = self.intervals.paced(self.scene, self.effects)
         bound = self._bound
         step = max(1, _CELLS // (len(self.intervals) * cols))
 
         def fill(first: int, stop: int) -> None:
             for top in range(first, stop, step):
-                part = range(rows.start + top, rows.start + min(top + step, stop))
-                fallen = charge_of_rows(
-                    joined, None, self.ways.sensor, self.effects, self.seeds, self.frame, part
+                part = rows[top : min(top + step, stop)]
+                here, of_array = slice(top, top + len(part)), slice(part.start, part.stop)
+                fallen = fall(part)
+                found = self._loop(
+                    bound, fallen.charge, pace(of_array, fallen.light), begins[of_array], part
                 )
-                here = slice(top, top + len(part))
-                paces = pace(slice(part.start, part.stop), fallen.light)
-                at = begins[part.start : part.stop]
-                found = self._loop(bound, fallen.charge, paces, at, part)
                 exposure[:, here], saturated_by[:, here], ends[here] = found
                 valid[here] = fallen.valid
 
         in_parts(fill, len(rows), threads)
-        planes = {
-            name: bits.astype(np.bool_)[ends] for name, bits in self.laid.paths.endings.items()
-        }
+        told = self.laid.paths.endings.items()
+        planes = {name: bits.astype(np.bool_)[ends] for name, bits in told}
         good = np.isfinite(exposure) & valid
         return Executed(Exposure(exposure, good, saturated_by), planes)
 
@@ -257,7 +278,10 @@ class _Exposing:
         )
         keys = Keys(**device_keys(Keys, device_seed), **draws_keys(Keys, seed, WORD_DRAWS))
         return run_ways.bound(
-            numbers=numbers, keys=keys, words=self.laid.words(self.intervals), **self.laid.arrays
+            numbers=numbers,
+            keys=keys,
+            words=self.laid.words(self.intervals.starts),
+            **self.laid.arrays,
         )
 
     def _loop(

@@ -90,39 +90,38 @@ class LookingReference:
     def expose(
         self,
         scene: Scene,
-        seed: int,
-        device_seed: int,
+        loaded: Mapping[str, Bits],
+        seeds: tuple[int, int],
         frame: int,
-        before: Mapping[str, Bits] | None = None,
+        rows: range | None = None,
     ) -> Executed:
-        """Frame number `frame`; `before` are the planes that the last one left, None at first."""
-        container = self.container
-        rows, cols = scene.light.shape
+        """Frame number `frame`, or consecutive rows of it: bit for bit as the whole frame has them.
+
+        `loaded`: the digital registers (rows, cols) with which it starts (`Container.planes`, then
+        `next_planes`). `seeds` are those of the frames' noise and of the device.
+        """
+        container, cols = self.container, scene.light.shape[1]
+        rows = range(scene.light.shape[0]) if rows is None else rows
         pace = self.intervals.paced(scene, self.effects)
         scene = self.intervals.joined(scene)
-        loaded = container.planes()
-        kept = {r for name in self._kept() for r in container.state_planes[name].registers}
-        if before is not None:
-            loaded |= {name: plane for name, plane in before.items() if name in kept}
         told = {r for planes in container.state_planes.values() for r in planes.registers}
-        exposure = np.empty((len(container.buckets), rows, cols))
+        exposure = np.empty((len(container.buckets), len(rows), cols))
         saturated_by = np.empty(exposure.shape, np.uint8)
-        valid = np.empty((rows, cols), np.bool_)
-        planes = {name: np.empty((rows, cols), np.bool_) for name in sorted(told)}
+        valid = np.empty((len(rows), cols), np.bool_)
+        planes = {name: np.empty((len(rows), cols), np.bool_) for name in sorted(told)}
         step = max(1, _CELLS // (len(self.intervals) * cols))
-        for begin in range(0, rows, step):
-            part = range(begin, min(begin + step, rows))
-            fallen = charge_of_rows(
-                scene, None, self.sensor, self.effects, (seed, device_seed), frame, part
-            )
-            chunk = slice(part.start, part.stop)
+        for begin in range(rows.start, rows.stop, step):
+            part = range(begin, min(begin + step, rows.stop))
+            fallen = charge_of_rows(scene, None, self.sensor, self.effects, seeds, frame, part)
+            here = slice(part.start, part.stop)
             places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
             pixels = _LookingPixels(
-                sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
-                program=self, code={n: p[chunk].reshape(-1) for n, p in loaded.items()},
-                pace=pace(chunk, fallen.light),
+                sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
+                places=places, program=self, pace=pace(here, fallen.light),
+                code={name: plane[here].reshape(-1) for name, plane in loaded.items()},
             )  # fmt: skip
             found, marked = pixels.run(fallen.charge.reshape(len(self.intervals), -1))
+            chunk = slice(part.start - rows.start, part.stop - rows.start)
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
             saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
             valid[chunk] = fallen.valid
@@ -131,10 +130,17 @@ class LookingReference:
         valid_here = np.isfinite(exposure) & valid
         return Executed(Exposure(exposure, valid_here, saturated_by), planes)
 
-    def _kept(self) -> list[str]:
-        machine = self.container.machine
-        assert machine is not None
-        return [state.name for state in machine.states if state.kept]
+
+def next_planes(
+    container: Container, loaded: Mapping[str, Bits], left: Mapping[str, Bits]
+) -> dict[str, Bits]:
+    """The registers with which a frame starts after one that has `left` these planes: kept states
+    go on, the codes that were `loaded` stay."""
+    machine = container.machine
+    assert machine is not None
+    names = (state.name for state in machine.states if state.kept)
+    kept = {register for name in names for register in container.state_planes[name].registers}
+    return {**loaded, **{name: plane for name, plane in left.items() if name in kept}}
 
 
 def looking_frames(
@@ -159,15 +165,25 @@ def looking_frames(
 def _frames(
     reference: LookingReference, scene: Scene, seeds: tuple[int, int], count: int
 ) -> Iterator[Frame]:
-    container, planes = reference.container, None
+    container = reference.container
+    loaded = container.planes()
     for number in range(count):
-        executed = reference.expose(scene, *seeds, number, planes)
-        planes = executed.planes
-        frame = converted(
-            executed.exposure, container.target, reference.sensor, reference.effects, seeds, number
-        )
-        told = told_by(container, planes, frame, reference.sensor, reference.effects)
-        yield replace(frame, told=told)
+        executed = reference.expose(scene, loaded, seeds, number)
+        loaded = next_planes(container, loaded, executed.planes)
+        yield told_frame(container, executed, reference.sensor, reference.effects, seeds, number)
+
+
+def told_frame(
+    container: Container,
+    executed: Executed,
+    sensor: Sensor,
+    effects: Selection,
+    seeds: tuple[int, int],
+    number: int,
+) -> Frame:
+    """Frame number `number` as its file has it."""
+    frame = converted(executed.exposure, container.target, sensor, effects, seeds, number)
+    return replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
 
 
 @dataclass(eq=False, kw_only=True)
