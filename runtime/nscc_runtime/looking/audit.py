@@ -14,6 +14,7 @@ import numpy as np
 from nscc_runtime.effects import everything
 from nscc_runtime.light import Light
 from nscc_runtime.looking.frames import Planes, exposer
+from nscc_runtime.looking.sample import same_states
 from nscc_runtime.looking.ways import Ways
 from nscc_runtime.planner.audit import (
     Audit,
@@ -55,8 +56,7 @@ def audit(
         for band in bands(rows):
             some = planned(scene, loaded, (seed, device_seed), frame, band)
             full = reference(scene, loaded, (seed, device_seed), frame, band)
-            alike = [some.planes[name] == plane for name, plane in full.planes.items()]
-            same.append(np.logical_and.reduce(alike, initial=np.True_))
+            same.append(same_states(some, full))
             of_plan.append(some.exposure.exposure_e)
             of_full.append(full.exposure.exposure_e)
             for name, plane in full.planes.items():

@@ -155,9 +155,8 @@ class Chooser:
         else:
             reason = f"left out, {found.other_states:.2%} would end in other states"
         bias = float(found.mean[int(np.argmax(found.square))])
-        pixels = self.sample.inner.sum() / self.sample.fraction
         # What an effect does to exposures is the opposite of what they lose without it.
         return Decision(
             effect.name, effect.kind, choice, forced, reason, found.error_e, 0.0 - bias, then_e,
-            saved_ns * float(pixels) * 1e-6, found.other_states,
+            saved_ns * self.sample.pixels * 1e-6, found.other_states,
         )  # fmt: skip

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.views import Scene
 from nscc_runtime.light import Light
 from nscc_runtime.looking.ways import BEFORE_WORDS, Ways
+from nscc_runtime.planner.sample import chances, drawn_by
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import Executed, LookingReference
@@ -25,9 +27,12 @@ from nscc_runtime.remembered import remembered
 
 Bits = NDArray[np.bool_]
 
-_TILES, _SIDE = 8, 12
+_TILES, _SIDE = 64, 4
+"""How many tiles, and how many of their pixels in each direction have all their neighbours."""
 _WHOLE = 2048
 """Arrays of so few pixels are taken whole."""
+_SLOTS = 16
+"""Slots whose light decides where tiles are taken."""
 _SEEDS = 0, 0
 
 
@@ -47,71 +52,78 @@ class Difference:
         return float(np.sqrt(self.square.max()))
 
 
-def difference(
-    some: Executed, full: Executed, among: NDArray[np.bool_] | None = None
-) -> Difference:
-    """Of a frame with some effects from that with all of them; `among` (rows, cols) some pixels."""
-    here = some.exposure.valid.all(axis=0) & full.exposure.valid.all(axis=0)
-    if among is not None:
-        here &= among
-    same = np.ones(here.shape, np.bool_)
+def difference(some: Executed, full: Executed, weight: NDArray[np.float64]) -> Difference:
+    """Of a frame with some effects from that with all of them; `weight` (rows, cols): how many
+    pixels each stands for."""
+    valid = some.exposure.valid.all(axis=0) & full.exposure.valid.all(axis=0)
+    weight = np.where(valid, weight, 0.0)
+    alike = np.where(same_states(some, full), weight, 0.0)
+    error = np.where(alike > 0, some.exposure.exposure_e - full.exposure.exposure_e, 0.0)
+    much = alike / max(float(alike.sum()), 1e-300)
+    return Difference(
+        (error**2 * much).sum(axis=(1, 2)),
+        (error * much).sum(axis=(1, 2)),
+        float(1.0 - alike.sum() / weight.sum()) if weight.any() else 0.0,
+    )
+
+
+def same_states(some: Executed, full: Executed) -> Bits:
+    """Where (rows, cols) two frames end in the same states."""
+    same = np.ones(full.exposure.valid.shape[1:], np.bool_)
     for name, plane in full.planes.items():
         same &= some.planes[name] == plane
-    error = (some.exposure.exposure_e - full.exposure.exposure_e)[:, here & same]
-    count = max(1, error.shape[1])
-    other = np.count_nonzero(here & ~same) / max(1, np.count_nonzero(here))
-    return Difference((error**2).sum(axis=1) / count, error.sum(axis=1) / count, other)
+    return same
 
 
 @dataclass(frozen=True, eq=False)
 class Sample:
     """Some of the pixels of a scene: `light` and the registers `loaded` on tiles that lie one above
-    the other as an array of their own; `inner` (rows, cols) those whose neighbours are their own.
-    `fraction` of the array's pixels.
+    the other as an array of their own. `weight` (rows, cols): how many pixels of the scene each
+    stands for, 0 at the tiles' edges, whose neighbours are not their own. `pixels` the scene has.
     """
 
     ways: Ways
     light: Light
     loaded: Mapping[str, Bits]
-    inner: Bits
-    fraction: float
+    weight: NDArray[np.float64]
+    pixels: int
+
+    @property
+    def fraction(self) -> float:
+        """Of the scene's pixels."""
+        return np.count_nonzero(self.weight) / self.pixels
 
     @classmethod
     def of(cls, ways: Ways, light: Light) -> Sample:
-        """Tiles spread over the array, the same on every call; small arrays as they are."""
-        rows, cols = light.shape
+        """Tiles spread over the scene, more of them where light or its steps are large; the same
+        on every call. Small scenes are taken as they are."""
+        (rows, cols), side = light.shape, _SIDE + 2
         loaded = ways.container.planes()
-        height, width = min(_SIDE + 2, rows), min(_SIDE + 2, cols)
-        if rows * cols <= _WHOLE or min(height, width) < 4:
-            return cls(ways, light, loaded, np.ones((rows, cols), np.bool_), 1.0)
-        # An additive recurrence in two dimensions leaves no large gap.
-        steps = np.arange(1, _TILES + 1)[:, None] * (0.7548776662466927, 0.5698402909980532) % 1.0
-        corners = [
-            (int(y * (rows - height + 1)), int(x * (cols - width + 1))) for y, x in steps.tolist()
-        ]
+        if rows * cols <= _WHOLE or min(rows, cols) < side:
+            return cls(ways, light, loaded, np.ones((rows, cols)), rows * cols)
+        corners, counts = _corners(light)
 
-        def tiles(values: NDArray[np.generic]) -> NDArray[np.generic]:
-            parts = [values[..., y : y + height, x : x + width] for y, x in corners]
+        def tiles(values: NDArray[Any]) -> NDArray[Any]:
+            parts = [values[..., y : y + side, x : x + side] for y, x in corners]
             return np.concatenate(parts, axis=-2)
 
-        frames = tiles(light.frames).astype(np.float32)
+        frames = tiles(light.frames)
         motion = None if light.motion is None else replace(light.motion, frames=frames)
-        inner = np.zeros((height, width), np.bool_)
-        inner[1:-1, 1:-1] = True
-        whole = np.tile(inner, (_TILES, 1))
+        inner = np.zeros((side, side))
+        inner[1:-1, 1:-1] = 1.0
         return cls(
             ways,
             replace(light, frames=frames, motion=motion),
-            {name: tiles(plane).astype(np.bool_) for name, plane in loaded.items()},
-            whole,
-            np.count_nonzero(whole) / (rows * cols),
+            {name: tiles(plane) for name, plane in loaded.items()},
+            np.concatenate([count * inner for count in counts]),
+            rows * cols,
         )
 
     @remembered
     def without(self, dropped: frozenset[str]) -> Difference:
         """What leaving these effects out changes."""
         full = self._executed(everything())
-        return difference(self._executed(everything().without(*dropped)), full, self.inner)
+        return difference(self._executed(everything().without(*dropped)), full, self.weight)
 
     def _executed(self, effects: Selection) -> Executed:
         """The sample with these effects; those of all effects are kept."""
@@ -148,3 +160,19 @@ class Sample:
         joined = Intervals.of(self.ways.container, every_slot).joined(self._scene)
         rows = range(self.light.shape[0])
         return charge_of_rows(joined, None, self.ways.sensor, effects, _SEEDS, 0, rows)
+
+
+def _corners(light: Light) -> tuple[list[tuple[int, int]], list[float]]:
+    """The upper left corners of the tiles, and how many pixels each of a tile's stands for."""
+    rows, cols = light.shape
+    some = np.unique(np.linspace(0, light.slots - 1, min(_SLOTS, light.slots)).astype(int))
+    score = chances(sum((light.slot(n) for n in some.tolist()), np.zeros((rows, cols))))
+    down, right = -(-rows // _SIDE), -(-cols // _SIDE)
+    padded = np.pad(score, ((0, down * _SIDE - rows), (0, right * _SIDE - cols)))
+    chance = padded.reshape(down, _SIDE, right, _SIDE).sum(axis=(1, 3)).reshape(-1)
+    places, times = np.unique(drawn_by(chance, min(_TILES, len(chance))), return_counts=True)
+    counts = times / chance[places]
+    counts *= rows * cols / (_SIDE**2 * counts.sum())
+    y = np.clip(places // right * _SIDE - 1, 0, rows - _SIDE - 2)
+    x = np.clip(places % right * _SIDE - 1, 0, cols - _SIDE - 2)
+    return [*zip(y.tolist(), x.tolist(), strict=True)], counts.tolist()

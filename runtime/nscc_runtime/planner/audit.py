@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.planner.capture import Planned
+from nscc_runtime.planner.plan import MOST_OTHER_STATES
 from nscc_runtime.reference.capture import Reference, scene_of
 
 Values = NDArray[np.float64]
@@ -73,6 +74,18 @@ class Audit:
             f"audit: measured {self.measured_rms_e:.3g} +- {self.mc_error_e:.2g} e, bias "
             f"{self.bias_e:+.2g} +- {self.bias_mc_error_e:.2g} e{ratio}; {self.samples} "
             f"samples in {self.frames} frames: {verdict}"
+        )
+
+    def breach(self, tolerance_e: float) -> str:
+        """What of the promise was found broken, in words."""
+        if self.measured_rms_e <= SLACK * tolerance_e and self.other_states is not None:
+            return (
+                f"the audit found {self.other_states:.2%} of the pixels in other states, more than "
+                f"{MOST_OTHER_STATES:.1%}"
+            )
+        return (
+            f"the audit measured an error of {self.measured_rms_e:.3g} e, more than {SLACK} times "
+            f"the tolerance of {tolerance_e:.4g} e"
         )
 
 
@@ -168,8 +181,13 @@ def bands(rows: NDArray[np.intp]) -> Iterator[range]:
 
 def _std_ratio(plan: Values, full: Values) -> tuple[float | None, float | None]:
     """Ratio of the root mean square standard deviations over the frames (axis 0), its error."""
-    mine, theirs = (np.nanvar(values, axis=0, ddof=1).reshape(-1) for values in (plan, full))
-    if not theirs.mean() > _NO_NOISE_E2:
+    with warnings.catch_warnings():
+        # Pixels that are compared in fewer than two frames have no deviation.
+        warnings.simplefilter("ignore", RuntimeWarning)
+        mine, theirs = (np.nanvar(values, axis=0, ddof=1).reshape(-1) for values in (plan, full))
+    known = np.isfinite(mine) & np.isfinite(theirs)
+    mine, theirs = mine[known], theirs[known]
+    if not (theirs.size and theirs.mean() > _NO_NOISE_E2):
         return None, None
     ratio = math.sqrt(float(mine.mean() / theirs.mean()))
     # Path-wise coupling makes the pixels' differences much smaller than their spread.

@@ -126,6 +126,21 @@ class Plan:
         said = f"predicted error {self.predicted_e:.3g} e, tolerance {self.tolerance_e:.4g} e"
         return html.card("plan", said, html.plain(str(self)))
 
+    @property
+    def breach(self) -> str | None:
+        """What of the promise is predicted to break, in words."""
+        if self.predicted_e > self.tolerance_e:
+            return (
+                f"the predicted error is {self.predicted_e:.3g} e, "
+                f"the tolerance {self.tolerance_e:.4g} e"
+            )
+        if self.other_states is not None and self.other_states > MOST_OTHER_STATES:
+            return (
+                f"{self.other_states:.2%} of the pixels are predicted to end in other states, "
+                f"{MOST_OTHER_STATES:.1%} may"
+            )
+        return None
+
     @cached_property
     def kept(self) -> Selection:
         """The effects that are simulated."""
