@@ -126,7 +126,7 @@ def light_of(
     dark_e = _dark_e_per_s(sensor, effects) * open_s
     electrons = held_e / gain
     light_e = electrons - dark_e
-    variance = _variance_e2(np.maximum(electrons, 0.0), gain, sensor, effects)
+    variance = variance_e2(np.maximum(electrons, 0.0), gain, sensor, effects)
     deviation = np.where(frame.saturated, np.inf, np.sqrt(variance) / open_s)
     deviation[np.isnan(open_s)] = np.nan
     return {LIGHT: light_e / open_s, DEVIATION: deviation}
@@ -165,7 +165,7 @@ def _dark_e_per_s(sensor: Sensor, effects: Selection) -> float:
     return 0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean())
 
 
-def _variance_e2(electrons: Values, gain: Values, sensor: Sensor, effects: Selection) -> Values:
+def variance_e2(electrons: Values, gain: Values, sensor: Sensor, effects: Selection) -> Values:
     """Of the estimate, in square electrons on PIX."""
     found = np.full(electrons.shape, sensor.electrons_per_lsb**2 / 12.0)
     converter = effects.part(Converter)
