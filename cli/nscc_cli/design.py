@@ -27,7 +27,7 @@ _MOST_SLOTS = 4096
 
 @click.command("design", cls=CommonCommand)
 @click.option("--scene", "scenes", multiple=True, metavar="SCENE", help="A scene as nscc run takes "
-              "it; several are designed for together, each as much as another.")  # fmt: skip
+              "it; of several the mean of the decibels counts.")  # fmt: skip
 @click.option("--looks", type=click.IntRange(2, _MOST_LOOKS), metavar="K",
               help="Design pixels that look: K exposures, the last the whole frame.")  # fmt: skip
 @click.option("--criterion", type=click.Choice([*_CURVES, _SVE_RISK]), help="What is least: the "

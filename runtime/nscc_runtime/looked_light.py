@@ -38,6 +38,8 @@ Values = NDArray[np.float64]
 
 LIGHT, DEVIATION = "light_e_per_s", "light_sd_e_per_s"
 """The keys of the frame file: (buckets, rows, cols), electrons a second."""
+OPEN = "open_slots"
+"""The key of how many slots each bucket was open (buckets, rows, cols)."""
 
 _READS, _WORDS = 2, 4
 """An exposure is PIX less its reset level: each is read once, and copied by two words."""
@@ -67,7 +69,7 @@ def told_by(
     slots, open_us = open_times(machine, behaviour, found)
     states = {f"states_{name}": each for name, each in found.items()}
     light = light_of(frame, open_us, container, sensor, effects)
-    return {**states, "open_slots": slots, **light}
+    return {**states, OPEN: slots, **light}
 
 
 def open_us_of(container: Container, told: Mapping[str, NDArray[Any]]) -> Values:

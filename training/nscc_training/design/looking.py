@@ -25,6 +25,7 @@ _OFFSETS = 5
 _MOST_TRIED = 12
 """So many moments are tried for one look in a round; between them, the next round tries."""
 _ROUNDS = 12
+_WEIGHINGS = 2
 _MOST_KEPT = 128
 """Tables of moments, a third of a megabyte each."""
 
@@ -50,7 +51,7 @@ class Model:
     """The expected error of schedules on a chip, in a frame of slots with these lengths."""
 
     def __init__(self, chip: Chip, scene: Histogram, slot_us: Sequence[float]) -> None:
-        self.chip, self.scene = chip, scene
+        self.chip, self.scene, self._slot_us = chip, scene, slot_us
         ends = np.cumsum([0.0, *slot_us])
         self.share = ends / ends[-1]
         self.slots = len(slot_us)
@@ -99,19 +100,41 @@ class Model:
 
         From several geometric starts, one look after the other is moved and given the level that
         is best while the others stay as they are, until no move is better. The best of the starts
-        is kept; the same input gives the same schedule.
+        is kept; the same input gives the same schedule. Of several scenes the decibels count, so
+        that a hard one does not outweigh the others: each is weighed by what it was before.
         """
-        found = []
-        for start in self._starts(looks):
-            schedule = start
-            worth = np.inf
-            for _ in range(_ROUNDS):
-                schedule, now = self._round(schedule, curve)
-                if now >= worth * (1 - 1e-4):
-                    break
-                worth = now
-            found.append((worth, schedule))
-        return min(found, key=lambda each: each[0])[1]
+        worth, schedule = min(
+            (self._descended(start, curve) for start in self._starts(looks)),
+            key=lambda each: each[0],
+        )
+        scenes = int(self.scene.scene.max()) + 1
+        if scenes == 1 or curve == "log":
+            return schedule
+        for _ in range(_WEIGHINGS):
+            by = 1 / np.maximum(self._by_scene(schedule, curve), 1e-12 * worth)
+            weighed = Model(self.chip, self.scene.weighed(by), self._slot_us)
+            weighed._told, weighed._closed = self._told, self._closed
+            _, schedule = weighed._descended(schedule, curve)
+        return schedule
+
+    def _descended(self, schedule: Schedule, curve: Curve) -> tuple[float, Schedule]:
+        """The error and the schedule where rounds end."""
+        worth = np.inf
+        for _ in range(_ROUNDS):
+            schedule, now = self._round(schedule, curve)
+            if now >= worth * (1 - 1e-4):
+                break
+            worth = now
+        return worth, schedule
+
+    def _by_scene(self, schedule: Schedule, curve: Curve) -> Values:
+        """The mean square error of every scene (scenes,)."""
+        rows = self._rows(schedule)
+        after = self._after(list(schedule.at), rows, -1, curve)
+        part = (self._start * after).sum(axis=1)
+        return np.bincount(self.scene.scene, part) / np.bincount(
+            self.scene.scene, self.scene.weight
+        )
 
     def _rows(self, schedule: Schedule) -> list[int]:
         """The places of a schedule's levels among those of the chip."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,11 +24,18 @@ class Histogram:
 
     `light_e` are the electrons over the frame of an always open pixel, `peak_e` those of the bright
     end of the group's scene, `weight` the group's part of all pixels: every scene counts the same.
+    `scene` is the number of the group's scene.
     """
 
     light_e: Values
     peak_e: Values
     weight: Values
+    scene: NDArray[np.int64]
+
+    def weighed(self, by: Values) -> Histogram:
+        """The same, its scenes weighed by these numbers (scenes,)."""
+        weight = self.weight * by[self.scene]
+        return replace(self, weight=weight / weight.sum())
 
 
 def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
@@ -47,7 +54,8 @@ def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
         held = np.bincount(place, minlength=count)
         there = held > 0
         mean = np.bincount(place, light, count)[there] / held[there]
-        parts.append((mean, np.full(len(mean), peak), held[there] / (len(light) * len(scenes))))
+        part = held[there] / (len(light) * len(scenes))
+        parts.append((mean, np.full(len(mean), peak), part, np.full(len(mean), number)))
     return Histogram(*(np.concatenate(each) for each in zip(*parts, strict=True)))
 
 
