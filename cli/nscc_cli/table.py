@@ -6,6 +6,7 @@ COMMANDS = {
     "demo": "Show what a coded exposure makes of a photo or a clip.",
     "examples": "List the programs that come with nscc, or copy one.",
     "new": "Begin a program: one with a remark on every statement.",
+    "design": "Write a program that is made for a scene.",
     "check": "Check programs: names, ranges, time, registers.",
     "build": "Compile a program to a container of words.",
     "run": "Expose one frame of a scene with a program.",

@@ -15,7 +15,7 @@ from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import load_run
 
 _OF_PROTOCOL = {
-    "hdr-v1": (*hdr_baselines.BASELINES, *hdr_looks.LOOKING),
+    "hdr-v1": (*hdr_baselines.BASELINES, *hdr_looks.ROWS),
     "video-v1": video_baselines.BASELINES,
 }
 
@@ -33,7 +33,7 @@ def evaluate(
     chosen = load_protocol(protocol)
     known = _OF_PROTOCOL.get(chosen.name, ())
     if subject in known:
-        if subject in hdr_looks.LOOKING:
+        if subject in hdr_looks.ROWS:
             return hdr_looks.evaluate_looks(subject, data, seed)
         if chosen.name == "hdr-v1":
             return hdr_baselines.evaluate_hdr_baseline(subject, data, seed)
