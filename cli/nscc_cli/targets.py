@@ -11,7 +11,7 @@ import click
 
 from nscc.columns import columns
 from nscc.target.load import DEFAULT_NAME, load_target, target_names, target_toml
-from nscc.target.target import SCHEMA, Target
+from nscc.target.target import Target, schema_of
 from nscc.toml.schema import Key
 from nscc_cli.options import LEVEL
 from nscc_cli.support import CommonCommand, progress
@@ -86,15 +86,16 @@ def listing() -> str:
     rows: list[tuple[str, ...]] = [("name", "array", "digital", "analog", "")]
     for name in target_names():
         chip = load_target(name, Path())
-        registers = (str(len(r)) for r in (chip.digital_registers, chip.analog_registers))
-        rows.append((name, f"{chip.rows} x {chip.cols}", *registers, chip.description))
+        held = (str(len(r)) for r in (chip.digital_registers, chip.analog_registers))
+        holds = ("none", f"{len(chip.taps)} taps") if chip.streamed else held
+        rows.append((name, f"{chip.rows} x {chip.cols}", *holds, chip.description))
     return columns(rows)
 
 
 def details(target: Target) -> str:
     """Every key of a target, by section, with what is not public about it."""
     lines = [f"{target.name}: {target.description}" if target.description else target.name]
-    rows = [(key, _value(target, key)) for key in SCHEMA.keys if key.section]
+    rows = [(key, _value(target, key)) for key in schema_of(target.kind).keys if key.section]
     width = max(len(value) for _, value in rows)
     section = ""
     for key, value in rows:
@@ -121,7 +122,7 @@ def _value(target: Target, key: Key) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, tuple):
-        return _names(value)
+        return _names(tuple(map(str, value)))
     return f"{value:.10g}" if isinstance(value, float) else str(value)
 
 

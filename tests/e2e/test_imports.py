@@ -40,7 +40,7 @@ ROOMS = (
     ("syntax",),
     ("installation", "program"),
     ("lower",),
-    ("looks",),
+    ("looks", "stream"),
     ("checks",),
     ("pipeline",),
     ("emit", "limits"),
