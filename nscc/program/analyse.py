@@ -46,7 +46,7 @@ def analyse(
     scope = constants_scope(declared, constants)
     fields = make_fields(declared, scope, books, problems)
     requires, rules = _check_rules(declared, constants, problems)
-    if chosen is not None and chosen.streamed and declared.looks:
+    if chosen is not None and chosen.streamed and declared.looking:
         _refuse_looking(declared, chosen, problems)
     looking = make_looking(declared, constants, chosen, problems)
     planes = make_planes(declared, fields, constants, chosen, base, problems)
@@ -90,9 +90,8 @@ def _refuse_looking(declared: Declarations, target: Target, problems: Problems) 
     """NS0510, for pixels that look at the light on a chip without logic; nothing else is said."""
     looking = (*declared.senses.values(), *declared.states.values(), *declared.nexts.values())
     statements = [*looking, *([declared.reset] if declared.reset else [])]
-    place = min(
-        [each.span for each in statements] + [name.span for name in declared.reads.values()]
-    )
+    spans = (*(each.span for each in statements), *(name.span for name in declared.reads.values()))
+    place = min(spans, key=lambda span: span.start)
     problems.error(
         "NS0510",
         f"the pixels of {target.name} have no logic: they cannot look at the light, nor keep states",
