@@ -94,7 +94,7 @@ def _refuse_looking(declared: Declarations, target: Target, problems: Problems) 
     place = min(spans, key=lambda span: span.start)
     problems.error(
         "NS0510",
-        f"the pixels of {target.name} have no logic: they cannot look at the light, nor keep states",
+        f"the pixels of {target.name} have no logic: they neither look at light nor keep states",
         place,
         "needs a processor in every pixel",
         notes=("light goes to a tap by a bit that is sent for every slot, known before it falls",),

@@ -40,9 +40,7 @@ class NoRoute:
     bucket: int = 0
 
 
-def route(
-    shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target
-) -> Route | NoRoute:
+def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target) -> Route | NoRoute:
     """The way of the light of `shutters` (shutters, buckets, N): bucket b is tap b.
 
     Light that no bucket wants goes to the drain, or to a tap that no bucket has.

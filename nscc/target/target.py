@@ -10,18 +10,17 @@ from __future__ import annotations
 
 from dataclasses import MISSING, dataclass, replace
 from functools import partial
-from typing import Any, Literal, get_args
+from typing import Any, Literal
 
 from nscc.operations import Operation
 from nscc.target.words import OwnWords
 from nscc.toml.kinds import LINE, NAME, Flag, Integer, Number, Several, Text
 from nscc.toml.schema import Codes, Key, Schema, key, keys_of
 
-Kind = Literal["scamp", "stream"]
-
 _SIDE = Integer(1, 8192)
 _REGISTER = Text(said="the name of a register", optional=True)
 _REGISTERS = Several(Text(), said="a list of register names")
+_TAP = Text(pattern=r"[A-Z][A-Z0-9_]{0,15}")
 _SOURCES = Integer(2, 1000, unlimited=True)
 _WORD_US = Number(0, 1e6, low_excluded=True)
 _ABOVE_0 = Number(0, 1e15, low_excluded=True)
@@ -39,10 +38,12 @@ class Target:
     """
 
     name: str = key(NAME, "what messages and reports call it", required=True)
-    kind: Kind = key(
-        Text(get_args(Kind)), 'pixels with a processor ("scamp"), or sent a bit a slot ("stream")',
-        default="scamp", later=True,
-    )  # fmt: skip
+    kind: Literal["scamp", "stream"] = key(
+        Text(("scamp", "stream")),
+        'pixels with a processor ("scamp"), or sent a bit for every slot ("stream")',
+        default="scamp",
+        later=True,
+    )
     description: str = key(LINE, "one line for `nscc targets`", default="")
     words: tuple[Operation, ...] = key(
         OwnWords(), "words that only this chip has, each in a [[words]] of its own", default=()
@@ -100,7 +101,9 @@ class Target:
     digital_word_us: float = _ours(_WORD_US, "one digital word", section="time")
     launch_us: float = _ours(Number(0, 1e9), "overhead of one kernel launch", section="time")
     readout_us: float = _ours(
-        Number(0, 1e12), "reading one analog register, or all taps, of the whole array out", section="time"
+        Number(0, 1e12),
+        "reading one analog register, or all taps, of the whole array out",
+        section="time",
     )
     digital_retention_us: float = key(
         _ABOVE_0, "an untouched digital register keeps its bit for so long", section="time"
@@ -130,13 +133,11 @@ class Target:
     )
 
     taps: tuple[str, ...] = _stream(
-        Several(Text(pattern=r"[A-Z][A-Z0-9_]{0,15}"), said="a list of names of capital letters, "
-        "digits and `_`"), "where a pixel can collect charge, in the order of the program's buckets",
-        default=(), required=True,
+        Several(_TAP, said="a list of names of capital letters, digits and `_`"),
+        "where a pixel can collect charge, in the order of a program's buckets", default=(),
+        required=True,
     )  # fmt: skip
-    drain: bool = _stream(
-        Flag(), "can a slot's bit also choose to lead light away?", default=False
-    )
+    drain: bool = _stream(Flag(), "can a slot's bit also choose to lead light away?", default=False)
     row_load_us: float = _stream(
         _WORD_US, "sending one row of a plane of bits", default=1.0, required=True
     )

@@ -38,7 +38,10 @@ class Launch:
 
 @dataclass(frozen=True)
 class Readout:
-    """After the frame, the exposure of `bucket` in electrons is `register`, or tap, times `gain`."""
+    """After the frame, the exposure of `bucket` in electrons is `register` times `gain`.
+
+    Of a chip without logic `register` is a tap, and the electrons are those at the converter.
+    """
 
     register: str
     bucket: str

@@ -27,6 +27,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.target.load import target_dict
 from nscc.target.target import Target
 from nscc.words.container import Container
+from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, Entry
 
 MOST_TIMES = (1 << 16) - 1
@@ -110,8 +111,14 @@ def target_digest(target: Target) -> bytes:
 def upload_of(container: Container, label: bytes) -> Upload:
     """The objects of a container with pixels (NS0741 without); `label` is 32 bytes.
 
-    Raises Rejected (NS0765) for a program whose pixels look at the light.
+    Raises Rejected: NS0765 for a program whose pixels look at the light, NS0510 for one that has
+    planes instead of words.
     """
+    refuse_planes(
+        container.target,
+        "the loader takes words, and cannot be sent this program",
+        "`nscc build --emit planes` writes an .npz for a driver of the chip",
+    )
     if container.machine is not None:
         raise rejected(
             "NS0765",
