@@ -46,7 +46,7 @@ ROOMS = (
     ("emit", "limits"),
     ("tradeoff",),
     ("compiler",),
-    ("containers",),
+    ("compare", "containers"),
     ("shutter_program",),
 )
 """The compiler's rooms from the ground up: one may import those of earlier lines."""
