@@ -40,13 +40,13 @@ ROOMS = (
     ("syntax",),
     ("installation", "program"),
     ("lower",),
-    ("looks",),
+    ("looks", "stream"),
     ("checks",),
     ("pipeline",),
     ("emit", "limits"),
     ("tradeoff",),
     ("compiler",),
-    ("containers",),
+    ("compare", "containers"),
     ("shutter_program",),
 )
 """The compiler's rooms from the ground up: one may import those of earlier lines."""
