@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.files import Product, write_together
+from nscc_cli.completion import PROTOCOL, RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, together, trust_code_option
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say_compiling
 
@@ -71,10 +72,12 @@ def sci8(
 
 
 @command.command("of", cls=CommonCommand)
-@click.argument("subject", metavar="RUN|BASELINE")
+@click.argument("subject", type=RUN_OR_ANY, metavar="RUN|BASELINE")
 @click.option("--data", required=True, type=PATH, metavar="DIR",
               help="The folder of scenes.")  # fmt: skip
-@click.option("--protocol", required=True, metavar="P", help="hdr-v1, video-v1 or sci8.")
+@click.option(
+    "--protocol", type=PROTOCOL, required=True, metavar="P", help="hdr-v1, video-v1 or sci8."
+)
 @click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
 @click.option("--skip-seen", is_flag=True,
               help="Leave out files that the run was trained or validated on.")  # fmt: skip

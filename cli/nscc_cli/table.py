@@ -13,6 +13,7 @@ COMMANDS = {
     "shutters": "Write every pixel's shutter, found by replay.",
     "prove": "Replay a container against its own decode table.",
     "fmt": "Write programs in the one style of the language.",
+    "lsp": "Serve editors: messages, fixes, names, costs.",
     "view": "Draw a program's shutters and its map of codes.",
     "asm": "Assemble a listing into a container or words.",
     "disasm": "List a container's words as assembly text.",
