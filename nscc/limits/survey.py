@@ -52,17 +52,18 @@ def survey(
     target: Target, options: Options, slots: tuple[str, ...]
 ) -> Generator[Trial, None, list[Limit]]:
     """Yields each trial as it is made and returns a limit for every slot length and family."""
-    options = replace(options, target=target, codes="open")
     found = []
     for slot in slots:
         for family in families():
-            found.append((yield from _limit(family, target, options, slot)))
+            found.append((yield from limit_of(family, target, options, slot)))
     return found
 
 
-def _limit(
+def limit_of(
     family: Family, target: Target, options: Options, slot: str
 ) -> Generator[Trial, None, Limit]:
+    """The same for one family at one slot length; every legal code is compiled."""
+    options = replace(options, target=target, codes="open")
     capacity = impossible_from(family.shutters, target)
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
     sizes = candidates(family.shutters, family.least, most)

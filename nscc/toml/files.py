@@ -43,6 +43,14 @@ def file_values(
 
     `name` is the file's for messages. Rejected (`status`) if it is no TOML at all.
     """
+    values, source = file_table(schema, data, name, status=status)
+    return *schema.read(values, source), source
+
+
+def file_table(
+    schema: Schema[Row], data: bytes, name: str, *, status: int = 2
+) -> tuple[dict[str, Any], Source]:
+    """The same as TOML has it, whatever keys it holds, and its text."""
     try:
         text, values = parsed(data)
     except NotToml as reason:
@@ -52,8 +60,7 @@ def file_values(
             helps=(schema.start,),
             status=status,
         ) from None
-    source = Source(name, text)
-    return *schema.read(values, source), source
+    return values, Source(name, text)
 
 
 def file_text(
