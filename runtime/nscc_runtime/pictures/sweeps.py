@@ -44,14 +44,16 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
     names = list(dict.fromkeys(name for panel in panels for name in panel.lines))
     columns = min(_COLUMNS, len(panels))
     figure, grid = sheet.panels(len(panels), (sheet.WIDTH / max(columns, 1.4), 2.9), columns)
-    for axes, panel in zip(grid, panels, strict=True):
-        _draw(axes, panel, names)
+    labels = [_draw(axes, panel, names) for axes, panel in zip(grid, panels, strict=True)]
     figure.align_ylabels(grid)
     sheet.lay_out(figure)
-    homeless = set(names) if len(names) > _MOST_NAMED else set()
-    if not homeless:
-        for axes, panel in zip(grid, panels, strict=True):
-            homeless |= {label.text for label in place_labels(axes, _labels(axes, panel, names))}
+    homeless = {*names} - {""}
+    if len(names) <= _MOST_NAMED:
+        homeless = {
+            label.text
+            for axes, texts in zip(grid, labels, strict=True)
+            for label in place_labels(axes, texts)
+        }
     handles = [
         Line2D([], [], label=name, **look().of(number))
         for number, name in enumerate(names)
@@ -61,7 +63,8 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
     return figure
 
 
-def _draw(axes: Axes, panel: Lines, names: Sequence[str]) -> None:
+def _draw(axes: Axes, panel: Lines, names: Sequence[str]) -> list[Label]:
+    """Draws a panel's lines; their names, for their ends."""
     across = [x for points in panel.lines.values() for x, _ in points]
     upwards = [y for points in panel.lines.values() for _, y in points]
     axes.set_title(panel.title)
@@ -73,10 +76,15 @@ def _draw(axes: Axes, panel: Lines, names: Sequence[str]) -> None:
         axes.set_xscale("log")
     if _wide(upwards):
         axes.set_yscale("log")
+    labels = []
     for name, points in panel.lines.items():
-        places = [(categories.index(str(x)) if categories else x, y) for x, y in points]
-        if places:
-            axes.plot(*zip(*places, strict=True), **look().of(names.index(name)))
+        places = [
+            (float(categories.index(str(x)) if categories else x), float(y)) for x, y in points
+        ]
+        chosen = look().of(names.index(name))
+        axes.plot([x for x, _ in places], [y for _, y in places], **chosen)
+        if places and name:
+            labels.append(Label(name, places[::-1], chosen["color"], name=True))
     if categories:
         axes.set_xticks(range(len(categories)), categories)
         axes.set_xlim(-0.3, len(categories) - 0.7)
@@ -84,21 +92,7 @@ def _draw(axes: Axes, panel: Lines, names: Sequence[str]) -> None:
         sheet.round_ticks(axes.xaxis)
     if upwards:
         sheet.round_ticks(axes.yaxis)
-
-
-def _labels(axes: Axes, panel: Lines, names: Sequence[str]) -> list[Label]:
-    """The names of the lines, for their ends."""
-    labels = []
-    for name, points in panel.lines.items():
-        line = next((each for each in axes.lines if each.get_color() == _colour(names, name)), None)
-        if points and name and line is not None:
-            ends = [(float(x), float(y)) for x, y in line.get_xydata()[::-1]]
-            labels.append(Label(name, ends, _colour(names, name), name=True))
     return labels
-
-
-def _colour(names: Sequence[str], name: str) -> str:
-    return str(look().of(names.index(name))["color"])
 
 
 def _wide(values: Sequence[float]) -> bool:

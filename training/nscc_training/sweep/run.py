@@ -187,8 +187,8 @@ def _write(grid: Grid, table: Table, out: Path, *, parquet: bool) -> tuple[Path,
 
 def _name(out: Path, keys: Mapping[Point, str]) -> None:
     """Links to what the grid's points left, by their names; those of another grid go."""
-    for folder in _NAMED.values():
-        for old in (out / folder).glob("*"):
+    for name in _NAMED.values():
+        for old in (out / name).glob("*"):
             if old.is_symlink():
                 old.unlink()
     taken: set[Path] = set()
