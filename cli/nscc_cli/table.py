@@ -24,6 +24,7 @@ COMMANDS = {
     "calibrate": "Measure a sensor from flat and dark frames.",
     "device": "Talk to a chip at a serial port, or stand in for one.",
     "tradeoff": "Measure what more time buys.",
+    "sweep": "Compute every point of a grid, on many processors.",
     "train": "Learn shutters together with a decoder.",
     "reconstruct": "Make a picture or a clip of a frame.",
     "metrics": "Compare a reconstruction with the truth.",

@@ -93,7 +93,8 @@ def command(**options: Any) -> int:
     from nscc_training.tradeoff.sensor import Settings, measure, refusals_text
 
     files = output_files(options)
-    settings = Settings(**{field.name: options[field.name] for field in fields(Settings)})
+    named = {field.name for field in fields(Settings)} & options.keys()
+    settings = Settings(**{name: options[name] for name in named})
     say_compiling(denoise, "the loop of total variation")
     found = measure(settings, lambda todo: progress(todo, "capturing"))
     if found.points:
