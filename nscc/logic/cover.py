@@ -134,7 +134,8 @@ class Covers:
         if outside & ~union(values[i] for i in zeros):
             return None
         # What alone keeps out a part of `outside` stays: whatever goes, it does so ever after.
-        free, kept, once, twice = list(zeros), [], 0, 0
+        free, once, twice = list(zeros), 0, 0
+        kept: list[int] = []
         while True:
             self.budget.spend((len(free) + len(kept)) * (1 + self.everything.bit_length() // 512))
             covered, again = once, twice  # by at least one literal, by at least two
