@@ -46,6 +46,8 @@ def analyse(
     scope = constants_scope(declared, constants)
     fields = make_fields(declared, scope, books, problems)
     requires, rules = _check_rules(declared, constants, problems)
+    if chosen is not None and chosen.streamed and declared.looking:
+        _refuse_looking(declared, chosen, problems)
     looking = make_looking(declared, constants, chosen, problems)
     planes = make_planes(declared, fields, constants, chosen, base, problems)
     problems.stop_on_errors()
@@ -83,6 +85,23 @@ def target_of(declared: Declarations, base: Path, problems: Problems) -> Target 
     except Rejected as rejected:
         problems.adopt(rejected, span)
         return None
+
+
+def _refuse_looking(declared: Declarations, target: Target, problems: Problems) -> None:
+    """NS0510, for pixels that look at the light on a chip without logic; nothing else is said."""
+    looking = (*declared.senses.values(), *declared.states.values(), *declared.nexts.values())
+    statements = [*looking, *([declared.reset] if declared.reset else [])]
+    spans = (*(each.span for each in statements), *(name.span for name in declared.reads.values()))
+    place = min(spans, key=lambda span: span.start)
+    problems.error(
+        "NS0510",
+        f"the pixels of {target.name} have no logic: they neither look at light nor keep states",
+        place,
+        "needs a processor in every pixel",
+        notes=("light goes to a tap by a bit that is sent for every slot, known before it falls",),
+        helps=("compile for such a chip: `target scamp5`", "or give every pixel a fixed shutter"),
+    )
+    problems.stop_on_errors()
 
 
 def _check_rules(
