@@ -18,8 +18,10 @@ from nscc.editing.hints import hints
 from nscc.editing.hover import hover
 from nscc.editing.outline import outline
 from nscc.editing.rename import CannotRename, renamed
+from nscc.lower.resources import time_text
 from nscc.pipeline import Options
 from nscc.source import Source, Span
+from nscc.target.load import builtin_target
 
 ROOT = Path(__file__).parents[2]
 STOPS = """nsl 1
@@ -134,6 +136,17 @@ def test_slots_cost_what_the_words_say() -> None:
     assert frame.text.startswith(f"{sum(counts)} words a frame, shortest slot ")
     assert STOPS[: frame.offset].endswith("4ms]")
     assert (most.text, STOPS[: most.offset].endswith("1 + 2")) == ("= 3", True)
+
+
+def test_planes_cost_what_their_rows_take() -> None:
+    """A row after the other, each in the time that the chip's table gives it."""
+    chip = builtin_target("dual-tap")
+    load_us = chip.rows * chip.row_load_us
+    text = "nsl 1\ntarget dual-tap\nframe slots [1ms, 2ms]\nopen when n < 1\n"
+    (hint,) = hints(document(text))
+    assert hint.text == f"2 planes a frame, shortest slot {time_text(load_us)}"
+    assert f"2 planes of {chip.rows} x {chip.cols} bits a frame" in told(text, "slots")
+    assert f"loaded in {time_text(load_us)} or {load_us / 20:.2g} %" in told(text, "2ms")
 
 
 def test_the_outline() -> None:
