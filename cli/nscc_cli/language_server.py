@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TypeVar
@@ -36,7 +36,6 @@ from nscc_cli.positions import Positions
 
 Answer = TypeVar("Answer")
 AnyText = TypeVar("AnyText", bound=Text)
-At = types.TextDocumentPositionParams
 
 _REQUEST_FAILED = -32803
 """LSPErrorCodes.RequestFailed: what was asked cannot be done, and nobody is at fault."""
@@ -131,7 +130,8 @@ def _texts(server: Server) -> None:
     @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)
     def did_change(params: types.DidChangeTextDocumentParams) -> None:
         changed = params.text_document
-        server.take(changed.uri, params.content_changes[-1].text, changed.version)
+        for whole in params.content_changes[-1:]:
+            server.take(changed.uri, whole.text, changed.version)
 
     @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)
     def did_close(params: types.DidCloseTextDocumentParams) -> None:
@@ -236,7 +236,7 @@ def _changes(server: Server) -> None:
             if better is not None:
                 edit = values.edits(uri, [(_whole(document), better)], positions)
                 found.append(types.CodeAction("Make every sure fix", _FIX_ALL, edit=edit))
-            return [each for each in found if only is None or each.kind in only]
+            return [each for each in found if only is None or _is_of(each.kind, only)]
 
         return await server.ask(params.text_document.uri, offered)
 
@@ -268,6 +268,11 @@ def _changes(server: Server) -> None:
             return values.edits(params.text_document.uri, changes, positions)
 
         return await _or_refused(server.ask(params.text_document.uri, edit))
+
+
+def _is_of(kind: str | None, wanted: Sequence[str]) -> bool:
+    """Whether a kind of action is one of those wanted: `source` stands for `source.fixAll`."""
+    return kind is not None and any((kind + ".").startswith(each + ".") for each in wanted)
 
 
 def _whole(document: Document) -> Span:

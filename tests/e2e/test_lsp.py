@@ -92,6 +92,12 @@ async def messages_come_as_one_types(client: LanguageClient, tmp_path: Path) -> 
     (edit,) = fix.edit.changes[text.uri]
     assert (edit.range, edit.new_text) == (wrong.range, "stop")
     assert not fix.is_preferred
+    mended = "nsl 1\nframe 8 slots of 1ms\nopen when true\n"
+    await text.write(mended.replace("1ms", "1 ms"))
+    only = types.CodeActionContext([], only=["source"])
+    everything = types.CodeActionParams(text.asked, text.whole(), only)
+    (mend,) = await client.text_document_code_action_async(everything)
+    assert [edit.new_text for edit in mend.edit.changes[text.uri]] == [mended]
     client.text_document_did_close(types.DidCloseTextDocumentParams(text.asked))
     said = await client.wait_for_notification("textDocument/publishDiagnostics")
     assert (said.uri, list(said.diagnostics)) == (text.uri, [])
