@@ -183,16 +183,17 @@ def _looking(
     from nscc_runtime.noise.loops import fill_normals
     from nscc_runtime.reference.looks import looking_frames
 
-    seeds = {"seed": request.seed, "device_seed": request.device_seed}
-    count = request.repeat or 1
+    seed, device_seed, count = request.seed, request.device_seed, request.repeat or 1
     if request.effects.noiseless:
         _say_compiling(listener, run_ways.is_compiled(), "emulator")
         return frames(
-            container, light, sensor, request.effects, **seeds, count=count,
-            threads=request.threads,
+            container, light, sensor, request.effects,
+            seed=seed, device_seed=device_seed, count=count, threads=request.threads,
         )  # fmt: skip
     _say_compiling(listener, fill_normals.is_compiled(), "noise")
-    return looking_frames(container, light, sensor, request.effects, **seeds, count=count)
+    return looking_frames(
+        container, light, sensor, request.effects, seed=seed, device_seed=device_seed, count=count
+    )
 
 
 def _planned(
