@@ -38,6 +38,8 @@ Values = NDArray[np.float64]
 
 LIGHT, DEVIATION = "light_e_per_s", "light_sd_e_per_s"
 """The keys of the frame file: (buckets, rows, cols), electrons a second."""
+OPEN = "open_slots"
+"""The key of how many slots each bucket was open (buckets, rows, cols)."""
 
 _READS, _WORDS = 2, 4
 """An exposure is PIX less its reset level: each is read once, and copied by two words."""
@@ -67,7 +69,7 @@ def told_by(
     slots, open_us = open_times(machine, behaviour, found)
     states = {f"states_{name}": each for name, each in found.items()}
     light = light_of(frame, open_us, container, sensor, effects)
-    return {**states, "open_slots": slots, **light}
+    return {**states, OPEN: slots, **light}
 
 
 def open_us_of(container: Container, told: Mapping[str, NDArray[Any]]) -> Values:
@@ -138,7 +140,7 @@ def light_of(
     dark_e = _dark_e_per_s(sensor, effects) * open_s
     electrons = held_e / gain
     light_e = electrons - dark_e
-    variance = _variance_e2(np.maximum(electrons, 0.0), gain, sensor, effects)
+    variance = variance_e2(np.maximum(electrons, 0.0), gain, sensor, effects)
     deviation = np.where(frame.saturated, np.inf, np.sqrt(variance) / open_s)
     deviation[np.isnan(open_s)] = np.nan
     return {LIGHT: light_e / open_s, DEVIATION: deviation}
@@ -177,7 +179,7 @@ def _dark_e_per_s(sensor: Sensor, effects: Selection) -> float:
     return 0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean())
 
 
-def _variance_e2(electrons: Values, gain: Values, sensor: Sensor, effects: Selection) -> Values:
+def variance_e2(electrons: Values, gain: Values, sensor: Sensor, effects: Selection) -> Values:
     """Of the estimate, in square electrons on PIX."""
     found = np.full(electrons.shape, sensor.electrons_per_lsb**2 / 12.0)
     converter = effects.part(Converter)

@@ -137,7 +137,9 @@ def simulate(
 ) -> Simulated:
     """Expose the scene. Raises Rejected where the program, the scene or the plan is unfit."""
     listener = listener or Listener()
-    if request.planned:
+    if container.target.streamed and not request.effects.noiseless:
+        return _streamed(container, light, sensor, request, listener)
+    if request.planned and not container.target.streamed:
         return _planned(container, light, sensor, request, listener)
     with listener.timings.part("expose_s"):
         frame = _exact(container, light, sensor, request, listener)
@@ -146,6 +148,37 @@ def simulate(
     plan = frame_file.unplanned(request.effects, light.motion is not None)
     seeds = request.seed, request.device_seed
     return Simulated(frame, Provenance(digest, sensor, *seeds, fidelity, plan), request.effects)
+
+
+def _streamed(
+    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
+) -> Simulated:
+    """A chip without logic: plane by plane, with all effects that were named and that it has."""
+    from nscc_runtime.noise.loops import fill_normals
+    from nscc_runtime.reference.stream import absent_effects, stream_frames
+
+    if request.plan is not None or request.audit:
+        option = "--plan" if request.plan is not None else "--audit"
+        raise rejected(
+            "NS0750",
+            f"{option} needs a plan, and a chip that is sent planes of bits has none",
+            notes=("light is sorted slot by slot, with every effect that is on",),
+            helps=(f"leave {option} out: nothing is approximated",),
+        )
+    _say_compiling(listener, fill_normals.is_compiled(), "noise")
+    absent = absent_effects(container, request.effects)
+    effects = request.effects.without(*absent)
+    with listener.timings.part("expose_s"):
+        made = stream_frames(
+            container, light, sensor, effects,
+            seed=request.seed, device_seed=request.device_seed, count=request.repeat or 1,
+        )  # fmt: skip
+        frame = _gathered(made, request.repeat, listener)
+    digest = sha256(to_bytes(container)).hexdigest()
+    plan = frame_file.unplanned(request.effects, light.motion is not None, absent)
+    plan["slot_loop_reasons"] = ["light is sorted slot by slot, as planes of bits say"]
+    seeds = request.seed, request.device_seed
+    return Simulated(frame, Provenance(digest, sensor, *seeds, "reference", plan), effects)
 
 
 def _exact(

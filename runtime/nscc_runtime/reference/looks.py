@@ -24,11 +24,11 @@ from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
-from nscc_runtime.emulator.capture import check
+from nscc_runtime.emulator.capture import check, check_size
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
@@ -39,6 +39,7 @@ from nscc_runtime.reference.charge import charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.sensor import default_sensor
 
 Values = NDArray[np.float64]
 Bits = NDArray[np.bool_]
@@ -53,7 +54,8 @@ _FIRST_BIT = 256
 
 @dataclass(frozen=True, eq=False)
 class Executed:
-    """One frame: the exposure, and the digital registers that are read or kept, as planes."""
+    """One frame: the exposure, and the digital registers that are read, kept or hold code, as
+    planes."""
 
     exposure: Exposure
     planes: Mapping[str, Bits]
@@ -70,7 +72,11 @@ class Running:
 
 @dataclass(frozen=True, eq=False)
 class LookingReference:
-    """A container with a machine, made ready. Raises Rejected for words that cannot run."""
+    """A container whose pixels compare, made ready. Raises Rejected for words that cannot run.
+
+    Without a machine (what a loader has of a program) `before` is of no use: what registers hold
+    when the frame starts are the container's own planes.
+    """
 
     container: Container
     sensor: Sensor
@@ -78,8 +84,8 @@ class LookingReference:
     kernels: tuple[tuple[Op, ...], ...] = field(init=False)
 
     def __post_init__(self) -> None:
-        if self.container.pixel_codes is None or self.container.machine is None:
-            raise ValueError("a container without pixels or without a machine")
+        if self.container.pixel_codes is None:
+            raise ValueError("a container without pixels")
         object.__setattr__(self, "kernels", decoded(self.container))
 
     @cached_property
@@ -105,6 +111,7 @@ class LookingReference:
         pace = self.intervals.paced(scene, self.effects)
         scene = self.intervals.joined(scene)
         told = {r for planes in container.state_planes.values() for r in planes.registers}
+        told |= set(container.code_registers)
         exposure = np.empty((len(container.buckets), len(rows), cols))
         saturated_by = np.empty(exposure.shape, np.uint8)
         valid = np.empty((len(rows), cols), np.bool_)
@@ -141,6 +148,19 @@ def next_planes(
     names = (state.name for state in machine.states if state.kept)
     kept = {register for name in names for register in container.state_planes[name].registers}
     return {**loaded, **{name: plane for name, plane in left.items() if name in kept}}
+
+
+def executed(
+    container: Container, light: Light, sensor: Sensor | None = None, device_seed: int = 0
+) -> Executed:
+    """One frame without effects, of a container that a loader has checked."""
+    check_size(container, light)
+    reference = LookingReference(
+        container, sensor or default_sensor(container.target), selected("none")
+    )
+    return reference.expose(
+        scene_of(container, light, None), container.planes(), (0, device_seed), 0
+    )
 
 
 def looking_frames(
