@@ -10,6 +10,7 @@ import click
 from nscc.lower.plan import LOWERINGS
 from nscc.tradeoff.points import csv_text, table_text
 from nscc_cli import options as shared
+from nscc_cli.completion import EFFECTS, TARGET
 from nscc_cli.options import COUNT, LEVEL, some_option
 from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling
 from nscc_cli.tradeoff_files import output_files, write_files
@@ -62,13 +63,14 @@ def _exposures(context: click.Context, option: click.Parameter, value: str) -> t
               help="Exposures of pixels that look, for stills, or none.")  # fmt: skip
 @some_option("--codes", _CODES, "MODE,..", "Compile for the codes in use, for every legal one.")
 @some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
-@click.option("--target", default="scamp5", show_default=True, metavar="NAME|FILE.toml",
+@click.option("--target", type=TARGET, default="scamp5", show_default=True,
+              metavar="NAME|FILE.toml",
               help="The chip.")  # fmt: skip
 @click.option("-O", "level", type=LEVEL, default=1, show_default=True,
               help="How long to search for fewer words.")  # fmt: skip
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), metavar="T", help="Capture with slots of "
               "this length instead of each configuration's shortest.")  # fmt: skip
-@click.option("--effects", default="auto", show_default=True, metavar="E",
+@click.option("--effects", type=EFFECTS, default="auto", show_default=True, metavar="E",
               help="The sensor's effects, as nscc run takes them.")  # fmt: skip
 @shared.made_scenes_option
 @click.option("--scenes", "count", type=COUNT, default=1, show_default=True,
@@ -91,7 +93,8 @@ def command(**options: Any) -> int:
     from nscc_training.tradeoff.sensor import Settings, measure, refusals_text
 
     files = output_files(options)
-    settings = Settings(**{field.name: options[field.name] for field in fields(Settings)})
+    named = {field.name for field in fields(Settings)} & options.keys()
+    settings = Settings(**{name: options[name] for name in named})
     say_compiling(denoise, "the loop of total variation")
     found = measure(settings, lambda todo: progress(todo, "capturing"))
     if found.points:

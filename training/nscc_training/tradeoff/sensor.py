@@ -25,7 +25,7 @@ from nscc.tradeoff.synthesis import Case, Way, compiled_or_not
 from nscc.words.container import Container
 from nscc_runtime import capture
 from nscc_runtime.light import Light
-from nscc_runtime.sensor import Sensor, default_sensor
+from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_training.baselines.sci import gap_tv
 from nscc_training.design.chip import Chip as DesignChip
 from nscc_training.encoders import ShutterSpec, make_encoder
@@ -59,8 +59,9 @@ class Settings:
     """What to compare: `classes` in `slots` for clips, class b in `stop_slots` for stills, and for
     these pixels that look, with so many exposures (`looks`).
 
-    The most of `slots` is a multiple of each of them: it is the number of a clip's frames.
-    `slot_us` is what captures are made at, None for the shortest slot of each configuration.
+    A clip has `frames`, a multiple of all `slots`; None: the most of them. `slot_us` is what
+    captures are made at, None for the shortest slot of each configuration. `sensor` is a file, by
+    default that of every default, and `changes` are NAME=VALUE on top of it.
     """
 
     classes: tuple[str, ...]
@@ -76,6 +77,9 @@ class Settings:
     data: Path | None
     count: int
     seed: int
+    frames: int | None = None
+    sensor: Path | None = None
+    changes: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -276,8 +280,8 @@ class _Bench:
 
 
 def _bench(kind: Kind, target: Target, settings: Settings) -> _Bench:
-    sensor = default_sensor(target)
-    size, frames = max(target.rows, target.cols), max(settings.slots, default=1)
+    sensor = load_sensor(target, settings.sensor, settings.changes)
+    size, frames = max(target.rows, target.cols), settings.frames or max(settings.slots, default=1)
     protocol = protocol_of(kind, size, frames, sensor.full_well_e)
     shown = tuple(
         replace(scene, light_e=scene.light_e[..., : target.rows, : target.cols])
