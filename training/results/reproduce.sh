@@ -42,6 +42,7 @@ baseline() {
 for name in ldr best-uniform best-uniform-mu quad random sparse-coding; do
     baseline "$name" hdr-v1 data/hdr_test
 done
+nscc evaluate looks --data data/hdr_test --results results
 for seed in 0 1 2; do
     set_seed=(--set train.seed=$seed)
     fixed=(--set shutter.learn=false)

@@ -15,7 +15,7 @@ from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import load_run
 
 _OF_PROTOCOL = {
-    "hdr-v1": (*hdr_baselines.BASELINES, *hdr_looks.ROWS),
+    "hdr-v1": (*hdr_baselines.BASELINES, *hdr_looks.LOOKING),
     "video-v1": video_baselines.BASELINES,
 }
 
@@ -36,7 +36,7 @@ def evaluate(
     known = _OF_PROTOCOL.get(chosen.name, ())
     if subject in known:
         if chosen.name == "hdr-v1":
-            if subject in hdr_looks.ROWS and not codes:
+            if subject in hdr_looks.LOOKING and not codes:
                 return hdr_looks.evaluate_looks(subject, data, seed)
             return hdr_baselines.evaluate_hdr_baseline(subject, data, seed, codes)
         return video_baselines.evaluate_video_baseline(subject, data, seed, codes)
