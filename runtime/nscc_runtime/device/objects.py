@@ -31,6 +31,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.target.load import target_dict
 from nscc.target.target import Target
 from nscc.words.container import Container, state_registers
+from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, Entry
 
 MOST_TIMES = (1 << 16) - 1
@@ -121,7 +122,15 @@ def target_digest(target: Target) -> bytes:
 
 
 def upload_of(container: Container, label: bytes) -> Upload:
-    """The objects of a container with pixels (NS0741 without); `label` is 32 bytes."""
+    """The objects of a container with pixels (NS0741 without); `label` is 32 bytes.
+
+    Raises Rejected: NS0510 for a program that has planes instead of words.
+    """
+    refuse_planes(
+        container.target,
+        "the loader takes words, and cannot be sent this program",
+        "`nscc build --emit planes` writes an .npz for a driver of the chip",
+    )
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",
