@@ -30,7 +30,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.target.load import target_dict
 from nscc.target.target import Target
-from nscc.words.container import Container
+from nscc.words.container import Container, state_registers
 from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, Entry
 
@@ -183,14 +183,6 @@ def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
     bits = np.frombuffer(data, np.uint8)
     flat = np.unpackbits(bits, count=shape[0] * shape[1], bitorder="little")
     return flat.view(np.bool_).reshape(shape)
-
-
-def state_registers(container: Container) -> tuple[str, ...]:
-    """The digital registers of which a host makes the states that are read, in their order."""
-    machine = container.machine
-    read = [state.name for state in machine.states if state.read] if machine else []
-    held = (r for name in read for r in container.state_planes[name].registers)
-    return tuple(dict.fromkeys(held))
 
 
 def _readouts(container: Container) -> bytes:
