@@ -155,7 +155,7 @@ def _bench(values: Values) -> Figures:
 
 EMULATE = PointKind(
     "emulate", "what the emulated chip captures of a scene, and what can be made of it", _keys,
-    _emulate, "mean_e", _reads, fault=_fault,
+    _emulate, ("psnr_db", "mean_e"), _reads, fault=_fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
 )  # fmt: skip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import MISSING
 from functools import cache
 from pathlib import Path
 
@@ -20,7 +21,7 @@ _CONFIG = "config"
 
 @cache
 def _keys() -> tuple[Key, ...]:
-    settings = (Key("", key.path, Axis(key.kind), key.meaning) for key in SCHEMA.keys)
+    settings = (Key("", key.path, Axis(key.kind), key.meaning, MISSING) for key in SCHEMA.keys)
     return (axis(_CONFIG, Text(), "a configuration of nscc train"), *settings)
 
 
@@ -77,7 +78,7 @@ def _train(values: Values, place: Place) -> Figures:
 
 TRAIN = PointKind(
     "train", "a run of nscc train; its validation, and its folder under runs", _keys, _train,
-    "psnr_db", _reads, fault=_fault, packages=("nscc", "nscc_runtime", "nscc_training"),
+    ("psnr_db",), _reads, fault=_fault, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves="",
 )  # fmt: skip
