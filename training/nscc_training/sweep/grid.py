@@ -235,5 +235,6 @@ def _spelled(value: Any) -> str:
     """A value as a part of a file's name."""
     parts: Sequence[Any] = value if isinstance(value, tuple) else (value,)
     text = "x".join(f"{part:g}" if isinstance(part, float) else str(part) for part in parts)
+    text = text.lower() if isinstance(value, bool) else text
     text = Path(text).stem if text.endswith((".nsl", ".toml")) else text
     return "".join(c if c.isalnum() or c in "+-." else "-" for c in text)[:40]

@@ -17,6 +17,7 @@ from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
 from nscc_training.sweep.programs import axis
 
 _CONFIG = "config"
+_STAGES = ("soft", "hard", "compiled", "emulated")
 
 
 @cache
@@ -70,7 +71,7 @@ def _train(values: Values, place: Place) -> Figures:
     return {
         "psnr_db": as_trained["psnr_db"],
         "ssim": as_trained["ssim"],
-        **{f"{stage}_db": value for stage, value in result["stages"].items() if stage != "note"},
+        **{f"{stage}_db": result["stages"][stage] for stage in _STAGES},
         "words_a_slot": result["words_per_slot"],
         "parameters": result["parameters"],
     }
