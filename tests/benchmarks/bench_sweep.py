@@ -15,7 +15,7 @@ import subprocess
 import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from time import perf_counter, sleep
+from time import perf_counter
 
 POINTS = 200
 WORKERS = 2
@@ -47,47 +47,38 @@ def main() -> int:
         grid.write_text(GRID.format(slots=slots))
         serial_s, _ = swept(grid, 0)
         two_s, between_s = swept(grid, WORKERS)
-        work_s = [float(row["seconds"]) for row in times(grid.with_name("2"))]
-        same = all((grid.with_name(out) / "table.csv").read_bytes()
-                   == (grid.with_name("0") / "table.csv").read_bytes() for out in "02")  # fmt: skip
+        work_s = [float(row["seconds"]) for row in times(grid.with_name(str(WORKERS)))]
+        tables = {(grid.with_name(out) / "table.csv").read_bytes() for out in ("0", str(WORKERS))}
     ratio = serial_s / two_s
     overhead_ms = (between_s * WORKERS - sum(work_s)) / len(work_s) * 1e3
     print(f"{len(work_s)} points, of {min(work_s):.2f} to {max(work_s):.2f} s each")
     print(f"serial {serial_s:.1f} s, {WORKERS} workers {two_s:.1f} s: x {ratio:.2f} "
           f"(goal: {LEAST_RATIO})")  # fmt: skip
     print(f"overhead {overhead_ms:.1f} ms a point (goal: at most {MOST_OVERHEAD_MS:g})")
-    print(f"the same table: {'yes' if same else 'NO'}")
-    met = ratio >= LEAST_RATIO and overhead_ms <= MOST_OVERHEAD_MS and same
+    print(f"the same table: {'yes' if len(tables) == 1 else 'NO'}")
+    met = ratio >= LEAST_RATIO and overhead_ms <= MOST_OVERHEAD_MS and len(tables) == 1
     if min(work_s) < LEAST_WORK_S:
         print(f"points of less than {LEAST_WORK_S} s say little of what the goals are about")
     return 0 if met else 1
 
 
 def swept(grid: Path, workers: int) -> tuple[float, float]:
-    """Seconds of the whole command, and of the time in which it computed points."""
+    """Seconds of the whole command, and those between its first point's begin and its last's end."""
     out = grid.with_name(str(workers))
     arguments = ["sweep", str(grid), "--out", str(out), "--workers", str(workers)]
     begin = perf_counter()
-    process = subprocess.Popen(
-        [sys.executable, "-m", "nscc_cli", *arguments], stderr=subprocess.DEVNULL
+    subprocess.run([sys.executable, "-m", "nscc_cli", *arguments], check=True, capture_output=True)
+    whole_s = perf_counter() - begin
+    ended_s = [float(row["ended_s"]) for row in times(out)]
+    return whole_s, max(ended_s) - min(
+        end_s - float(row["seconds"]) for end_s, row in zip(ended_s, times(out), strict=True)
     )
-    first = None
-    while process.poll() is None:
-        if first is None and (out / "times.csv").is_file() and times(out):
-            # The first row comes when the first point is done, which began that much earlier.
-            first = perf_counter() - float(times(out)[0]["seconds"])
-        last = perf_counter()
-        sleep(0.01)
-    if process.returncode or first is None:
-        raise SystemExit("the sweep failed")
-    rows_done = (out / "rows.jsonl").stat().st_mtime - (out / "table.csv").stat().st_mtime
-    return perf_counter() - begin, last + rows_done - first
 
 
 def times(out: Path) -> list[dict[str, str]]:
-    """What a sweep wrote about its points so far."""
+    """What a sweep wrote about its points."""
     with open(out / "times.csv", newline="") as file:
-        return [row for row in csv.DictReader(file) if row["worker"]]
+        return [*csv.DictReader(file)]
 
 
 if __name__ == "__main__":

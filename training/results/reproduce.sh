@@ -50,9 +50,24 @@ for other in random quad; do
     over all vid_${other}_@ vid_learned_@ psnr_db
     over all u3_d_${other}_@ u3_d_learned_@ psnr_db
 done
-over all stills_best-uniform-mu hdr_learned_@ mu_psnr_db
-over all clips_bilinear vid_learned_@ psnr_db
-over all clips_bilinear u3_d_learned_@ psnr_db
+over all best-uniform-mu hdr_learned_@ mu_psnr_db
+over all bilinear vid_learned_@ psnr_db
+over all bilinear u3_d_learned_@ psnr_db
+
+# What moving single edges would cost the pattern's decoder, and the pictures.
+python "$here"/moves.py all/runs/vid_quad_0
+show=shown
+still() { nscc evaluate "$1" --data data/hdr_test --protocol hdr-v1 --save "$show/$2" >/dev/null; }
+film() { nscc evaluate "$1" --data data/clips --protocol video-v1 --save "$show/$2" >/dev/null; }
+for name in ldr best-uniform-mu; do still $name $name; done
+for name in hdr_quad_0 hdr_learned_0; do still all/runs/$name $name; done
+film bilinear bilinear
+for name in vid_random_0 vid_quad_0 vid_learned_0; do film all/runs/$name $name; done
+python "$here"/figure.py hdr.png vestibule_1k_128_0 studio_small_05_1k_128_0 -- \
+    "always open=$show/ldr" "best uniform=$show/best-uniform-mu" "2 x 2=$show/hdr_quad_0" "learned=$show/hdr_learned_0"
+python "$here"/figure.py clips.png cvvdp_ferris_0 runner_0 -- "bilinear=$show/bilinear" \
+    "random=$show/vid_random_0" "2 x 2=$show/vid_quad_0" "learned=$show/vid_learned_0"
+
 mkdir -p tables/hdr tables/video
 ln -sf "$PWD"/data/hdr_test/* tables/hdr/
 ln -sf "$PWD"/data/clips/* tables/video/
