@@ -78,9 +78,11 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     still = protocol.name == "hdr-v1"
     encoder = _encoder(chosen, chip, target, seed)
     if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
-        # Codes of so many bits cannot be: the compiler says why.
-        one = np.zeros(encoder.spec.tile, np.int64)
-        programs.compiled(programs.program(encoder.spec, {"bits": one}, chip), chip)
+        error = ValueError(
+            f"class e is learned with at most {MOST_BITS} slots, a bit each in one number; a codebook "
+            "has shutters of any length"
+        )
+        raise _wrong("shutter.slots", error)
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     sensor = default_sensor(target)
     if settings.sensor.file:
