@@ -229,9 +229,9 @@ def _limit_codes(rules: Rules, codes: int) -> None:
     needed = codes * buckets * rules.slots
     if needed > PROOF_LIMIT:
         in_buckets = f"{counted(buckets, 'bucket')} x " if buckets != 1 else ""
-        of_codes = counted(codes, "code")
-        values = f"{needed} values"
-        if needed >= UNCOUNTED:
+        if needed < UNCOUNTED:
+            of_codes, values = counted(codes, "code"), f"{needed} values"
+        else:
             of_codes = f"2^{codes.bit_length() - 1} codes or more"
             values = f"2^{needed.bit_length() - 1} values or more"
         size = f"{of_codes} x {in_buckets}{counted(rules.slots, 'slot')}"

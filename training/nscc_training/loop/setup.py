@@ -78,11 +78,8 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     still = protocol.name == "hdr-v1"
     encoder = _encoder(chosen, chip, target, seed)
     if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
-        error = ValueError(
-            f"class e is learned with at most {MOST_BITS} slots, a bit each in one number; a codebook "
-            "has shutters of any length"
-        )
-        raise _wrong("shutter.slots", error)
+        most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
+        raise _wrong("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     sensor = default_sensor(target)
     if settings.sensor.file:
