@@ -13,6 +13,7 @@ from nscc.columns import columns
 from nscc.target.load import DEFAULT_NAME, load_target, target_names, target_toml
 from nscc.target.target import Target, schema_of
 from nscc.toml.schema import Key
+from nscc_cli.completion import TARGET
 from nscc_cli.options import LEVEL
 from nscc_cli.support import CommonCommand, progress
 
@@ -35,7 +36,7 @@ def _checked_times(
 
 
 @click.command(name="targets", cls=CommonCommand)
-@click.argument("name", required=False, metavar="[NAME|FILE.toml|FILE.nsl]")
+@click.argument("name", required=False, type=TARGET, metavar="[NAME|FILE.toml|FILE.nsl]")
 @click.option("--toml", is_flag=True, help="Print a complete file that --target accepts.")
 @click.option("--limits", is_flag=True, help="Compile every class at growing sizes: what fits, "
               "what cannot, what is unknown.")  # fmt: skip

@@ -62,17 +62,18 @@ def survey(
         "--limits has nothing to find",
         f"any shutter fits slots of {time_text(target.plane_load_us)}: only the time limits it",
     )
-    options = replace(options, target=target, codes="open")
     found = []
     for slot in slots:
         for family in families():
-            found.append((yield from _limit(family, target, options, slot)))
+            found.append((yield from limit_of(family, target, options, slot)))
     return found
 
 
-def _limit(
+def limit_of(
     family: Family, target: Target, options: Options, slot: str
 ) -> Generator[Trial, None, Limit]:
+    """The same for one family at one slot length; every legal code is compiled."""
+    options = replace(options, target=target, codes="open")
     capacity = impossible_from(family.shutters, target)
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
     sizes = candidates(family.shutters, family.least, most)

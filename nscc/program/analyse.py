@@ -38,7 +38,7 @@ def analyse(
     """
     problems = Problems(source)
     declared = gather(tree, problems)
-    chosen = target or _load_target(declared, base, problems)
+    chosen = target or target_of(declared, base, problems)
     constants = resolve_constants(declared, chosen, problems)
     frame = None
     if declared.frame is not None:
@@ -73,7 +73,8 @@ def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int
     return {part.name: (part.low, part.high) for part in sound}
 
 
-def _load_target(declared: Declarations, base: Path, problems: Problems) -> Target | None:
+def target_of(declared: Declarations, base: Path, problems: Problems) -> Target | None:
+    """The chip that a file is for; None after reporting why it cannot be had."""
     from nscc.target.load import DEFAULT_NAME, load_target
 
     match declared.target:

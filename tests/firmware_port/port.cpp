@@ -51,4 +51,12 @@ bool port_scan(const areg_t &reg, uint8_t *codes) {
     return true;
 }
 
+bool port_scan_bits(const dreg_t &reg, uint8_t *bits) {
+    std::printf("scan_bits %s\n", reg.name);
+    for (int byte = 0; byte < target::rows * target::cols / 8; ++byte) {
+        *bits++ = uint8_t(7 * byte + reg.name[1]);
+    }
+    return true;
+}
+
 }  // namespace nscc

@@ -11,6 +11,16 @@ struct Readout {
     double gain;
 };
 
+// What a frame holds, in this order: the codes of all readouts, their exposures, then the planes of
+// digital registers, of those channels that are asked for.
+struct Contents {
+    const Readout *readouts;
+    uint32_t readout_count;
+    const uint8_t *states;          // digital registers
+    uint32_t state_count;
+    uint8_t channels;
+};
+
 // Writes the code planes back before they fade; a layer that takes long over a plane calls it.
 class Refresher {
 public:
@@ -33,16 +43,17 @@ public:
     // The light of so many slots falls, until `wait_us` after the words before have ended.
     virtual void pass(uint32_t slots, double wait_us) = 0;
     virtual void run(const uint32_t (*words)[5], uint32_t count) = 0;
+    // IN is so many steps from here on, and `target::in_settle_us` pass until words may read it.
+    virtual void set_in(int16_t steps) = 0;
     // Ends the frame. `frame` stays as it is until `exposing` says that it has been written.
-    virtual void read_out(const Readout *readouts, uint32_t count, uint8_t channels,
-                          uint8_t *frame, uint32_t size) = 0;
+    virtual void read_out(const Contents &contents, uint8_t *frame, uint32_t size) = 0;
     virtual Exposing exposing() = 0;
 
 protected:
     ~Board() = default;
 };
 
-constexpr uint8_t codes_channel = 1, exposure_channel = 2;
+constexpr uint8_t codes_channel = 1, exposure_channel = 2, states_channel = 4;
 
 }  // namespace nscc
 

@@ -29,11 +29,12 @@ Verdict Loader::capture(const Packet &packet) {
             return refused(BUSY_NOW);
         }
         const uint8_t channels = packet.body[8];
-        const uint8_t possible = codes_channel | (limits::exact ? exposure_channel : 0);
-        if (channels == 0 || (channels & ~possible) != 0) {
+        const uint8_t possible =
+            codes_channel | states_channel | (limits::exact ? exposure_channel : 0);
+        const uint32_t length = program_.frame_bytes(channels);
+        if (length == 0 || (channels & ~possible) != 0) {
             return refused(MALFORMED, channels);
         }
-        const uint32_t length = program_.frame_bytes(channels);
         if (length > limits::most_frame) {
             return refused(TOO_LARGE, length);
         }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr uint32_t most_slots = 1u << 20, most_launches = 1u << 20;
 constexpr double longest_slot_us = 1e15;
+constexpr int16_t as_it_is = -32768;    // a level that leaves IN alone
 
 bool finite(double value) { return value - value == 0; }
 
@@ -44,6 +45,7 @@ private:
 void Program::forget() {
     has_readouts_ = has_kernels_ = has_schedule_ = false;
     readout_count_ = kernel_count_ = slots_ = run_count_ = row_count_ = planes_ = 0;
+    level_count_ = state_count_ = 0;
     for (bool &held : held_) {
         held = false;
     }
@@ -60,6 +62,8 @@ uint8_t *Program::room_for(uint8_t kind, uint32_t length, Verdict &verdict) {
             break;
         case SCHEDULE_ROWS: at = schedule_raw_, room = sizeof schedule_raw_; break;
         case CODE_PLANE: at = plane_raw_, room = sizeof plane_raw_; break;
+        case LEVELS: at = levels_raw_, room = sizeof levels_raw_; break;
+        case STATES: at = states_raw_, room = sizeof states_raw_; break;
         default: verdict = refused(MALFORMED, kind); return nullptr;
     }
     verdict = length <= room ? fine : refused(TOO_LARGE, length);
@@ -72,6 +76,8 @@ Verdict Program::accept(uint8_t kind, uint8_t reg, uint32_t length) {
         case KERNELS: return accept_kernels(length);
         case SCHEDULE_ROWS: return accept_schedule(length);
         case CODE_PLANE: return accept_plane(reg, length);
+        case LEVELS: return accept_levels(length);
+        case STATES: return accept_states(length);
         default: return refused(MALFORMED, kind);
     }
 }
@@ -234,10 +240,62 @@ Verdict Program::accept_schedule(uint32_t length) {
             return refused(SCHEDULE, 4);
         }
     }
+    if (level_count_ > 0 && level_count_ != rows) {
+        return refused(SCHEDULE, 5);
+    }
     slots_ = slots;
     run_count_ = runs;
     row_count_ = rows;
     has_schedule_ = true;
+    return fine;
+}
+
+// A level for each row of the schedule that is to come.
+Verdict Program::accept_levels(uint32_t length) {
+    has_schedule_ = false;
+    level_count_ = 0;
+    Reader reader(levels_raw_, length);
+    uint32_t count;
+    if (!reader.take_count(count)) {
+        return refused(SCHEDULE, reader.at());
+    }
+    if (count > limits::most_rows) {
+        return refused(TOO_LARGE, count);
+    }
+    const uint8_t *first = reader.take(2 * count);
+    if (!first || !reader.ended()) {
+        return refused(SCHEDULE, reader.at());
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        const int16_t level = int16_t(get16(first + 2 * i));
+        if (level != as_it_is && (level < target::in_low || level > target::in_high)) {
+            return refused(SCHEDULE, 6);
+        }
+    }
+    level_count_ = count;
+    return fine;
+}
+
+Verdict Program::accept_states(uint32_t length) {
+    state_count_ = 0;
+    Reader reader(states_raw_, length);
+    uint32_t count;
+    if (!reader.take_count(count)) {
+        return refused(READOUT, reader.at());
+    }
+    if (count > target::digital_count) {
+        return refused(READOUT, count);
+    }
+    const uint8_t *first = reader.take(count);
+    if (!first || !reader.ended()) {
+        return refused(READOUT, reader.at());
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        if (first[i] >= target::digital_count) {
+            return refused(READOUT, first[i]);
+        }
+    }
+    state_count_ = count;
     return fine;
 }
 
@@ -273,7 +331,8 @@ void Program::refresh() {
 
 uint32_t Program::frame_bytes(uint8_t channels) const {
     const uint32_t each = (channels & codes_channel ? 1 : 0) + (channels & exposure_channel ? 8 : 0);
-    return readout_count_ * each * target::rows * target::cols;
+    const uint32_t states = channels & states_channel ? state_count_ * plane_bytes : 0;
+    return readout_count_ * each * target::rows * target::cols + states;
 }
 
 uint32_t Program::estimate_ms() const {
@@ -340,11 +399,18 @@ void Program::expose(uint8_t channels, uint8_t *frame) {
     };
     board_.begin_frame(schedule_raw_ + 8, run_count_);
     const uint8_t *row = schedule_raw_ + 12 + 12 * run_count_;
+    int16_t in = as_it_is;
     for (uint32_t i = 0; i < row_count_; ++i, row += 8) {
         const uint32_t slots = get32(row), kernel = get16(row + 4);
+        const int16_t level = level_count_ ? int16_t(get16(levels_raw_ + 4 + 2 * i)) : as_it_is;
         for (uint32_t times = get16(row + 6); times > 0; --times) {
             if (slots > 0) {
                 pass(slots);
+            }
+            if (level != as_it_is && level != in) {
+                board_.set_in(level);
+                in = level;
+                now_us += target::in_settle_us;
             }
             launch(kernel);
             now_us += double(busy_us_[kernel]);
@@ -353,7 +419,8 @@ void Program::expose(uint8_t channels, uint8_t *frame) {
     if (at < slots_) {
         pass(slots_ - at);
     }
-    board_.read_out(readout_, readout_count_, channels, frame, frame_bytes(channels));
+    const Contents contents = {readout_, readout_count_, states_raw_ + 4, state_count_, channels};
+    board_.read_out(contents, frame, frame_bytes(channels));
 }
 
 }  // namespace nscc

@@ -22,7 +22,7 @@ struct Verdict {
 constexpr Verdict fine = {NO_FAULT, 0};
 inline Verdict refused(Fault fault, uint32_t detail = 0) { return {fault, detail}; }
 
-enum ObjectKind : uint8_t { READOUTS = 1, KERNELS, SCHEDULE_ROWS, CODE_PLANE };
+enum ObjectKind : uint8_t { READOUTS = 1, KERNELS, SCHEDULE_ROWS, CODE_PLANE, LEVELS, STATES };
 
 class Program : public Refresher {
 public:
@@ -49,11 +49,15 @@ private:
         1 + limits::most_kernels + 5 * target::store_words;
     static constexpr uint32_t schedule_bytes =
         12 + 12 * limits::most_runs + 8 * limits::most_rows;
+    static constexpr uint32_t levels_bytes = 4 + 2 * limits::most_rows;
+    static constexpr uint32_t states_bytes = 4 + target::digital_count;
     static constexpr uint32_t plane_bytes = (uint32_t(target::rows) * target::cols + 7) / 8;
 
     Verdict accept_readouts(uint32_t length);
     Verdict accept_kernels(uint32_t length);
     Verdict accept_schedule(uint32_t length);
+    Verdict accept_levels(uint32_t length);
+    Verdict accept_states(uint32_t length);
     Verdict accept_plane(uint8_t reg, uint32_t length);
     void time_kernels();
     double setup_us() const;
@@ -62,7 +66,7 @@ private:
     Board &board_;
     bool has_readouts_ = false, has_kernels_ = false, has_schedule_ = false;
     uint32_t readout_count_ = 0, kernel_count_ = 0, slots_ = 0, run_count_ = 0, row_count_ = 0;
-    uint32_t planes_ = 0;
+    uint32_t planes_ = 0, level_count_ = 0, state_count_ = 0;
     bool held_[target::digital_count] = {};
     Readout readout_[target::analog_count];
     uint32_t first_word_[limits::most_kernels + 1];
@@ -70,6 +74,8 @@ private:
     uint8_t readouts_raw_[readouts_bytes];
     uint32_t kernels_raw_[kernels_words];
     uint8_t schedule_raw_[schedule_bytes];
+    uint8_t levels_raw_[levels_bytes];
+    uint8_t states_raw_[states_bytes];
     uint8_t plane_raw_[plane_bytes];
 };
 

@@ -8,7 +8,7 @@ namespace nscc {
 
 namespace {
 
-constexpr uint32_t light_falls = 0xffffffff;
+constexpr uint32_t light_falls = 0xffffffff, in_is_set = 0xfffffffe;
 
 void append32(std::vector<uint8_t> &to, uint32_t value) {
     uint8_t bytes[4];
@@ -76,15 +76,24 @@ void EmulatedBoard::run(const uint32_t (*words)[5], uint32_t count) {
     ++event_count_;
 }
 
-void EmulatedBoard::read_out(const Readout *readouts, uint32_t count, uint8_t channels,
-                             uint8_t *frame, uint32_t size) {
+void EmulatedBoard::set_in(int16_t steps) {
+    append32(events_, in_is_set);
+    append32(events_, uint32_t(int32_t(steps)));
+    ++event_count_;
+}
+
+void EmulatedBoard::read_out(const Contents &contents, uint8_t *frame, uint32_t size) {
     recording_ = false;
     std::vector<uint8_t> job;
-    append32(job, channels);
-    append32(job, count);
-    for (uint32_t i = 0; i < count; ++i) {
-        append32(job, readouts[i].reg);
-        append_double(job, readouts[i].gain);
+    append32(job, contents.channels);
+    append32(job, contents.readout_count);
+    for (uint32_t i = 0; i < contents.readout_count; ++i) {
+        append32(job, contents.readouts[i].reg);
+        append_double(job, contents.readouts[i].gain);
+    }
+    append32(job, contents.state_count);
+    for (uint32_t i = 0; i < contents.state_count; ++i) {
+        append32(job, contents.states[i]);
     }
     append(job, runs_);
     append32(job, uint32_t(kernels_.size()));
@@ -113,8 +122,14 @@ void EmulatedBoard::answered(const std::vector<uint8_t> &data) {
     if (state_ != Exposing::BUSY) {
         return;
     }
-    if (data.size() == 1 + size_t(size_) && data[0] == 1) {
+    const size_t planes = plane_bytes * order_.size();
+    if (data.size() == 1 + size_t(size_) + planes && data[0] == 1) {
         copy(frame_, data.data() + 1, size_);
+        const uint8_t *plane = data.data() + 1 + size_;
+        for (uint8_t reg : order_) {
+            planes_[reg].assign(plane, plane + plane_bytes);
+            plane += plane_bytes;
+        }
         state_ = Exposing::DONE;
     } else {
         state_ = Exposing::BROKEN;

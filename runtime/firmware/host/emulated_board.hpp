@@ -17,11 +17,11 @@ public:
     void begin_frame(const uint8_t *runs, uint32_t count) override;
     void pass(uint32_t slots, double wait_us) override;
     void run(const uint32_t (*words)[5], uint32_t count) override;
-    void read_out(const Readout *readouts, uint32_t count, uint8_t channels, uint8_t *frame,
-                  uint32_t size) override;
+    void set_in(int16_t steps) override;
+    void read_out(const Contents &contents, uint8_t *frame, uint32_t size) override;
     Exposing exposing() override;
 
-    // What the emulator answered: 1 and the frame, or 0.
+    // What the emulator answered: 1, the frame and what the code registers hold after it, or 0.
     void answered(const std::vector<uint8_t> &data);
 
 private:

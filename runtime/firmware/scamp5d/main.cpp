@@ -21,6 +21,7 @@ using namespace SCAMP5_PE;
 
 static_assert(target::digital_count == 13 && target::analog_count == 7, "a SCAMP-5d");
 static_assert(target::rows <= 256 && target::cols <= 256, "addresses have eight bits");
+static_assert(target::in_low >= -128 && target::in_high <= 127, "IN has eight bits");
 
 const areg_t *const analog[] = {&A, &B, &C, &D, &E, &F, &NEWS};
 const dreg_t *const digital[] = {&R0, &R1, &R2, &R3, &R4, &R5, &R6, &R7, &R8, &R9, &R10, &R11, &R12};
@@ -53,7 +54,42 @@ public:
 
     void begin_frame(const uint8_t *, uint32_t) override {}
 
-    void pass(uint32_t, double wait_us) override {
+    void pass(uint32_t, double wait_us) override { wait(wait_us); }
+
+    void run(const uint32_t (*words)[5], uint32_t count) override {
+        if (count > 0) {
+            scamp5_kernel(words, count), Run{};
+        }
+    }
+
+    void set_in(int16_t steps) override {
+        scamp5_load_in(int8_t(steps));
+        wait(target::in_settle_us);
+    }
+
+    void read_out(const Contents &contents, uint8_t *frame, uint32_t) override {
+        // Pixels that FLAG leaves out would be left out of readout.
+        run(target::flag_all, 1);
+        done_ = true;
+        if (contents.channels & codes_channel) {
+            for (uint32_t i = 0; i < contents.readout_count; ++i, frame += pixels) {
+                done_ = port_scan(*analog[contents.readouts[i].reg], frame) && done_;
+            }
+        }
+        if (contents.channels & states_channel) {
+            for (uint32_t i = 0; i < contents.state_count; ++i, frame += plane_bytes) {
+                done_ = port_scan_bits(*digital[contents.states[i]], frame) && done_;
+            }
+        }
+    }
+
+    Exposing exposing() override { return done_ ? Exposing::DONE : Exposing::BROKEN; }
+
+private:
+    static constexpr uint32_t pixels = uint32_t(target::rows) * target::cols;
+    static constexpr uint32_t plane_bytes = (pixels + 7) / 8;
+
+    static void wait(double wait_us) {
         while (wait_us > longest_wait_us) {
             vs_wait(uint32_t(longest_wait_us));
             wait_us -= longest_wait_us;
@@ -65,25 +101,6 @@ public:
         }
     }
 
-    void run(const uint32_t (*words)[5], uint32_t count) override {
-        if (count > 0) {
-            scamp5_kernel(words, count), Run{};
-        }
-    }
-
-    void read_out(const Readout *readouts, uint32_t count, uint8_t, uint8_t *frame,
-                  uint32_t size) override {
-        // Pixels that FLAG leaves out would be left out of readout.
-        run(target::flag_all, 1);
-        done_ = true;
-        for (uint32_t i = 0; i < count; ++i) {
-            done_ = port_scan(*analog[readouts[i].reg], frame + i * (size / count)) && done_;
-        }
-    }
-
-    Exposing exposing() override { return done_ ? Exposing::DONE : Exposing::BROKEN; }
-
-private:
     bool done_ = false;
 };
 

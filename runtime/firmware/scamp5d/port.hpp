@@ -24,6 +24,10 @@ uint64_t port_micros();
 // converter's code. False where it cannot.
 bool port_scan(const areg_t &reg, uint8_t *codes);
 
+// Reads a digital register of the whole array, row by row from the top left, a bit a pixel, the
+// first one in the lowest bit. False where it cannot.
+bool port_scan_bits(const dreg_t &reg, uint8_t *bits);
+
 }  // namespace nscc
 
 #endif

@@ -22,6 +22,7 @@ from struct import Struct
 from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from nscc.cache.store import cache_folder
+from nscc.words.container import Launch
 from nscc_runtime.device.board import in_background
 from nscc_runtime.device.messages import Fault
 from nscc_runtime.device.objects import RUN, WORD
@@ -31,7 +32,7 @@ from nscc_runtime.device.target_header import target_header
 if TYPE_CHECKING:
     from nscc.target.target import Target
     from nscc.words.container import Container
-    from nscc_runtime.device.board import EmulatedChip
+    from nscc_runtime.device.board import EmulatedChip, Executed
 
 PYTHON_NAME = "nscc-loader 1 (Python)"
 SOURCES = Path(__file__).resolve().parents[2] / "firmware"
@@ -40,8 +41,9 @@ CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
 
 _RECORD = Struct("<BI")
 _READOUT = Struct("<Id")
-_EVENT = Struct("<II")
+_EVENT = Struct("<Ii")
 _LIGHT_FALLS = 0xFFFF_FFFF
+_IN_IS_SET = 0xFFFF_FFFE
 _MOST_READ = 1 << 16
 _START_S = 10.0
 
@@ -172,19 +174,19 @@ class Firmware:
         """Start the loader anew."""
         self.put(b"B")
 
-    def exposure(self, job: bytes) -> bytes:
-        """The frame of what the loader's board was told to do."""
-        return self.chip.exposure(*container_of_job(job, self.target))
+    def exposure(self, job: bytes) -> Executed:
+        """What becomes of what the loader's board was told to do."""
+        return self.chip.execute(*container_of_job(job, self.target))
 
-    def answer(self, exposed: Callable[[], bytes]) -> None:
+    def answer(self, exposed: Callable[[], Executed]) -> None:
         """Tell the loader of its frame, or that there is none, whatever the reason."""
         try:
-            frame = exposed()
+            executed = exposed()
         except Exception as error:
             self.chip.report(error)
             self.put(b"R", b"\0")
         else:
-            self.put(b"R", b"\1" + frame)
+            self.put(b"R", b"\1" + executed.frame + b"".join(executed.planes.values()))
 
     def close(self) -> int:
         """End the process; its exit status, which a sanitizer makes other than 0."""
@@ -209,7 +211,7 @@ class Process(Firmware):
         self.port = found[1].decode()
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         self._unsent = b""
-        self._exposing: Future[bytes] | None = None
+        self._exposing: Future[Executed] | None = None
 
     @property
     def busy(self) -> bool:
@@ -256,14 +258,19 @@ def container_of_job(job: bytes, target: Target) -> tuple[Container, int]:
     def rows(layout: Struct) -> list[Any]:
         return list(reader.rows(layout, reader.count()))
 
-    readouts, runs = rows(_READOUT), rows(RUN)
+    readouts, states = rows(_READOUT), [reader.count() for _ in range(reader.count())]
+    runs = rows(RUN)
     kernels = [tuple(rows(WORD)) for _ in range(reader.count())]
-    launches, boundary = [], 0
-    for what, slots in rows(_EVENT):
+    launches: list[Launch] = []
+    boundary, level = 0, None
+    for what, number in rows(_EVENT):
         if what == _LIGHT_FALLS:
-            boundary += slots
+            boundary += number
+        elif what == _IN_IS_SET:
+            level = number
         else:
-            launches.append((boundary, what))
+            launches.append(Launch(boundary, what, level))
+            level = None
     plane_bytes = (target.rows * target.cols + 7) // 8
     return container_of(
         target,
@@ -271,5 +278,6 @@ def container_of_job(job: bytes, target: Target) -> tuple[Container, int]:
         kernels=kernels,
         launches=launches,
         runs=runs,
+        states=states,
         planes={reader.count(): reader.take(plane_bytes) for _ in range(reader.count())},
     ), channels

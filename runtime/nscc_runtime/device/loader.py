@@ -14,7 +14,7 @@ from typing import Protocol
 from nscc.target.target import Target
 from nscc_runtime.device import messages, packets
 from nscc_runtime.device.intake import Intake
-from nscc_runtime.device.messages import FRAME, Capability, Channel, Fault, State, bytes_a_pixel
+from nscc_runtime.device.messages import FRAME, Capability, Channel, Fault, State
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet
 from nscc_runtime.device.parsing import Held, Limits, Refusal
 
@@ -154,7 +154,7 @@ class Loader:
             most_data=MOST_DATA,
             window=self.window,
             boot=self.boot,
-            capabilities=Capability.EXACT | Capability.GAIN,
+            capabilities=Capability.EXACT | Capability.GAIN | Capability.LOOKS,
             most_words=self.limits.words,
             most_kernels=self.limits.kernels,
             most_rows=self.limits.rows,
@@ -220,9 +220,9 @@ class Loader:
             if self.exposing:
                 raise Refusal(Fault.BUSY)
             channels = capture.channels
-            if not 0 < channels <= Channel.CODES | Channel.EXPOSURE:
+            length = program.held.frame_bytes(channels, self.target)
+            if not length or channels > Channel.CODES | Channel.EXPOSURE | Channel.STATES:
                 raise Refusal(Fault.MALFORMED, channels)
-            length = self._frame_bytes(program.held, channels)
             if length > self.limits.frame_bytes:
                 raise Refusal(Fault.TOO_LARGE, length)
             self._reads.clear()
@@ -233,10 +233,6 @@ class Loader:
             raise Refusal(Fault.HARDWARE)
         return self._captured(frame, program.held)
 
-    def _frame_bytes(self, held: Held, channels: int) -> int:
-        pixels = len(held.readouts or ()) * self.target.rows * self.target.cols
-        return pixels * bytes_a_pixel(channels)
-
     def _captured(self, frame: Frame, held: Held) -> bytes:
         us = sum(count * us for count, us in held.runs or ())
         us += len(held.readouts or ()) * self.target.readout_us
@@ -246,7 +242,7 @@ class Loader:
             channels=frame.channels,
             readouts=len(held.readouts or ()),
             estimate_ms=min(int(us / 1000) + 1, 0xFFFFFFFF),
-            length=self._frame_bytes(held, frame.channels),
+            length=held.frame_bytes(frame.channels, self.target),
             started_us=frame.started_us,
             sha256=frame.digest,
         ).pack()

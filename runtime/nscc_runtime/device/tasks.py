@@ -36,9 +36,11 @@ class Taken:
     data: bytes
 
 
-def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[None]:
-    """Bring a program to the loader, from where it was when the link was lost; then it is ready."""
-    progress = yield from _begun(host, program)
+def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[bool]:
+    """Bring a program to the loader, from where it was when the link was lost; then it is ready.
+    Whether it was there already."""
+    progress = yield from _begun(host, program.begin)
+    there = progress.state != State.RECEIVING
     while progress.declared < len(program.objects) and progress.state == State.RECEIVING:
         some = program.objects[progress.declared : progress.declared + messages.MOST_ENTRIES]
         declare = messages.Declare(progress.declared, tuple(each.entry for each in some))
@@ -49,13 +51,20 @@ def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[N
         yield from _Sender(host, program.stream, progress, watch).run()
     yield from host.ask(Kind.FINISH, program.digest)
     host.moved()
+    return there
 
 
-def _begun(host: Host, program: Upload) -> Task[Progress]:
-    """Announce the program; a loader that still exposes is stopped first."""
+def forget(host: Host, program: Upload) -> Task[None]:
+    """Have the loader forget the program that it holds: one without objects takes its place."""
+    zeros = bytes(32)
+    yield from _begun(host, messages.Begin(program.target, zeros, zeros, 0, 0))
+
+
+def _begun(host: Host, begin: messages.Begin) -> Task[Progress]:
+    """Announce a program; a loader that still exposes is stopped first."""
     while True:
         try:
-            reply = yield from host.ask(Kind.BEGIN, program.begin.pack())
+            reply = yield from host.ask(Kind.BEGIN, begin.pack())
         except Refused as refused:
             if refused.fault != Fault.BUSY:
                 raise

@@ -25,7 +25,7 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals
 from nscc_runtime.reference.capture import scene_of
-from nscc_runtime.reference.charge import Groups, charge_of_rows
+from nscc_runtime.reference.charge import charge_of_rows
 
 Values = NDArray[np.float64]
 
@@ -87,23 +87,20 @@ def expose_stream(
     exposure = np.empty((len(container.buckets), rows, cols))
     saturated_by = np.empty(exposure.shape, np.uint8)
     valid = np.empty((rows, cols), np.bool_)
-    # Counts are drawn for the whole frame and spread over its slots: every pixel has bits of its
-    # own, so there are no groups of slots to sum over.
-    groups = Groups(np.zeros((1, container.slots), np.int64), np.zeros((rows, cols), np.intp))
     step = max(1, _CELLS // (container.slots * cols))
     for begin in range(0, rows, step):
         part = range(begin, min(begin + step, rows))
-        charge, good = charge_of_rows(scene, groups, sensor, effects, seeds, frame, part)
+        fallen = charge_of_rows(scene, None, sensor, effects, seeds, frame, part)
         chunk = slice(part.start, part.stop)
         pixels = _Taps(
             sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
             places=np.arange(part.start * cols, part.stop * cols, dtype=np.int64),
             container=container, sent=sent, effects=effects, rows=chunk,
         )  # fmt: skip
-        found, marked = pixels.run(charge.reshape(container.slots, -1))
+        found, marked = pixels.run(fallen.charge.reshape(container.slots, -1))
         exposure[:, chunk] = found.reshape(-1, len(part), cols)
         saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
-        valid[chunk] = good
+        valid[chunk] = fallen.valid
     return Exposure(exposure, np.isfinite(exposure) & valid, saturated_by)
 
 
