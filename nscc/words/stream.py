@@ -45,9 +45,7 @@ class Stream:
 
     def place(self, slot: int, cols: int) -> NDArray[np.int8]:
         """Where the light of each pixel goes in a slot (rows, cols): a tap's number, or DRAIN."""
-        found: NDArray[np.int8] = np.where(
-            self.bits(slot, cols), self.ones[slot], self.zeros[slot]
-        )
+        found: NDArray[np.int8] = np.where(self.bits(slot, cols), self.ones[slot], self.zeros[slot])
         return found
 
     def shutters(self, buckets: int, cols: int) -> Bits:

@@ -20,6 +20,7 @@ from nscc_training.decoders.declared import Task
 from nscc_training.decoders.make import make_decoder
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
+from nscc_training.encoders.make import STARTS
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
@@ -28,7 +29,7 @@ from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel
 from nscc_training.settings import Settings, ShutterSettings
 
-_STARTS = ("random", "uniform", "quad", "learned")
+_STARTS = (*STARTS, "learned")
 
 
 @dataclass(frozen=True, eq=False)
