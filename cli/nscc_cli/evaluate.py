@@ -76,7 +76,11 @@ def sci8(
 @click.option("--data", required=True, type=PATH, metavar="DIR",
               help="The folder of scenes.")  # fmt: skip
 @click.option(
-    "--protocol", type=PROTOCOL, required=True, metavar="P", help="hdr-v1, video-v1 or sci8."
+    "--protocol",
+    type=PROTOCOL,
+    required=True,
+    metavar="P",
+    help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1 or staggered-v1.",
 )
 @click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
 @click.option("--skip-seen", is_flag=True,
@@ -100,7 +104,9 @@ def of(
     decoder for any code); looks-2, looks-5, looks-9 (pixels that close at the first look above a
     level, without a decoder); designed-2, designed-5, designed-9 (looks and levels made for each
     crop). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks
-    bilinear and thin-out. With --shutter, those that take codes of any class are scored on others.
+    bilinear and thin-out. With --shutter, those that take codes of any class are scored on others. Of
+    deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of staggered-v1:
+    aligned, staggered, staggered-alone.
     """
     from nscc_training.evaluation.subjects import evaluate
 

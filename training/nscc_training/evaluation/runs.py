@@ -18,7 +18,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.program.problems import counted
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.make import flops, parameter_count
-from nscc_training.evaluation import hdr, video
+from nscc_training.evaluation import deblur, hdr, several_frames, video
 from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
 from nscc_training.evaluation.sci8 import read_sci_clip, sci_clips
 from nscc_training.measures import frame_scores
@@ -59,7 +59,12 @@ def evaluate_run(
     """
     parts = folder.parts
     _check_kind(folder, protocol)
-    find = {"hdr-v1": hdr.panoramas, "video-v1": video.clips_of, "sci8": sci_clips}
+    find = {
+        "hdr-v1": hdr.panoramas,
+        "video-v1": video.clips_of,
+        "sci8": sci_clips,
+        "deblur-v1": deblur.panoramas,
+    }
     files = find[protocol.name](data)
     seen = seen_of(folder, files)
     if not (skip_seen and len(seen) < len(files)):
@@ -79,6 +84,8 @@ def evaluate_run(
         )
     elif protocol.name == "video-v1":
         every = list(scored(video.windows(files, protocol), decode, left_out))
+    elif protocol.name == "deblur-v1":
+        every = list(scored(deblur.moments(files, protocol), decode, left_out))
     else:
         every = list(_sci(folder, files, protocol))
     size, settings = (256, 256), parts.settings
@@ -107,6 +114,12 @@ def evaluate_run(
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
     parts = folder.parts
+    if protocol.name in several_frames.ROWS:
+        raise rejected(
+            "NS0821",
+            f"'{folder.path}' was trained for one frame; protocol {protocol.name} gives several",
+            helps=(f"its rows are {', '.join(several_frames.ROWS[protocol.name])}",),
+        )
     kind = parts.encoder.spec.kind
     have = f"{'stills' if parts.still else 'clips'} of {parts.slots} slots, class {kind}"
     if protocol.name == "hdr-v1":

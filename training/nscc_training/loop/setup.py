@@ -20,6 +20,7 @@ from nscc_training.decoders.declared import Task
 from nscc_training.decoders.make import make_decoder
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
+from nscc_training.encoders.make import STARTS
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
@@ -28,7 +29,7 @@ from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel
 from nscc_training.settings import Settings, ShutterSettings
 
-_STARTS = ("random", "uniform", "quad", "learned")
+_STARTS = (*STARTS, "learned")
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,9 +79,8 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     still = protocol.name == "hdr-v1"
     encoder = started_encoder(chosen, chip, target, seed)
     if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
-        # Codes of so many bits cannot be: the compiler says why.
-        one = np.zeros(encoder.spec.tile, np.int64)
-        programs.compiled(programs.program(encoder.spec, {"bits": one}, chip), chip)
+        most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
+        raise _wrong("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     sensor = default_sensor(target)
     if settings.sensor.file:
