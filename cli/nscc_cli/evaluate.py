@@ -88,12 +88,15 @@ def sci8(
 @click.option("--shutter", default="", metavar="CLASS[:START]",
               help="The codes of a baseline: c, c:quad, d:random, ... for clips, b:quad, b:random "
               "for stills; a class alone starts at random.")  # fmt: skip
+@click.option("--effects", default="", metavar="E",
+              help="Expose with an emulated chip instead of the protocol's sensor: auto, all, or "
+              "names, as nscc run takes them. For runs.")  # fmt: skip
 @trust_code_option
 @_save_option
 @_outputs
 def of(
     subject: str, data: Path, protocol: str, seed: int, skip_seen: bool, shutter: str,
-    trust_code: bool, **outputs: Any,
+    effects: str, trust_code: bool, **outputs: Any,
 ) -> None:  # fmt: skip
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
@@ -111,7 +114,8 @@ def of(
     from nscc_training.evaluation.subjects import evaluate
 
     chosen = {"skip_seen": skip_seen, "trust_code": trust_code}
-    _of_scenes(*evaluate(subject, data, protocol, seed, codes=shutter, **chosen), **outputs)
+    found = evaluate(subject, data, protocol, seed, codes=shutter, effects=effects, **chosen)
+    _of_scenes(*found, **outputs)
 
 
 @command.command("looks", cls=CommonCommand)
