@@ -43,9 +43,10 @@ class Lockstep(Firmware):
         while True:
             while (found := self.next()) is None:
                 self.fill()
-            if found[0] == b"J":
-                self.answer(partial(self.exposure, found[1]))
-                exposing = True
-            else:
+            if found[0] == b"O":
                 self.busy = exposing or bool(found[1][0])
                 return found[1][1:]
+            job = self._recording.take(*found)
+            if job is not None:
+                self.answer(job, partial(self.exposure, job))
+                exposing = True

@@ -72,7 +72,8 @@ def emulated(container: Container, light: Light) -> bytes:
     """What a frame has to be, both channels: straight from the emulator."""
     exposure = expose(container, light).exposure_e
     codes = np.clip(np.rint(exposure / (30000 / 255)), 0, 255).astype(np.uint8)
-    return codes.tobytes() + exposure.astype("<f8").tobytes()
+    columns = [np.ascontiguousarray(each.swapaxes(1, 2)) for each in (codes, exposure)]
+    return columns[0].tobytes() + columns[1].astype("<f8").tobytes()
 
 
 class ChipAtOnce(EmulatedChip):
@@ -138,10 +139,11 @@ def uploaded_and_captured(
     host: Host, upload: Upload, number: int, channels: int = BOTH
 ) -> Callable[[], Task[tasks.Taken]]:
     """The work of a session."""
+    wanted = tasks.Wanted(number, channels)
 
     def work() -> Task[tasks.Taken]:
         yield from tasks.upload(host, upload)
-        return (yield from tasks.capture(host, number, channels))
+        return (yield from tasks.capture(host, wanted))
 
     return work
 

@@ -13,7 +13,7 @@ Verdict Loader::begin(const Packet &packet) {
     if (announced_ && equal(packet.body, begin_, begin_size - 2)) {
         return refusal_.good() ? progress(packet) : refusal_;
     }
-    if (exposing_) {
+    if (exposing()) {
         return refused(BUSY_NOW);
     }
     if (!equal(packet.body, target::digest, 32)) {
@@ -27,8 +27,7 @@ Verdict Loader::begin(const Packet &packet) {
     state_ = State::RECEIVING;
     announced_ = true;
     refusal_ = fine;
-    frame_ = Frame{};
-    reads_ = 0;
+    forget_frame();
     declared_ = object_ = 0;
     position_ = part_ = failures_ = 0;
     digest_.reset();
@@ -170,17 +169,14 @@ Verdict Loader::commit(bool &again) {
     if (!verdict.good()) {
         return refuse(verdict);
     }
-    program_.refresh();
-    refreshed_us_ = now_us_;
+    refresh();
     ++object_;
     if (object_ < declared_) {
         return commit_empty();
     }
-    if (!program_.whole()) {
-        return refuse(refused(NO_PROGRAM));
-    }
+    const Verdict whole = program_.complete();
     state_ = State::COMPLETE;
-    return fine;
+    return whole.good() ? fine : refuse(whole);
 }
 
 // Objects without bytes are whole as soon as they are declared.

@@ -6,7 +6,10 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field
 from threading import Thread
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nscc_runtime.device.messages import Channel
 
@@ -36,7 +39,9 @@ class EmulatedChip:
     _light: tuple[tuple[float, ...], Light] | None = field(default=None, init=False)
 
     def exposure(self, container: Container, channels: int) -> bytes:
-        """One frame of a container as a loader sends it: all codes, then all exposures."""
+        """One frame of a container as a loader sends it: all codes, then all exposures, readout by
+        readout, column by column.
+        """
         from nscc_runtime.emulator import expose
         from nscc_runtime.frame_file import read_out
 
@@ -44,9 +49,14 @@ class EmulatedChip:
             self._light = (container.slot_us, self.scene(container.slot_us))
         exact = expose(container, self._light[1], device_seed=self.device_seed)
         frame = read_out(exact, self.target, self.sensor)
-        codes = frame.frame.tobytes() if channels & Channel.CODES else b""
-        exposure = frame.exposure_e.astype("<f8").tobytes() if channels & Channel.EXPOSURE else b""
-        return codes + exposure
+        codes = in_columns(frame.frame) if channels & Channel.CODES else b""
+        exposed = in_columns(frame.exposure_e.astype("<f8"))
+        return codes + (exposed if channels & Channel.EXPOSURE else b"")
+
+
+def in_columns(frame: NDArray[Any]) -> bytes:
+    """The bytes of (readouts, rows, cols) values in the order in which a loader sends them."""
+    return np.ascontiguousarray(frame.transpose(0, 2, 1)).tobytes()
 
 
 def in_background(work: Callable[[], bytes]) -> Future[bytes]:

@@ -124,20 +124,19 @@ class Chip:
     def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
         host = self.link.host
         self._number += 1
-        number, channels = self._number, 0
+        wanted = tasks.Wanted(self._number, 0)
 
         def work() -> Task[tasks.Taken]:
-            nonlocal channels
             assert host.info is not None
-            channels = channels_of(host.info)
+            wanted.channels = channels_of(host.info)
             if program is not None:
                 yield from tasks.upload(host, program)
-            return (yield from tasks.capture(host, number, channels))
+            return (yield from tasks.capture(host, wanted))
 
         taken = self.link.run(work)
         captured = taken.captured
         wrong = container is not None and captured.readouts != len(container.readouts)
-        expected = captured.readouts * target.rows * target.cols * bytes_a_pixel(channels)
+        expected = captured.readouts * target.rows * target.cols * bytes_a_pixel(wanted.channels)
         if wrong or not captured.readouts or len(taken.data) != expected:
             raise rejected(
                 "NS0767",
@@ -147,7 +146,7 @@ class Chip:
             )
         shape = (captured.readouts, target.rows, target.cols)
         sensor = self.sensor or default_sensor(target)
-        frame = frame_of(taken.data, channels, shape, sensor, target, container)
+        frame = frame_of(taken.data, wanted.channels, shape, sensor, target, container)
         return Shot(frame, captured)
 
 
@@ -166,12 +165,14 @@ def frame_of(
     What is saturated the codes tell: the last of the scale, and with the program those that a full
     well or register reads. A loader with EXPOSURE stands in for a chip without either.
     """
-    pixels = int(np.prod(shape))
-    codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(shape)
+    readouts, rows, cols = shape
+    pixels, columns = readouts * rows * cols, (readouts, cols, rows)
+    codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(columns)
+    codes = np.ascontiguousarray(codes.transpose(0, 2, 1))
     saturated_by = last_codes(codes, target)
     if channels & Channel.EXPOSURE:
         exposure = np.frombuffer(data, "<f8", pixels, offset=pixels).astype(np.float64)
-        exposure = exposure.reshape(shape)
+        exposure = np.ascontiguousarray(exposure.reshape(columns).transpose(0, 2, 1))
     else:
         exposure = (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb
         if container is not None:

@@ -19,13 +19,12 @@ from hashlib import sha256
 from pathlib import Path
 from select import select
 from struct import Struct
-from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from typing import TYPE_CHECKING, NamedTuple, Self
 
 from nscc.cache.store import cache_folder
 from nscc_runtime.device.board import in_background
-from nscc_runtime.device.messages import Fault
 from nscc_runtime.device.objects import RUN, WORD
-from nscc_runtime.device.parsing import Reader, container_of
+from nscc_runtime.device.parsing import container_of
 from nscc_runtime.device.target_header import target_header
 
 if TYPE_CHECKING:
@@ -33,14 +32,17 @@ if TYPE_CHECKING:
     from nscc.words.container import Container
     from nscc_runtime.device.board import EmulatedChip
 
-PYTHON_NAME = "nscc-loader 1 (Python)"
+PYTHON_NAME = "nscc-loader 2 (Python)"
 SOURCES = Path(__file__).resolve().parents[2] / "firmware"
 WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic")
 CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
 
 _RECORD = Struct("<BI")
+_PARTS = ("core", "emulated", "host")
+_JOB = Struct("<II")
 _READOUT = Struct("<Id")
 _EVENT = Struct("<II")
+_RESULT = Struct("<IB")
 _LIGHT_FALLS = 0xFFFF_FFFF
 _MOST_READ = 1 << 16
 _START_S = 10.0
@@ -73,7 +75,7 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
     found = compiler()
     if found is None:
         raise NotBuilt("there is no C++ compiler")
-    sources = sorted(SOURCES.glob("core/*.cpp")) + sorted(SOURCES.glob("host/*.cpp"))
+    sources = [path for part in _PARTS for path in sorted(SOURCES.glob(f"{part}/*.cpp"))]
     if not sources:
         raise NotBuilt("its sources are not part of this installation")
     try:
@@ -107,7 +109,7 @@ def _compile(command: list[str], sources: list[Path], header: str, place: Path) 
         folder = Path(name)
         (folder / "target.hpp").write_text(header)
         out = folder / "loader"
-        includes = [f"-I{SOURCES / 'core'}", f"-I{SOURCES / 'host'}", f"-I{folder}"]
+        includes = [*(f"-I{SOURCES / part}" for part in _PARTS), f"-I{folder}"]
         line = [*command, *includes, *map(str, sources), "-o", str(out)]
         done = subprocess.run(line, capture_output=True, text=True)
         if done.returncode:
@@ -118,6 +120,70 @@ def _compile(command: list[str], sources: list[Path], header: str, place: Path) 
             os.replace(beside, place)
         except OSError as error:
             raise NotBuilt(f"cannot write '{place}': {error.strerror}") from None
+
+
+class Recording:
+    """What a loader does with its board, told record by record (`emulated/records.hpp`)."""
+
+    def __init__(self, target: Target) -> None:
+        self.target = target
+        self._forget()
+
+    def _forget(self) -> None:
+        self.planes: dict[int, bytes] = {}
+        self._words = self._runs = b""
+        self._events: list[tuple[int, int]] = []
+
+    def take(self, kind: bytes, data: bytes) -> Job | None:
+        """Follow the loader; a job where a frame is to be exposed."""
+        match kind:
+            case b"F":
+                self._forget()
+            case b"D":
+                self.planes[data[0]] = data[1:]
+            case b"W":
+                self._words = data
+            case b"S":
+                self._runs = data
+            case b"N":
+                self._events = []
+            case b"E":
+                self._events.append(_EVENT.unpack(data))
+            case b"J":
+                number, channels = _JOB.unpack_from(data)
+                readouts = list(_READOUT.iter_unpack(data[_JOB.size :]))
+                return Job(number, channels, self._container(readouts))
+            case _:
+                raise ValueError(f"a record of kind {kind!r}")
+        return None
+
+    def _container(self, readouts: Sequence[tuple[int, float]]) -> Container:
+        numbers: dict[tuple[int, int], int] = {}
+        launches, boundary = [], 0
+        for what, count in self._events:
+            if what == _LIGHT_FALLS:
+                boundary += count
+            else:
+                launches.append((boundary, numbers.setdefault((what, count), len(numbers))))
+        return container_of(
+            self.target,
+            readouts=readouts,
+            kernels=[
+                tuple(WORD.iter_unpack(self._words[first : first + count * WORD.size]))
+                for first, count in numbers
+            ],
+            launches=launches,
+            runs=list(RUN.iter_unpack(self._runs)),
+            planes=self.planes,
+        )
+
+
+class Job(NamedTuple):
+    """A frame that a loader wants of its board."""
+
+    number: int
+    channels: int
+    container: Container
 
 
 class Firmware:
@@ -132,6 +198,7 @@ class Firmware:
         assert self._process.stdout is not None
         self._in, self._out = self._process.stdin, self._process.stdout
         self._held = bytearray()
+        self._recording = Recording(loader.target)
 
     def __enter__(self) -> Self:
         return self
@@ -170,21 +237,21 @@ class Firmware:
 
     def announce(self) -> None:
         """Start the loader anew."""
-        self.put(b"B")
+        self.put(b"X")
 
-    def exposure(self, job: bytes) -> bytes:
+    def exposure(self, job: Job) -> bytes:
         """The frame of what the loader's board was told to do."""
-        return self.chip.exposure(*container_of_job(job, self.target))
+        return self.chip.exposure(job.container, job.channels)
 
-    def answer(self, exposed: Callable[[], bytes]) -> None:
+    def answer(self, job: Job, exposed: Callable[[], bytes]) -> None:
         """Tell the loader of its frame, or that there is none, whatever the reason."""
         try:
             frame = exposed()
         except Exception as error:
             self.chip.report(error)
-            self.put(b"R", b"\0")
+            self.put(b"R", _RESULT.pack(job.number, 0))
         else:
-            self.put(b"R", b"\1" + frame)
+            self.put(b"R", _RESULT.pack(job.number, 1) + frame)
 
     def close(self) -> int:
         """End the process; its exit status, which a sanitizer makes other than 0."""
@@ -209,12 +276,12 @@ class Process(Firmware):
         self.port = found[1].decode()
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         self._unsent = b""
-        self._exposing: Future[bytes] | None = None
+        self._exposing: list[tuple[Job, Future[bytes]]] = []
 
     @property
     def busy(self) -> bool:
         """Whether bytes wait for the loader to take them, or a frame is being exposed."""
-        return bool(self._unsent) or self._exposing is not None
+        return bool(self._unsent) or bool(self._exposing)
 
     def watched(self) -> list[int]:
         """The line, and the pipe on which jobs come."""
@@ -232,11 +299,12 @@ class Process(Firmware):
         while select([self.fileno()], [], [], 0)[0]:
             self.fill()
         while (found := self.next()) is not None:
-            if found[0] == b"J":
-                self._exposing = in_background(partial(self.exposure, found[1]))
-        if self._exposing is not None and self._exposing.done():
-            self.answer(self._exposing.result)
-            self._exposing = None
+            job = self._recording.take(*found)
+            if job is not None:
+                self._exposing.append((job, in_background(partial(self.exposure, job))))
+        for each in [each for each in self._exposing if each[1].done()]:
+            self._exposing.remove(each)
+            self.answer(each[0], each[1].result)
         try:
             return os.read(self._line, room)
         except BlockingIOError:
@@ -246,30 +314,3 @@ class Process(Firmware):
         """End the process."""
         os.close(self._line)
         return super().close()
-
-
-def container_of_job(job: bytes, target: Target) -> tuple[Container, int]:
-    """What a loader's board was told to do, as a program for the emulator; and the channels."""
-    reader = Reader(job, Fault.MALFORMED)
-    channels = reader.count()
-
-    def rows(layout: Struct) -> list[Any]:
-        return list(reader.rows(layout, reader.count()))
-
-    readouts, runs = rows(_READOUT), rows(RUN)
-    kernels = [tuple(rows(WORD)) for _ in range(reader.count())]
-    launches, boundary = [], 0
-    for what, slots in rows(_EVENT):
-        if what == _LIGHT_FALLS:
-            boundary += slots
-        else:
-            launches.append((boundary, what))
-    plane_bytes = (target.rows * target.cols + 7) // 8
-    return container_of(
-        target,
-        readouts=readouts,
-        kernels=kernels,
-        launches=launches,
-        runs=runs,
-        planes={reader.count(): reader.take(plane_bytes) for _ in range(reader.count())},
-    ), channels

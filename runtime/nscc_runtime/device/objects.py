@@ -2,12 +2,14 @@
 
     READOUTS   u32 count; each: u8 analog register, 7 free, f64 gain
     KERNELS    u32 count, u32 words of each kernel, then the words, five u32 each
-    SCHEDULE   u32 slots; u32 runs, each: u32 slots, f64 microseconds of each of them;
+    SCHEDULE   u32 slots; u32 grace in nanoseconds; u32 most late launches;
+               u32 runs, each: u32 slots, f64 microseconds of each of them;
                u32 rows, each: u32 advance, u16 kernel, u16 times
     PLANE      one bit a pixel, row by row from the top left, the first in the lowest bit
 
 Registers go by their place in the target table. A row of the schedule is done `times` times: the
-light of `advance` slots falls, then the kernel runs. Slots left after the last row follow it.
+light of `advance` slots falls, then the kernel runs. Slots left after the last row follow it. A
+launch that comes later than at its boundary and `grace` is late.
 """
 
 from __future__ import annotations
@@ -32,7 +34,10 @@ from nscc_runtime.device.messages import Begin, Entry
 MOST_TIMES = (1 << 16) - 1
 MOST_LAUNCHES = 1 << 20
 """Most launches of a frame, whatever its rows."""
+GRACE_NS = 2000
+"""How late a launch may be: what comes between two looks at the clock, with room to spare."""
 READOUT = Struct("<B7xd")
+SCHEDULE_HEAD = Struct("<III")
 RUN = Struct("<Id")
 ROW = Struct("<IHH")
 COUNT = Struct("<I")
@@ -130,7 +135,8 @@ def upload_of(container: Container, label: bytes) -> Upload:
     target = container.target
     rows = list(_rows(container))
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
-    schedule = COUNT.pack(container.slots) + _counted(RUN, runs) + _counted(ROW, rows)
+    head = SCHEDULE_HEAD.pack(container.slots, GRACE_NS, 0)
+    schedule = head + _counted(RUN, runs) + _counted(ROW, rows)
     objects = [
         Object(ObjectKind.READOUTS, 0, _readouts(container)),
         Object(ObjectKind.KERNELS, 0, _kernels(container)),
