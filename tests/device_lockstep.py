@@ -48,5 +48,5 @@ class Lockstep(Firmware):
                 return found[1][1:]
             job = self._recording.take(*found)
             if job is not None:
-                self.answer(job, partial(self.exposure, job))
+                self.answer(job, partial(self.execute, job))
                 exposing = True

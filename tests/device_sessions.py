@@ -85,7 +85,9 @@ class ChipAtOnce(EmulatedChip):
         """Expose a program that a loader has checked."""
         self.frame = None
         with suppress(Exception):
-            self.frame = self.exposure(held.container(self.target), channels)
+            executed = self.execute(held.container(self.target), channels)
+            held.take(executed.planes, self.target)
+            self.frame = executed.frame
 
     def exposed(self) -> bytes:
         """The frame; RuntimeError where there is none."""

@@ -121,7 +121,8 @@ def _run_on_emulator(
         from nscc_runtime.plan_file import plan_table
 
         done(plan_table(taken.plan, taken.audit) + "\n")
-    done(summary(container, frame, files, alike=request.effects.noiseless))
+    alike = request.effects.noiseless and not (container.machine and container.machine.keeps)
+    done(summary(container, frame, files, alike=alike))
     if taken.broken is not None:
         raise taken.broken
 

@@ -110,7 +110,7 @@ class Target:
         Number(-65536, 65536), "code of a register that holds nothing", section="range"
     )
 
-    in_low: int = _in(Integer(-32768, 0), "least value of IN, in steps", default=-127)
+    in_low: int = _in(Integer(-32767, 0), "least value of IN, in steps", default=-127)
     in_high: int = _in(Integer(1, 32767), "largest value of IN, in steps", default=126)
     in_step_e: float | None = _in(
         Number(0, 1e15, low_excluded=True, automatic=True),

@@ -8,7 +8,7 @@
 //   launch ID               wait US                 loop
 //   trigger MODE RATE       display NAME ROW COL SIZE
 //   pattern REG R C RX CX   draw REG R C R C ...    request FILE BITS
-//   output REG DISPLAY
+//   output REG DISPLAY      in STEPS
 //
 // With DEVKIT_STUB_TABLE_FUNCTION, scamp5_kernel(table, n) is a function that launches a table;
 // without it, an object that launches it when called.
@@ -509,6 +509,11 @@ inline vs_handle vs_gui_add_display(const char *name, uint8_t row, uint8_t col, 
 
 inline void vs_configure_frame_trigger(uint16_t mode, int rate) {
     std::printf("trigger %d %d\n", mode, rate);
+}
+
+inline void scamp5_load_in(int8_t value) {
+    devkit_stub::flush_drawing();
+    std::printf("in %d\n", value);
 }
 
 inline void vs_wait(uint32_t usec) {

@@ -105,7 +105,9 @@ bodies = st.one_of(
     st.builds(lambda at, data: DATA.pack(at) + data, numbers32, st.binary(max_size=40)),
     st.just(EXAMPLE.upload.digest),
     st.builds(Capture, st.integers(0, 3), st.integers(0, 5)).map(Capture.pack),
-    st.builds(Read, st.integers(0, 3), numbers32, numbers32, numbers32, st.integers(0, 1100)).map(Read.pack),
+    st.builds(Read, st.integers(0, 3), numbers32, numbers32, numbers32, st.integers(0, 1100)).map(
+        Read.pack
+    ),
     st.binary(max_size=200),
 )
 KINDS = [kind for kind in Kind if kind < REPLY]

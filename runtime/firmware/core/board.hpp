@@ -11,6 +11,16 @@ struct Readout {
     uint64_t gain;                  // the bits of a double
 };
 
+// What a frame holds, in this order: the codes of all readouts, their exposures, then the planes of
+// digital registers, of those channels that are asked for.
+struct Contents {
+    const Readout *readouts;
+    uint32_t readout_count;
+    const uint8_t *states;          // digital registers
+    uint32_t state_count;
+    uint8_t channels;
+};
+
 // Writes the code planes back before they fade; a layer that takes long over a plane calls it.
 class Refresher {
 public:
@@ -42,17 +52,20 @@ public:
     // there is time for other things before (more than breath_us, see schedule.hpp).
     virtual int32_t past(uint32_t deadline) = 0;
     virtual void run(const uint32_t (*words)[5], uint32_t count) = 0;
-    // Ends the frame: these registers are asked for from now on, until another frame begins.
-    virtual void read_out(const Readout *readouts, uint32_t count, uint8_t channels) = 0;
+    // IN is so many steps from here on, and `target::in_settle_us` pass until words may read it.
+    virtual void set_in(int16_t steps) = 0;
+    // Ends the frame: these contents are asked for from now on, until another frame begins.
+    virtual void read_out(const Contents &contents) = 0;
     virtual Exposing exposing() = 0;
-    // The column of a frame that begins at this offset, target::rows bytes. False where it cannot.
-    virtual bool convert(uint32_t offset, uint8_t *bytes) = 0;
+    // So many bytes of a frame: at most target::rows, which is a column, and so many times that
+    // from its beginning. False where it cannot.
+    virtual bool convert(uint32_t offset, uint8_t *bytes, uint32_t count) = 0;
 
 protected:
     ~Board() = default;
 };
 
-constexpr uint8_t codes_channel = 1, exposure_channel = 2;
+constexpr uint8_t codes_channel = 1, exposure_channel = 2, states_channel = 4;
 
 }  // namespace nscc
 

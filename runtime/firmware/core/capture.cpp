@@ -41,11 +41,12 @@ Verdict Loader::capture(const Packet &packet) {
             return refused(BUSY_NOW);
         }
         const uint8_t channels = packet.body[8];
-        const uint8_t possible = codes_channel | (limits::exact ? exposure_channel : 0);
-        if (channels == 0 || (channels & ~possible) != 0) {
+        const uint8_t possible =
+            codes_channel | states_channel | (limits::exact ? exposure_channel : 0);
+        const uint32_t length = program_.frame_bytes(channels);
+        if (length == 0 || (channels & ~possible) != 0) {
             return refused(MALFORMED, channels);
         }
-        const uint32_t length = program_.frame_bytes(channels);
         if (length > limits::most_frame) {
             return refused(TOO_LARGE, length);
         }
@@ -115,7 +116,9 @@ void Loader::make_columns() {
            frame_.made - frame_.released < hold) {
         uint8_t *bytes = shared_ + frame_.made % ring;
         const uint32_t begin = board_.ticks();
-        const bool there = board_.convert(frame_.made, bytes);
+        const uint32_t left = frame_.length - frame_.made;
+        const uint32_t some = left < column ? left : column;
+        const bool there = board_.convert(frame_.made, bytes, some);
         frame_.readout_ticks += board_.ticks() - begin;
         if (!there) {
             frame_.stage = Stage::FAILED;
@@ -123,8 +126,8 @@ void Loader::make_columns() {
             reads_ = 0;
             return;
         }
-        frame_.sum.add(bytes, column);
-        frame_.made += column;
+        frame_.sum.add(bytes, some);
+        frame_.made += some;
     }
 }
 

@@ -73,7 +73,6 @@ private:
     Verdict declared_all();
     Verdict take(const uint8_t *data, size_t size);
     Verdict commit(bool &again);
-    Verdict commit_empty();
     Verdict refuse(Verdict verdict);
     bool exposing() const {
         return frame_.stage == Stage::LAUNCHING || frame_.stage == Stage::READING_OUT;

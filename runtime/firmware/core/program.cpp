@@ -16,7 +16,8 @@ bool finite(uint64_t bits) { return (bits >> 52 & 0x7ff) != 0x7ff; }
 
 void Program::forget() {
     has_readouts_ = has_kernels_ = has_schedule_ = false;
-    readout_count_ = kernels_.count = held_ = 0;
+    readout_count_ = state_count_ = kernels_.count = held_ = 0;
+    schedule_.forget();
     board_.forget();
 }
 
@@ -30,6 +31,8 @@ uint8_t *Program::room_for(uint8_t kind, uint32_t length, Verdict &verdict) {
             break;
         case SCHEDULE_ROWS: at = schedule_.bytes(), room = Schedule::most_bytes; break;
         case CODE_PLANE: at = plane_raw_, room = plane_bytes; break;
+        case LEVELS: at = schedule_.levels(), room = Schedule::levels_bytes; break;
+        case STATES: at = states_raw_, room = sizeof states_raw_; break;
         default: verdict = refused(MALFORMED, kind); return nullptr;
     }
     verdict = length <= room ? fine : refused(TOO_LARGE, length);
@@ -47,6 +50,10 @@ Verdict Program::accept(uint8_t kind, uint8_t reg, uint32_t length) {
             has_schedule_ = verdict.good();
             return verdict;
         case CODE_PLANE: return accept_plane(reg, length);
+        case LEVELS:
+            has_schedule_ = false;
+            return schedule_.accept_levels(length);
+        case STATES: return accept_states(length);
         default: return refused(MALFORMED, kind);
     }
 }
@@ -159,6 +166,29 @@ Verdict Program::accept_words(Reader &reader, uint32_t k, uint32_t &number) {
     return split || before.phase == FIRST_HALF ? refused(WORD, number) : fine;
 }
 
+Verdict Program::accept_states(uint32_t length) {
+    state_count_ = 0;
+    Reader reader(states_raw_, length);
+    uint32_t count;
+    if (!reader.take_count(count)) {
+        return refused(READOUT, reader.at());
+    }
+    if (count > target::digital_count) {
+        return refused(READOUT, count);
+    }
+    const uint8_t *first = reader.take(count);
+    if (!first || !reader.ended()) {
+        return refused(READOUT, reader.at());
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        if (first[i] >= target::digital_count) {
+            return refused(READOUT, first[i]);
+        }
+    }
+    state_count_ = count;
+    return fine;
+}
+
 Verdict Program::accept_plane(uint8_t reg, uint32_t length) {
     constexpr uint32_t odd = uint32_t(target::rows) * target::cols % 8;
     constexpr uint32_t mask = target::mask_register < 0 ? 0 : 1u << (target::mask_register & 31);
@@ -191,7 +221,8 @@ void Program::refresh() {
 
 uint32_t Program::frame_bytes(uint8_t channels) const {
     const uint32_t each = (channels & codes_channel ? 1 : 0) + (channels & exposure_channel ? 8 : 0);
-    return readout_count_ * each * target::rows * target::cols;
+    const uint32_t states = channels & states_channel ? state_count_ * plane_bytes : 0;
+    return readout_count_ * each * target::rows * target::cols + states;
 }
 
 uint32_t Program::estimate_ms() const {

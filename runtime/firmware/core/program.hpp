@@ -7,7 +7,7 @@
 
 namespace nscc {
 
-enum ObjectKind : uint8_t { READOUTS = 1, KERNELS, SCHEDULE_ROWS, CODE_PLANE };
+enum ObjectKind : uint8_t { READOUTS = 1, KERNELS, SCHEDULE_ROWS, CODE_PLANE, LEVELS, STATES };
 
 class Program : public Refresher {
 public:
@@ -29,7 +29,9 @@ public:
     uint32_t readouts() const { return readout_count_; }
     uint32_t frame_bytes(uint8_t channels) const;
     uint32_t estimate_ms() const;
-    void read_out(uint8_t channels) { board_.read_out(readout_, readout_count_, channels); }
+    void read_out(uint8_t channels) {
+        board_.read_out({readout_, readout_count_, states_raw_ + 4, state_count_, channels});
+    }
     bool holds_planes() const { return held_ != 0; }
     void refresh() override;
 
@@ -37,22 +39,25 @@ private:
     static constexpr uint32_t readouts_bytes = 4 + 16 * target::analog_count;
     static constexpr uint32_t kernels_words =
         1 + limits::most_kernels + 5 * target::store_words;
+    static constexpr uint32_t states_bytes = 4 + target::digital_count;
     static_assert(target::digital_count <= 32, "registers are bits of a mask");
 
     Verdict accept_readouts(uint32_t length);
     Verdict accept_kernels(uint32_t length);
     Verdict accept_words(Reader &reader, uint32_t k, uint32_t &number);
+    Verdict accept_states(uint32_t length);
     Verdict accept_plane(uint8_t reg, uint32_t length);
 
     Board &board_;
     bool has_readouts_ = false, has_kernels_ = false, has_schedule_ = false;
-    uint32_t readout_count_ = 0;
+    uint32_t readout_count_ = 0, state_count_ = 0;
     uint32_t held_ = 0;                 // the registers that hold planes, a bit each
     Readout readout_[target::analog_count];
     Kernels kernels_;
     Schedule schedule_;
     uint8_t *plane_raw_;
     uint8_t readouts_raw_[readouts_bytes];
+    uint8_t states_raw_[states_bytes];
     uint32_t kernels_raw_[kernels_words];
 };
 

@@ -8,6 +8,7 @@ namespace {
 
 constexpr uint32_t most_slots = 1u << 20, most_launches = 1u << 20;
 constexpr Time tick = Time(1) << 32;
+constexpr int16_t as_it_is = -32768;    // a level that leaves IN alone
 
 // A time of the target's, at most that of the longest frame, which no frame can take then.
 constexpr Time time_of(double us) {
@@ -19,6 +20,7 @@ constexpr Time longest = us_time(longest_us), longest_stretch = us_time(longest_
 constexpr Time analog_word = time_of(target::analog_word_us);
 constexpr Time digital_word = time_of(target::digital_word_us);
 constexpr Time launch = time_of(target::launch_us);
+constexpr Time settling = time_of(target::in_settle_us);
 constexpr Time retention = time_of(target::retention_us);
 constexpr Time breath = us_time(breath_us);
 
@@ -67,6 +69,34 @@ void Slots::begin(const uint32_t *runs) {
     each_ = runs[1] | Time(runs[2]) << 32;
 }
 
+Verdict Schedule::accept_levels(uint32_t length) {
+    level_count_ = 0;
+    Reader reader(levels_raw_, length);
+    uint32_t count;
+    if (!reader.take_count(count)) {
+        return refused(SCHEDULE, reader.at());
+    }
+    if (count > limits::most_rows) {
+        return refused(TOO_LARGE, count);
+    }
+    const uint8_t *first = reader.take(2 * count);
+    if (!first || !reader.ended()) {
+        return refused(SCHEDULE, reader.at());
+    }
+    for (uint32_t i = 0; i < count; ++i) {
+        const int16_t level = int16_t(get16(first + 2 * i));
+        if (level != as_it_is && (level < target::in_low || level > target::in_high)) {
+            return refused(SCHEDULE, 6);
+        }
+    }
+    level_count_ = count;
+    return fine;
+}
+
+int16_t Schedule::level(uint32_t row) const {
+    return level_count_ > 0 ? int16_t(get16(levels_raw_ + 4 + 2 * row)) : as_it_is;
+}
+
 Verdict Schedule::accept(uint32_t length) {
     Reader reader(bytes(), length);
     uint32_t slots, grace_ns, most_late, runs, rows;
@@ -105,7 +135,7 @@ Verdict Schedule::accept(uint32_t length) {
         return refused(SCHEDULE, 3);
     }
     if (exposure > longest) {
-        return refused(SCHEDULE, 5);
+        return refused(SCHEDULE, 7);
     }
     if (!reader.take_count(rows)) {
         return refused(SCHEDULE, reader.at());
@@ -127,6 +157,9 @@ Verdict Schedule::accept(uint32_t length) {
             get16(at + 4) >= kernels_.count) {
             return refused(SCHEDULE, 4);
         }
+    }
+    if (level_count_ > 0 && level_count_ != rows) {
+        return refused(SCHEDULE, 5);
     }
     board_.take_slots(first_run, runs);
     for (uint32_t i = 0; i < runs; ++i) {
@@ -193,12 +226,17 @@ Verdict Schedule::check(uint32_t held) {
         cramped = cramped || now > stretch_from + longest_stretch;
     };
     const uint32_t *row = rows();
+    int16_t in = as_it_is;
     for (uint32_t i = 0; i < row_count_ && now <= longest; ++i, row += 2) {
         const uint32_t k = row[1] & 0xffff;
         const Time each = busy(k);
         for (uint32_t left = row[1] >> 16; left > 0 && now <= longest; --left) {
             if (row[0] > 0) {
                 wait_for(row[0]);
+            }
+            if (level(i) != as_it_is && level(i) != in) {
+                now += settling;
+                in = level(i);
             }
             now += each;
             see(kernels_.kernel[k].written);
@@ -209,10 +247,10 @@ Verdict Schedule::check(uint32_t held) {
     }
     see(held);
     if (now > longest) {
-        return refused(SCHEDULE, 5);
+        return refused(SCHEDULE, 7);
     }
     length_us_ = uint32_t(now >> 32) / limits::ticks_per_us + 1;
-    return cramped ? refused(SCHEDULE, 6) : faded ? refused(SCHEDULE, 7) : fine;
+    return cramped ? refused(SCHEDULE, 8) : faded ? refused(SCHEDULE, 9) : fine;
 }
 
 void Schedule::begin_frame() {
@@ -221,6 +259,7 @@ void Schedule::begin_frame() {
     rows_left_ = row_count_ + 1;        // the last one is what follows the rows: slots, no words
     times_ = late_ = latest_ = lasted_ = 0;
     waiting_ = false;
+    in_ = as_it_is;
     board_.begin_frame();
     began_ = board_.ticks();
     due_ = (Time(began_) << 32) + setup_ + tick / 2;
@@ -234,11 +273,13 @@ bool Schedule::next_row() {
         advance_ = rest_;
         times_ = 1;
         words_ = nullptr;
+        level_ = as_it_is;
         return true;
     }
     const uint32_t k = row_[1] & 0xffff;
     advance_ = row_[0];
     times_ = row_[1] >> 16;
+    level_ = level(row_count_ - rows_left_);
     words_ = kernels_.words + kernels_.kernel[k].first;
     kernel_words_ = kernels_.length(k);
     row_ += 2;
@@ -270,6 +311,10 @@ Schedule::Now Schedule::go_on() {
             }
         }
         --times_;
+        if (level_ != as_it_is && level_ != in_) {
+            board_.set_in(level_);
+            in_ = level_;
+        }
         if (words_) {
             board_.run(words_, kernel_words_);
         }

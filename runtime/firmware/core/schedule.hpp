@@ -61,10 +61,16 @@ public:
     static constexpr uint32_t most_bytes =
         4 * (5 + 3 * limits::most_runs + 2 * limits::most_rows);
 
-    explicit Schedule(Board &board, const Kernels &kernels) : board_(board), kernels_(kernels) {}
+    static constexpr uint32_t levels_bytes = 4 + 2 * limits::most_rows;
 
-    // Where the bytes of the object go.
+    Schedule(Board &board, const Kernels &kernels) : board_(board), kernels_(kernels) {}
+
+    void forget() { level_count_ = 0; }
+    // Where the bytes of the objects go.
     uint8_t *bytes() { return reinterpret_cast<uint8_t *>(raw_); }
+    uint8_t *levels() { return levels_raw_; }
+    // A level of IN for each row of the schedule that is to come.
+    Verdict accept_levels(uint32_t length);
     // Checks an object that is whole; from then on its times are whole numbers.
     Verdict accept(uint32_t length);
     // Whether every frame ends in time, leaves the main loop room, and lets none of the registers
@@ -88,11 +94,12 @@ private:
     const uint32_t *rows() const { return raw_ + 5 + 3 * raw_[3]; }
     Time busy(uint32_t kernel) const;
     Time setup() const;
+    int16_t level(uint32_t row) const;
     bool next_row();
 
     Board &board_;
     const Kernels &kernels_;
-    uint32_t row_count_ = 0, rest_ = 0, grace_ticks_ = 0, length_us_ = 0;
+    uint32_t row_count_ = 0, level_count_ = 0, rest_ = 0, grace_ticks_ = 0, length_us_ = 0;
     Time setup_ = 0;
     // The frame that is being exposed.
     Slots slots_;
@@ -101,10 +108,12 @@ private:
     uint32_t rows_left_, times_, advance_, kernel_words_;
     uint32_t began_, lasted_ = 0, late_ = 0, latest_ = 0;
     const uint32_t (*words_)[5];
+    int16_t level_, in_;
     bool waiting_;
     // Slots, grace in ns, most late launches, runs; then for each run: slots, microseconds of each
     // (a double, then a Time); rows; then for each: advance, kernel and times.
     uint32_t raw_[most_bytes / 4];
+    uint8_t levels_raw_[levels_bytes];
 };
 
 }  // namespace nscc

@@ -58,18 +58,23 @@ void EmulatedBoard::run(const uint32_t (*words)[5], uint32_t count) {
     }
 }
 
-void EmulatedBoard::read_out(const Readout *readouts, uint32_t count, uint8_t channels) {
+void EmulatedBoard::set_in(int16_t steps) { put_event(in_is_set, uint32_t(int32_t(steps))); }
+
+void EmulatedBoard::read_out(const Contents &contents) {
     recording_ = false;
     state_ = Exposing::BUSY;
-    begin_record(JOB, 8 + 12 * size_t(count));
+    begin_record(JOB, 16 + 12 * size_t(contents.readout_count) + contents.state_count);
     put_number(++job_);
-    put_number(channels);
-    for (uint32_t i = 0; i < count; ++i) {
+    put_number(contents.channels);
+    put_number(contents.readout_count);
+    put_number(contents.state_count);
+    for (uint32_t i = 0; i < contents.readout_count; ++i) {
         uint8_t gain[8];
-        put64(gain, readouts[i].gain);
-        put_number(readouts[i].reg);
+        put64(gain, contents.readouts[i].gain);
+        put_number(contents.readouts[i].reg);
         put_bytes(gain, sizeof gain);
     }
+    put_bytes(contents.states, contents.state_count);
 }
 
 void EmulatedBoard::answered(uint32_t job, bool there) {

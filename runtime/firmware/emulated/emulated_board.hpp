@@ -17,7 +17,8 @@ public:
     void begin_frame() override;
     void pass(uint32_t slots) override;
     void run(const uint32_t (*words)[5], uint32_t count) override;
-    void read_out(const Readout *readouts, uint32_t count, uint8_t channels) override;
+    void set_in(int16_t steps) override;
+    void read_out(const Contents &contents) override;
     Exposing exposing() override { return state_; }
 
     // The emulator's answer to a job; one to a job before the last is of no interest.

@@ -16,8 +16,8 @@ enum Record : uint8_t {
     WORDS = 'W',        // the program's words
     SLOTS = 'S',        // the runs of its schedule
     BEGUN = 'N',        // a frame begins
-    EVENT = 'E',        // u32 light_falls, u32 slots; or u32 first byte of a kernel in WORDS, u32 words
-    JOB = 'J',          // the frame is to be exposed: u32 number, u32 channels, readouts
+    EVENT = 'E',        // light_falls, slots; in_is_set, steps; or a kernel's place in WORDS, its words
+    JOB = 'J',          // the frame is to be exposed: number, channels, readouts, states
     WANTED = 'C',       // u32 job, u32 offset: bytes of a frame
     // From the emulator.
     RESULT = 'R',       // u32 job, u8 whether there is a frame, and its bytes where they fit
@@ -25,7 +25,7 @@ enum Record : uint8_t {
     INPUT = 'I',        // u64 microseconds, u32 room, then bytes from the line
     RESTART = 'X',
 };
-constexpr uint32_t light_falls = 0xffffffff;
+constexpr uint32_t light_falls = 0xffffffff, in_is_set = 0xfffffffe;
 
 // A record in pieces: as many bytes have to follow as its beginning says.
 void begin_record(uint8_t type, size_t size);

@@ -29,11 +29,11 @@ public:
         now_ = deadline;
         return 0;
     }
-    bool convert(uint32_t offset, uint8_t *bytes) override {
-        if (offset + target::rows > frame_.size()) {
+    bool convert(uint32_t offset, uint8_t *bytes, uint32_t count) override {
+        if (offset + count > frame_.size()) {
             return false;
         }
-        copy(bytes, frame_.data() + offset, target::rows);
+        copy(bytes, frame_.data() + offset, count);
         return true;
     }
 

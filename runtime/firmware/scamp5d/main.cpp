@@ -21,12 +21,13 @@ using namespace SCAMP5_PE;
 
 static_assert(target::digital_count == 13 && target::analog_count == 7, "a SCAMP-5d");
 static_assert(target::rows <= 256 && target::cols <= 256, "addresses have eight bits");
+static_assert(target::in_low >= -128 && target::in_high <= 127, "IN has eight bits");
 
 const areg_t *const analog[] = {&A, &B, &C, &D, &E, &F, &NEWS};
 const dreg_t *const digital[] = {&R0, &R1, &R2, &R3, &R4, &R5, &R6, &R7, &R8, &R9, &R10, &R11, &R12};
 
 constexpr int rows_between_refreshes = 16;
-constexpr double longest_wait_us = 4e9;
+constexpr int reads_a_turn = 8;
 
 class Chip : public Board {
 public:
@@ -51,18 +52,22 @@ public:
         return true;
     }
 
-    void begin_frame(const uint8_t *, uint32_t) override {}
+    void take_words(const uint32_t *, uint32_t) override {}
+    void take_slots(const uint8_t *, uint32_t) override {}
+    void begin_frame() override {}
+    void pass(uint32_t) override {}
 
-    void pass(uint32_t, double wait_us) override {
-        while (wait_us > longest_wait_us) {
-            vs_wait(uint32_t(longest_wait_us));
-            wait_us -= longest_wait_us;
+    uint32_t ticks() override { return uint32_t(port_micros()); }
+
+    int32_t past(uint32_t deadline) override {
+        int32_t late = int32_t(ticks() - deadline);
+        if (late < -int32_t(breath_us)) {
+            return late;
         }
-        const uint32_t whole = uint32_t(wait_us);
-        const uint32_t rounded_up = whole + (double(whole) < wait_us);
-        if (rounded_up > 0) {
-            vs_wait(rounded_up);
+        while (late < 0) {
+            late = int32_t(ticks() - deadline);
         }
+        return late;
     }
 
     void run(const uint32_t (*words)[5], uint32_t count) override {
@@ -71,26 +76,45 @@ public:
         }
     }
 
-    void read_out(const Readout *readouts, uint32_t count, uint8_t, uint8_t *frame,
-                  uint32_t size) override {
-        // Pixels that FLAG leaves out would be left out of readout.
-        run(target::flag_all, 1);
-        done_ = true;
-        for (uint32_t i = 0; i < count; ++i) {
-            done_ = port_scan(*analog[readouts[i].reg], frame + i * (size / count)) && done_;
+    void set_in(int16_t steps) override {
+        constexpr uint32_t settle_us = uint32_t(target::in_settle_us) + 1;
+        scamp5_load_in(int8_t(steps));
+        const uint32_t begin = ticks();
+        while (ticks() - begin <= settle_us) {
         }
     }
 
-    Exposing exposing() override { return done_ ? Exposing::DONE : Exposing::BROKEN; }
+    void read_out(const Contents &contents) override { contents_ = contents; }
+
+    Exposing exposing() override { return Exposing::DONE; }
+
+    bool convert(uint32_t offset, uint8_t *bytes, uint32_t) override {
+        const bool has_codes = (contents_.channels & codes_channel) != 0;
+        const uint32_t codes = has_codes ? contents_.readout_count * pixels : 0;
+        if (offset < codes) {
+            // Pixels that FLAG leaves out would be left out of readout.
+            run(target::flag_all, 1);
+            const uint8_t reg = contents_.readouts[offset / pixels].reg;
+            return port_scan(*analog[reg], offset % pixels / target::rows, bytes);
+        }
+        const uint32_t at = offset - codes;
+        const uint8_t reg = contents_.states[at / plane_bytes];
+        return port_scan_bits(*digital[reg], at % plane_bytes / row_bytes, piece_rows, bytes);
+    }
 
 private:
-    bool done_ = false;
+    static constexpr uint32_t pixels = uint32_t(target::rows) * target::cols;
+    static constexpr uint32_t plane_bytes = (pixels + 7) / 8, row_bytes = target::cols / 8;
+    static constexpr uint32_t piece_rows = target::rows / row_bytes;
+    static_assert(target::cols % 8 == 0 && target::rows % row_bytes == 0, "pieces are whole rows");
+
+    Contents contents_ = {};
 };
 
-static_assert(sizeof(Loader) <= 120 * 1024, "it has to leave room in the memory");
+static_assert(limits::ticks_per_us == 1, "the port's clock counts microseconds");
 
 Chip chip;
-Loader loader(chip);
+NSCC_SHARED_RAM Loader loader(chip);
 
 }  // namespace
 
@@ -99,17 +123,22 @@ void serve() {
     size_t waiting = 0, sent = 0;
     while (true) {
         vs_frame_loop_control();
-        for (size_t count; (count = port_read(in, sizeof in)) > 0;) {
+        port_feed_watchdog();
+        // Whoever never stops talking does not keep the loop from the rest of its work.
+        for (int turn = 0; turn < reads_a_turn; ++turn) {
+            const size_t count = port_read(in, sizeof in);
+            if (count == 0) {
+                break;
+            }
             loader.receive(in, count, port_micros());
         }
-        do {
-            if (sent == waiting) {
-                waiting = loader.poll(out, sizeof out, port_micros());
-                sent = 0;
-            }
-            const size_t some = port_write(out + sent, waiting - sent);
-            sent += some;
-        } while (sent == waiting && waiting > 0);
+        if (sent == waiting) {
+            waiting = loader.poll(out, sizeof out, port_micros());
+            sent = 0;
+        } else {
+            loader.poll(out, 0, port_micros());
+        }
+        sent += port_write(out + sent, waiting - sent);
     }
 }
 

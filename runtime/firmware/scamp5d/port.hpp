@@ -20,9 +20,17 @@ size_t port_write(const uint8_t *data, size_t count);
 // Microseconds since power on.
 uint64_t port_micros();
 
-// Converts a register of the whole array, row by row from the top left, a byte a pixel: the
-// converter's code. False where it cannot.
-bool port_scan(const areg_t &reg, uint8_t *codes);
+// Has the chip start anew unless it is called again within four seconds. The main loop calls it,
+// and nothing else does.
+void port_feed_watchdog();
+
+// Converts a column of an analog register from the top, a byte a pixel: the converter's code.
+// Columns count from the left. False where it cannot.
+bool port_scan(const areg_t &reg, uint32_t column, uint8_t *codes);
+
+// Reads so many rows of a digital register from `row` on, from the left, a bit a pixel, the first
+// one in the lowest bit. False where it cannot.
+bool port_scan_bits(const dreg_t &reg, uint32_t row, uint32_t rows, uint8_t *bits);
 
 }  // namespace nscc
 

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import tempfile
 from atexit import register
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from contextlib import suppress
 from functools import partial
@@ -22,6 +22,7 @@ from struct import Struct
 from typing import TYPE_CHECKING, NamedTuple, Self
 
 from nscc.cache.store import cache_folder
+from nscc.words.container import Launch
 from nscc_runtime.device.board import in_background
 from nscc_runtime.device.objects import RUN, WORD
 from nscc_runtime.device.parsing import container_of
@@ -30,7 +31,7 @@ from nscc_runtime.device.target_header import target_header
 if TYPE_CHECKING:
     from nscc.target.target import Target
     from nscc.words.container import Container
-    from nscc_runtime.device.board import EmulatedChip
+    from nscc_runtime.device.board import EmulatedChip, Executed
 
 PYTHON_NAME = "nscc-loader 2 (Python)"
 SOURCES = Path(__file__).resolve().parents[2] / "firmware"
@@ -39,11 +40,12 @@ CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
 
 _RECORD = Struct("<BI")
 _PARTS = ("core", "emulated", "host")
-_JOB = Struct("<II")
+_JOB = Struct("<IIII")
 _READOUT = Struct("<Id")
-_EVENT = Struct("<II")
+_EVENT = Struct("<Ii")
 _RESULT = Struct("<IB")
 _LIGHT_FALLS = 0xFFFF_FFFF
+_IN_IS_SET = 0xFFFF_FFFE
 _MOST_READ = 1 << 16
 _START_S = 10.0
 
@@ -130,7 +132,8 @@ class Recording:
         self._forget()
 
     def _forget(self) -> None:
-        self.planes: dict[int, bytes] = {}
+        self._planes: dict[int, bytes] = {}
+        self._latest: Job | None = None
         self._words = self._runs = b""
         self._events: list[tuple[int, int]] = []
 
@@ -140,7 +143,7 @@ class Recording:
             case b"F":
                 self._forget()
             case b"D":
-                self.planes[data[0]] = data[1:]
+                self._planes[data[0]] = data[1:]
             case b"W":
                 self._words = data
             case b"S":
@@ -150,21 +153,40 @@ class Recording:
             case b"E":
                 self._events.append(_EVENT.unpack(data))
             case b"J":
-                number, channels = _JOB.unpack_from(data)
-                readouts = list(_READOUT.iter_unpack(data[_JOB.size :]))
-                return Job(number, channels, self._container(readouts))
+                number, channels, readouts, states = _JOB.unpack_from(data)
+                split = _JOB.size + readouts * _READOUT.size
+                self._latest = Job(
+                    number,
+                    channels,
+                    self._container(
+                        list(_READOUT.iter_unpack(data[_JOB.size : split])),
+                        list(data[split : split + states]),
+                    ),
+                )
+                return self._latest
             case _:
                 raise ValueError(f"a record of kind {kind!r}")
         return None
 
-    def _container(self, readouts: Sequence[tuple[int, float]]) -> Container:
+    def keep(self, job: Job, planes: Mapping[str, bytes]) -> None:
+        """What a frame left in code registers: the next one of the same program begins with it."""
+        if job is self._latest:
+            names = self.target.digital_registers
+            self._planes = {names.index(name): plane for name, plane in planes.items()}
+
+    def _container(self, readouts: Sequence[tuple[int, float]], states: Sequence[int]) -> Container:
         numbers: dict[tuple[int, int], int] = {}
-        launches, boundary = [], 0
+        launches: list[Launch] = []
+        boundary, level = 0, None
         for what, count in self._events:
             if what == _LIGHT_FALLS:
                 boundary += count
+            elif what == _IN_IS_SET:
+                level = count
             else:
-                launches.append((boundary, numbers.setdefault((what, count), len(numbers))))
+                kernel = numbers.setdefault((what, count), len(numbers))
+                launches.append(Launch(boundary, kernel, level))
+                level = None
         return container_of(
             self.target,
             readouts=readouts,
@@ -174,7 +196,8 @@ class Recording:
             ],
             launches=launches,
             runs=list(RUN.iter_unpack(self._runs)),
-            planes=self.planes,
+            states=states,
+            planes=self._planes,
         )
 
 
@@ -239,19 +262,20 @@ class Firmware:
         """Start the loader anew."""
         self.put(b"X")
 
-    def exposure(self, job: Job) -> bytes:
-        """The frame of what the loader's board was told to do."""
-        return self.chip.exposure(job.container, job.channels)
+    def execute(self, job: Job) -> Executed:
+        """What becomes of what the loader's board was told to do."""
+        return self.chip.execute(job.container, job.channels)
 
-    def answer(self, job: Job, exposed: Callable[[], bytes]) -> None:
+    def answer(self, job: Job, exposed: Callable[[], Executed]) -> None:
         """Tell the loader of its frame, or that there is none, whatever the reason."""
         try:
-            frame = exposed()
+            executed = exposed()
         except Exception as error:
             self.chip.report(error)
             self.put(b"R", _RESULT.pack(job.number, 0))
         else:
-            self.put(b"R", _RESULT.pack(job.number, 1) + frame)
+            self._recording.keep(job, executed.planes)
+            self.put(b"R", _RESULT.pack(job.number, 1) + executed.frame)
 
     def close(self) -> int:
         """End the process; its exit status, which a sanitizer makes other than 0."""
@@ -276,7 +300,7 @@ class Process(Firmware):
         self.port = found[1].decode()
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         self._unsent = b""
-        self._exposing: list[tuple[Job, Future[bytes]]] = []
+        self._exposing: list[tuple[Job, Future[Executed]]] = []
 
     @property
     def busy(self) -> bool:
@@ -301,7 +325,7 @@ class Process(Firmware):
         while (found := self.next()) is not None:
             job = self._recording.take(*found)
             if job is not None:
-                self._exposing.append((job, in_background(partial(self.exposure, job))))
+                self._exposing.append((job, in_background(partial(self.execute, job))))
         for each in [each for each in self._exposing if each[1].done()]:
             self._exposing.remove(each)
             self.answer(each[0], each[1].result)

@@ -14,7 +14,7 @@ from zlib import adler32, crc32
 from nscc.target.target import Target
 from nscc_runtime.device import messages, packets
 from nscc_runtime.device.intake import Intake
-from nscc_runtime.device.messages import FRAME, Capability, Channel, Fault, State, bytes_a_pixel
+from nscc_runtime.device.messages import FRAME, Capability, Channel, Fault, State
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet
 from nscc_runtime.device.parsing import Held, Limits, Refusal
 from nscc_runtime.device.timing import LONGEST_US
@@ -48,6 +48,7 @@ class Frame:
     channels: int
     started_us: int
     data: bytes | None = None
+    sums: tuple[int, int] = (0, 0)
     released: int = 0
     failed: bool = False
 
@@ -156,7 +157,7 @@ class Loader:
             most_data=MOST_DATA,
             window=self.window,
             boot=self.boot,
-            capabilities=Capability.EXACT | Capability.GAIN,
+            capabilities=Capability.EXACT | Capability.GAIN | Capability.LOOKS,
             most_words=self.limits.words,
             most_kernels=self.limits.kernels,
             most_rows=self.limits.rows,
@@ -224,9 +225,9 @@ class Loader:
             if self.exposing:
                 raise Refusal(Fault.BUSY)
             channels = capture.channels
-            if not 0 < channels <= Channel.CODES | Channel.EXPOSURE:
+            length = program.held.frame_bytes(channels, self.target)
+            if not length or channels > Channel.CODES | Channel.EXPOSURE | Channel.STATES:
                 raise Refusal(Fault.MALFORMED, channels)
-            length = self._frame_bytes(program.held, channels)
             if length > self.limits.frame_bytes:
                 raise Refusal(Fault.TOO_LARGE, length)
             self._reads.clear()
@@ -237,14 +238,11 @@ class Loader:
             raise Refusal(Fault.HARDWARE)
         return self._captured(frame, program.held)
 
-    def _frame_bytes(self, held: Held, channels: int) -> int:
-        pixels = len(held.readouts or ()) * self.target.rows * self.target.cols
-        return pixels * bytes_a_pixel(channels)
-
     def _captured(self, frame: Frame, held: Held) -> bytes:
-        readouts, length = len(held.readouts or ()), self._frame_bytes(held, frame.channels)
+        readouts, length = len(held.readouts or ()), held.frame_bytes(frame.channels, self.target)
         readout_ms = int(min(self.target.readout_us, LONGEST_US)) // 1000 + 1
-        whole = frame.data if self._made(frame) == length else None
+        whole = frame.data is not None and self._made(frame) == length
+        crc, adler = frame.sums if whole else (0, 0)
         return messages.Captured(
             number=frame.number,
             ready=frame.data is not None,
@@ -258,9 +256,9 @@ class Loader:
             readout_us=0,
             late=0,
             latest_us=0,
-            whole=whole is not None,
-            crc32=crc32(whole) if whole else 0,
-            adler32=adler32(whole) if whole else 0,
+            whole=whole,
+            crc32=crc,
+            adler32=adler,
         ).pack()
 
     @property
@@ -287,6 +285,8 @@ class Loader:
         if self.frame is not None:
             self.frame.failed = failed
             self.frame.data = data
+            if data is not None:
+                self.frame.sums = crc32(data), adler32(data)
 
     def _read(self, packet: Packet) -> None:
         read = messages.Read.unpack(packet.body)

@@ -52,18 +52,29 @@ class Capability(IntFlag):
     """Hand out exposures in float64 beside the converter's codes."""
     GAIN = 2
     """Multiply a register by a gain other than 1 before it is converted."""
+    LOOKS = 4
+    """Set IN between kernels, and send digital registers with the frame."""
 
 
 class Channel(IntFlag):
-    """What a frame holds: CODES, a byte a pixel; EXPOSURE, a float64 a pixel in electrons."""
+    """What a frame holds: CODES, a byte a pixel; EXPOSURE, a float64 a pixel in electrons; STATES,
+    the planes of the digital registers that the program names, a bit a pixel."""
 
     CODES = 1
     EXPOSURE = 2
+    STATES = 4
 
 
-def bytes_a_pixel(channels: int) -> int:
-    """Bytes of one pixel of one bucket in these channels."""
-    return (1 if channels & Channel.CODES else 0) + (8 if channels & Channel.EXPOSURE else 0)
+def frame_bytes(channels: int, pixels: int, readouts: int, states: int) -> int:
+    """Bytes of a frame: of all readouts in these channels, and of so many planes of states."""
+    each = (1 if channels & Channel.CODES else 0) + (8 if channels & Channel.EXPOSURE else 0)
+    planes = states if channels & Channel.STATES else 0
+    return readouts * each * pixels + planes * plane_bytes(pixels)
+
+
+def plane_bytes(pixels: int) -> int:
+    """Bytes of one bit a pixel."""
+    return (pixels + 7) // 8
 
 
 class _Body:

@@ -69,6 +69,8 @@ constexpr double digital_word_us = {target.digital_word_us!r};
 constexpr double launch_us = {target.launch_us!r};
 constexpr double readout_us = {target.readout_us!r};
 constexpr double retention_us = {target.digital_retention_us!r};
+constexpr double in_settle_us = {target.in_settle_us!r};
+constexpr int in_low = {target.in_low}, in_high = {target.in_high};
 constexpr bool where_reads_flag = {str(target.where_reads_flag).lower()};
 constexpr unsigned or_sources = {_limit(target.or_sources)};
 constexpr unsigned where_sources = {_limit(target.where_sources)};"""

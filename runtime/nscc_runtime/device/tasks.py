@@ -36,9 +36,11 @@ class Taken:
     data: bytes
 
 
-def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[None]:
-    """Bring a program to the loader, from where it was when the link was lost; then it is ready."""
-    progress = yield from _begun(host, program)
+def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[bool]:
+    """Bring a program to the loader, from where it was when the link was lost; then it is ready.
+    Whether it was there already."""
+    progress = yield from _begun(host, program.begin)
+    there = progress.state != State.RECEIVING
     while progress.declared < len(program.objects) and progress.state == State.RECEIVING:
         some = program.objects[progress.declared : progress.declared + messages.MOST_ENTRIES]
         declare = messages.Declare(progress.declared, tuple(each.entry for each in some))
@@ -49,13 +51,20 @@ def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[N
         yield from _Sender(host, program.stream, progress, watch).run()
     yield from host.ask(Kind.FINISH, program.digest)
     host.moved()
+    return there
 
 
-def _begun(host: Host, program: Upload) -> Task[Progress]:
-    """Announce the program; a loader that still exposes is stopped first."""
+def forget(host: Host, program: Upload) -> Task[None]:
+    """Have the loader forget the program that it holds: one without objects takes its place."""
+    zeros = bytes(32)
+    yield from _begun(host, messages.Begin(program.target, zeros, zeros, 0, 0))
+
+
+def _begun(host: Host, begin: messages.Begin) -> Task[Progress]:
+    """Announce a program; a loader that still exposes is stopped first."""
     while True:
         try:
-            reply = yield from host.ask(Kind.BEGIN, program.begin.pack())
+            reply = yield from host.ask(Kind.BEGIN, begin.pack())
         except Refused as refused:
             if refused.fault != Fault.BUSY:
                 raise
@@ -223,30 +232,19 @@ class _Part:
 
 
 def capture(host: Host, wanted: Wanted) -> Task[Taken]:
-    """Expose a frame and fetch it. One that is there already is not exposed again, unless bytes of
-    it are neither here nor there."""
-    for _ in range(_MOST_DIGEST_FAILURES):
-        captured = yield from _captured(host, wanted)
-        assert host.info is not None
-        origin = host.info.boot, captured.started_us
-        if wanted.part is None or wanted.part.origin != origin:
-            wanted.part = _Part(captured.length, origin)
-        part = wanted.part
-        if captured.released <= part.kept:
-            try:
-                yield from _Fetcher(host, wanted.number, part).run()
-            except Refused as refused:
-                if refused.fault != Fault.NO_FRAME:
-                    raise
-            else:
-                captured = yield from _captured(host, wanted)
-                data = bytes(part.data)
-                sums = captured.crc32, captured.adler32
-                if captured.whole and sums == (crc32(data), adler32(data)):
-                    return Taken(captured, data)
-        wanted.part = None
-        yield from host.cancel()
-    raise Refused(Failure(Kind.READ, Fault.DIGEST, 0))
+    """Expose a frame and fetch it; one that is there already is not exposed again."""
+    captured = yield from _captured(host, wanted)
+    assert host.info is not None
+    origin = host.info.boot, captured.started_us
+    if wanted.part is None or wanted.part.origin != origin:
+        wanted.part = _Part(captured.length, origin)
+    yield from _Fetcher(host, wanted.number, wanted.part).run()
+    captured = yield from _captured(host, wanted)
+    data = bytes(wanted.part.data)
+    sums = captured.crc32, captured.adler32
+    if not captured.whole or sums != (crc32(data), adler32(data)):
+        raise Refused(Failure(Kind.READ, Fault.DIGEST, 0))
+    return Taken(captured, data)
 
 
 def _captured(host: Host, wanted: Wanted) -> Task[Captured]:

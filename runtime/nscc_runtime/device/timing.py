@@ -12,6 +12,7 @@ from fractions import Fraction
 from nscc.target.target import Target
 from nscc.words.container import Word
 from nscc.words.encoding import matching
+from nscc_runtime.device.objects import AS_IT_IS
 
 TICK = 1 << 32
 LONGEST_SLOT_US = 1 << 31
@@ -23,7 +24,7 @@ BREATH = 200 * TICK
 LONGEST_STRETCH = 2_000_000 * TICK
 """No frame keeps the main loop from its work for longer."""
 
-TOO_LONG, NO_BREATH, FADES = 5, 6, 7
+TOO_LONG, NO_BREATH, FADES = 7, 8, 9
 """What may be wrong with a schedule's times: details of the fault SCHEDULE."""
 
 
@@ -36,6 +37,7 @@ def frame_time(
     kernels: Sequence[Sequence[Word]],
     runs: Sequence[tuple[int, float]],
     rows: Sequence[tuple[int, int, int]],
+    levels: Sequence[int],
     held: set[int],
     target: Target,
 ) -> tuple[int, int]:
@@ -44,7 +46,7 @@ def frame_time(
 
     `held`: the digital registers that hold planes, by their number.
     """
-    now, cramped, faded = _Timeline(kernels, runs, rows, target).walk(held)
+    now, cramped, faded = _Timeline(kernels, runs, rows, levels, target).walk(held)
     if now > LONGEST:
         return LONGEST_US, TOO_LONG
     return now // TICK + 1, NO_BREATH if cramped else FADES if faded else 0
@@ -56,16 +58,19 @@ class _Timeline:
         kernels: Sequence[Sequence[Word]],
         runs: Sequence[tuple[int, float]],
         rows: Sequence[tuple[int, int, int]],
+        levels: Sequence[int],
         target: Target,
     ) -> None:
         self.runs, self.rows, self.target = runs, rows, target
-        self.launch, self.analog, self.digital, self.retention = (
+        self.levels = levels or (AS_IT_IS,) * len(rows)
+        self.launch, self.analog, self.digital, self.retention, self.settling = (
             int(min(us, LONGEST_US) * TICK)
             for us in (
                 target.launch_us,
                 target.analog_word_us,
                 target.digital_word_us,
                 target.digital_retention_us,
+                target.in_settle_us,
             )
         )
         self.kernels = kernels
@@ -118,14 +123,17 @@ class _Timeline:
                 written[register] = now
             cramped = cramped or now > stretch_from + LONGEST_STRETCH
 
-        rest = sum(count for count, _ in self.runs)
-        for advance, kernel, times in self.rows:
+        rest, now_in = sum(count for count, _ in self.runs), AS_IT_IS
+        for (advance, kernel, times), level in zip(self.rows, self.levels, strict=True):
             rest -= advance * times
             for _ in range(times):
                 if now > LONGEST:
                     break
                 if advance:
                     wait(advance)
+                if level not in (AS_IT_IS, now_in):
+                    now += self.settling
+                    now_in = level
                 now += self.busy[kernel]
                 see(self.written[kernel])
         if rest and now <= LONGEST:

@@ -10,7 +10,7 @@ from nscc.diagnostics import rejection
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.target import Target
 from nscc_runtime.device.host import Refused, Silent, Stalled
-from nscc_runtime.device.messages import Capability, Fault, Info, bytes_a_pixel
+from nscc_runtime.device.messages import Capability, Fault, Info, frame_bytes
 from nscc_runtime.device.objects import Upload, target_digest
 from nscc_runtime.device.packets import VERSION, Kind
 from nscc_runtime.device.port import PortTrouble
@@ -130,6 +130,16 @@ def no_program(port: str) -> Rejected:
     )
 
 
+def states_lost(port: str) -> Rejected:
+    """NS0774: a frame does not go on from the one before it."""
+    return rejected(
+        "NS0774",
+        f"the device at '{port[:200]}' lost what its pixels keep from frame to frame",
+        "give the command again: the frames then begin with the program's first values",
+        notes=("it started anew, or another host brought it a program, between two frames",),
+    )
+
+
 def wrong_target(port: str, target: Target, info: Info) -> Rejected:
     """NS0764: the program is for another chip than the loader's."""
     at = f"the device at '{port[:200]}'"
@@ -155,13 +165,14 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
     """Refuse what the loader would refuse, before anything is sent: NS0764, NS0765, NS0767."""
     if target_digest(target) != info.target:
         raise wrong_target(port, target, info)
-    frame_bytes = upload.readouts * bytes_a_pixel(channels) * info.rows * info.cols
+    pixels = info.rows * info.cols
+    length = frame_bytes(channels, pixels, upload.readouts, upload.states)
     for what, required, available in (
         ("words", upload.words, info.most_words),
         ("kernels", upload.kernels, info.most_kernels),
         ("rows of its schedule", upload.rows, info.most_rows),
         ("runs of equal slots", upload.runs, info.most_runs),
-        ("bytes of a frame", frame_bytes, info.most_frame),
+        ("bytes of a frame", length, info.most_frame),
     ):
         if required > available:
             raise rejected(
@@ -175,6 +186,13 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
                     "proved": True,
                 },
             )  # fmt: skip
+    if (upload.levels or upload.states) and not info.capabilities & Capability.LOOKS:
+        raise rejected(
+            "NS0765",
+            f"the program's pixels look at the light, and the loader at '{port[:200]}' neither "
+            "sets IN nor sends digital registers",
+            "put the loader that came with this nscc on the device (runtime/firmware)",
+        )
     if upload.gains and not info.capabilities & Capability.GAIN:
         raise rejected(
             "NS0765",

@@ -26,11 +26,11 @@ from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
-from nscc_runtime.emulator.capture import check
+from nscc_runtime.emulator.capture import check, check_size
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
@@ -40,6 +40,7 @@ from nscc_runtime.reference.capture import START, most_destinations, scene_of
 from nscc_runtime.reference.charge import Groups, charge_of_rows
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.sensor import default_sensor
 
 Values = NDArray[np.float64]
 Bits = NDArray[np.bool_]
@@ -52,7 +53,8 @@ _FIRST_BIT = 256
 
 @dataclass(frozen=True, eq=False)
 class Executed:
-    """One frame: the exposure, and the digital registers that are read or kept, as planes."""
+    """One frame: the exposure, and the digital registers that are read, kept or hold code, as
+    planes."""
 
     exposure: Exposure
     planes: Mapping[str, Bits]
@@ -69,7 +71,11 @@ class Running:
 
 @dataclass(frozen=True, eq=False)
 class LookingReference:
-    """A container with a machine, made ready. Raises Rejected for words that cannot run."""
+    """A container whose pixels compare, made ready. Raises Rejected for words that cannot run.
+
+    Without a machine (what a loader has of a program) `before` is of no use: what registers hold
+    when the frame starts are the container's own planes.
+    """
 
     container: Container
     sensor: Sensor
@@ -77,8 +83,8 @@ class LookingReference:
     kernels: tuple[tuple[Op, ...], ...] = field(init=False)
 
     def __post_init__(self) -> None:
-        if self.container.pixel_codes is None or self.container.machine is None:
-            raise ValueError("a container without pixels or without a machine")
+        if self.container.pixel_codes is None:
+            raise ValueError("a container without pixels")
         object.__setattr__(self, "kernels", decoded(self.container))
 
     @cached_property
@@ -110,10 +116,11 @@ class LookingReference:
         light, previous = (each.joined(self.starts) for each in (scene.light, scene.previous))
         scene = Scene(light, previous, self.interval_us * 1e-6)
         loaded = container.planes()
-        kept = {r for name in self._kept() for r in container.state_planes[name].registers}
         if before is not None:
+            kept = {r for name in self._kept() for r in container.state_planes[name].registers}
             loaded |= {name: plane for name, plane in before.items() if name in kept}
         told = {r for planes in container.state_planes.values() for r in planes.registers}
+        told |= set(container.code_registers)
         exposure = np.empty((len(container.buckets), rows, cols))
         saturated_by = np.empty(exposure.shape, np.uint8)
         valid = np.empty((rows, cols), np.bool_)
@@ -146,6 +153,17 @@ class LookingReference:
         machine = self.container.machine
         assert machine is not None
         return [state.name for state in machine.states if state.kept]
+
+
+def executed(
+    container: Container, light: Light, sensor: Sensor | None = None, device_seed: int = 0
+) -> Executed:
+    """One frame without effects, of a container that a loader has checked."""
+    check_size(container, light)
+    reference = LookingReference(
+        container, sensor or default_sensor(container.target), selected("none")
+    )
+    return reference.expose(scene_of(container, light, None), 0, device_seed, 0)
 
 
 def looking_frames(

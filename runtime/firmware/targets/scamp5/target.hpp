@@ -22,6 +22,8 @@ constexpr double digital_word_us = 0.1;
 constexpr double launch_us = 1.0;
 constexpr double readout_us = 16700.0;
 constexpr double retention_us = 1500000.0;
+constexpr double in_settle_us = 5.0;
+constexpr int in_low = -127, in_high = 126;
 constexpr bool where_reads_flag = false;
 constexpr unsigned or_sources = 255;
 constexpr unsigned where_sources = 255;
