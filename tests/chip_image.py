@@ -1,4 +1,4 @@
-"""The loader linked for a chip by the real cross compiler: how large its parts are, what is in it."""
+"""The loader linked for a chip by the real cross compiler: how large it is, and what is in it."""
 
 from __future__ import annotations
 
@@ -91,13 +91,19 @@ def linked(core: str, root: Path, folder: Path) -> Image:
         layer / "main.cpp",
         root / "tests/firmware_chip/vendor.cpp",
     ]
-    includes = [SOURCES / "core", layer, SOURCES / "targets/scamp5", root / "tests/firmware_chip"]
+    includes = [
+        SOURCES / "core",
+        SOURCES / "port",
+        layer,
+        SOURCES / "targets/scamp5",
+        root / "tests/firmware_chip",
+    ]
     path = folder / f"loader-{core}.elf"
     subprocess.run(
         [
             f"{PREFIX}g++", *CHIP_FLAGS, f"-mcpu=cortex-{core}",
             *(f"-I{each}" for each in includes), *map(str, sources),
-            f"-L{layer}", f"-T{layer / f'lpc4357_{core}.ld'}", "-o", str(path),
+            f"-L{SOURCES / 'port'}", f"-T{layer / f'lpc4357_{core}.ld'}", "-o", str(path),
         ],
         check=True, cwd=folder,
     )  # fmt: skip

@@ -16,7 +16,7 @@ class Lockstep(Firmware):
     """A loader that answers when it is asked."""
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
-        super().__init__(loader, chip, "--lockstep")
+        super().__init__([str(loader.path), "--lockstep"], loader.target, chip)
         self.busy = True
         self._arrived = b""
 

@@ -46,8 +46,8 @@ class Example:
 
 
 @lru_cache
-def examples() -> tuple[Example, ...]:
-    """One program for each lowering; the last one has a gain."""
+def examples(slot_us: float = 1.0) -> tuple[Example, ...]:
+    """One program for each lowering; the last one has a gain. `slot_us` is the shortest slot."""
     random_numbers = np.random.default_rng(3)
     stop = random_numbers.integers(1, SLOTS + 1, SHAPE)
     start = random_numbers.integers(0, SLOTS, SHAPE)
@@ -56,7 +56,7 @@ def examples() -> tuple[Example, ...]:
         [(None, "latch"), (start, "accumulate"), (None, "edges"), (start, "edges")]
     ):
         container = bumps(TARGET, begin, stop, SLOTS, lowering)
-        lengths = tuple(float(1 + n // 3) for n in range(SLOTS))
+        lengths = tuple(slot_us * (1 + n // 3) for n in range(SLOTS))
         container = replace(container, slot_us=lengths)
         if number == 3:
             container = replace(container, readouts=(Readout("A", "frame", -0.5),))
@@ -150,15 +150,20 @@ def uploaded_and_captured(
     return work
 
 
-def session(seed: int, loader_of: Callable[[Example], Loaded]) -> tuple[bool, Simulation]:
+def session(
+    seed: int,
+    loader_of: Callable[[Example], Loaded],
+    line_of: type[Simulation] = Simulation,
+    slot_us: float = 1.0,
+) -> tuple[bool, Simulation]:
     """One session with faults of its own: whether its frame is the emulator's, bit for bit.
 
     Raises what the host raises where there is no frame at all.
     """
-    example = examples()[seed % len(examples())]
+    example = examples(slot_us)[seed % len(examples(slot_us))]
     host = new_host(seed)
     length = len(example.upload.stream) + len(example.frame)
-    line = Simulation(host, loader_of(example), faults_of(seed, length))
+    line = line_of(host, loader_of(example), faults_of(seed, length))
     work = uploaded_and_captured(host, example.upload, seed + 1)
     taken = line.run(host.lasting(work), limit_s=300)
     assert isinstance(taken, tasks.Taken)

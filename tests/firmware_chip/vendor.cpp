@@ -2,6 +2,7 @@
 // of instruction words, a start, and functions that do nothing.
 
 #include "port.hpp"
+#include "scan.hpp"
 
 // 1024 instruction words.
 volatile uint32_t icw_store[1024][5];

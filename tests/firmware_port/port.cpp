@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "port.hpp"
+#include "scan.hpp"
 #include "target.hpp"
 
 namespace nscc {

@@ -138,7 +138,9 @@ def test_the_scamp5d_layer_does_what_it_is_told(
     program = tmp_path / "loader"
     sources = [*sorted((firmware.SOURCES / "core").glob("*.cpp"))]
     sources += [firmware.SOURCES / "scamp5d/main.cpp", root / "tests/firmware_port/port.cpp"]
-    includes = [f"-I{firmware.SOURCES / part}" for part in ("core", "scamp5d", "targets/scamp5")]
+    includes = [
+        f"-I{firmware.SOURCES / part}" for part in ("core", "port", "scamp5d", "targets/scamp5")
+    ]
     found = firmware.compiler()
     assert found is not None
     command = [

@@ -2,8 +2,8 @@
 
 #include <scamp5.hpp>
 
-#include "loader.hpp"
-#include "port.hpp"
+#include "scan.hpp"
+#include "turn.hpp"
 
 namespace nscc {
 
@@ -27,7 +27,6 @@ const areg_t *const analog[] = {&A, &B, &C, &D, &E, &F, &NEWS};
 const dreg_t *const digital[] = {&R0, &R1, &R2, &R3, &R4, &R5, &R6, &R7, &R8, &R9, &R10, &R11, &R12};
 
 constexpr int rows_between_refreshes = 16;
-constexpr int reads_a_turn = 8;
 
 class Chip : public Board {
 public:
@@ -119,26 +118,10 @@ NSCC_SHARED_RAM Loader loader(chip);
 }  // namespace
 
 void serve() {
-    uint8_t in[256], out[256];
-    size_t waiting = 0, sent = 0;
+    static Turns turns(loader);
     while (true) {
         vs_frame_loop_control();
-        port_feed_watchdog();
-        // Whoever never stops talking does not keep the loop from the rest of its work.
-        for (int turn = 0; turn < reads_a_turn; ++turn) {
-            const size_t count = port_read(in, sizeof in);
-            if (count == 0) {
-                break;
-            }
-            loader.receive(in, count, port_micros());
-        }
-        if (sent == waiting) {
-            waiting = loader.poll(out, sizeof out, port_micros());
-            sent = 0;
-        } else {
-            loader.poll(out, 0, port_micros());
-        }
-        sent += port_write(out + sent, waiting - sent);
+        turns.take();
     }
 }
 

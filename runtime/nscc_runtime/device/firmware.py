@@ -39,7 +39,6 @@ WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic")
 CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
 
 _RECORD = Struct("<BI")
-_PARTS = ("core", "emulated", "host")
 _JOB = Struct("<IIII")
 _READOUT = Struct("<Id")
 _EVENT = Struct("<Ii")
@@ -77,20 +76,31 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
     found = compiler()
     if found is None:
         raise NotBuilt("there is no C++ compiler")
-    sources = [path for part in _PARTS for path in sorted(SOURCES.glob(f"{part}/*.cpp"))]
+    command = [found, *CORE_FLAGS, *WARNINGS, *extra]
+    return Built(compiled(command, ("core", "emulated", "host"), target, folder), found, target)
+
+
+def compiled(
+    command: Sequence[str], parts: Sequence[str], target: Target, folder: Path | None = None
+) -> Path:
+    """What a compiler makes of these parts of the firmware for a target, now or before.
+
+    Raises NotBuilt.
+    """
+    sources = [path for part in parts for path in sorted(SOURCES.glob(f"{part}/*.cpp"))]
     if not sources:
         raise NotBuilt("its sources are not part of this installation")
     try:
         header = target_header(target)
     except ValueError as reason:
         raise NotBuilt(str(reason)) from None
-    flags = [*CORE_FLAGS, *WARNINGS, *extra]
-    texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[ch]pp"))]
-    key = sha256(b"\0".join([header.encode(), " ".join([found, *flags]).encode(), *texts]))
+    texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[chl][pd]*"))]
+    key = sha256(b"\0".join([header.encode(), " ".join(command).encode(), *texts]))
     place = (folder or _kept()) / f"loader-{key.hexdigest()[:32]}"
     if not place.exists():
-        _compile([found, *flags], sources, header, place)
-    return Built(place, found, target)
+        includes = [f"-I{SOURCES / part}" for part in parts]
+        _compile([*command, *includes, *map(str, sources)], header, place)
+    return place
 
 
 def _kept() -> Path:
@@ -106,13 +116,12 @@ def _kept() -> Path:
     return Path(passing)
 
 
-def _compile(command: list[str], sources: list[Path], header: str, place: Path) -> None:
+def _compile(command: list[str], header: str, place: Path) -> None:
     with tempfile.TemporaryDirectory(prefix="nscc-firmware-") as name:
         folder = Path(name)
         (folder / "target.hpp").write_text(header)
         out = folder / "loader"
-        includes = [*(f"-I{SOURCES / part}" for part in _PARTS), f"-I{folder}"]
-        line = [*command, *includes, *map(str, sources), "-o", str(out)]
+        line = [*command, f"-I{folder}", "-o", str(out)]
         done = subprocess.run(line, capture_output=True, text=True)
         if done.returncode:
             raise NotBuilt(done.stderr.strip().splitlines()[0] if done.stderr else command[0])
@@ -212,16 +221,14 @@ class Job(NamedTuple):
 class Firmware:
     """The loader's process; its jobs, which come as records like all else, run on `chip`."""
 
-    def __init__(self, loader: Built, chip: EmulatedChip, mode: str) -> None:
-        self.chip, self.target = chip, loader.target
-        self._process = subprocess.Popen(
-            [str(loader.path), mode], stdin=subprocess.PIPE, stdout=subprocess.PIPE
-        )
+    def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
+        self.chip, self.target = chip, target
+        self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         self._in, self._out = self._process.stdin, self._process.stdout
         self._held = bytearray()
-        self._recording = Recording(loader.target)
+        self._recording = Recording(target)
 
     def __enter__(self) -> Self:
         return self
@@ -275,7 +282,11 @@ class Firmware:
             self.put(b"R", _RESULT.pack(job.number, 0))
         else:
             self._recording.keep(job, executed.planes)
-            self.put(b"R", _RESULT.pack(job.number, 1) + executed.frame)
+            self.put(b"R", _RESULT.pack(job.number, 1) + self.sent(job, executed.frame))
+
+    def sent(self, job: Job, frame: bytes) -> bytes:
+        """What of a frame is sent with the news that it is there: all of it."""
+        return frame
 
     def close(self) -> int:
         """End the process; its exit status, which a sanitizer makes other than 0."""
@@ -290,15 +301,12 @@ class Firmware:
         return self._process.returncode
 
 
-class Process(Firmware):
-    """The loader behind its own pseudo-terminal, in real time."""
+class Running(Firmware):
+    """A loader in real time, behind a line of its own: a file descriptor that does not wait."""
 
-    def __init__(self, loader: Built, chip: EmulatedChip) -> None:
-        super().__init__(loader, chip, "--pty")
-        while (found := self.next()) is None:
-            self.fill()
-        self.port = found[1].decode()
-        self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+    def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
+        super().__init__(command, target, chip)
+        self._line = -1
         self._unsent = b""
         self._exposing: list[tuple[Job, Future[Executed]]] = []
 
@@ -323,9 +331,7 @@ class Process(Firmware):
         while select([self.fileno()], [], [], 0)[0]:
             self.fill()
         while (found := self.next()) is not None:
-            job = self._recording.take(*found)
-            if job is not None:
-                self._exposing.append((job, in_background(partial(self.execute, job))))
+            self.follow(*found)
         for each in [each for each in self._exposing if each[1].done()]:
             self._exposing.remove(each)
             self.answer(each[0], each[1].result)
@@ -334,7 +340,25 @@ class Process(Firmware):
         except BlockingIOError:
             return b""
 
+    def follow(self, kind: bytes, data: bytes) -> None:
+        """Do what a record of the loader's asks for."""
+        job = self._recording.take(kind, data)
+        if job is not None:
+            self._exposing.append((job, in_background(partial(self.execute, job))))
+
     def close(self) -> int:
         """End the process."""
-        os.close(self._line)
+        if self._line >= 0:
+            os.close(self._line)
         return super().close()
+
+
+class Process(Running):
+    """The loader compiled for this machine, behind its own pseudo-terminal."""
+
+    def __init__(self, loader: Built, chip: EmulatedChip) -> None:
+        super().__init__([str(loader.path), "--pty"], loader.target, chip)
+        while (found := self.next()) is None:
+            self.fill()
+        self.port = found[1].decode()
+        self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
