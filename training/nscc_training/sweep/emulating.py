@@ -138,7 +138,7 @@ def _bench(values: Values) -> Figures:
     settings = Settings(
         classes=(values["class"],) if clips else (), slots=(slots,) if clips else (),
         stop_slots=() if clips else (slots,), looks=(), codes=(values["codes"],),
-        looks=(), lowerings=(values["lowering"],), target=values["target"], level=values["level"],
+        lowerings=(values["lowering"],), target=values["target"], level=values["level"],
         effects=values["effects"], slot_us=values["at_us"],
         data=Path(values["data"]) if values["data"] else None, count=values["scenes"],
         seed=values["seed"], frames=values["frames"], sensor=_sensor_file(values),
