@@ -56,6 +56,7 @@ KEPT: dict[str, Callable[[Path], bytes]] = {
         "-o OUT.npz --png OUT"
     ),
     "docs/images/hdr_shutters.png": _shown("view examples/hdr_2x2.nsl -o OUT"),
+    "docs/images/float_shutters.png": _shown("view examples/float_pixel.nsl -o OUT"),
     "docs/images/editor.png": editor_picture,
     "docs/images/gates.png": _shown("view examples/skip_one.nsl --gates -o OUT"),
     "training/results/figures/decoders.png": _decoders,
