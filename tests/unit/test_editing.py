@@ -76,6 +76,7 @@ def told(text: str, piece: str) -> str:
         (SMALL + "next s = |", {"s", "b", "n", "looks"}, {"x"}),
         (SMALL + "sense c when |", {"light", "exposure"}, {"n"}),
         (SMALL + "sense c when light > 45% at |", {"n", "N"}, {"b", "s"}),
+        ("nsl 2 bucket early open when true sense c when exposure |", {"early"}, {"c"}),
         ("nsl 1\nshutters u [ 10 ]\ncode c : row of |", {"u"}, {"c"}),
         ("nsl 1\nopen when n |", {"and", "or"}, {"in"}),
         ("nsl 2\nopen when n |", {"and", "in"}, set()),
