@@ -69,6 +69,13 @@ _OWN = (
         needs_code="asks what a clip would have given behind its code: it cannot do without",
         given=True,
     ),
+    Decoder(
+        "divided",
+        f"{_HERE}.divided:divided",
+        {"paper": (1,), "small": (1,)},
+        stills=True,
+        needs_code="divides by the time that a code is open: it cannot do without",
+    ),
     Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
 )
 DECODERS = {decoder.name: decoder for decoder in _OWN}
