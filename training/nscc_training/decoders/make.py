@@ -38,6 +38,8 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
         return _own_decoder(name, size, task)
     if task.kind == "still" and not declared.stills:
         raise ValueError(f"{name} reconstructs clips, not stills")
+    if task.kind != "still" and not declared.clips:
+        raise ValueError(f"{name} reconstructs stills, not clips")
     if declared.needs_code and not task.sees_code:
         raise ValueError(f"{name} {declared.needs_code}")
     if declared.given and width != 1:
