@@ -29,7 +29,7 @@ class Decoder:
     the size, and loaded only then. `channels` has those of each size. `stills`, `clips`: whether it
     reconstructs those. `needs_code` says why it cannot do without the code, ""
     if it can. `any_code`: whether it decodes codes that it was not trained with. `given`: whether
-    it begins with weights that come with nscc, which fit the declared channels alone.
+    it has the declared channels alone, for it begins with weights that come with nscc, or has none.
     """
 
     name: str
@@ -76,6 +76,7 @@ _OWN = (
         {"paper": (1,), "small": (1,)},
         stills=True,
         clips=False,
+        given=True,
         needs_code="divides by the time that a code is open: it cannot do without",
     ),
     Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
