@@ -32,9 +32,8 @@ _MOST_CLEARED = 4
 def lay_out_looks(
     plan: LookingPlan, solution: LookingSolution, time: Timeline, most_words: int | None
 ) -> Lowered | None:
-    """The words of a solution over the frame's boundaries; None where its registers are too many.
-
-    `most_words` as in Lowered.
+    """The words of a solution over the frame's boundaries; None where its registers are too many,
+    or where the mask would lose what it holds. `most_words` as in Lowered.
     """
     target = plan.program.target
     general = _general(solution, plan)
@@ -46,6 +45,8 @@ def lay_out_looks(
     if count > room:
         return None
     allocation = allocate(general, target)
+    if _loses_mask(general, allocation):
+        return None
     named = dict(zip((f"s{i}" for i in range(general.states)), solution.states, strict=True))
     by_place = {allocation.places[name]: f"state {held}" for name, held in named.items()}
     allocation = replace(allocation, holders={**allocation.holders, **by_place})
@@ -54,6 +55,19 @@ def lay_out_looks(
         schedule = _schedule(plan, solution, allocation, time, target, apart=True)
     decoding = Decoding(_exposure_plan(plan), _problem(plan), (), general)
     return Lowered(plan.program, decoding, schedule, time, most_words)
+
+
+def _loses_mask(solution: Solution, allocation: Allocation) -> bool:
+    """Whether a gate reads scratch in the mask that a write to the masked register has set."""
+    for segment in solution.segments():
+        lost = False
+        for gate in segment:
+            places = [allocation.places.get(name) for name in (gate.destination, *gate.sources)]
+            lost |= places[0] == allocation.masked is not None
+            if lost and allocation.mask in places[1:]:
+                return True
+            lost &= places[0] != allocation.mask
+    return False
 
 
 def _general(solution: LookingSolution, plan: LookingPlan) -> Solution:
