@@ -59,7 +59,7 @@ class Chip:
     @cached_property
     def full_e(self) -> float:
         """The most electrons that an exposure tells: of a well, or of the converter's codes."""
-        codes = 2**self.target.adc_bits - 1 - self.sensor.adc_offset_lsb
+        codes = self.target.top_code - self.sensor.adc_offset_lsb
         return min(float(self.sensor.full_well_e), codes * self.code_e / self.gain)
 
     def exposed_sd_e(self, electrons: Values) -> Values:
