@@ -187,6 +187,15 @@ class Target:
         return 1 if self.readout == "spread" else 2
 
     @property
+    def spread_level(self) -> int | None:
+        """Steps of IN that are a full well less than nothing, which spread exposures over all
+        codes; None where they are not to be spread, or IN does not reach so far."""
+        level = round(-self.full_well_e / self.electrons_per_step)
+        off_e = abs(level * self.electrons_per_step + self.full_well_e)
+        reached = self.in_low <= level <= self.in_high and off_e <= self.electrons_per_lsb
+        return level if self.readout == "spread" and reached else None
+
+    @property
     def code_bits(self) -> int:
         """Bits of the largest code that is read out."""
         return self.adc_bits - (self.readout == "half")

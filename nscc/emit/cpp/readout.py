@@ -34,11 +34,8 @@ def preparation_of(container: Container) -> Preparation:
     everywhere: Call = ("all", ())
     own = [readout.register for readout in container.readouts]
     free = [name for name in target.analog_available if name not in own]
-    level = round(-target.full_well_e / target.electrons_per_step)
-    off_e = abs(level * target.electrons_per_step + target.full_well_e)
-    reached = target.in_low <= level <= target.in_high and off_e <= target.electrons_per_lsb
     scaled = any(readout.gain != 1 for readout in container.readouts)
-    if target.readout != "spread" or not free or not reached or scaled:
+    if target.spread_level is None or not free or scaled:
         return Preparation((everywhere,), None)
     calls = [everywhere]
     scratch, copy = target.analog_scratch, free[-1]
@@ -49,4 +46,4 @@ def preparation_of(container: Container) -> Preparation:
             ("bus", (scratch, register, copy, "IN")),
             ("bus", (register, scratch)),
         ]
-    return Preparation(tuple(calls), level)
+    return Preparation(tuple(calls), target.spread_level)
