@@ -1,5 +1,7 @@
 // The port and the scans, by public names of the devkit's library.
 
+#include <new>
+
 #include <scamp5.hpp>
 
 #include "limits.hpp"
@@ -12,7 +14,7 @@ namespace nscc {
 namespace {
 
 // The library fills one buffer while the loader takes bytes from the other.
-NSCC_SHARED_RAM uint8_t received[2][limits::window];
+NSCC_SHARED_RAM uint8_t received[2][limits::window / 2];
 size_t filling, length, taken;
 bool asked;
 
@@ -65,7 +67,9 @@ size_t port_write(const uint8_t *data, size_t count) {
 
 // The library's clock has 32 bits, and is looked at many times an hour.
 uint64_t port_micros() {
-    static const vs_stopwatch clock;
+    // Never destroyed, for the program never ends.
+    alignas(vs_stopwatch) static uint8_t room[sizeof(vs_stopwatch)];
+    static const vs_stopwatch &clock = *new (room) vs_stopwatch;
     static uint32_t last = 0, rounds = 0;
     const uint32_t now = clock.get_usec();
     rounds += now < last;
