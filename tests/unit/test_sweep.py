@@ -189,6 +189,7 @@ sensor.read_noise_e = [1, 2.5]
         (GRID + "max_words = []", "NS0832", "an empty list leaves no point"),
         (GRID + "max_words = [9, 9]", "NS0832", "a value of a list stands there once"),
         (GRID + "seed = [0, -1]", "NS0832", "stops.seed must be a whole number"),
+        (GRID + "seed = [0, -1]", "NS0832", "-1 is not allowed"),
         (GRID + 'class = ["b", "d"]', "NS0832", "and here is rule and class"),
         (GRID + "chip.launch_us = 2", "NS0832", "changes a chip, and none is named"),
         (GRID.replace("[stops]", "['a/b']"), "NS0832", "cannot be called 'a/b'"),
@@ -207,6 +208,20 @@ def test_a_wrong_grid(tmp_path: Path, text: str, code: str, said: str) -> None:
     assert not (tmp_path / "out").exists()
 
 
+def test_points_have_the_names_that_are_asked_for(tmp_path: Path) -> None:
+    text = GRID + "[two]\n" + GRID.partition("[stops]\n")[2] + 'name = "s{slots}-{lowering}"\n'
+    names = [point.name for point in read_grid(written(tmp_path, text)).points]
+    assert names[:2] == ["stops_4_accumulate", "stops_4_edges"]
+    assert names[4:] == ["s4-accumulate", "s4-edges", "s8-accumulate", "s8-edges"]
+    with pytest.raises(Rejected, match="did you mean `slots`"):
+        read_grid(written(tmp_path, GRID + 'name = "x{slot}"'))
+
+
+def test_the_page_shows_the_example(root: Path) -> None:
+    example = (root / "examples/sweep.toml").read_text().partition("\n")[2]
+    assert f"```toml\n{example}```" in (root / "docs/sweep.md").read_text()
+
+
 def test_too_many_points(tmp_path: Path) -> None:
     keys = "".join(f"{key} = {[*range(1, 61)]}\n" for key in ("seed", "slot_us", "length"))
     text = GRID + keys
@@ -221,7 +236,7 @@ def test_one_sweep_at_a_time(tmp_path: Path) -> None:
     assert (done.status, done.codes) == (2, ["NS0834"])
 
 
-@pytest.mark.parametrize("kind", ["compile", "limits", "emulate", "train", "evaluate"])
+@pytest.mark.parametrize("kind", ["compile", "limits", "emulate", "train", "evaluate", "design"])
 def test_a_complete_part_can_be_read(tmp_path: Path, kind: str) -> None:
     text = invoke(["sweep", "--schema", kind], tmp_path).out
     assert f"[{kind}]" in text
