@@ -77,6 +77,40 @@ def test_what_does_not_fit_is_a_row(tmp_path: Path) -> None:
     assert "data:image/png" in page
 
 
+def test_nothing_fits(tmp_path: Path) -> None:
+    written(tmp_path, f'kind = "compile"\n{BITS}[plot]\ny = ["words_total"]\n')
+    assert [row["code"] for row in swept(tmp_path)] == ["NS0412"]
+    assert not (tmp_path / "out/diagram.png").exists()
+
+
+def test_what_is_drawn_is_there(tmp_path: Path) -> None:
+    written(tmp_path, GRID + '[plot]\ny = ["word_total"]\n')
+    done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
+    assert (done.status, done.codes) == (2, ["NS0832"])
+    assert "did you mean `words_total`?" in done.err
+    assert len(kept(tmp_path)) == 4
+
+
+def test_panels_that_show_the_same_have_the_same_scales() -> None:
+    from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
+
+    wide = {"one": [(1, 2.0), (100, 300.0)], "two": [(5, 9.0)]}
+    panels = [
+        Lines("a", "slots", "words", wide),
+        Lines("b", "slots", "words", {"two": [(7, 7.0), (8, 8.0)]}),
+        Lines("c", "class", "psnr", {"one": [("b", 30.0), ("d", 31.0)]}),
+    ]
+    figure = sweep_diagram(panels, "t", "")
+    first, second, third = figure.axes
+    assert (first.get_xlim(), first.get_ylim()) == (second.get_xlim(), second.get_ylim())
+    assert second.get_xscale() == second.get_yscale() == "log"
+    assert [label.get_text() for label in third.get_xticklabels()] == ["b", "d"]
+    assert [list(line.get_xdata()) for line in third.lines] == [[0, 1]]
+    assert first.lines[1].get_color() == second.lines[0].get_color() != first.lines[0].get_color()
+    with pytest.raises(ValueError, match="no points"):
+        sweep_diagram([Lines("", "x", "y", {"one": []})], "t", "")
+
+
 def test_it_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Ended in the middle, with a line cut short: nothing that is known is computed again."""
     written(tmp_path, GRID)
