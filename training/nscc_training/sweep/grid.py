@@ -49,7 +49,7 @@ _OF_PART = (_KIND.name, _CALLED.name)
 _PLOT_KEYS = (
     Key(_PLOT, "x", Text(), "the axis drawn across; by default the first of numbers", ""),
     Key(_PLOT, "y", Several(Text(), said="a list of figures"), "the figures drawn upwards", ()),
-    Key(_PLOT, "line", Text(), "the axis of which each value has a line", ""),
+    Key(_PLOT, "line", Several(Text(), said="a list of axes"), "those whose values have lines", ()),
     Key(_PLOT, "panel", Text(), "the axis of which each value has a panel", ""),
 )
 
@@ -60,7 +60,7 @@ class Plot:
 
     x: str = ""
     y: tuple[str, ...] = ()
-    line: str = ""
+    line: tuple[str, ...] = ()
     panel: str = ""
 
 

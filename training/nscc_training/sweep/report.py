@@ -52,7 +52,7 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
     if not table.figures:
         return None
     plot = grid.plot
-    asked = [("x", plot.x), ("line", plot.line), ("panel", plot.panel)]
+    asked = [("x", plot.x), *(("line", name) for name in plot.line), ("panel", plot.panel)]
     for key, name in (*asked, *(("y", name) for name in plot.y)):
         if name:
             _check(key, name, table)
@@ -63,7 +63,7 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
     panel = plot.panel
     if not panel and len({*zip(*(table.columns[n] for n in lines), strict=True)}) > _MOST_LINES:
         panel = lines.pop(0)
-    lines = [plot.line] if plot.line else lines
+    lines = [*plot.line] or lines
     panels = [
         Lines(
             "" if value is None else f"{panel} {_short(value)}", x, figure,
@@ -77,7 +77,7 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
     if not panels:
         return None
     left = [name for name in free if name not in (*lines, panel)]
-    note = f"means over {', '.join(left)}" if left else ""
+    note = f"means over {', '.join(left)}" if left and x not in table.figures else ""
     return png_of(sweep_diagram, panels, grid.name.replace("_", " "), note)
 
 
@@ -91,21 +91,28 @@ def _drawn(grid: Grid, table: Table) -> list[str]:
 def _lines(
     table: Table, x: str, figure: str, lines: Sequence[str], chosen: dict[str, Any]
 ) -> dict[str, list[tuple[Any, float]]]:
-    """The points of each line of a panel, ordered across; means where several are at one place."""
+    """The points of each line of a panel. Against an axis they are in its order, and means where
+    several are at one place; against a figure in the table's order."""
     columns = table.columns
-    held: dict[str, dict[Any, list[float]]] = {}
+    held: dict[str, list[tuple[Any, float]]] = {}
     for index in range(len(table)):
         across, up = columns[x][index], columns[figure][index]
         here = all(columns[name][index] == value for name, value in chosen.items())
         if here and across is not None and _number(up):
             name = ", ".join(_short(columns[line][index]) for line in lines)
-            held.setdefault(name, {}).setdefault(across, []).append(up)
-    ordered = _numbers(columns[x])
-    found = {}
-    for name, places in held.items():
-        points = [(across, sum(ups) / len(ups)) for across, ups in places.items()]
-        found[name] = sorted(points) if ordered else points
-    return found
+            held.setdefault(name, []).append((across, up))
+    if x in table.figures:
+        return held
+    return {name: _means(points, _numbers(columns[x])) for name, points in held.items()}
+
+
+def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any, float]]:
+    """One point for each place across."""
+    places: dict[Any, list[float]] = {}
+    for across, up in points:
+        places.setdefault(across, []).append(up)
+    found = [(across, sum(ups) / len(ups)) for across, ups in places.items()]
+    return sorted(found) if ordered else found
 
 
 def _misfits(grid: Grid, table: Table) -> html.Html:
