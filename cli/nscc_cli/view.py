@@ -28,6 +28,8 @@ _PROGRAMS = (".nsl", ".icw")
 def command(program: Path, out: Path | None, gates: bool, tone: str | None, **options: Any) -> None:
     """Draw the shutters of a program as a time chart, and the map of its codes, as a PNG.
 
+    Of pixels that look at the light the chart says when they are open at which light.
+
     Or draw what nscc has made: a frame file, a reconstruction, a run folder, a result.json, a
     sensor.toml, a picture, a clip.
     """
@@ -51,6 +53,11 @@ def _shutters(program: Path, options: dict[str, Any]) -> bytes:
     container, messages = load_program(program, options)
     say(messages)
     from nscc_runtime.pictures.sheet import png_of
+
+    if container.machine is not None:
+        from nscc_runtime.pictures.courses import course_sheet
+
+        return png_of(course_sheet, container, program.name)
     from nscc_runtime.pictures.shutters import shutter_sheet
 
     return png_of(shutter_sheet, container, program.name)
@@ -70,8 +77,8 @@ def _gates(program: Path, options: dict[str, Any]) -> bytes:
         compiled.program.target, "--gates has nothing to draw", "without --gates it draws shutters"
     )
     assert compiled.lowered is not None  # what does not fit is rejected
-    from nscc.emit.network import gate_network
+    from nscc.emit.looking_network import network_of
     from nscc_runtime.pictures.gates import gate_sheet
     from nscc_runtime.pictures.sheet import png_of
 
-    return png_of(gate_sheet, gate_network(compiled.lowered), program.name)
+    return png_of(gate_sheet, network_of(compiled.lowered), program.name)

@@ -3,13 +3,13 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 
 #include <fcntl.h>
 #include <poll.h>
 #include <unistd.h>
 
 #include "port.hpp"
+#include "scan.hpp"
 #include "target.hpp"
 
 namespace nscc {
@@ -35,26 +35,26 @@ size_t port_write(const uint8_t *data, size_t count) {
     return sent > 0 ? size_t(sent) : 0;
 }
 
+// Time passes while somebody looks at the clock.
 uint64_t port_micros() {
-    timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return uint64_t(now.tv_sec) * 1000000 + uint64_t(now.tv_nsec) / 1000;
+    static uint64_t now = 0;
+    return ++now;
 }
 
-bool port_scan(const areg_t &reg, uint8_t *codes) {
-    std::printf("scan %s\n", reg.name);
-    for (int row = 0; row < target::rows; ++row) {
-        for (int col = 0; col < target::cols; ++col) {
-            *codes++ = uint8_t(3 * row + 5 * col + reg.name[0]);
-        }
+void port_feed_watchdog() {}
+
+bool port_scan(const areg_t &reg, uint32_t column, uint8_t *codes) {
+    std::printf("scan %s %u\n", reg.name, unsigned(column));
+    for (uint32_t row = 0; row < target::rows; ++row) {
+        *codes++ = uint8_t(3 * row + 5 * column + uint32_t(reg.name[0]));
     }
     return true;
 }
 
-bool port_scan_bits(const dreg_t &reg, uint8_t *bits) {
-    std::printf("scan_bits %s\n", reg.name);
-    for (int byte = 0; byte < target::rows * target::cols / 8; ++byte) {
-        *bits++ = uint8_t(7 * byte + reg.name[1]);
+bool port_scan_bits(const dreg_t &reg, uint32_t row, uint32_t rows, uint8_t *bits) {
+    std::printf("scan_bits %s %u\n", reg.name, unsigned(row));
+    for (uint32_t byte = 0; byte < rows * target::cols / 8; ++byte) {
+        *bits++ = uint8_t(7 * (byte + row * target::cols / 8) + uint32_t(reg.name[1]));
     }
     return true;
 }

@@ -211,6 +211,41 @@ sensor.read_noise_e = [1, 2.5]
     assert {float(row["mean_e"]) for row in rows} == {625.0}  # 10 of 16 slots
 
 
+@pytest.mark.slow
+def test_what_a_bench_takes_changes_it(tmp_path: Path) -> None:
+    """The table of `nscc tradeoff sensor` at its own values, other numbers at others."""
+    pytest.importorskip("torch")
+    written(
+        tmp_path,
+        """
+[clips]
+kind = "emulate"
+bench = "clips"
+class = "d"
+slots = 4
+frames = 4
+tile = [[8, 8], [2, 2]]
+sensor.read_noise_e = [1, 500]
+lowering = "edges"
+target = "scamp5"
+level = 0
+effects = "read"
+""",
+    )
+    same, noisy, tiled, _ = (float(row["psnr_db"]) for row in swept(tmp_path))
+    done = invoke(
+        ["tradeoff", "sensor", "--classes", "d", "--slots", "4", "--stop-slots", "2", "--looks",
+         "none", "--codes", "fixed", "--lowerings", "edges", "-O", "0", "--effects", "none",
+         "--csv", "sensor.csv"], tmp_path,
+    )  # fmt: skip
+    assert done.status == 0, done.err
+    with open(tmp_path / "sensor.csv", newline="") as file:
+        [clip, _] = csv.DictReader(file)
+    assert same == pytest.approx(float(clip["error"]), abs=0.1)  # an electron of noise
+    assert noisy < same - 0.5
+    assert abs(tiled - same) > 0.05
+
+
 @pytest.mark.parametrize(
     ("text", "code", "said"),
     [

@@ -28,6 +28,7 @@ cp "$here"/*.toml .
 
 nscc sweep results.toml --out all "$@"
 nscc sweep linear.toml --out linear "$@"
+nscc evaluate looks --data data/hdr_test --results all
 
 # What accuracy costs in time: the 2 x 2 pattern's decoders on the same captures.
 nscc tradeoff decoder --data data/clips --scenes 7 --size 256 --budget 90 \

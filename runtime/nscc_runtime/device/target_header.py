@@ -114,8 +114,10 @@ def _registers(target: Target) -> Iterator[str]:
             written = (of.get(name, _NOTHING) for of in (found.write, found.written))
             flags = f"{analog}, {name in known}, {name == 'FLAG'}".lower()
             words = map(_word, (found.read[name], *written))
+            own = not analog and name in target.digital_registers
+            bit = 1 << target.digital_registers.index(name) if own else 0
             yield f"    // {name}"
-            yield "    {" + ",\n     ".join([*words, flags]) + "},"
+            yield "    {" + ",\n     ".join([*words, f"{flags}, {bit:#x}"]) + "},"
     yield "};"
 
 

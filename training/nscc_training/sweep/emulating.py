@@ -121,12 +121,13 @@ def _bench(values: Values) -> Figures:
     slots = values["slots"]
     settings = Settings(
         classes=(values["class"],) if clips else (), slots=(slots,) if clips else (),
-        stop_slots=() if clips else (slots,), codes=(values["codes"],),
-        looks=(), lowerings=(values["lowering"],), target=values["target"], level=values["level"],
+        stop_slots=() if clips else (slots,), looks=(), codes=(values["codes"],),
+        lowerings=(values["lowering"],), target=values["target"], level=values["level"],
         effects=values["effects"], slot_us=values["at_us"],
         data=Path(values["data"]) if values["data"] else None, count=values["scenes"],
         seed=values["seed"], frames=values["frames"], sensor=sensor_file(values),
-        changes=sensor_changes(values),
+        changes=sensor_changes(values), tile=values["tile"], init=values["init"],
+        length=values["length"], rows=values["rows"],
     )  # fmt: skip
     found = measure(settings)
     if found.refused:
