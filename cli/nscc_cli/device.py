@@ -11,6 +11,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_cli import options as shared
 from nscc_cli import support
+from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
@@ -35,8 +36,12 @@ def command() -> None:
 
 
 @command.command("serve", cls=CommonCommand)
-@click.option("--scene", help="What the stand-in sees: a file, a folder or builtin:NAME.")
-@click.option("--target", default="scamp5", show_default=True, metavar="NAME|FILE.toml")
+@click.option(
+    "--scene", type=SCENE, help="What the stand-in sees: a file, a folder or builtin:NAME."
+)
+@click.option(
+    "--target", type=TARGET, default="scamp5", show_default=True, metavar="NAME|FILE.toml"
+)
 @click.option("--fault", metavar="F=V,..", help="A bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
               "disconnect=after:20000,reboot=after:40000 (rates a byte).")  # fmt: skip
 @click.option("--loader", type=click.Choice(["auto", "firmware", "python"]), default="auto",
@@ -135,7 +140,9 @@ def upload(port: str, program: Path, **options: Any) -> None:
 @click.option("--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: so many frames.")
 @click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,
               help="With --to: seconds from frame to frame (default: 0).")  # fmt: skip
-@click.option("--target", metavar="NAME|FILE.toml", help="The chip, of a program that is there.")
+@click.option(
+    "--target", type=TARGET, metavar="NAME|FILE.toml", help="The chip, of a program that is there."
+)
 @shared.pixels_option
 @shared.sensor_options
 @shared.link_options

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.files import Product, write_together
+from nscc_cli.completion import PROTOCOL, RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, together, trust_code_option
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say_compiling
 
@@ -71,19 +72,24 @@ def sci8(
 
 
 @command.command("of", cls=CommonCommand)
-@click.argument("subject", metavar="RUN|BASELINE")
+@click.argument("subject", type=RUN_OR_ANY, metavar="RUN|BASELINE")
 @click.option("--data", required=True, type=PATH, metavar="DIR",
               help="The folder of scenes.")  # fmt: skip
-@click.option("--protocol", required=True, metavar="P", help="hdr-v1, video-v1 or sci8.")
+@click.option(
+    "--protocol", type=PROTOCOL, required=True, metavar="P", help="hdr-v1, video-v1 or sci8."
+)
 @click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
 @click.option("--skip-seen", is_flag=True,
               help="Leave out files that the run was trained or validated on.")  # fmt: skip
+@click.option("--shutter", default="", metavar="CLASS[:START]",
+              help="The codes of a baseline: c, c:quad, d:random, ... for clips, b:quad, b:random "
+              "for stills; a class alone starts at random.")  # fmt: skip
 @trust_code_option
 @_save_option
 @_outputs
 def of(
-    subject: str, data: Path, protocol: str, seed: int, skip_seen: bool, trust_code: bool,
-    **outputs: Any,
+    subject: str, data: Path, protocol: str, seed: int, skip_seen: bool, shutter: str,
+    trust_code: bool, **outputs: Any,
 ) -> None:  # fmt: skip
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
@@ -93,31 +99,35 @@ def of(
     by merging neighbours; sparse-coding (random, by convolutional sparse coding); any (quad, by the
     decoder for any code); looks-2, looks-5, looks-9 (pixels that close at the first look above a
     level, without a decoder). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random
-    bits, and the yardsticks bilinear and thin-out.
+    bits, and the yardsticks bilinear and thin-out. With --shutter, those that take codes of any
+    class are scored on others.
     """
     from nscc_training.evaluation.subjects import evaluate
 
     chosen = {"skip_seen": skip_seen, "trust_code": trust_code}
-    _of_scenes(*evaluate(subject, data, protocol, seed, **chosen), **outputs)
+    _of_scenes(*evaluate(subject, data, protocol, seed, codes=shutter, **chosen), **outputs)
 
 
 @command.command("tables", cls=CommonCommand)
-@click.option("--data", required=True, type=PATH, metavar="DIR",
-              help="Panoramas and clips, or folders hdr and video of them.")  # fmt: skip
+@click.option("--data", type=PATH, metavar="DIR",
+              help="Panoramas and clips, or folders hdr and video of them: what is not among the "
+              "results is evaluated, which takes minutes a row.")  # fmt: skip
 @click.option("--runs", type=PATH, metavar="DIR",
               help="A folder of run folders; runs of one row are its seeds.")  # fmt: skip
 @click.option("--results", type=PATH, metavar="DIR",
-              help="What `nscc evaluate -o` wrote before: it is not done again.")  # fmt: skip
+              help="What `nscc evaluate -o` wrote before, and where rows are kept as they are "
+              "done.")  # fmt: skip
 @_outputs
-def tables(data: Path, runs: Path | None, results: Path | None, **outputs: Any) -> None:
+def tables(data: Path | None, runs: Path | None, results: Path | None, **outputs: Any) -> None:
     """The paper's Tables 2, 3 and 4: its rows and ours, what was measured here beside them.
 
-    Baselines are evaluated on the data, which takes minutes; rows of decoders need runs of `nscc
-    train`. Rows that were not run say so.
+    Without options from the results that come with nscc. Rows that were not run say why.
     """
     from nscc_training.evaluation.tables import tables as filled
     from nscc_training.evaluation.tables import text_of
 
+    if runs is not None and data is None:
+        raise click.UsageError("runs are evaluated on scenes: name them with --data DIR")
     rows = filled(data, runs, results, lambda rows: progress(rows, "evaluating"))
     _finish(rows, text_of(rows), {}, **outputs)
 

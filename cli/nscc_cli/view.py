@@ -9,6 +9,7 @@ import click
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
+from nscc.words.legality import refuse_planes
 from nscc_cli.options import OUT, PATH, build_options, tone_option
 from nscc_cli.programs import compile_program, load_program
 from nscc_cli.support import CommonCommand, done, say
@@ -65,9 +66,12 @@ def _gates(program: Path, options: dict[str, Any]) -> bytes:
         )
     compiled = compile_program(program, options)
     say(compiled.diagnostics)
+    refuse_planes(
+        compiled.program.target, "--gates has nothing to draw", "without --gates it draws shutters"
+    )
     assert compiled.lowered is not None  # what does not fit is rejected
-    from nscc.emit.network import gate_network
+    from nscc.emit.looking_network import network_of
     from nscc_runtime.pictures.gates import gate_sheet
     from nscc_runtime.pictures.sheet import png_of
 
-    return png_of(gate_sheet, gate_network(compiled.lowered), program.name)
+    return png_of(gate_sheet, network_of(compiled.lowered), program.name)

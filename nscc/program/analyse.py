@@ -37,7 +37,7 @@ def analyse(
     """
     problems = Problems(source)
     declared = gather(tree, problems)
-    chosen = target or _load_target(declared, base, problems)
+    chosen = target or target_of(declared, base, problems)
     constants = resolve_constants(declared, chosen, problems)
     frame = None
     if declared.frame is not None:
@@ -46,6 +46,8 @@ def analyse(
     scope = constants_scope(declared, constants)
     fields = make_fields(declared, scope, books, problems)
     requires, rules = _check_rules(declared, constants, problems)
+    if chosen is not None and chosen.streamed and declared.looking:
+        _refuse_looking(declared, chosen, problems)
     looking = make_looking(declared, constants, chosen, problems)
     planes = make_planes(declared, fields, constants, chosen, base, problems)
     problems.stop_on_errors()
@@ -67,7 +69,8 @@ def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int
     return {name: (each.low, each.high) for name, each in fields.items() if each is not None}
 
 
-def _load_target(declared: Declarations, base: Path, problems: Problems) -> Target | None:
+def target_of(declared: Declarations, base: Path, problems: Problems) -> Target | None:
+    """The chip that a file is for; None after reporting why it cannot be had."""
     from nscc.target.load import DEFAULT_NAME, load_target
 
     match declared.target:
@@ -82,6 +85,23 @@ def _load_target(declared: Declarations, base: Path, problems: Problems) -> Targ
     except Rejected as rejected:
         problems.adopt(rejected, span)
         return None
+
+
+def _refuse_looking(declared: Declarations, target: Target, problems: Problems) -> None:
+    """NS0510, for pixels that look at the light on a chip without logic; nothing else is said."""
+    looking = (*declared.senses.values(), *declared.states.values(), *declared.nexts.values())
+    statements = [*looking, *([declared.reset] if declared.reset else [])]
+    spans = (*(each.span for each in statements), *(name.span for name in declared.reads.values()))
+    place = min(spans, key=lambda span: span.start)
+    problems.error(
+        "NS0510",
+        f"the pixels of {target.name} have no logic: they neither look at light nor keep states",
+        place,
+        "needs a processor in every pixel",
+        notes=("light goes to a tap by a bit that is sent for every slot, known before it falls",),
+        helps=("compile for such a chip: `target scamp5`", "or give every pixel a fixed shutter"),
+    )
+    problems.stop_on_errors()
 
 
 def _check_rules(

@@ -160,6 +160,35 @@ class Several(Kind):
         return [self.each.plain(part) for part in value]
 
 
+@dataclass(frozen=True, slots=True)
+class Axis(Kind):
+    """A value of one kind, or a list of different ones: as Python keeps it always a tuple.
+
+    Of a kind whose values are lists themselves, a list of lists is several values.
+    """
+
+    each: Kind
+
+    @property
+    def allowed(self) -> str:
+        return f"{self.each.allowed}, or a list of such values"
+
+    def read(self, value: Any) -> tuple[Any, ...]:
+        many = isinstance(value, list | tuple)
+        if many and isinstance(self.each, Several):
+            many = not value or isinstance(value[0], list | tuple)
+        if many and not value:
+            raise ValueError("an empty list leaves no point: name a value, or leave the key out")
+        found = tuple(self.each.read(part) for part in (value if many else (value,)))
+        if len(set(found)) < len(found):
+            raise ValueError("a value of a list stands there once")
+        return found
+
+    def plain(self, value: Any) -> Any:
+        found = [self.each.plain(part) for part in value]
+        return found[0] if len(found) == 1 else found
+
+
 NAME = Text(
     pattern=r"[A-Za-z][A-Za-z0-9_.+-]{0,63}",
     said="a name of letters, digits, `-`, `_`, `.` (64 at most, a letter first)",

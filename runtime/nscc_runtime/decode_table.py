@@ -100,7 +100,9 @@ def _response(
     """Mean gain over a shutter's open time, bias and variance, each (shutters, buckets)."""
     shape = shutters.shape[:2]
     if kept.noiseless:
-        return np.ones(shape), np.zeros(shape), np.zeros(shape)
+        gains = np.array([readout.gain for readout in container.readouts])
+        gains = gains if container.target.streamed else np.ones(shape[1])
+        return np.broadcast_to(gains, shape), np.zeros(shape), np.zeros(shape)
     word, leak, dark = kept.part(WordGain), kept.part(Leak), kept.part(CountedDark)
     found = backward(
         container, analog_words(container), word.gain(sensor) if word else 1.0,

@@ -27,6 +27,7 @@ import json
 import zipfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import IO, Any
 
 import numpy as np
@@ -214,9 +215,12 @@ class Provenance:
     audit: Mapping[str, Any] | None = None
 
 
-def unplanned(chosen: Selection, moving: bool) -> dict[str, Any]:
+def unplanned(
+    chosen: Selection, moving: bool, absent: Mapping[str, str] = MappingProxyType({})
+) -> dict[str, Any]:
     """The `plan` of a run without one, which keeps the effects that it was told to: words were
-    executed slot by slot, and nothing was predicted. `moving`: whether the scene is sampled.
+    executed slot by slot, and nothing was predicted. `moving`: whether the scene is sampled;
+    `absent`: effects that the chip cannot have, with the reason.
     """
     nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
     return {
@@ -229,9 +233,11 @@ def unplanned(chosen: Selection, moving: bool) -> dict[str, Any]:
             {
                 "name": effect.name,
                 "kind": effect.kind,
-                "decision": _decision(effect, chosen, moving),
+                "decision": (
+                    "absent" if effect.name in absent else _decision(effect, chosen, moving)
+                ),
                 "forced": effect.name in chosen.forced,
-                "reason": _reason(effect, chosen, moving),
+                "reason": absent.get(effect.name) or _reason(effect, chosen, moving),
                 **dict.fromkeys(nothing),
             }
             for effect in registered()

@@ -15,6 +15,7 @@ from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
 from nscc_training.decoders.unrolled import Unrolled  # noqa: E402
 
 MOST = 600_000
+OURS = [name for name, decoder in DECODERS.items() if not decoder.given]
 
 
 def numbers(module: torch.nn.Module) -> int:
@@ -23,7 +24,7 @@ def numbers(module: torch.nn.Module) -> int:
 
 @settings(deadline=None, max_examples=60)
 @given(
-    st.sampled_from(list(DECODERS)),
+    st.sampled_from(OURS),
     st.one_of(st.integers(1, 40), st.integers(1, 3000)),
     st.tuples(st.integers(1, 24), st.integers(1, 24)),
 )
@@ -59,7 +60,7 @@ def test_common_sizes_are_those_that_runs_were_made_with(slots: int) -> None:
         "unrolled": lambda: Unrolled((24, 48, 64), slots, 3),
         "refined": lambda: Unrolled((24, 48, 64), slots, 3, 20),
     }
-    assert set(makers) == set(DECODERS)
+    assert set(makers) == set(OURS)
     for name, maker in makers.items():
         torch.manual_seed(5)
         wanted = maker().state_dict()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 from dataclasses import replace
 from hashlib import sha256
@@ -65,3 +66,20 @@ def test_a_decoder_works(run: Path) -> None:
     assert made.shape[-2:] == (48, 48)
     assert torch.isfinite(made).all()
     assert load_codes(run / "codes.npz").keys() == parts.encoder.codes().keys()
+
+
+def test_the_page_of_results_is_what_the_results_say(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(RESULTS))
+    readme = importlib.import_module("readme")
+    assert readme.written() == (RESULTS / "README.md").read_text(encoding="utf-8"), (
+        "python training/results/readme.py writes it"
+    )
+    changed = {**readme.result("quad"), "items": readme.result("quad")["items"][:1]}
+    monkeypatch.setattr(readme, "result", lambda _name: changed)
+    item = changed["items"][0]
+    assert readme.mean("quad", "psnr_db") == f"{item['psnr_db']:.2f}"
+
+
+@pytest.mark.parametrize("run", [run for run in RUNS if "_e_" in run.name], ids=named)
+def test_runs_of_free_bits_fit_the_smaller_chip(run: Path) -> None:
+    assert compile_file(run / "shutter.nsl", Options(target="scamp5", level=1)).container

@@ -15,7 +15,9 @@ from small_runs import SMALL, clip, one_crop, trained  # noqa: E402
 
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.evaluation import hdr_baselines  # noqa: E402
+from nscc_training.evaluation.results import mean_of  # noqa: E402
 from nscc_training.evaluation.tables import ROWS, key_of, tables, text_of  # noqa: E402
+from nscc_training.run_files import shipped_evaluations  # noqa: E402
 
 
 def test_tables_have_every_row_and_say_what_was_not_run(
@@ -41,13 +43,16 @@ def test_tables_have_every_row_and_say_what_was_not_run(
     assert outcome.status == 0, outcome.err
     rows = json.loads(outcome.out)
     assert rows == json.loads((tmp_path / "t.json").read_text())
-    assert [sum(row["table"] == k for row in rows) for k in (2, 3, 4)] == [9, 18, 7]
+    assert [sum(row["table"] == k for row in rows) for k in (2, 3, 4)] == [9, 18, 9]
     paper = {(row["table"], row["row"]): (row["paper_psnr_db"], row["paper_ssim"]) for row in rows}
     assert paper[2, "learned code, U-Net"] == (35.42, 0.9464)
     assert paper[3, "3D U-Net, e learned"] == (33.56, 0.9374)
     assert paper[4, "dictionary, e random"] == (26.22, 0.7258)
     (eight,) = (row for row in rows if row["row"] == "3D U-Net, c fixed")
-    assert (eight["remark"], eight["seeds"]) == ("not run: no data; the 2 x 2 pattern", [])
+    assert (eight["remark"], eight["seeds"]) == (
+        "not run: no run of unet3d, class c, codes quad; the 2 x 2 pattern",
+        [],
+    )
     ours = next(row for row in rows if row["row"] == "2 x 2 pattern, U-Net")
     assert (ours["seeds"], ours["steps"], ours["size"]) == ([0, 1], 2, "small")
     each = [
@@ -103,19 +108,22 @@ def test_a_run_of_two_rows_is_evaluated_once(
     clip(tmp_path / "d/c.mat", 16, 256)
     asked = []
 
-    def evaluated(subject: str, data: Path, protocol: str, seed: int) -> tuple[dict[str, Any], Any]:
-        asked.append(subject)
+    def evaluated(
+        subject: str, data: Path, protocol: str, seed: int, codes: str
+    ) -> tuple[dict[str, Any], Any]:
+        asked.append((subject, codes))
         settings = {"row": ["fcnet", "c", "learned"], "config_sha256": "1"}
         return {
-            "protocol": protocol, "method": subject, "mean": 20.0, "items": [{"ssim": 0.5}],
-            "settings": settings if subject == str(run) else {}, "data": [{"file": "c.mat"}],
-            "protocol_sha256": "2",
+            "protocol": protocol, "method": subject, "protocol_sha256": "2",
+            "items": [{"file": "c.mat", "ssim": 0.5, "psnr_db": 20.0}],
+            "settings": settings if subject == str(run) else {"shutter": codes},
+            "data": [{"file": "c.mat"}],
         }, {}  # fmt: skip
 
     monkeypatch.setattr("nscc_training.evaluation.tables.evaluate", evaluated)
     rows = tables(tmp_path / "d", tmp_path / "runs")
     assert [row["psnr_db"] for row in rows if row["row"] == "FC-net, c learned"] == [20.0, 20.0]
-    assert asked.count(str(run)) == 1
+    assert asked.count((str(run), "")) == 1
     assert len(asked) == len(set(asked))
 
 
@@ -143,8 +151,41 @@ def test_tables_of_runs_whose_weights_were_not_kept(tmp_path: Path) -> None:
     assert f"'{bare}' is no finished run" in partly["remark"]
     assert "decoder.safetensors" in partly["remark"]
     both = row_of(tmp_path / "kept")
-    assert (both["seeds"], both["remark"]) == ([0, 5], "")
+    assert both["seeds"] == [0, 5]
+    assert both["remark"].startswith("places moved: ")
     (whole / "decoder.safetensors").unlink()
     none = row_of(None)
     assert none["psnr_db"] is None
     assert none["remark"].startswith("not run: '")
+
+
+def test_tables_without_arguments_are_of_what_is_shipped(tmp_path: Path) -> None:
+    outcome = invoke(["evaluate", "tables", "--json"], tmp_path)
+    assert outcome.status == 0, outcome.err
+    rows = json.loads(outcome.out)
+    shown = {row["row"]: row for row in rows if row["psnr_db"] is not None}
+    learned = [json.loads((shipped_evaluations() / f"vid_learned_{k}.json").read_text())
+               for k in range(3)]  # fmt: skip
+    row = shown["2D U-Net, d learned"]
+    assert row["psnr_db"] == pytest.approx(sum(each["mean"] for each in learned) / 3)
+    assert row["remark"] == "places moved: 0 of 64, 0 of 64, 0 of 64"
+    by_file: dict[str, list[float]] = {}
+    for item in learned[0]["items"]:
+        by_file.setdefault(item["file"], []).append(item["psnr_db"])
+    wanted = sum(sum(values) / len(values) for values in by_file.values()) / len(by_file)
+    assert mean_of(learned[:1], "psnr_db", by_source=True) == pytest.approx(wanted)
+    assert all("not run" in row["remark"] for row in rows if row["psnr_db"] is None)
+    runs = invoke(["evaluate", "tables", "--runs", "r"], tmp_path)
+    assert "--data" in runs.err
+
+
+def test_baselines_on_other_codes(tmp_path: Path) -> None:
+    """GAP-TV on the 2 x 2 pattern is not GAP-TV on random bits, and rows know which is which."""
+    clip(tmp_path / "c.mat", 16, 256)
+    line = ["evaluate", "gap-tv", "--data", ".", "--protocol", "video-v1", "--json"]
+    quad = json.loads(invoke([*line, "--shutter", "c:quad"], tmp_path).out)
+    assert quad["settings"]["shutter"] == "c:quad"
+    assert {start for row in quad["settings"]["start"] for start in row} == {0, 4, 8, 12}
+    for subject, codes in (("gap-tv", "b:quad"), ("thin-out", "c:quad"), ("gap-tv", "c:no")):
+        wrong = ["evaluate", subject, *line[2:], "--shutter", codes]
+        assert "NS0840" in invoke(wrong, tmp_path).err

@@ -68,6 +68,13 @@ def shipped_runs() -> Mapping[str, Path]:
     return {name: runs / folder for name, folder in _SHIPPED.items()}
 
 
+def shipped_evaluations() -> Path:
+    """The folder of what `nscc evaluate` said of the runs and baselines that results tell of."""
+    installed = Path(__file__).with_name("shipped_evaluations")
+    here = Path(__file__).resolve().parents[1] / "results" / "evaluations"
+    return installed if installed.is_dir() else here
+
+
 def run_path(given: Path) -> Path:
     """A run folder, or the one that comes with nscc under that name if there is no such run."""
     if (given / CONFIG).is_file():

@@ -76,6 +76,10 @@ class DecoderSettings:
     size: str = key(Text(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
     width: float = key(Number(0.01, 1), "of its layers, as a part of the size's", 1.0)
     sees_code: bool = key(Flag(), "whether the decoder knows the code of each pixel", True)
+    learn: bool = key(
+        Flag(), "false keeps it as it begins; with `any`, codes are judged by what favours none",
+        True,
+    )  # fmt: skip
 
     @property
     def sized(self) -> str:

@@ -127,6 +127,21 @@ done
 over best-uniform-mu hdr_learned_@ mu_psnr_db
 over bilinear vid_learned_@ psnr_db
 over bilinear u3_d_learned_@ psnr_db
+
+# What moving single edges would cost the pattern's decoder, and the pictures.
+python "$here"/moves.py runs/vid_quad_0
+show=shown
+still() { nscc evaluate "$1" --data data/hdr_test --protocol hdr-v1 --save "$show/$2" >/dev/null; }
+film() { nscc evaluate "$1" --data data/clips --protocol video-v1 --save "$show/$2" >/dev/null; }
+for name in ldr best-uniform-mu; do still $name $name; done
+for name in hdr_quad_0 hdr_learned_0; do still runs/$name $name; done
+film bilinear bilinear
+for name in vid_random_0 vid_quad_0 vid_learned_0; do film runs/$name $name; done
+python "$here"/figure.py hdr.png vestibule_1k_128_0 studio_small_05_1k_128_0 -- \
+    "always open=$show/ldr" "best uniform=$show/best-uniform-mu" "2 x 2=$show/hdr_quad_0" "learned=$show/hdr_learned_0"
+python "$here"/figure.py clips.png cvvdp_ferris_0 runner_0 -- "bilinear=$show/bilinear" \
+    "random=$show/vid_random_0" "2 x 2=$show/vid_quad_0" "learned=$show/vid_learned_0"
+
 mkdir -p tables/hdr tables/video
 ln -sf "$PWD"/data/hdr_test/* tables/hdr/
 ln -sf "$PWD"/data/clips/* tables/video/

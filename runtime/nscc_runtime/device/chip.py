@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.words.container import state_registers
 from nscc.words.file import to_bytes
 from nscc_runtime.device import tasks
 from nscc_runtime.device.host import Task
@@ -24,7 +25,7 @@ from nscc_runtime.device.messages import (
     frame_bytes,
     plane_bytes,
 )
-from nscc_runtime.device.objects import Upload, state_registers, unpacked_plane, upload_of
+from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
 from nscc_runtime.device.trouble import check_fits, no_program, rejected, states_lost
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes

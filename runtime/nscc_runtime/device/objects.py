@@ -32,7 +32,8 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.target.load import target_dict
 from nscc.target.target import Target
-from nscc.words.container import Container
+from nscc.words.container import Container, state_registers
+from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, Entry
 
 MOST_TIMES = (1 << 16) - 1
@@ -126,7 +127,15 @@ def target_digest(target: Target) -> bytes:
 
 
 def upload_of(container: Container, label: bytes) -> Upload:
-    """The objects of a container with pixels (NS0741 without); `label` is 32 bytes."""
+    """The objects of a container with pixels (NS0741 without); `label` is 32 bytes.
+
+    Raises Rejected: NS0510 for a program that has planes instead of words.
+    """
+    refuse_planes(
+        container.target,
+        "the loader takes words, and cannot be sent this program",
+        "`nscc build --emit planes` writes an .npz for a driver of the chip",
+    )
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",
@@ -179,14 +188,6 @@ def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
     bits = np.frombuffer(data, np.uint8)
     flat = np.unpackbits(bits, count=shape[0] * shape[1], bitorder="little")
     return flat.view(np.bool_).reshape(shape)
-
-
-def state_registers(container: Container) -> tuple[str, ...]:
-    """The digital registers of which a host makes the states that are read, in their order."""
-    machine = container.machine
-    read = [state.name for state in machine.states if state.read] if machine else []
-    held = (r for name in read for r in container.state_planes[name].registers)
-    return tuple(dict.fromkeys(held))
 
 
 def _readouts(container: Container) -> bytes:

@@ -40,5 +40,10 @@ COMPARATOR_NOISE = Effect(
     field=_field,
     sums=CannotHave(ONLY_LOOKS),
     fused=CannotHave(ONLY_LOOKS),
-    words=InLoop(),  # words that compare never come there
+    words=InLoop(
+        "compares_noisy",
+        {"compare_noise": lambda sensor: SIGMA(sensor) * FULL(sensor)},
+        draws_key="compares",
+    ),
+    cost_ns=20.0,
 )

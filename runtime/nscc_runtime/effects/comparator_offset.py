@@ -50,5 +50,10 @@ COMPARATOR_OFFSET = Effect(
     field=_field,
     sums=CannotHave(ONLY_LOOKS),
     fused=CannotHave(ONLY_LOOKS),
-    words=InLoop(),  # words that compare never come there
+    words=InLoop(
+        "compares_off",
+        {"compare_offset": lambda sensor: SPREAD(sensor) * FULL(sensor)},
+        "offset",
+    ),
+    cost_ns=10.0,
 )

@@ -67,15 +67,17 @@ class ByParts:
 
 @dataclass(frozen=True)
 class InLoop:
-    """What the loop over the words of single pixels is told of an effect, by the loop's own names
-    (`nscc_runtime.planner.layout`): `switch` turns it on, `numbers` are its figures, `device_key`
-    is that of its stream on the device, `function` what it calls. `cost_ns`: nanoseconds a pixel
-    that leaving it out saves there.
+    """What the loops over words are told of an effect, by their own names (of single pixels:
+    `nscc_runtime.planner.layout`; of programs that look: `nscc_runtime.looking.layout`): `switch`
+    turns it on, `numbers` are its figures, `device_key` is that of its stream on the device,
+    `draws_key` of its draws at words, where it has no `Errors`, `function` what is called.
+    `cost_ns`: nanoseconds a pixel that leaving it out saves there.
     """
 
     switch: str | None = None
     numbers: Mapping[str, Callable[[Sensor], float]] = field_of(default_factory=dict)
     device_key: str | None = None
+    draws_key: str | None = None
     function: Callable[..., float] | None = None
     cost_ns: float = 0.0
 

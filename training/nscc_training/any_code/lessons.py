@@ -15,7 +15,7 @@ from nscc_training.data.moving import Generator, Picture, moving
 Mask = NDArray[np.float32]
 Light = NDArray[np.float32]
 
-_NOISE = (1 / 255, 45 / 255)
+_NOISE = (3 / 255, 40 / 255)
 _LENGTHS = (4, 6, 8, 8, 8, 8, 12, 16)
 """Frames of a clip; eight most often, as the benchmark has."""
 _FULL_WELL_E = (2_000.0, 60_000.0)
@@ -98,9 +98,9 @@ def _stops_drawn(generator: Generator, size: int) -> Mask:
 def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
     """The shutters (frames, size, size) of a code of some class: bits, bumps, tiles, rows of a
     codebook, stops; a pixel that would never open opens once."""
-    kind = generator.choice(("bits", "bits", "bits", "bump", "bumps", "book", "stops"))
+    kind = generator.choice(("bits", "bits", "bits", "bits", "bump", "bumps", "book", "stops"))
     tile = size
-    if generator.random() < 0.5:
+    if generator.random() < (0.3 if kind == "bits" else 0.6):
         tile = int(generator.choice((2, 4, 8)))
     slot = np.arange(frames)[:, None, None]
     places = (tile, tile)

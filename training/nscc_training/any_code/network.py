@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import AbstractContextManager, nullcontext
+from typing import Any
 
 import torch
 from torch import Tensor, nn
@@ -98,13 +99,37 @@ class Block(nn.Module):
 def exchanged(x: Tensor, frames: int) -> Tensor:
     """(batch * T, channels, rows, cols) where a quarter of the channels is the frame before's and a
     quarter the frame after's; the first and the last frame stand in for those that are missing."""
-    parts = x.reshape(-1, frames, *x.shape[1:])
-    count = x.shape[1] // 4
-    before, after = parts[:, :, :count], parts[:, :, count : 2 * count]
-    before = torch.cat([before[:, :1], before[:, :-1]], dim=1)
-    after = torch.cat([after[:, 1:], after[:, -1:]], dim=1)
-    moved = torch.cat([before, after, parts[:, :, 2 * count :]], dim=2).flatten(0, 1)
-    return moved.contiguous(memory_format=torch.channels_last)
+    found: Tensor = _Exchanged.apply(x, frames)  # type: ignore[no-untyped-call]
+    return found
+
+
+class _Exchanged(torch.autograd.Function):
+    """`exchanged` with a gradient of its own: that of five slices takes a fifth of a training."""
+
+    @staticmethod
+    def forward(ctx: Any, x: Tensor, frames: int) -> Tensor:
+        ctx.frames = frames
+        found = x.clone(memory_format=torch.channels_last)
+        old, new = (part.unflatten(0, (-1, frames)) for part in (x, found))
+        count = x.shape[1] // 4
+        new[:, 1:, :count] = old[:, :-1, :count]
+        new[:, :-1, count : 2 * count] = old[:, 1:, count : 2 * count]
+        return found
+
+    @staticmethod
+    def backward(ctx: Any, slope: Tensor) -> tuple[Tensor, None]:  # type: ignore[override]
+        found = slope.clone(memory_format=torch.channels_last)
+        old, new = (part.unflatten(0, (-1, ctx.frames)) for part in (slope, found))
+        count = slope.shape[1] // 4
+        if ctx.frames > 1:
+            new[:, :-1, :count] = old[:, 1:, :count]
+            new[:, 0, :count] += old[:, 0, :count]
+            new[:, -1, :count] = 0
+            after = slice(count, 2 * count)
+            new[:, 1:, after] = old[:, :-1, after]
+            new[:, -1, after] += old[:, -1, after]
+            new[:, 0, after] = 0
+        return found, None
 
 
 def _pair(width: int) -> nn.ModuleList:

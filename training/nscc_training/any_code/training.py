@@ -20,6 +20,7 @@ import torch
 from torch import Tensor, nn
 
 from nscc_training.any_code.lessons import coded, exposed_still, noisy
+from nscc_training.any_code.muon import optimizers
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
 from nscc_training.any_code.stages import STAGES, schedule, stage, started
 from nscc_training.any_code.stills import (
@@ -50,9 +51,9 @@ class Part:
 
 PARTS: Mapping[str, tuple[Part, ...]] = {
     "clip": (
-        Part("noise", 4000, 8, 64, 1e-3),
-        Part("stages", 200, 2, 80, 3e-4, 1),
-        Part("together", 400, 2, 80, 3e-4, 4),
+        Part("noise", 1800, 4, 64, 1e-3),
+        Part("stages", 200, 2, 80, 4e-4, 1),
+        Part("together", 700, 2, 80, 3e-4, 4),
     ),
     "still": (Part("stills", 3000, 6, 96, 8e-4, 3),),
 }
@@ -71,7 +72,7 @@ class Trainer:
         self.lights = lights_in(sources) if kind == "still" else []
         self.network = ClipDenoiser()
         self.average = deepcopy(self.network)
-        self.optimizer = torch.optim.Adam(self.network.parameters())
+        self.optimizers = optimizers(self.network)
         self.part, self.step, self.updates, self.spent_s = 0, 0, 0, 0.0
         if (folder / CHECKPOINT).is_file():
             self._load()
@@ -93,15 +94,17 @@ class Trainer:
                     yield f"{part.name} {done}: loss {mean:.4f}, {self.spent_s:.0f} s"
                     losses.clear()
             self.part, self.step = self.part + 1, 0
-            self.optimizer = torch.optim.Adam(self.network.parameters())
+            self.optimizers = optimizers(self.network)
             self._save()
 
     def _one(self, part: Part) -> float:
         """One step, or with stages one lesson; its loss."""
         generator = np.random.default_rng([self.seed, self.part, self.step])
         falling = 0.505 + 0.495 * cos(pi * self.step / part.steps)
-        for group in self.optimizer.param_groups:
-            group["lr"] = part.rate * falling * min(1.0, (self.step + 1) / _WARM_UP)
+        rate = part.rate * falling * min(1.0, (self.step + 1) / _WARM_UP)
+        for optimizer in self.optimizers:
+            for group in optimizer.param_groups:
+                group["lr"] = rate
         if self.kind == "still":
             return self._learn_stills(part, generator)
         if part.through == 0:
@@ -143,12 +146,13 @@ class Trainer:
         return self._update(torch.stack(losses).mean())
 
     def _update(self, loss: Tensor) -> float:
-        self.optimizer.zero_grad(set_to_none=True)
+        self.network.zero_grad(set_to_none=True)
         loss.backward()  # type: ignore[no-untyped-call]
         size = nn.utils.clip_grad_norm_(self.network.parameters(), 1.0)
         if not bool(torch.isfinite(size)):
             raise FloatingPointError(f"the gradient is {float(size)} at step {self.step}")
-        self.optimizer.step()
+        for optimizer in self.optimizers:
+            optimizer.step()
         self.updates += 1
         keep = min(0.998, self.updates / (9 + self.updates))
         with torch.no_grad():
@@ -163,7 +167,7 @@ class Trainer:
             "kind": self.kind, "part": self.part, "step": self.step, "updates": self.updates,
             "spent_s": self.spent_s,
             "network": self.network.state_dict(), "average": self.average.state_dict(),
-            "optimizer": self.optimizer.state_dict(),
+            "optimizers": [optimizer.state_dict() for optimizer in self.optimizers],
         }  # fmt: skip
         new = self.folder / f"{CHECKPOINT}.new"
         torch.save(state, new)
@@ -173,7 +177,8 @@ class Trainer:
         state = torch.load(self.folder / CHECKPOINT, weights_only=True)
         self.network.load_state_dict(state["network"])
         self.average.load_state_dict(state["average"])
-        self.optimizer.load_state_dict(state["optimizer"])
+        for optimizer, kept in zip(self.optimizers, state["optimizers"], strict=True):
+            optimizer.load_state_dict(kept)
         self.part, self.step, self.updates = state["part"], state["step"], state["updates"]
         self.spent_s = state["spent_s"]
 

@@ -28,7 +28,8 @@ class Decoder:
     `network` is the `module:function` that makes it, called with its layers' channels, a `Task` and
     the size, and loaded only then. `channels` has those of each size. `stills`: whether it
     reconstructs stills as well as clips. `needs_code` says why it cannot do without the code, ""
-    if it can. `any_code`: whether it decodes codes that it was not trained with.
+    if it can. `any_code`: whether it decodes codes that it was not trained with. `given`: whether
+    it begins with weights that come with nscc, which fit the declared channels alone.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Decoder:
     stills: bool = False
     needs_code: str = ""
     any_code: bool = True
+    given: bool = False
 
 
 _HERE = "nscc_training.decoders"
@@ -59,6 +61,14 @@ _OWN = (
     ),
     Decoder("fcnet", f"{_HERE}.blocks:fcnet", {"paper": (4096,), "small": (96,)}, any_code=False),
     Decoder("unrolled", f"{_HERE}.unrolled:unrolled", _UNROLLED, needs_code=_PROJECTS),
+    Decoder(
+        "any",
+        "nscc_training.any_code.decoder:any_code",
+        {"paper": (32, 64, 96), "small": (32, 64, 96)},
+        stills=True,
+        needs_code="asks what a clip would have given behind its code: it cannot do without",
+        given=True,
+    ),
     Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
 )
 DECODERS = {decoder.name: decoder for decoder in _OWN}

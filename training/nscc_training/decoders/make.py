@@ -40,7 +40,9 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
         raise ValueError(f"{name} reconstructs clips, not stills")
     if declared.needs_code and not task.sees_code:
         raise ValueError(f"{name} {declared.needs_code}")
-    if size != "small":
+    if declared.given and width != 1:
+        raise ValueError(f"{name} begins with weights of one width: leave decoder.width at 1")
+    if declared.given or size != "small":
         return _built(declared, size, task, width)
     count = 0
     for part in range(_PARTS, 0, -1):

@@ -14,6 +14,7 @@ from nscc_training.any_code.measured import Measured
 from nscc_training.baselines.hdr import merged
 from nscc_training.baselines.sparse_coding import coded_still
 from nscc_training.encoders import ShutterSpec, make_encoder
+from nscc_training.evaluation.baseline_codes import codes_named
 from nscc_training.evaluation.hdr import Crop, Picture, also_saturated, panoramas, parted
 from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
 from nscc_training.measures import number
@@ -22,12 +23,16 @@ from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel, frame_of, laid
 
 BASELINES = ("ldr", "best-uniform", "best-uniform-mu", "quad", "random", "sparse-coding", "any")
+_TAKERS = ("sparse-coding", "any")
 _HINDSIGHT = {"best-uniform": "psnr_db", "best-uniform-mu": "mu_psnr_db"}
 """What the best uniform stop is best in."""
 
 
-def stops_of(name: str, protocol: Protocol, seed: int) -> list[NDArray[np.int64]]:
+def stops_of(name: str, protocol: Protocol, seed: int, codes: str = "") -> list[NDArray[np.int64]]:
     """The tiles of stops that a baseline chooses from: one, except for the best uniform."""
+    if codes:
+        spec, start = codes_named(codes, protocol, _TAKERS, name)
+        return [make_encoder(spec, start, seed).codes()["stop"]]
     slots = int(protocol["slots"])
     if name == "ldr":
         return [np.full((1, 1), slots)]
@@ -39,18 +44,18 @@ def stops_of(name: str, protocol: Protocol, seed: int) -> list[NDArray[np.int64]
 
 
 def evaluate_hdr_baseline(
-    name: str, folder: Path, seed: int = 0
+    name: str, folder: Path, seed: int = 0, codes: str = ""
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """The result of a baseline on a folder of panoramas, and its pictures: arrays by name.
 
     The best uniform stop is the best in hindsight, of the powers of two, over all crops, in linear
-    or in mu-law PSNR: no single exposure of these scenes does better.
+    or in mu-law PSNR: no single exposure of these scenes does better. `codes` as `codes_named`.
     """
     protocol = load_protocol("hdr-v1")
     files = panoramas(folder)
     usable, left_out = parted(files, protocol)
     begin = perf_counter()
-    choices, metric = stops_of(name, protocol, seed), _HINDSIGHT.get(name, "psnr_db")
+    choices, metric = stops_of(name, protocol, seed, codes), _HINDSIGHT.get(name, "psnr_db")
 
     def worth(tried: tuple[NDArray[np.int64], list[Scored]]) -> float:
         return finite_mean((number(each.item.metrics[metric]) for each in tried[1]), -np.inf)
@@ -62,7 +67,9 @@ def evaluate_hdr_baseline(
     def items(others: list[Crop]) -> list[Item]:
         return [each.item for each in _decoded(name, others, stops, protocol, seed)]
 
-    subject = Subject(name, {"stops": stops.tolist(), "seed": seed}, decoder_ms=spent)
+    subject = Subject(
+        name, {"stops": stops.tolist(), "seed": seed, "shutter": codes}, decoder_ms=spent
+    )
     others = also_saturated(files, protocol, items)
     passed = [crop.as_json() for crop in left_out]
     return with_arrays(protocol, subject, files, every, passed, also_saturated=others)

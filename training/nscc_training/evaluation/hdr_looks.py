@@ -15,8 +15,10 @@ from numpy.typing import NDArray
 
 from nscc.compiler import compile_source
 from nscc.pipeline import Options
+from nscc.program.looking import level_steps
 from nscc.source import Source
 from nscc.target.load import builtin_target
+from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.light import Light
@@ -24,39 +26,38 @@ from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
 from nscc_runtime.reference.looks import looking_frames
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training import metrics
+from nscc_training.design.looking import Schedule
+from nscc_training.design.text import looking_text
 from nscc_training.evaluation.hdr import Crop, Picture, also_saturated, panoramas, parted
 from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
 from nscc_training.measures import number
 from nscc_training.protocols import Protocol, load_protocol
 
-LOOKING: dict[str, tuple[tuple[int, ...], str]] = {
-    "looks-2": ((16,), "6.25%"),
-    "looks-5": ((1, 4, 16, 64), "22%"),
-    "looks-9": ((1, 2, 4, 8, 16, 32, 64, 128), "45%"),
+SLOTS = 256
+"""Of hdr-v1."""
+ROWS: dict[str, tuple[tuple[int, ...], float]] = {
+    "looks-2": ((16,), 6.25),
+    "looks-5": ((1, 4, 16, 64), 22.0),
+    "looks-9": ((1, 2, 4, 8, 16, 32, 64, 128), 45.0),
 }
-"""The boundaries of 256 slots at which each row's pixels look, the last exposure being the frame's
-end, and the level above which they close."""
+"""The boundaries of SLOTS at which each row's pixels look, the last exposure being the frame's end,
+and the percentage of a full well above which they close."""
 
 _EFFECTS = "full_well,shot,adc_noise,comparator_noise"
 _COMPARATORS = (0.01, 0.02, 0.04)
 """Noise and offset of the comparators, in full wells, that are tried beside the default."""
 
 
-def looking_program(looks: tuple[int, ...], level: str, slots: int, slot_us: float) -> str:
-    """The text of a program whose pixels close at the first look above a level."""
-    return (
-        f"nsl 2\n\nframe {slots} slots of {slot_us:g}us\n\n"
-        f"sense bright when light > {level} at n in [{', '.join(map(str, looks))}]\n\n"
-        f"state closed_at : 0..{len(looks)} = 0\n"
-        "next closed_at = looks when bright and closed_at == 0\n\n"
-        "open when closed_at == 0\nread closed_at\n"
-    )
+def row_of(name: str, target: Target) -> Schedule:
+    """Where the pixels of a row look, and at which step of IN, on a chip."""
+    at, percent = ROWS[name]
+    return Schedule(at, (level_steps(percent, "%", target),) * len(at))
 
 
 def evaluate_looks(
     name: str, folder: Path, seed: int = 0
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """The result of one of LOOKING on a folder of panoramas, and its pictures: arrays by name.
+    """The result of one of ROWS on a folder of panoramas, and its pictures: arrays by name.
 
     Beside the score, `also` has its means with all effects of the sensor, and with comparators of
     other noise and offset.
@@ -81,8 +82,8 @@ def evaluate_looks(
         {"sensor": what, **_means(_decoded(usable, container, other, chosen, seed))}
         for what, other, chosen in tried
     ]
-    looks, level = LOOKING[name]
-    settings = {"looks": list(looks), "level": level, "effects": _EFFECTS, "seed": seed}
+    looks, percent = ROWS[name]
+    settings = {"looks": list(looks), "level": f"{percent:g}%", "effects": _EFFECTS, "seed": seed}
     subject = Subject(name, settings, decoder_ms=0.0)
     passed = [crop.as_json() for crop in left_out]
     others = also_saturated(files, protocol, items)
@@ -91,13 +92,13 @@ def evaluate_looks(
 
 def _made(name: str, protocol: Protocol) -> tuple[Container, Sensor]:
     """The compiled program and the protocol's sensor."""
-    slots, well = int(protocol["slots"]), float(protocol["full_well_e"])
+    well = float(protocol["full_well_e"])
     target = replace(
         builtin_target("scamp5"), rows=int(protocol["crop_size"]), cols=int(protocol["crop_size"]),
         full_well_e=well, register_max_e=well, register_min_e=-well,
         adc_bits=int(protocol["adc_bits"]),
     )  # fmt: skip
-    text = looking_program(*LOOKING[name], slots, 125.0)
+    text = looking_text(row_of(name, target), SLOTS, 125.0, target, None, "")
     made = compile_source(Source(f"{name}.nsl", text), Path(), Options(target=target)).container
     assert made is not None
     sensor = default_sensor(target)

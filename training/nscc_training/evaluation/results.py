@@ -196,6 +196,24 @@ def read_result(path: Path) -> dict[str, Any]:
     )
 
 
+def mean_of(
+    results: Sequence[Mapping[str, Any]], metric: str, *, by_source: bool = False
+) -> float | None:
+    """The mean of a metric over the items of each result, then over the results, which are seeds;
+    items that are infinite are left out. `by_source`: over the means of the files, each of which
+    counts once, however many items it has. None without a finite item."""
+    means = []
+    for found in results:
+        values: dict[str, list[float]] = {}
+        for item in found["items"]:
+            value = number(item[metric])
+            if math.isfinite(value):
+                values.setdefault(str(item["file"]) if by_source else "", []).append(value)
+        if values:
+            means.append(float(np.mean([np.mean(part) for part in values.values()])))
+    return float(np.mean(means)) if means else None
+
+
 def compare(
     pairs: Sequence[tuple[dict[str, Any], dict[str, Any]]], metric: str = "psnr_db"
 ) -> dict[str, Any]:

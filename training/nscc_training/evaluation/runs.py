@@ -90,6 +90,8 @@ def evaluate_run(
             "size": settings.decoder.sized,
             "steps": settings.train.steps,
             "train_seed": settings.train.seed,
+            "places": folder.result.get("codes", {}).get("places"),
+            "moved": folder.result.get("codes", {}).get("moved"),
             "program_sha256": sha256(folder.program.encode()).hexdigest(),
             "config_sha256": folder.result.get("config_sha256"),
             "seed": seed,

@@ -15,30 +15,37 @@ from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import load_run
 
 _OF_PROTOCOL = {
-    "hdr-v1": (*hdr_baselines.BASELINES, *hdr_looks.LOOKING),
+    "hdr-v1": (*hdr_baselines.BASELINES, *hdr_looks.ROWS),
     "video-v1": video_baselines.BASELINES,
 }
 
 
 def evaluate(
     subject: str, data: Path, protocol: str, seed: int, *,
-    trust_code: bool = False, skip_seen: bool = False,
+    trust_code: bool = False, skip_seen: bool = False, codes: str = "",
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:  # fmt: skip
     """The result of a baseline or of a run folder, and the arrays it made, by name.
 
-    Of a run, `trust_code` is as `load_run`'s and `skip_seen` as `evaluate_run`'s.
-    Raises Rejected: NS0806 for the protocol, NS0810 for a subject that it does not know, NS0811
-    for a folder without its data, and what `load_run` and `evaluate_run` raise.
+    Of a run, `trust_code` is as `load_run`'s and `skip_seen` as `evaluate_run`'s; of a baseline
+    `codes` names other shutters than its own, see `codes_named`.
+    Raises Rejected: NS0806 for the protocol, NS0810 for a subject that it does not know, NS0840
+    for codes that it does not take, NS0811 for a folder without its data, and what `load_run` and
+    `evaluate_run` raise.
     """
     chosen = load_protocol(protocol)
     known = _OF_PROTOCOL.get(chosen.name, ())
     if subject in known:
-        if subject in hdr_looks.LOOKING:
-            return hdr_looks.evaluate_looks(subject, data, seed)
         if chosen.name == "hdr-v1":
-            return hdr_baselines.evaluate_hdr_baseline(subject, data, seed)
-        return video_baselines.evaluate_video_baseline(subject, data, seed)
+            if subject in hdr_looks.ROWS and not codes:
+                return hdr_looks.evaluate_looks(subject, data, seed)
+            return hdr_baselines.evaluate_hdr_baseline(subject, data, seed, codes)
+        return video_baselines.evaluate_video_baseline(subject, data, seed, codes)
     if Path(subject).is_dir():
+        if codes:
+            raise rejected(
+                "NS0840", f"the run '{subject[:60]}' has codes of its own",
+                notes=("its decoder knows those alone",), helps=("leave --shutter out",),
+            )  # fmt: skip
         folder = load_run(Path(subject), trust_code=trust_code)
         return evaluate_run(folder, data, chosen, seed, skip_seen=skip_seen)
     raise rejected(

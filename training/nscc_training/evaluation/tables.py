@@ -6,23 +6,24 @@ rows are what can be compared.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.files import write_together
 from nscc_training.config import load_config
 from nscc_training.evaluation.hdr import ENDINGS
-from nscc_training.evaluation.results import read_result
+from nscc_training.evaluation.result_text import result_json
+from nscc_training.evaluation.results import mean_of, read_result
 from nscc_training.evaluation.runs import Key, key_of
 from nscc_training.evaluation.subjects import evaluate
-from nscc_training.measures import number
 from nscc_training.protocols import load_protocol
+from nscc_training.run_files import shipped_evaluations
 from nscc_training.scene_files import CLIPS, files_in
 from nscc_training.settings import Settings
 
@@ -31,14 +32,15 @@ from nscc_training.settings import Settings
 class Row:
     """A row of a table: the paper's PSNR in dB and SSIM, None for rows of our own.
 
-    `baseline` names a subject of `nscc evaluate`; otherwise `key` (decoder, class, codes) says
-    which runs belong here.
+    `baseline` names a subject of `nscc evaluate`, `codes` its shutters if not its own; otherwise
+    `key` (decoder, class, codes) says which runs belong here.
     """
 
     table: int
     name: str
     paper: tuple[float, float] | None
     baseline: str = ""
+    codes: str = ""
     key: Key | None = None
     remark: str = ""
 
@@ -71,7 +73,7 @@ ROWS: tuple[Row, ...] = (
     Row(3, "3D U-Net, c learned", (32.87, 0.9272), key=("unet3d", "c", "learned")),
     Row(3, "3D U-Net, e random", (32.19, 0.9254), key=("unet3d", "e", "random")),
     Row(3, "3D U-Net, e learned", (33.56, 0.9374), key=("unet3d", "e", "learned"),
-        remark="16 bits, more than its own chip has"),
+        remark="a tile of 64 codes: 6 bits a pixel"),
     Row(3, "3D U-Net, codebook learned", None, key=("unet3d", "codebook", "learned")),
     Row(3, "3D U-Net, codebook, words in the loss", None, key=("unet3d", "codebook", "words")),
     Row(3, "3D U-Net, d random", None, key=("unet3d", "d", "random")),
@@ -87,36 +89,49 @@ ROWS: tuple[Row, ...] = (
         remark="the paper's Table 3 has 27.78: unexplained, no target"),
     Row(4, "3D U-Net, c learned", (32.40, 0.8118), key=("unet3d", "c", "learned")),
     Row(4, "GAP-TV, e random", None, "gap-tv"),
+    Row(4, "GAP-TV, c, 2 x 2 pattern", None, "gap-tv", "c:quad"),
     Row(4, "the decoder for any code, e random", None, "any"),
+    Row(4, "the decoder for any code, c, 2 x 2 pattern", None, "any", "c:quad"),
 )  # fmt: skip
 
 
 def tables(
-    data: Path,
-    runs: Path | None,
+    data: Path | None = None,
+    runs: Path | None = None,
     results: Path | None = None,
     track: Callable[[Sequence[Row]], Any] = lambda rows: rows,
 ) -> list[dict[str, Any]]:
     """Every row as JSON values: the paper's numbers, ours, and what they were made with.
 
-    `data` holds panoramas and clips, or folders `hdr` and `video` of them; `runs` holds run
-    folders. Runs of one row are its seeds. `results` holds what `nscc evaluate` wrote before: runs
-    and baselines that are among them, on the same files, are not evaluated again. What was not run
-    has `psnr_db` None and says why, such as a run whose weights were not kept. Rejected (NS0811,
-    NS0818, NS0807) for folders that there are not.
+    `results` holds what `nscc evaluate` wrote; without it and `data` those that come with nscc.
+    `data` holds panoramas and clips, or folders `hdr` and `video` of them; on it baselines and
+    run folders in `runs` are evaluated that are not among the results, and each is written into
+    `results`, if named, as soon as it is done. Results are shown if they are of the data's files
+    or, without data, of the files that most are of. Runs of one row are its seeds. A row that was
+    not run has `psnr_db` None and says why in its `remark`. Rejected (NS0811, NS0818, NS0807) for
+    folders that there are not.
     """
-    hint = "name a folder of panoramas and clips, or with folders hdr and video of them"
-    _check_folder(data, "NS0811", "data", hint)
-    places = {protocol: _Place.of(data, protocol) for protocol in ("hdr-v1", "video-v1")}
-    held = _held(results, places)
+    if data is not None:
+        hint = "name a folder of panoramas and clips, or with folders hdr and video of them"
+        _check_folder(data, "NS0811", "data", hint)
+    if results is None and data is None:
+        results = shipped_evaluations()
+    held = _held(results)
+    names = ("hdr-v1", "video-v1")
+    if data is None:
+        places = {name: _Place.of_most(held, name) for name in names}
+    else:
+        places = {name: _Place.of(data, name) for name in names}
+    held = [found for found in held if places[found["protocol"]].digests == _digests(found)]
     known = {_config(found) for found in held}
     fresh = [run for run in _runs(runs) if run.config_sha256 not in known]
-    return [_row(row, places[row.protocol], fresh, held) for row in track(ROWS)]
+    table = _Filled(places, fresh, held, results)
+    return [table.row(row) for row in track(ROWS)]
 
 
 @dataclass(frozen=True)
 class _Place:
-    """A folder with a protocol's scenes and the digests of its files; None where there is none."""
+    """A folder with a protocol's scenes, None where there is none, and the digests of its files."""
 
     folder: Path | None
     digests: frozenset[str]
@@ -130,22 +145,27 @@ class _Place:
                 return cls(folder, digests)
         return cls(None, frozenset())
 
+    @classmethod
+    def of_most(cls, held: Sequence[dict[str, Any]], protocol: str) -> _Place:
+        found = Counter(_digests(each) for each in held if each["protocol"] == protocol)
+        return cls(None, found.most_common(1)[0][0] if found else frozenset())
 
-def _held(folder: Path | None, places: Mapping[str, _Place]) -> list[dict[str, Any]]:
-    """The results in a folder that are of the same protocols and files."""
+
+def _held(folder: Path | None) -> list[dict[str, Any]]:
+    """The results in a folder that are of the protocols of tables, as these are today."""
     if folder is None:
         return []
     _check_folder(folder, "NS0807", "results", "`nscc evaluate ... -o DIR/NAME.json` writes them")
-    found = []
-    for path in sorted(folder.glob("*.json")):
-        result = read_result(path)
-        place = places.get(str(result.get("protocol")))
-        digests = frozenset(str(entry["sha256"]) for entry in result.get("data", ()))
-        if place is None or place.digests != digests:
-            continue
-        if load_protocol(str(result["protocol"])).sha256 == result.get("protocol_sha256"):
-            found.append(result)
-    return found
+    protocols = {name: load_protocol(name).sha256 for name in ("hdr-v1", "video-v1")}
+    every = [read_result(path) for path in sorted(folder.glob("*.json"))]
+    return [
+        found for found in every
+        if found.get("protocol_sha256") == protocols.get(str(found.get("protocol")), "")
+    ]  # fmt: skip
+
+
+def _digests(found: dict[str, Any]) -> frozenset[str]:
+    return frozenset(str(entry["sha256"]) for entry in found.get("data", ()))
 
 
 def _check_folder(folder: Path, code: str, what: str, hint: str) -> None:
@@ -177,64 +197,92 @@ def _runs(folder: Path | None) -> list[_Run]:
     return found
 
 
-def _row(row: Row, place: _Place, fresh: list[_Run], held: list[dict[str, Any]]) -> dict[str, Any]:
-    made: dict[str, Any] = {
-        "table": row.table,
-        "row": row.name,
-        "paper_psnr_db": row.paper[0] if row.paper else None,
-        "paper_ssim": row.paper[1] if row.paper else None,
-        "psnr_db": None, "ssim": None, "size": None, "steps": None, "seeds": [],
-        "protocol": row.protocol, "data": [], "remark": row.remark,
-    }  # fmt: skip
-    results, refused = _results(row, place, fresh, held)
-    if not results:
-        reasons = ["no data"] if place.folder is None else refused
-        reason = ": ".join(["not run", *reasons[:1]])
-        made["remark"] = f"{reason}; {row.remark}" if row.remark else reason
+@dataclass
+class _Filled:
+    """Where rows get their results from: `held` ones, and `fresh` runs on the scenes of `places`;
+    what is evaluated is held from then on, and kept in the folder `keep` unless that is None."""
+
+    places: Mapping[str, _Place]
+    fresh: list[_Run]
+    held: list[dict[str, Any]]
+    keep: Path | None
+
+    def row(self, row: Row) -> dict[str, Any]:
+        """A row as `tables` has it."""
+        made: dict[str, Any] = {
+            "table": row.table,
+            "row": row.name,
+            "paper_psnr_db": row.paper[0] if row.paper else None,
+            "paper_ssim": row.paper[1] if row.paper else None,
+            "psnr_db": None, "psnr_by_source_db": None, "ssim": None, "size": None, "steps": None,
+            "seeds": [], "protocol": row.protocol, "data": [], "remark": row.remark,
+        }  # fmt: skip
+        results, refused = self._results(row)
+        if not results:
+            reason = "not run: " + (refused[0] if refused else self._why_not(row))
+            made["remark"] = f"{reason}; {row.remark}" if row.remark else reason
+            return made
+        made["remark"] = "; ".join(filter(None, (row.remark, _moved(row, results), *refused)))
+        settings = [found["settings"] for found in results]
+        made["psnr_db"] = mean_of(results, "psnr_db")
+        made["psnr_by_source_db"] = mean_of(results, "psnr_db", by_source=True)
+        made["ssim"] = mean_of(results, "ssim")
+        made["seeds"] = sorted({s.get("train_seed", s.get("seed", 0)) for s in settings})
+        made["size"] = settings[0].get("size", "-")
+        made["steps"] = max(s.get("steps", 0) for s in settings)
+        made["data"] = [entry["file"] for entry in results[0]["data"]]
+        made["protocol_sha256"] = results[0]["protocol_sha256"]
         return made
-    made["remark"] = "; ".join([part for part in (row.remark, *refused) if part])
-    means = [found["mean"] for found in results if found["mean"] is not None]
-    similar = [np.mean([item["ssim"] for item in found["items"]]) for found in results]
+
+    def _results(self, row: Row) -> tuple[list[dict[str, Any]], list[str]]:
+        """The results of a row, and why others of its subjects have none."""
+        place = self.places[row.protocol]
+        mine = [
+            each for each in self.held if each["protocol"] == row.protocol and _is_of(each, row)
+        ]
+        if place.folder is None:
+            return mine, []
+        runs = {str(run.path): run for run in self.fresh if _belongs(run.settings, row)}
+        refused = []
+        for subject in [row.baseline] if row.baseline and not mine else runs:
+            try:
+                found, _ = evaluate(subject, place.folder, row.protocol, 0, codes=row.codes)
+            except Rejected as refusal:
+                why = refusal.diagnostics[0]
+                refused.append(", ".join([why.message, *why.notes[:1]]))
+                continue
+            mine.append(found)
+            self._hold(found, subject, row)
+            if subject in runs:
+                self.fresh.remove(runs[subject])
+        return mine, refused
+
+    def _hold(self, found: dict[str, Any], subject: str, row: Row) -> None:
+        self.held.append(found)
+        if self.keep is not None:
+            name = "-".join([Path(subject).name, *row.codes.split(":")]).rstrip("-")
+            write_together({self.keep / f"{name}.json": result_json(found).encode()})
+
+    def _why_not(self, row: Row) -> str:
+        if row.key is not None:
+            decoder, kind, codes = row.key
+            return f"no run of {decoder}, class {kind}, codes {codes}"
+        return "no data" if self.places[row.protocol].folder is None else "no result"
+
+
+def _moved(row: Row, results: Sequence[dict[str, Any]]) -> str:
+    """How many places left their start, for rows of learned codes: where none did, nothing was."""
     settings = [found["settings"] for found in results]
-    made["psnr_db"] = float(np.mean([number(mean) for mean in means])) if means else None
-    made["ssim"] = float(np.mean(similar))
-    made["seeds"] = sorted({s.get("train_seed", s.get("seed", 0)) for s in settings})
-    made["size"] = settings[0].get("size", "-")
-    made["steps"] = max(s.get("steps", 0) for s in settings)
-    made["data"] = [entry["file"] for entry in results[0]["data"]]
-    made["protocol_sha256"] = results[0]["protocol_sha256"]
-    return made
-
-
-def _results(
-    row: Row, place: _Place, fresh: list[_Run], held: list[dict[str, Any]]
-) -> tuple[list[dict[str, Any]], list[str]]:
-    """The results of a row, and why others of its subjects have none.
-
-    What is evaluated for it is held from then on, and no longer fresh.
-    """
-    if place.folder is None:
-        return [], []
-    mine = [found for found in held if found["protocol"] == row.protocol and _is_of(found, row)]
-    runs = {str(run.path): run for run in fresh if _belongs(run.settings, row)}
-    refused = []
-    for subject in [row.baseline] if row.baseline and not mine else runs:
-        try:
-            found, _ = evaluate(subject, place.folder, row.protocol, 0)
-        except Rejected as refusal:
-            why = refusal.diagnostics[0]
-            refused.append(", ".join([why.message, *why.notes[:1]]))
-            continue
-        mine.append(found)
-        held.append(found)
-        if subject in runs:
-            fresh.remove(runs[subject])
-    return mine, refused
+    if row.key is None or row.key[2] not in ("learned", "words"):
+        return ""
+    moved = [f"{s['moved']} of {s['places']}" for s in settings if s.get("moved") is not None]
+    return f"places moved: {', '.join(moved)}" if moved else ""
 
 
 def _is_of(found: dict[str, Any], row: Row) -> bool:
     if row.key is None:
-        return _config(found) is None and found["method"] == row.baseline
+        same = found["method"] == row.baseline and found["settings"].get("shutter", "") == row.codes
+        return _config(found) is None and same
     return tuple(found["settings"].get("row", ())) == row.key
 
 
@@ -257,12 +305,14 @@ def text_of(rows: list[dict[str, Any]]) -> str:
     for table, title in titles.items():
         lines += ["", f"Table {table}: {title}"] if lines else [f"Table {table}: {title}"]
         lines.append(
-            f"  {'row':42} {'paper':>14}  {'here':>14}  {'size':6} {'steps':>6} {'seeds':7} remark"
+            f"  {'row':42} {'paper':>14}  {'here':>14}  {'source':>6}  {'size':6} {'steps':>6} "
+            f"{'seeds':7} remark"
         )
         lines += [_line(row) for row in rows if row["table"] == table]
     lines += [
-        "", "PSNR in dB / SSIM. The paper's were measured on its own data: compare differences "
-        "between rows.",
+        "", "PSNR in dB / SSIM, means over crops or windows; under `source` the PSNR with every "
+        "file counting once.",
+        "The paper's were measured on its own data: compare differences between rows.",
     ]  # fmt: skip
     return "\n".join(lines) + "\n"
 
@@ -275,8 +325,10 @@ def _line(row: dict[str, Any]) -> str:
     count = len(row["data"])
     data = f"{count} file{'s' if count > 1 else ''}" if count else ""
     remark = "; ".join(part for part in (data, row["remark"]) if part)
+    source = "-" if row["psnr_by_source_db"] is None else f"{row['psnr_by_source_db']:.2f}"
     return (
         f"  {row['row']:42} {pair(row['paper_psnr_db'], row['paper_ssim']):>14}  "
-        f"{pair(row['psnr_db'], row['ssim']):>14}  {row['size'] or '-':6} "
-        f"{row['steps'] if row['steps'] is not None else '-':>6} {seeds:7} {remark}"
+        f"{pair(row['psnr_db'], row['ssim']):>14}  {source:>6}  "
+        f"{row['size'] or '-':6} {row['steps'] if row['steps'] is not None else '-':>6} "
+        f"{seeds:7} {remark}"
     ).rstrip()

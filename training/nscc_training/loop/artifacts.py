@@ -22,7 +22,7 @@ from nscc_training.config import config_toml
 from nscc_training.data import Batches, Scenes
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.least_squares import solve
-from nscc_training.loop.setup import Parts
+from nscc_training.loop.setup import Parts, started_encoder
 from nscc_training.loop.steps import scored
 from nscc_training.measures import decibels
 from nscc_training.metrics import finite_mean, psnr
@@ -202,13 +202,19 @@ def _robustness(parts: Parts, batches: Batches) -> list[dict[str, Any]]:
 
 
 def _codes_report(parts: Parts) -> dict[str, Any]:
-    """How many shutters there are, and how far from dependent they are."""
+    """How many shutters there are, how far from dependent they are, and at how many places of the
+    tile they are not those that the run began with."""
+    chosen = parts.settings.shutter
+    start = started_encoder(chosen, parts.chip, parts.target, parts.settings.train.seed)
+    moved = (start.hard() != parts.encoder.hard().cpu()).any(dim=0)
     shutters = parts.encoder.hard().reshape(parts.slots, -1).T.double().cpu().numpy()
     distinct = np.unique(shutters, axis=0)
     system = solve(distinct, np.zeros(len(distinct)))
     unused = getattr(parts.encoder, "unused_share", None)
     return {
         "places": len(shutters),
+        "start": chosen.init,
+        "moved": int(moved.sum()),
         "shutters": len(distinct),
         "rank": system.rank,
         "condition": None if np.isinf(system.condition) else system.condition,
@@ -230,7 +236,8 @@ def _card(parts: Parts, scenes: Scenes, result: dict[str, Any]) -> str:
 A decoder `{settings.decoder.name}` ({settings.decoder.sized}, {result["parameters"]} parameters)
 and shutters of class {settings.shutter.kind} for `{settings.shutter.target}`: \
 {settings.shutter.slots} slots of {settings.shutter.slot_us:g} us, \
-{result["codes"]["shutters"]} shutters.
+{result["codes"]["shutters"]} shutters. Of {result["codes"]["places"]} places \
+{result["codes"]["moved"]} moved from the start, `{result["codes"]["start"]}`.
 
 * **For** {"stills of high dynamic range" if parts.still else "clips from one exposure"} as the
   protocol {parts.protocol.name} exposes them; `capture.toml` says how. Frames of another program

@@ -76,7 +76,7 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         chip = replace(chip, table=target)
     protocol = load_protocol(settings.data.protocol)
     still = protocol.name == "hdr-v1"
-    encoder = _encoder(chosen, chip, target, seed)
+    encoder = started_encoder(chosen, chip, target, seed)
     if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
         # Codes of so many bits cannot be: the compiler says why.
         one = np.zeros(encoder.spec.tile, np.int64)
@@ -98,6 +98,7 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
             decoder = make_decoder(made.name, made.size, task, made.width)
         except ValueError as error:
             raise _wrong("decoder.name", error) from error
+    decoder.requires_grad_(settings.decoder.learn)
     learns = any(p.requires_grad for p in decoder.parameters())
     if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
         raise _wrong("shutter.learn", "neither the decoder nor the shutters have anything to learn")
@@ -116,7 +117,8 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     )  # fmt: skip
 
 
-def _encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
+def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
+    """The shutters that a run begins with. Rejected (NS0815) where there can be none."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
     if tile != array and tile[0] * tile[1] > MOST_LISTED:

@@ -211,7 +211,8 @@ def _update(run: Run, step: int, ahead: Ahead) -> float:
         loss = loss + pull(parts, batch, trial, prediction, generator_of(*noise))
     # Here and not before: nobody else needs the interpreter while gradients are computed.
     ahead.begin(step + 1)
-    loss.backward()  # type: ignore[no-untyped-call]
+    if loss.requires_grad:  # or neither the decoder learns nor, in this step, the codes
+        loss.backward()  # type: ignore[no-untyped-call]
     learned = [p for group in run.optimiser.param_groups for p in group["params"]]
     run.ranks.average((p.grad for p in learned if p.grad is not None), (last - first) / size)
     norm = finite_norm(loss, parts, batch, step)

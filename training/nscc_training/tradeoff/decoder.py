@@ -167,7 +167,7 @@ def _captured(
 def not_measured(folders: Sequence[RunFolder]) -> list[str]:
     """Networks that no run was given of: without training their pictures mean nothing."""
     have = {folder.parts.settings.decoder.name for folder in folders}
-    names = [name for name in DECODERS if name not in have]
+    names = [name for name in DECODERS if name not in have and not DECODERS[name].given]
     if not names:
         return []
     return [f"not measured: {', '.join(names)}; an untrained network decodes nothing, so name a "

@@ -1,0 +1,69 @@
+"""`decoder.name = "any"`: runs whose decoder begins with what was learned for any code."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import torch
+from torch import Tensor, nn
+
+from nscc_training.any_code.decode import shipped, white
+from nscc_training.any_code.measured import Measured
+from nscc_training.any_code.network import ClipDenoiser
+from nscc_training.any_code.stages import START, schedule, stage, started
+from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
+from nscc_training.decoders.declared import Task
+from nscc_training.sensor_model import laid
+
+_STAGES = {"paper": 8, "small": 4}
+_NOISE = (1e-5, 3e-5)
+"""Variance of a dark pixel, and what it gains up to a full one, over the square of a full well:
+about that of a well of 30,000 electrons read with 8 bits. Runs learn their own."""
+
+
+def any_code(channels: Sequence[int], task: Task, size: str) -> AnyCode:
+    """The declared decoder `any`."""
+    return AnyCode(channels, task.kind == "still", _STAGES[size])
+
+
+class AnyCode(nn.Module):
+    """`stages` of the data term and a denoiser, with the weights of nscc's to begin with.
+
+    Frames (batch, rows, cols) on 1 for a full well, saturated from there on; shutters (N, r, c) a
+    tile. Gives light in full wells over the frame (batch, rows, cols), or of clips full wells / N a
+    slot (batch, N, rows, cols). Clips begin with GAP-TV, which no gradient passes.
+    """
+
+    def __init__(self, channels: Sequence[int], still: bool, stages: int) -> None:
+        super().__init__()
+        self.still, self.stages = still, STILL_STAGES if still else stages
+        self.denoiser = ClipDenoiser(tuple(channels))
+        if (known := shipped("still" if still else "clip")) is not None:
+            self.denoiser.load_state_dict(known.state_dict())
+        self.noise = nn.Parameter(torch.tensor(_NOISE).log())
+
+    def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        opened = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
+        slots = 1 if self.still else len(opened)
+        mask = opened.mean(dim=0, keepdim=True) if self.still else opened
+        dark, gained = self.noise.exp()
+        variance = slots**2 * (dark + gained * frame.clamp(min=0))
+        parts = (slots * frame, variance, frame >= 1)
+        value, variance, saturated = (part.unsqueeze(1) for part in parts)
+        measured = Measured(value, mask[None, None], variance, saturated)
+        return self._still(measured) if self.still else self._clip(measured)
+
+    def _clip(self, measured: Measured) -> Tensor:
+        with torch.no_grad():
+            unit = white(measured).to(measured.value.device)
+            clip, target = started(measured.over(unit), START)
+        measured = measured.over(unit)
+        for sigma in schedule(self.stages):
+            clip, target = stage(measured, self.denoiser, clip, target, sigma)
+        return clip * unit.reshape(-1, 1, 1, 1)
+
+    def _still(self, measured: Measured) -> Tensor:
+        light = started_still(measured)
+        for sigma in still_schedule(self.stages):
+            light = still_stage(measured, self.denoiser, light, sigma)
+        return light

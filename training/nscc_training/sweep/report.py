@@ -1,0 +1,157 @@
+"""What a sweep says to who looks at it: a diagram, and a page of HTML that stands alone."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import Any
+
+from nscc import html
+from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import meant
+from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
+from nscc_training.sweep.grid import Grid
+from nscc_training.sweep.kinds import KINDS
+from nscc_training.sweep.table import Table, cell
+
+_MOST_ROWS = 2000
+"""Of the page; the table has all."""
+_MOST_PANELS = 12
+_WIDTH = 900
+
+
+def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
+    """The page: diagram, what does not fit and why, all points, the grid."""
+    shown = [name for name in ("part", *grid.columns) if name in table.inputs or len(table) == 1]
+    shown += [name for name in table.figures if _says_something(table.columns[name])]
+    rows = [*zip(*(table.columns[name] for name in shown), strict=True)][:_MOST_ROWS]
+    cut = f" (the first {_MOST_ROWS})" if len(table) > _MOST_ROWS else ""
+    parts = [
+        html.Html() if diagram is None else html.picture(diagram, "", _WIDTH),
+        _misfits(grid, table),
+        html.folded(
+            f"all points{cut}", html.table(([_short(v) for v in row] for row in rows), shown)
+        ),
+        html.folded("the grid", html.plain(grid.text)),
+    ]
+    count = f"{len(table)} points"
+    body = html.card(grid.name, count, *parts)
+    style = "body{font-family:sans-serif;margin:2em}img{image-rendering:auto!important}"
+    return (
+        f"<!doctype html>\n<html lang='en'><head><meta charset='utf-8'><title>"
+        f"{html.text(grid.name)}</title><style>{style}</style></head><body>{body}</body></html>\n"
+    )
+
+
+def diagram_of(grid: Grid, table: Table) -> bytes | None:
+    """The diagram that the grid asks for, or else one that suits it; None for a single point or
+    where there are no numbers. Rejected (NS0832) for columns that there are not."""
+    from nscc_runtime.pictures.sheet import png_of
+
+    plot = grid.plot
+    free = [name for name in (*grid.axes, "part") if _several(table.columns[name])]
+    for key in ("x", "line", "panel"):
+        if getattr(plot, key):
+            _check(key, getattr(plot, key), table)
+            free = [name for name in free if name != getattr(plot, key)]
+    x = plot.x or _take(free, lambda name: _numbers(table.columns[name])) or _take(free)
+    upwards = plot.y or tuple(dict.fromkeys(
+        KINDS[point.kind].figure for point in grid.points
+        if KINDS[point.kind].figure in table.figures
+    ))  # fmt: skip
+    for figure in upwards:
+        _check("y", figure, table)
+    panel = plot.panel or _take(free, lambda _name: not plot.line and len(free) > 1)
+    means = [name for name in free if name.endswith("seed")]
+    lines = [plot.line] if plot.line else [name for name in free if name not in means]
+    if not x:
+        return None
+    titles = list(dict.fromkeys(table.columns[panel])) if panel else [None]
+    panels = [
+        Lines(
+            "" if value is None else f"{panel} {_short(value)}", x, figure,
+            _lines(table, x, figure, lines, {panel: value} if panel else {}),
+        )
+        for figure in upwards
+        for value in titles
+    ]  # fmt: skip
+    panels = [each for each in panels if any(each.lines.values())][:_MOST_PANELS]
+    if not panels:
+        return None
+    left = [name for name in free if name not in lines]
+    note = f"means over {', '.join(left)}" if left else ""
+    return png_of(sweep_diagram, panels, grid.name.replace("_", " "), note)
+
+
+def _lines(
+    table: Table, x: str, figure: str, lines: Sequence[str], chosen: dict[str, Any]
+) -> dict[str, list[tuple[Any, float]]]:
+    """The points of each line of a panel, ordered across; means where several are at one place."""
+    columns = table.columns
+    held: dict[str, dict[Any, list[float]]] = {}
+    for index in range(len(table)):
+        across, up = columns[x][index], columns[figure][index]
+        here = all(columns[name][index] == value for name, value in chosen.items())
+        if here and across is not None and _number(up):
+            name = ", ".join(_short(columns[line][index]) for line in lines)
+            held.setdefault(name, {}).setdefault(across, []).append(up)
+    ordered = _numbers(columns[x])
+    found = {}
+    for name, places in held.items():
+        points = [(across, sum(ups) / len(ups)) for across, ups in places.items()]
+        found[name] = sorted(points) if ordered else points
+    return found
+
+
+def _misfits(grid: Grid, table: Table) -> html.Html:
+    """Points without figures, those together that have one reason."""
+    together: dict[tuple[str, str], list[str]] = {}
+    columns = table.columns
+    for point, code, error in zip(grid.points, columns["code"], columns["error"], strict=True):
+        if code:
+            together.setdefault((code, error), []).append(point.name)
+    if not together:
+        return html.Html()
+    rows = [(code, error, ", ".join(names)) for (code, error), names in together.items()]
+    count = sum(map(len, together.values()))
+    return html.folded(f"{count} without figures", html.table(rows, ("code", "why", "points")))
+
+
+def _check(key: str, name: str, table: Table) -> None:
+    if name not in table.columns:
+        raise rejected(
+            "NS0832",
+            f"plot.{key} is '{name[:60]}', and the table has no such column",
+            notes=(f"it has {', '.join(table.columns)}",),
+            helps=meant(name, table.columns, "name one of them"),
+        )
+
+
+def _take(names: list[str], fits: Any = lambda _name: True) -> str:
+    """The first of the names that fits, which is then no more among them; "" without one."""
+    found = next((name for name in names if fits(name)), "")
+    if found:
+        names.remove(found)
+    return found
+
+
+def _several(values: Sequence[Any]) -> bool:
+    return len(set(values)) > 1
+
+
+def _number(value: Any) -> bool:
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    return number and isfinite(value)
+
+
+def _numbers(values: Sequence[Any]) -> bool:
+    return all(value is None or _number(value) for value in values)
+
+
+def _says_something(values: Sequence[Any]) -> bool:
+    return any(value is not None for value in values)
+
+
+def _short(value: Any) -> str:
+    """A cell for a reader: six digits are enough."""
+    return f"{value:.6g}" if isinstance(value, float) else cell(value)

@@ -1,0 +1,150 @@
+"""README.md of this folder from README.template.md: every number comes from a file beside it.
+
+    python training/results/readme.py
+
+`{{WORD ARGUMENTS}}` in the template is one of the functions below, with arguments as a shell would
+split them. Results are named as their files in `evaluations`; @ stands for the seeds 0, 1 and 2.
+"""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+import shlex
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from nscc_training.evaluation.results import compare, mean_of, read_result
+
+HERE = Path(__file__).resolve().parent
+SEEDS = range(3)
+
+
+@cache
+def result(name: str) -> dict[str, Any]:
+    """What `nscc evaluate` said."""
+    return read_result(HERE / "evaluations" / f"{name}.json")
+
+
+def results(name: str) -> list[dict[str, Any]]:
+    """Those of all seeds, or the one there is."""
+    return [result(name.replace("@", str(seed))) for seed in (SEEDS if "@" in name else range(1))]
+
+
+def run_of(name: str) -> dict[str, Any]:
+    """What a run said of itself."""
+    return dict(json.loads((HERE / "runs" / name / "result.json").read_text(encoding="utf-8")))
+
+
+def mean(name: str, metric: str) -> str:
+    """Over items, then seeds: dB with two digits, others with three."""
+    return _digits(mean_of(results(name), metric), metric)
+
+
+def source(name: str, metric: str) -> str:
+    """The same, with every file counting once."""
+    return _digits(mean_of(results(name), metric, by_source=True), metric)
+
+
+def gain(first: str, second: str, metric: str) -> str:
+    """How much better the second is in pairs, with its interval."""
+    return _signed(compared(first, second, metric))
+
+
+def compared(first: str, second: str, metric: str) -> dict[str, Any]:
+    """As `nscc evaluate compare`: a result of one seed is compared with all of the other's."""
+    one, other = results(first), results(second)
+    count = max(len(one), len(other))
+    pairs = zip(one * (count // len(one)), other * (count // len(other)), strict=True)
+    return compare(list(pairs), metric)
+
+
+def gain_by_source(first: str, second: str, metric: str) -> str:
+    """The difference of what `source` gives."""
+    one, other = (mean_of(results(name), metric, by_source=True) for name in (first, second))
+    assert one is not None
+    assert other is not None
+    return f"{other - one:+.2f}"
+
+
+def stop(name: str) -> str:
+    """The stop of a uniform exposure."""
+    [[only]] = result(name)["settings"]["stops"]
+    return str(only)
+
+
+def words(name: str) -> str:
+    """Words a slot of a run's program."""
+    return f"{run_of(name)['words_per_slot']:.1f}"
+
+
+def moved(name: str) -> str:
+    """At how many places of its tile a run's codes left their start."""
+    found = [run_of(name.replace("@", str(k)))["codes"] for k in (SEEDS if "@" in name else [0])]
+    return ", ".join(f"{codes['moved']}" for codes in found) + f" of {found[0]['places']}"
+
+
+def steps(name: str) -> str:
+    """For how many steps a run was trained."""
+    return str(result(name)["settings"]["steps"])
+
+
+def validation(name: str, step: str) -> str:
+    """A run's PSNR on its validation patches at a step."""
+    with open(HERE / "runs" / name / "metrics.csv", encoding="utf-8") as lines:
+        [row] = [r for r in csv.DictReader(lines) if (r["step"], r["split"]) == (step, "val")]
+    return f"{float(row['psnr_db']):.1f}"
+
+
+def cost(method: str, setting: str) -> str:
+    """PSNR, SSIM and milliseconds of a decoder, as cells of a table."""
+    with open(HERE / "evaluations" / "decoders.csv", encoding="utf-8") as lines:
+        rows = [
+            row for row in csv.DictReader(lines)
+            if row["method"].endswith(f", {method}") and row["setting"] == setting
+        ]  # fmt: skip
+    found = {row["error_unit"]: float(row["error"]) for row in rows}
+    time_ms = float(rows[0]["time_ms"])
+    return f"{found['psnr_db']:.2f} | {found['ssim']:.3f} | {time_ms:.0f}"
+
+
+def windows(name: str) -> str:
+    """How many items there are, and how many of them of the file that has most."""
+    files = [item["file"] for item in result(name)["items"]]
+    return f"{len(files)} windows, {max(map(files.count, files))} of them of one film"
+
+
+FUNCTIONS: dict[str, Callable[..., str]] = {
+    call.__name__: call
+    for call in (
+        mean, source, gain, gain_by_source, stop, words, moved, steps, validation, cost, windows
+    )
+}  # fmt: skip
+
+
+def written() -> str:
+    """The text of README.md."""
+
+    def filled(match: re.Match[str]) -> str:
+        word, *arguments = shlex.split(match[1])
+        return FUNCTIONS[word](*arguments)
+
+    template = (HERE / "README.template.md").read_text(encoding="utf-8")
+    return re.sub(r"\{\{(.*?)\}\}", filled, template)
+
+
+def _digits(value: float | None, metric: str) -> str:
+    assert value is not None, metric
+    return f"{value:.{2 if metric.endswith('_db') else 3}f}"
+
+
+def _signed(found: dict[str, Any]) -> str:
+    low, high = found["ci95"]
+    return f"{found['gain_db']:+.2f} ({low:+.2f} to {high:+.2f})"
+
+
+if __name__ == "__main__":
+    (HERE / "README.md").write_text(written(), encoding="utf-8")
