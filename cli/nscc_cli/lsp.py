@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import sys
+
 import click
 
-from nscc_cli.support import CommonCommand
+from nscc_cli.support import CommonCommand, done
 
 
 @click.command("lsp", cls=CommonCommand)
@@ -18,4 +20,6 @@ def command(stdio: bool) -> None:
     """
     from nscc_cli.language_server import make_server
 
+    if sys.stdin.isatty():
+        done("waiting for an editor, which speaks over standard input: Ctrl-C ends it")
     make_server().start_io()

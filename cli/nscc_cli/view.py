@@ -28,6 +28,8 @@ _PROGRAMS = (".nsl", ".icw")
 def command(program: Path, out: Path | None, gates: bool, tone: str | None, **options: Any) -> None:
     """Draw the shutters of a program as a time chart, and the map of its codes, as a PNG.
 
+    Of pixels that look at the light the chart says when they are open at which light.
+
     Or draw what nscc has made: a frame file, a reconstruction, a run folder, a result.json, a
     sensor.toml, a picture, a clip.
     """
@@ -51,6 +53,11 @@ def _shutters(program: Path, options: dict[str, Any]) -> bytes:
     container, messages = load_program(program, options)
     say(messages)
     from nscc_runtime.pictures.sheet import png_of
+
+    if container.machine is not None:
+        from nscc_runtime.pictures.courses import course_sheet
+
+        return png_of(course_sheet, container, program.name)
     from nscc_runtime.pictures.shutters import shutter_sheet
 
     return png_of(shutter_sheet, container, program.name)

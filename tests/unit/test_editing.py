@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from hashlib import sha256
 from pathlib import Path
 
@@ -17,8 +18,10 @@ from nscc.editing.hints import hints
 from nscc.editing.hover import hover
 from nscc.editing.outline import outline
 from nscc.editing.rename import CannotRename, renamed
+from nscc.lower.resources import time_text
 from nscc.pipeline import Options
 from nscc.source import Source, Span
+from nscc.target.load import builtin_target
 
 ROOT = Path(__file__).parents[2]
 STOPS = """nsl 1
@@ -135,6 +138,17 @@ def test_slots_cost_what_the_words_say() -> None:
     assert (most.text, STOPS[: most.offset].endswith("1 + 2")) == ("= 3", True)
 
 
+def test_planes_cost_what_their_rows_take() -> None:
+    """A row after the other, each in the time that the chip's table gives it."""
+    chip = builtin_target("dual-tap")
+    load_us = chip.rows * chip.row_load_us
+    text = "nsl 1\ntarget dual-tap\nframe slots [1ms, 2ms]\nopen when n < 1\n"
+    (hint,) = hints(document(text))
+    assert hint.text == f"2 planes a frame, shortest slot {time_text(load_us)}"
+    assert f"2 planes of {chip.rows} x {chip.cols} bits a frame" in told(text, "slots")
+    assert f"loaded in {time_text(load_us)} or {load_us / 20:.2g} %" in told(text, "2ms")
+
+
 def test_the_outline() -> None:
     found = outline(document(LOOKS))
     assert [(entry.kind, entry.name) for entry in found] == [
@@ -197,6 +211,14 @@ def test_fixes() -> None:
     assert (diagnostic.code, fix.replacement, fix.sure) == ("NS0107", "when", False)
     assert all_mended(found) == text.replace("1 ms", "1ms")
     assert all_mended(document(STOPS)) is None
+
+
+def test_the_page_works(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    (shown,) = re.findall(
+        r"^```python\n(.*?)^```$", (ROOT / "docs/editors.md").read_text(), re.M | re.S
+    )
+    exec(compile(shown, "editors.md", "exec"), {})
 
 
 @pytest.mark.parametrize("text", ["\ud800", "nsl 1\n\0", "\ufeffnsl 1", "x" * (257 << 10), "\r\r"])

@@ -224,6 +224,7 @@ def test_one_sweep_at_a_time(tmp_path: Path) -> None:
 @pytest.mark.parametrize("kind", ["compile", "limits", "emulate", "train", "evaluate"])
 def test_a_complete_part_can_be_read(tmp_path: Path, kind: str) -> None:
     text = invoke(["sweep", "--schema", kind], tmp_path).out
+    assert f"[{kind}]" in text
     with pytest.raises(Rejected) as wrong:  # it names nothing to compute yet
         read_grid(written(tmp_path, text))
     assert {each.code for each in wrong.value.diagnostics} == {"NS0832"}

@@ -50,6 +50,7 @@ class Ways:
     container: Container
     sensor: Sensor
 
+    @remembered
     def lacks(self, effects: Selection) -> tuple[str, ...]:
         """Why frames with these effects are the reference's to make; nothing where they are not."""
         found = [

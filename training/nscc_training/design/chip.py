@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from nscc.target.target import Target
 from nscc_runtime.effects import Selection
-from nscc_runtime.effects.parts import Errors, WordGain
+from nscc_runtime.effects.parts import Errors, Soft, WordGain
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.looked_light import variance_e2
@@ -58,9 +58,12 @@ class Chip:
 
     @cached_property
     def full_e(self) -> float:
-        """The most electrons that an exposure tells: of a well, or of the converter's codes."""
+        """The most electrons that an exposure tells: of a well, of the converter's codes, or of a
+        register that is still linear."""
         codes = 2**self.target.adc_bits - 1 - self.sensor.adc_offset_lsb
-        return min(float(self.sensor.full_well_e), codes * self.code_e / self.gain)
+        most = min(float(self.sensor.full_well_e), codes * self.code_e / self.gain)
+        soft = self.effects.part(Soft)
+        return most if soft is None else min(most, soft.linear_e(self.sensor) / self.gain)
 
     def exposed_sd_e(self, electrons: Values) -> Values:
         """The standard deviation of an exposure's estimate, in electrons on PIX."""

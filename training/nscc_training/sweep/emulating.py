@@ -137,8 +137,8 @@ def _bench(values: Values) -> Figures:
     slots = values["slots"]
     settings = Settings(
         classes=(values["class"],) if clips else (), slots=(slots,) if clips else (),
-        stop_slots=() if clips else (slots,), codes=(values["codes"],),
-        looks=(), lowerings=(values["lowering"],), target=values["target"], level=values["level"],
+        stop_slots=() if clips else (slots,), looks=(), codes=(values["codes"],),
+        lowerings=(values["lowering"],), target=values["target"], level=values["level"],
         effects=values["effects"], slot_us=values["at_us"],
         data=Path(values["data"]) if values["data"] else None, count=values["scenes"],
         seed=values["seed"], frames=values["frames"], sensor=_sensor_file(values),
@@ -155,7 +155,7 @@ def _bench(values: Values) -> Figures:
 
 EMULATE = PointKind(
     "emulate", "what the emulated chip captures of a scene, and what can be made of it", _keys,
-    _emulate, "mean_e", _reads, fault=_fault,
+    _emulate, ("psnr_db", "mean_e"), _reads, fault=_fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
 )  # fmt: skip

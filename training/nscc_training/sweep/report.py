@@ -55,10 +55,9 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
             _check(key, getattr(plot, key), table)
             free = [name for name in free if name != getattr(plot, key)]
     x = plot.x or _take(free, lambda name: _numbers(table.columns[name])) or _take(free)
-    upwards = plot.y or tuple(dict.fromkeys(
-        KINDS[point.kind].figure for point in grid.points
-        if KINDS[point.kind].figure in table.figures
-    ))  # fmt: skip
+    kinds = [KINDS[name] for name in dict.fromkeys(point.kind for point in grid.points)]
+    drawn = ([name for name in kind.drawn if name in table.figures] for kind in kinds)
+    upwards = plot.y or tuple(dict.fromkeys(names[0] for names in drawn if names))
     for figure in upwards:
         _check("y", figure, table)
     panel = plot.panel or _take(free, lambda _name: not plot.line and len(free) > 1)
