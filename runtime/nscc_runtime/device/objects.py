@@ -39,8 +39,6 @@ from nscc_runtime.device.messages import Begin, Entry
 MOST_TIMES = (1 << 16) - 1
 MOST_LAUNCHES = 1 << 20
 """Most launches of a frame, whatever its rows."""
-GRACE_NS = 2000
-"""How late a launch may be: what comes between two looks at the clock, with room to spare."""
 READOUT = Struct("<B7xd")
 SCHEDULE_HEAD = Struct("<III")
 RUN = Struct("<Id")
@@ -148,7 +146,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
     levels = [(AS_IT_IS if level is None else level,) for *_, level in rows]
     sets_in = any(level != (AS_IT_IS,) for level in levels)
-    schedule = SCHEDULE_HEAD.pack(container.slots, GRACE_NS, 0)
+    schedule = SCHEDULE_HEAD.pack(container.slots, grace_ns(target), 0)
     schedule += _counted(RUN, runs) + _counted(ROW, [row[:3] for row in rows])
     states = [(target.digital_registers.index(name),) for name in state_registers(container)]
     objects = [Object(ObjectKind.READOUTS, 0, _readouts(container))]
@@ -188,6 +186,12 @@ def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
     bits = np.frombuffer(data, np.uint8)
     flat = np.unpackbits(bits, count=shape[0] * shape[1], bitorder="little")
     return flat.view(np.bool_).reshape(shape)
+
+
+def grace_ns(target: Target) -> int:
+    """How late a launch may be, in nanoseconds: by what the loop takes, whose clock may be one of
+    whole microseconds."""
+    return min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
 
 
 def _readouts(container: Container) -> bytes:

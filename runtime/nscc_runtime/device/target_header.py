@@ -27,8 +27,11 @@ _LONGEST_REFRESH = 5
 def target_header(target: Target) -> str:
     """`target.hpp` for a target: what the loader believes of words, and of nothing else.
 
-    Raises ValueError for a target with words of its own, which the loader does not know.
+    Raises ValueError for a target without words, and for one with words of its own, which the
+    loader does not know.
     """
+    if target.kind != "scamp":
+        raise ValueError(f"the pixels of {target.name} run no words, and the loader runs words")
     if target.words:
         names = ", ".join(row.name for row in target.words)
         raise ValueError(f"the loader's firmware knows no words of {target.name}'s own: {names}")
