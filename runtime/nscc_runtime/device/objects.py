@@ -24,6 +24,7 @@ from enum import IntEnum
 from functools import cached_property
 from hashlib import sha256
 from itertools import groupby
+from math import ceil
 from struct import Struct
 
 import numpy as np
@@ -79,8 +80,8 @@ class Object:
 @dataclass(frozen=True)
 class Upload:
     """A program ready to be sent: `words`, `kernels`, `rows`, `runs` are what it takes of a
-    loader's room; `readouts`, `states` how many registers come with a frame; `levels`: IN is
-    set."""
+    loader's room, and `frame_ms` of its time; `readouts`, `states` how many registers come with a
+    frame; `levels`: IN is set."""
 
     target: bytes
     label: bytes
@@ -89,6 +90,7 @@ class Upload:
     kernels: int
     rows: int
     runs: int
+    frame_ms: int
     readouts: int
     states: int
     gains: bool
@@ -169,6 +171,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
         kernels=len(container.kernels),
         rows=len(rows),
         runs=len(runs),
+        frame_ms=ceil(sum(container.slot_us) / 1000),
         readouts=len(container.readouts),
         states=len(states),
         gains=any(readout.gain != 1 for readout in container.readouts),
