@@ -119,8 +119,8 @@ def _refused(port: str, refused: Refused) -> Rejected:
         case Fault.LATE:
             return rejected(
                 "NS0721",
-                f"{at} began {failure.detail} launch{'' if failure.detail == 1 else 'es'} of the frame later "
-                "than the program allows",
+                f"{at} began {failure.detail} launch{'' if failure.detail == 1 else 'es'} of the "
+                "frame later than the program allows",
                 "measure the device's times and build the program with them: `nscc device "
                 "calibrate PORT`",
             )
