@@ -17,18 +17,29 @@ from nscc.lazy import attribute
 from nscc.version import __version__
 
 if TYPE_CHECKING:
+    from nscc.cell_magic import load_ipython_extension
     from nscc.diagnostics.diagnostic import Diagnostic, Rejected
     from nscc.shutter_program import ShutterProgram, compile, load
     from nscc.target.target import Target
 
 _NAMES = {
+    "cell_magic": ("load_ipython_extension",),
     "diagnostics.diagnostic": ("Diagnostic", "Rejected"),
     "shutter_program": ("ShutterProgram", "compile", "load"),
     "target.target": ("Target",),
 }
 """What is public, by its module."""
 
-__all__ = ["Diagnostic", "Rejected", "ShutterProgram", "Target", "__version__", "compile", "load"]
+__all__ = [
+    "Diagnostic",
+    "Rejected",
+    "ShutterProgram",
+    "Target",
+    "__version__",
+    "compile",
+    "load",
+    "load_ipython_extension",
+]
 
 
 def __getattr__(name: str) -> Any:

@@ -13,6 +13,9 @@ from nscc.program.program import Codes, Program
 from nscc.source import Source
 from nscc.syntax.parse import read_source
 
+CHECK = Options(level=1, unproved_is_error=False)
+"""How `nscc check` compiles: quickly, with a note where only a longer search can tell."""
+
 
 def compile_file(
     path: Path, options: Options | None = None, see: Observer | None = None

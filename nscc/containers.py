@@ -18,6 +18,7 @@ from nscc.pipeline import Options
 from nscc.program.analyse import ranges_of
 from nscc.program.pixels import Ranges, codes_from_arrays, codes_from_file
 from nscc.source import Source
+from nscc.stream.planes import with_planes
 from nscc.words.container import Container
 from nscc.words.file import read_container
 
@@ -64,11 +65,12 @@ def with_pixels(
             if isinstance(pixels, Path)
             else codes_from_arrays(pixels, *size, mode=mode, ranges=ranges)
         )
-        return replace(container, pixel_codes=codes)
+        return _laid(replace(container, pixel_codes=codes))
     if container.pixel_codes is not None:
         return container
     if not fields:
-        return replace(container, pixel_codes=np.zeros((target.rows, target.cols), np.int32))
+        everywhere = np.zeros((target.rows, target.cols), np.int32)
+        return _laid(replace(container, pixel_codes=everywhere))
     arrays = ", ".join(f"{name}=..." for name in fields)
     raise rejected(
         "NS0741",
@@ -80,6 +82,11 @@ def with_pixels(
             f"{arrays}), integers ({target.rows}, {target.cols})",
         ),
     )
+
+
+def _laid(container: Container) -> Container:
+    """With the planes of its codes, for a chip that is sent some."""
+    return with_planes(container) if container.target.streamed else container
 
 
 def _ranges(container: Container, program: Path) -> Ranges:

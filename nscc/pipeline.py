@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections import deque
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
@@ -32,6 +33,7 @@ from nscc.words.legality import decoded
 
 if TYPE_CHECKING:
     from nscc.looks.plan import LookingPlan
+    from nscc.stream.sending import Sending
 
 LEVELS = (0, 1, 2, 3)
 """How many steps the search for gates may take: the same level always takes the same ones."""
@@ -191,6 +193,41 @@ def make_looking_container(choice: Choice, job: Job) -> tuple[Container, Found]:
     return container_of(choice.best, job.options.level), []
 
 
+def plan_sending(program: Program, job: Job) -> tuple[Any, Found]:
+    """A program for a chip without logic becomes a way for the light of every slot.
+
+    Refuses buckets that pixels cannot sort light into (NS0509), and options for words (NS0510).
+    """
+    from nscc.stream.passes import plan_of
+
+    options = {
+        f"--lowering {job.options.lowering}": job.options.lowering != "auto",
+        "--max-words-per-slot": job.options.max_words_per_slot is not None,
+    }
+    return plan_of(program, [name for name, asked in options.items() if asked])
+
+
+def time_sending(sending: Sending, job: Job) -> tuple[Sending, Found]:
+    """The way with the times at which planes are sent. Refuses slots shorter than that (NS0508)."""
+    from nscc.stream.passes import timed
+
+    return timed(sending)
+
+
+def make_planes(sending: Sending, job: Job) -> tuple[Container, Found]:
+    """A way becomes a container of planes. Refuses nothing."""
+    from nscc.stream.passes import container_of
+
+    return container_of(sending), []
+
+
+def prove_planes(container: Container, job: Job) -> tuple[Proof, Found]:
+    """A container's planes, followed pixel by pixel, become a proof. Refuses nothing."""
+    from nscc.prove.stream import prove_stream
+
+    return prove_stream(container), []
+
+
 def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
     """A container's words, decoded and replayed, become a proof. Refuses nothing: words that do
     not satisfy the program are a fault of the compiler."""
@@ -239,6 +276,22 @@ LOOKING_PASSES = (
 """The same for programs whose shutters depend on the light: what is wanted of the gates is a
 machine's steps, not a table's shutters."""
 
+STREAM_PASSES = (
+    *_READING,
+    Pass("plan", plan_sending, lambda _way: None),
+    Pass("schedule", time_sending, lambda _sending: None),
+    Pass("words", make_planes, checks.check_words),
+    Pass("prove", prove_planes, checks.check_proof),
+)
+"""The same for chips without logic, whose pixels decode nothing: there are no gates."""
+
+
+def passes_after(program: Program) -> Sequence[Pass]:
+    """The passes that follow the two that read a program."""
+    target_passes = STREAM_PASSES if program.target.streamed else PASSES
+    return (LOOKING_PASSES if program.machine is not None else target_passes)[len(_READING) :]
+
+
 Observer = Callable[[str, Any], None]
 """Sees (pass name, value) after each pass, before the value is verified."""
 
@@ -248,7 +301,8 @@ class Compiled:
     """A program that compiled: its words, proved, and what there is to say about it.
 
     `choice`, `container` and `proof` are None only where `unproved_is_error` is off and only a
-    search can tell whether the program fits.
+    search can tell whether the program fits. For a chip without logic nothing is chosen: there
+    `sending` stands in place of `choice`.
     """
 
     tree: File
@@ -257,6 +311,7 @@ class Compiled:
     container: Container | None
     proof: Proof | None
     diagnostics: tuple[Diagnostic, ...]
+    sending: Sending | None = None
 
     @property
     def lowered(self) -> Lowered | None:
@@ -313,9 +368,9 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
     made: dict[str, Any] = {}
     messages: list[Diagnostic] = []
     value: Any = source
-    for read, looking in zip(PASSES, LOOKING_PASSES, strict=True):
-        program = made.get("program")
-        each = read if program is None or program.machine is None else looking
+    steps = deque(_READING)
+    while steps:
+        each = steps.popleft()
         value, found = each.run(value, job)
         made[each.name] = value
         see(each.name, value)
@@ -328,11 +383,14 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
             return _compiled(made, [*messages, *map(fit.as_note, wrong)], fits=False)
         messages += found
         each.verify(value)
+        if each is _READING[-1]:
+            steps.extend(passes_after(value))
     return _compiled(made, messages, fits=True)
 
 
 def _compiled(made: dict[str, Any], messages: Found, *, fits: bool) -> Compiled:
     names = ("schedule", "words", "prove")
-    choice, container, proved = (made[name] if fits else None for name in names)
+    laid_out, container, proved = (made[name] if fits else None for name in names)
     tree, program = made["parse"].tree, made["program"]
-    return Compiled(tree, program, choice, container, proved, tuple(messages))
+    choice, sending = (None, laid_out) if program.target.streamed else (laid_out, None)
+    return Compiled(tree, program, choice, container, proved, tuple(messages), sending)

@@ -144,6 +144,10 @@ class ShutterProgram:
 
         found, options = self._as_compiled("report")
         assert found.proof is not None
+        if found.sending is not None:
+            from nscc.emit.stream import stream_report
+
+            return stream_report(found.sending, found.proof)
         return report(all_lowerings(found.program, options), found.proof)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
@@ -187,9 +191,14 @@ class ShutterProgram:
         kind = f"class {name}, " if len(name) == 1 else f"{name}, " if name else ""
         return (
             f"<nscc program {self.name!r}: {kind}{counted(len(self.container.table.codes), 'code')}"
-            f", {counted(self.slots, 'slot')}, {self.words_per_frame} words a frame, "
-            f"for {self.target.name}>"
+            f", {counted(self.slots, 'slot')}, {self._a_frame} a frame, for {self.target.name}>"
         )
+
+    @property
+    def _a_frame(self) -> str:
+        if self.target.streamed:
+            return counted(self.slots, "plane of bits", "planes of bits")
+        return counted(self.words_per_frame, "word")
 
     def _repr_html_(self) -> str:
         from nscc import html
@@ -204,8 +213,10 @@ class ShutterProgram:
         if self.compiled is not None:
             rows: list[tuple[str, str]] = summary_rows(self.compiled)
         else:
-            stored = f"{len(self.words)} stored, {self.words_per_frame} a frame"
-            rows = [*sorted(self.container.notes.items()), ("words", stored)]
+            held = ("words", f"{len(self.words)} stored, {self.words_per_frame} a frame")
+            if self.target.streamed:
+                held = ("planes", f"{self.slots} of {self.target.rows} x {self.target.cols} bits")
+            rows = [*sorted(self.container.notes.items()), held]
         said = html.plain(render(self.messages, "human")) if self.messages else html.Html()
         return html.card(self.name, f"for {self.target.name}", chart, html.table(rows), said)
 

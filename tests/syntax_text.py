@@ -13,6 +13,9 @@ from nscc.syntax import tree as t
 from nscc.syntax.parse import parse
 
 NOWHERE = Span(0, 0)
+LOOKING = frozenset(
+    ("sense", "state", "kept", "next", "reset", "read", "at", "in", "light", "exposure")
+)
 RESERVED = frozenset(
     ("nsl", "target", "frame", "let", "code", "require", "shutters", "open", "bucket", "pixels",
      "slots", "of", "when", "tile", "from", "bit", "row", "key", "sha256", "if", "else", "and",
@@ -136,7 +139,33 @@ def statement_text(node: Any) -> str:
             return f"pixels {node.field.text} = tile [{', '.join(rows)}]"
         case t.PixelsFromFile():
             return f'pixels from "{node.path.value}"{_digest(node)}'
+        case t.Sense():
+            bucket = f" {node.signal.bucket.text}" if getattr(node.signal, "bucket", None) else ""
+            signal = "light" if isinstance(node.signal, t.Light) else f"exposure{bucket}"
+            level = _level_text(node.level)
+            return f"sense {node.name.text} when {signal} {node.comparison} {level} at {e(node.at)}"
+        case t.StateRange():
+            low, high, start = e(node.low), e(node.high), e(node.start)
+            return f"state {node.name.text} : {low}..{high} = {start}{' kept' * node.kept}"
+        case t.StateBit():
+            return f"state {'kept ' * node.kept}{node.name.text} : bit = {e(node.start)}"
+        case t.Next():
+            condition = f" when {e(node.condition)}" if node.condition else ""
+            return f"next {node.name.text} = {e(node.value)}{condition}"
+        case t.Reset():
+            return f"reset when {e(node.condition)}"
+        case t.Read():
+            return f"read {', '.join(name.text for name in node.names)}"
     raise TypeError(node)
+
+
+def _level_text(level: Any) -> str:
+    match level:
+        case t.Amount():
+            return f"{level.value}{level.unit}"
+        case t.Levels():
+            return f"[{', '.join(map(_level_text, level.items))},]"
+    return expression_text(level)
 
 
 def _digest(node: Any) -> str:
@@ -150,6 +179,7 @@ def _time_text(time: t.Time) -> str:
 NAMES = st.from_regex(r"[A-Za-z_][A-Za-z0-9_]{0,6}", fullmatch=True).filter(
     lambda name: name not in RESERVED
 )
+"""Some are words of version 2; programs of that version have none of those."""
 _PATHS = st.text(st.characters(exclude_characters='"\n\r\0', codec="utf-8"), max_size=8)
 _names = NAMES.map(lambda text: t.Name(NOWHERE, text))
 _texts = _PATHS.map(lambda text: t.Text(NOWHERE, text))
@@ -219,3 +249,27 @@ STATEMENTS = st.one_of(
     _make(t.PixelsFromFile, _texts, st.none() | _texts),
 )
 PROGRAMS = st.lists(STATEMENTS, max_size=5)
+
+_amounts = st.builds(
+    t.Amount,
+    st.just(NOWHERE),
+    st.integers(0, 999).map(Fraction),
+    st.sampled_from(["%", "e", "lsb"]),
+)
+_levels = st.one_of(_amounts, EXPRESSIONS)
+_signals = st.one_of(_make(t.Light), _make(t.Exposure, st.none() | _names))
+LOOKING_STATEMENTS = st.one_of(
+    _make(
+        t.Sense, _names, _signals, st.sampled_from(_COMPARISONS),
+        _levels | _make(t.Levels, _many(_levels)), EXPRESSIONS,
+    ),
+    _make(t.StateRange, _names, EXPRESSIONS, EXPRESSIONS, EXPRESSIONS, st.booleans()),
+    _make(t.StateBit, _names, EXPRESSIONS, st.booleans()),
+    _make(t.Next, _names, EXPRESSIONS, st.none() | EXPRESSIONS),
+    _make(t.Reset, EXPRESSIONS),
+    _make(t.Read, _many(_names)),
+)  # fmt: skip
+LOOKING_PROGRAMS = st.lists(st.one_of(LOOKING_STATEMENTS, STATEMENTS), max_size=5).filter(
+    lambda program: LOOKING.isdisjoint(n.text for n in nodes(tuple(program)) if type(n) is t.Name)
+)
+"""Programs of version 2."""

@@ -13,6 +13,8 @@ from nscc.diagnostics.rejection import rejected
 from nscc.emit.products import SUFFIXES, emitted
 from nscc.emit.summary import cost_text
 from nscc.files import write_together
+from nscc.words.legality import refuse_planes
+from nscc_cli.completion import PASS, PRODUCTS
 from nscc_cli.options import OUT, PATH, build_options
 from nscc_cli.programs import compile_program
 from nscc_cli.support import CommonCommand, done, say
@@ -22,9 +24,10 @@ from nscc_cli.support import CommonCommand, done, say
 @click.argument("file", type=PATH)
 @click.option("-o", "out", type=OUT, metavar="OUT.icw",
               help="The container to write (default: beside FILE).")  # fmt: skip
-@click.option("--emit", "kinds", default="", metavar="KINDS", help=f"Also write any of "
+@click.option("--emit", "kinds", type=PRODUCTS, default="", metavar="KINDS",
+              help=f"Also write any of "
               f"{', '.join(SUFFIXES)}, separated by commas; KIND=- prints it.")  # fmt: skip
-@click.option("--print-after", "after", metavar="PASS",
+@click.option("--print-after", "after", type=PASS, metavar="PASS",
               help="Show what a pass of the compiler made.")  # fmt: skip
 @build_options
 def command(file: Path, out: Path | None, kinds: str, after: str | None, **options: Any) -> None:
@@ -36,6 +39,9 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
         price_all="report" in wanted,  # only the report lists the other lowerings
         see=_printer(after),
     )
+    if after == "gates" and compiled.sending is not None:
+        what = "--print-after gates has nothing to show"
+        refuse_planes(compiled.program.target, what, "its passes are all the others")
     say(compiled.diagnostics)
     container = out if out is not None else file.with_suffix(".icw")
     products: dict[Path, bytes] = {}

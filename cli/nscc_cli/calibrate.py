@@ -8,6 +8,7 @@ import click
 
 from nscc.files import write_whole
 from nscc.target.load import DEFAULT_NAME, load_target
+from nscc_cli.completion import TARGET
 from nscc_cli.options import OUT, PATH
 from nscc_cli.programs import load_program
 from nscc_cli.support import CommonCommand, NumberRange, done, progress, say
@@ -52,7 +53,8 @@ def _spread(args: list[str]) -> list[str]:
               help="What the frames were taken with: its reads and words are counted.")  # fmt: skip
 @click.option("--crosstalk", type=NumberRange(0, 0.2), metavar="C", help="Take crosstalk as known "
               "(0: as EMVA 1288 does) instead of measuring it.")  # fmt: skip
-@click.option("--target", metavar="NAME|FILE.toml", default=DEFAULT_NAME, show_default=True,
+@click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,
+              show_default=True,
               help="The chip: the bits of its ADC, and the defaults.")  # fmt: skip
 def command(
     flats: tuple[str, ...], darks: tuple[str, ...], out: Path, as_json: bool, program: Path | None,

@@ -7,12 +7,13 @@ from typing import Any
 
 import click
 
+from nscc.compiler import CHECK
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.summary import summary
 from nscc.program.problems import counted
 from nscc_cli.options import PATH, build_options
 from nscc_cli.programs import compile_program
-from nscc_cli.support import CommonCommand, done, say
+from nscc_cli.support import CommonCommand, done, say, session, show
 
 _MOST_ROUNDS = 20
 """Of mending: each ends at least one mistake."""
@@ -23,22 +24,32 @@ _MOST_ROUNDS = 20
 @click.option("--fix", is_flag=True,
               help="First mend what has one sure remedy, in the files; names are not guessed "
               "at.")  # fmt: skip
+@click.option("--watch", is_flag=True,
+              help="Check again whenever a file changes, until Ctrl-C.")  # fmt: skip
 @build_options
-def command(files: tuple[Path, ...], fix: bool, **options: Any) -> None:
+def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> int:
     """Check programs: what they are, whether they fit the chip, and that their words are right.
 
     Lowers at -O1, unless -O says otherwise, and proves that. Where only a search can tell whether
     a program fits, a note says that `nscc build` decides.
     """
     if options["level"] is None:
-        options["level"] = 1
+        options["level"] = CHECK.level
+    if watch:
+        return _watch(files, fix, options)
+    _check(files, fix, options)
+    return 0
+
+
+def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
+    """Say what the programs are; Rejected with what is wrong with all of them."""
     wrong: list[Diagnostic] = []
     status = 0
     for path in files:
         try:
             if fix:
                 _mend(path, options)
-            compiled = compile_program(path, options, unproved_is_error=False)
+            compiled = compile_program(path, options, unproved_is_error=CHECK.unproved_is_error)
             say(compiled.diagnostics)
         except Rejected as rejected:
             wrong.extend(rejected.diagnostics)
@@ -47,6 +58,35 @@ def command(files: tuple[Path, ...], fix: bool, **options: Any) -> None:
             click.echo(summary(path.as_posix(), compiled))
     if wrong:
         raise Rejected(wrong, status)
+
+
+def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
+    """Check now and after each change; the status of the last time, once the user ends it."""
+    from nscc.editing.files import files_of
+    from nscc_cli.watching import rounds
+
+    if session().message_format == "sarif":
+        raise click.UsageError("--watch never ends, and a SARIF log is one document: take json")
+    status = 0
+    try:
+        for names in rounds(lambda: set().union(*map(files_of, files))):
+            if names:
+                done(f"\n--- {', '.join(names)} changed ---")
+            status = _shown(files, fix, options)
+            done(f"watching {', '.join(path.as_posix() for path in files)}: Ctrl-C ends it")
+    except KeyboardInterrupt:
+        done("")
+    return status
+
+
+def _shown(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
+    """Check, and show what is wrong; the status that it would have ended with."""
+    try:
+        _check(files, fix, options)
+    except Rejected as rejected:
+        show(rejected.diagnostics)
+        return rejected.status
+    return 0
 
 
 def _mend(path: Path, options: dict[str, Any]) -> None:
@@ -59,7 +99,7 @@ def _mend(path: Path, options: dict[str, Any]) -> None:
     for _ in range(_MOST_ROUNDS):
         source = read_source(path)
         try:
-            compile_program(path, options, unproved_is_error=False)
+            compile_program(path, options, unproved_is_error=CHECK.unproved_is_error)
         except Rejected as rejected:
             better, fixes = mended(source, rejected.diagnostics)
         else:

@@ -32,8 +32,9 @@ def command(
     """Expose a photo or a clip with shutters that come with nscc, and reconstruct it.
 
     It leaves a sheet of truth, an ordinary exposure, the readout, the reconstruction and its
-    error, and the reconstruction as files that other programs open. Without a PHOTO, a scene that
-    is built in.
+    error, and the reconstruction as files that other programs open. Beside them a photo is exposed
+    by pixels that look at the light, which needs no decoder. Without a PHOTO, a scene that is built
+    in.
     """
     from nscc_runtime.scenes import Scene
     from nscc_runtime.simulate import Listener
@@ -49,5 +50,6 @@ def command(
     for name in (scene,) if scene else BUILTIN:
         made = demo(Scene(name, fps=fps), folder, settings, listener)
         done("\n".join(f"wrote {path.as_posix()}" for path in made.files))
-        done(f"always open {made.open_db:.1f} dB, reconstructed {made.psnr_db:.1f} dB")
+        looked = "" if made.looked_db is None else f", by pixels that look {made.looked_db:.1f} dB"
+        done(f"always open {made.open_db:.1f} dB, reconstructed {made.psnr_db:.1f} dB{looked}")
         done("step by step:\n" + "\n".join(f"  {line}" for line in made.commands))

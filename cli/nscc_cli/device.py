@@ -11,6 +11,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_cli import options as shared
 from nscc_cli import support
+from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
@@ -35,13 +36,20 @@ def command() -> None:
 
 
 @command.command("serve", cls=CommonCommand)
-@click.option("--scene", help="What the stand-in sees: a file, a folder or builtin:NAME.")
-@click.option("--target", default="scamp5", show_default=True, metavar="NAME|FILE.toml")
+@click.option(
+    "--scene", type=SCENE, help="What the stand-in sees: a file, a folder or builtin:NAME."
+)
+@click.option(
+    "--target", type=TARGET, default="scamp5", show_default=True, metavar="NAME|FILE.toml"
+)
 @click.option("--fault", metavar="F=V,..", help="A bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
               "disconnect=after:20000,reboot=after:40000 (rates a byte).")  # fmt: skip
 @click.option("--loader", type=click.Choice(["auto", "firmware", "python"]), default="auto",
               show_default=True, help="The firmware, compiled for this machine, or its Python "
               "twin. auto: the firmware where there is a C++ compiler.")  # fmt: skip
+@click.option("--on", "machine", type=click.Choice(["host", "qemu", "qemu-m0"]), default="host",
+              show_default=True, help="What runs the firmware: this machine, or a Cortex-M4 (a "
+              "Cortex-M0) that QEMU emulates.")  # fmt: skip
 @shared.scene_options
 @shared.sensor_options
 @click.option("--device-seed", type=SEED, default=0, help="Which chip.")
@@ -57,6 +65,11 @@ def serve(**options: Any) -> None:
     from nscc_runtime.device.faults import Faults, parse_faults
     from nscc_runtime.emulator.loops import expose_block
 
+    loader = options["loader"]
+    if options["machine"] != "host":
+        if loader == "python":
+            raise click.UsageError("--on names what runs the firmware, and --loader python is none")
+        loader = options["machine"]
     faults = parse_faults(options["fault"]) if options["fault"] else Faults()
     target = load_target(options["target"], Path())
     sensor = sensor_of(target, options)
@@ -67,9 +80,9 @@ def serve(**options: Any) -> None:
     )  # fmt: skip
     support.say_compiling(expose_block, "the emulator's loops")
     expose_block.load()
-    with stand_in.loaded(options["loader"], target, chip, done) as loader:
+    with stand_in.loaded(loader, target, chip, done) as running:
         stand_in.serve(
-            loader, faults, opened=click.echo,
+            running, faults, opened=click.echo,
             moved=lambda port: done(f"the port is {port} now: its old name was taken"),
             once=options["once"], seconds=options["seconds"],
         )  # fmt: skip
@@ -127,7 +140,9 @@ def upload(port: str, program: Path, **options: Any) -> None:
 @click.option("--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: so many frames.")
 @click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,
               help="With --to: seconds from frame to frame (default: 0).")  # fmt: skip
-@click.option("--target", metavar="NAME|FILE.toml", help="The chip, of a program that is there.")
+@click.option(
+    "--target", type=TARGET, metavar="NAME|FILE.toml", help="The chip, of a program that is there."
+)
 @shared.pixels_option
 @shared.sensor_options
 @shared.link_options

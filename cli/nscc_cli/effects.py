@@ -11,6 +11,7 @@ import click
 
 from nscc.columns import columns
 from nscc.target.load import DEFAULT_NAME, load_target
+from nscc_cli.completion import EFFECT, SETTING, TARGET
 from nscc_cli.frames import sensor_of
 from nscc_cli.options import PATH
 from nscc_cli.support import CommonCommand
@@ -22,13 +23,14 @@ _WIDTH = 98
 
 
 @click.command(name="effects", cls=CommonCommand)
-@click.argument("name", required=False, metavar="[EFFECT]")
+@click.argument("name", required=False, type=EFFECT, metavar="[EFFECT]")
 @click.option("--json", "as_json", is_flag=True, help="Print every effect for programs.")
 @click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")
-@click.option("--target", metavar="NAME|FILE.toml", default=DEFAULT_NAME, show_default=True,
+@click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,
+              show_default=True,
               help="The chip whose figures are the defaults.")  # fmt: skip
 @click.option("--sensor", type=PATH, help="Show this file's values, not the defaults.")
-@click.option("--sensor-set", multiple=True, metavar="K=V", help="Change one value.")
+@click.option("--sensor-set", type=SETTING, multiple=True, metavar="K=V", help="Change one value.")
 def command(name: str | None, as_json: bool, toml: bool, target: str, **options: Any) -> None:
     """List the effects of the sensor, or show all about one (EFFECT)."""
     from nscc_runtime.effects import effects_json

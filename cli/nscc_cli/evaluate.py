@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.files import Product, write_together
+from nscc_cli.completion import PROTOCOL, RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, together, trust_code_option
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say_compiling
 
@@ -71,10 +72,16 @@ def sci8(
 
 
 @command.command("of", cls=CommonCommand)
-@click.argument("subject", metavar="RUN|BASELINE")
+@click.argument("subject", type=RUN_OR_ANY, metavar="RUN|BASELINE")
 @click.option("--data", required=True, type=PATH, metavar="DIR",
               help="The folder of scenes.")  # fmt: skip
-@click.option("--protocol", required=True, metavar="P", help="hdr-v1, video-v1 or sci8.")
+@click.option(
+    "--protocol",
+    type=PROTOCOL,
+    required=True,
+    metavar="P",
+    help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1 or staggered-v1.",
+)
 @click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
 @click.option("--skip-seen", is_flag=True,
               help="Leave out files that the run was trained or validated on.")  # fmt: skip
@@ -98,15 +105,38 @@ def of(
     best-uniform-mu (the same in mu-law PSNR), quad (2 x 2 geometric exposures), random, all decoded
     by merging neighbours; sparse-coding (random, by convolutional sparse coding); any (quad, by the
     decoder for any code); looks-2, looks-5, looks-9 (pixels that close at the first look above a
-    level, without a decoder). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random
-    bits, and the yardsticks bilinear and thin-out. With --shutter, those that take codes of any
-    class are scored on others.
+    level, without a decoder); designed-2, designed-5, designed-9 (looks and levels made for each
+    crop). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks
+    bilinear and thin-out. With --shutter, those that take codes of any class are scored on others.
+    Of deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of
+    staggered-v1: aligned, staggered, staggered-alone.
     """
     from nscc_training.evaluation.subjects import evaluate
 
     chosen = {"skip_seen": skip_seen, "trust_code": trust_code}
     found = evaluate(subject, data, protocol, seed, codes=shutter, effects=effects, **chosen)
     _of_scenes(*found, **outputs)
+
+
+@command.command("looks", cls=CommonCommand)
+@click.option("--data", required=True, type=PATH, metavar="DIR",
+              help="The folder of panoramas.")  # fmt: skip
+@click.option("--results", required=True, type=OUT, metavar="DIR",
+              help="Where each row is kept as it is done: what is there is not done "
+              "again.")  # fmt: skip
+@click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of noise.")
+@_outputs
+def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
+    """The rows of hdr-v1 whose pixels look, under all conditions, as a table in Markdown.
+
+    looks-2, looks-5, looks-9 and rows that are designed for each crop: with the protocol's noise,
+    at 10 and 50 % of saturated pixels, with all effects of the sensor, and with comparators of 1, 2
+    and 4 % of noise and offset.
+    """
+    from nscc_training.evaluation.hdr_looks import every_row, rows_text
+
+    found = every_row(data, results, seed, lambda rows: progress(rows, "evaluating"))
+    _finish(found, rows_text(found), {}, **outputs)
 
 
 @command.command("tables", cls=CommonCommand)

@@ -6,12 +6,13 @@ from pathlib import Path
 
 import click
 
+from nscc_cli.completion import EXAMPLE
 from nscc_cli.options import OUT
 from nscc_cli.support import CommonCommand, done
 
 
 @click.command("examples", cls=CommonCommand)
-@click.argument("names", metavar="[NAME..]", nargs=-1)
+@click.argument("names", type=EXAMPLE, metavar="[NAME..]", nargs=-1)
 @click.option("-o", "folder", type=OUT, metavar="DIR", default=Path(),
               help="Where copies go (default: this folder).")  # fmt: skip
 def command(names: tuple[str, ...], folder: Path) -> None:

@@ -9,6 +9,7 @@ from typing import Any, TypeVar
 import click
 from click import Choice, IntRange, argument, option
 
+from nscc_cli.completion import SETTING, TARGET
 from nscc_cli.support import NumberRange, OutPath
 
 Command = TypeVar("Command", bound=Callable[..., Any])
@@ -63,7 +64,8 @@ build_options = together(
            help="Compile for the codes in use, or for every legal one (default: fixed)."),
     option("--lowering", type=Choice(["auto", "accumulate", "latch", "edges"]),
            help="How exposure is gathered (default: auto, the cheapest)."),
-    option("--target", metavar="NAME|FILE.toml", help="The chip, instead of the program's own."),
+    option("--target", type=TARGET, metavar="NAME|FILE.toml",
+           help="The chip, instead of the program's own."),
     option("--cache/--no-cache", default=True,
            help="Keep search results of -O2 and -O3 and reuse them (default), or search anew."),
     option("--max-words-per-slot", metavar="W", type=IntRange(min=1),
@@ -110,7 +112,7 @@ color_option = option("--color", is_flag=True,
 
 sensor_options = together(
     option("--sensor", type=PATH, help="The sensor's numbers (nscc effects --toml)."),
-    option("--sensor-set", multiple=True, metavar="K=V", help="Change one of them."),
+    option("--sensor-set", type=SETTING, multiple=True, metavar="K=V", help="Change one of them."),
 )
 
 csv_options = together(

@@ -9,12 +9,13 @@ from typing import Literal
 import click
 
 from nscc.files import refuse_same, write_together
+from nscc_cli.completion import RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, tone_option, trust_code_option
 from nscc_cli.support import CommonCommand, done, say
 
 
 @click.command("reconstruct", cls=CommonCommand)
-@click.argument("run", metavar="[any|RUN]")
+@click.argument("run", type=RUN_OR_ANY, metavar="[any|RUN]")
 @click.argument("frame", metavar="FRAME.npz", type=PATH, required=False)
 @click.option("-o", "out", required=True, metavar="OUT", type=OUT,
               help="The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, "

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc_cli import options as shared
+from nscc_cli.completion import EFFECTS, KEPT, RUN, SCENE
 from nscc_cli.frames import (
     frame_path,
     parse_keep,
@@ -35,21 +36,25 @@ _SIMULATION = (
 
 @click.command(name="run", cls=CommonCommand)
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
-@click.option("--like", type=PATH, metavar="RUN", help="Expose as a run's decoder knows it: its "
+@click.option("--like", type=RUN, metavar="RUN", help="Expose as a run's decoder knows it: its "
               "exposure and sensor, and without a FILE its program.")  # fmt: skip
-@click.option("--scene", help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
+@click.option("--scene", type=SCENE,
+              help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
               "builtin:flat:E, builtin:dark.")  # fmt: skip
 @click.option(
     "-o", "out", type=OUT, help="The frame file (default: NAME.frame.npz in this folder), or "
     "what of it .npy .mat .hdr .exr .pfm .tiff .png .gif .mp4 hold.",
 )  # fmt: skip
 @click.option("--png", type=OUT, help="Also write a picture of the frame.")
-@click.option("--effects", help="Sensor effects: auto, all, none (the default), or names; +NAME "
+@click.option("--effects", type=EFFECTS,
+              help="Sensor effects: auto, all, none (the default), or names; +NAME "
               "forces one on, -NAME off.")  # fmt: skip
 @click.option("--seed", type=SEED, help="Seed of a frame's noise (default: 0).")
 @click.option("--device-seed", type=SEED, help="Seed of fixed patterns (default: 0).")
 @click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames.")
-@click.option("--keep", default="", help="Also keep, comma separated: light,truth,shutter,codes.")
+@click.option(
+    "--keep", type=KEPT, default="", help="Also keep, comma separated: light,truth,shutter,codes."
+)
 @shared.pixels_option
 @shared.scene_options
 @shared.fit_option("crop")
@@ -121,7 +126,8 @@ def _run_on_emulator(
         from nscc_runtime.plan_file import plan_table
 
         done(plan_table(taken.plan, taken.audit) + "\n")
-    done(summary(container, frame, files, alike=request.effects.noiseless))
+    alike = request.effects.noiseless and not (container.machine and container.machine.keeps)
+    done(summary(container, frame, files, alike=alike))
     if taken.broken is not None:
         raise taken.broken
 

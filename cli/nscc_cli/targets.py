@@ -11,8 +11,9 @@ import click
 
 from nscc.columns import columns
 from nscc.target.load import DEFAULT_NAME, load_target, target_names, target_toml
-from nscc.target.target import SCHEMA, Target
+from nscc.target.target import Target, schema_of
 from nscc.toml.schema import Key
+from nscc_cli.completion import TARGET
 from nscc_cli.options import LEVEL
 from nscc_cli.support import CommonCommand, progress
 
@@ -35,24 +36,38 @@ def _checked_times(
 
 
 @click.command(name="targets", cls=CommonCommand)
-@click.argument("name", required=False, metavar="[NAME|FILE.toml]")
+@click.argument("name", required=False, type=TARGET, metavar="[NAME|FILE.toml|FILE.nsl]")
 @click.option("--toml", is_flag=True, help="Print a complete file that --target accepts.")
 @click.option("--limits", is_flag=True, help="Compile every class at growing sizes: what fits, "
               "what cannot, what is unknown.")  # fmt: skip
-@click.option("--json", "as_json", is_flag=True, help="Print the limits for programs.")
+@click.option("--compare", "compared", nargs=2, metavar="A B", help="Compile the program NAME for "
+              "two chips: what fits, shortest slot, data rate, expected noise.")  # fmt: skip
+@click.option("--json", "as_json", is_flag=True, help="Print limits or comparison for programs.")
 @click.option("--slot", "slots", multiple=True, metavar="TIME", callback=_checked_times,
               help="Length of the slots that limits are found for; may be repeated (default: 1ms "
               "and 10us).")  # fmt: skip
 @click.option("-O", "level", type=LEVEL, default=1, show_default=True,
               help="How hard the compiler tries while limits are found.")  # fmt: skip
 def command(
-    name: str | None, toml: bool, limits: bool, as_json: bool, slots: tuple[str, ...], level: int
+    name: str | None,
+    toml: bool,
+    limits: bool,
+    compared: tuple[str, str] | None,
+    as_json: bool,
+    slots: tuple[str, ...],
+    level: int,
 ) -> None:
     """List the chips that nscc knows, or show all about one (NAME or FILE.toml)."""
+    if compared is not None:
+        if name is None or toml or limits or slots:
+            raise click.UsageError("--compare A B goes with a program alone: FILE.nsl")
+        click.echo(_compared(Path(name), compared, level, as_json=as_json))
+        return
     if limits and toml:
         raise click.UsageError("--limits and --toml print different things: give one of them")
     if not limits and (as_json or slots):
-        raise click.UsageError(f"{'--json' if as_json else '--slot'} goes with --limits")
+        goes = "--json goes with --limits or --compare" if as_json else "--slot goes with --limits"
+        raise click.UsageError(goes)
     if name is None and not toml and not limits:
         click.echo(listing())
         return
@@ -81,20 +96,31 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
     return limits_text(target, level, found)
 
 
+def _compared(program: Path, chips: tuple[str, str], level: int, *, as_json: bool) -> str:
+    """One program on two chips."""
+    from nscc.compare import compare, compared_json, compared_text
+    from nscc_runtime.expected import expected_noise
+
+    targets = [load_target(chip, Path()) for chip in chips]
+    found = compare(program, targets, level, expected_noise)
+    return json.dumps(compared_json(found), indent=2) if as_json else compared_text(found)
+
+
 def listing() -> str:
     """One line a target: nscc's own, and those that installed packages add."""
     rows: list[tuple[str, ...]] = [("name", "array", "digital", "analog", "")]
     for name in target_names():
         chip = load_target(name, Path())
-        registers = (str(len(r)) for r in (chip.digital_registers, chip.analog_registers))
-        rows.append((name, f"{chip.rows} x {chip.cols}", *registers, chip.description))
+        held = (str(len(r)) for r in (chip.digital_registers, chip.analog_registers))
+        holds = ("none", f"{len(chip.taps)} taps") if chip.streamed else held
+        rows.append((name, f"{chip.rows} x {chip.cols}", *holds, chip.description))
     return columns(rows)
 
 
 def details(target: Target) -> str:
     """Every key of a target, by section, with what is not public about it."""
     lines = [f"{target.name}: {target.description}" if target.description else target.name]
-    rows = [(key, _value(target, key)) for key in SCHEMA.keys if key.section]
+    rows = [(key, _value(target, key)) for key in schema_of(target.kind).keys if key.section]
     width = max(len(value) for _, value in rows)
     section = ""
     for key, value in rows:
@@ -121,7 +147,7 @@ def _value(target: Target, key: Key) -> str:
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, tuple):
-        return _names(value)
+        return _names(tuple(map(str, value)))
     return f"{value:.10g}" if isinstance(value, float) else str(value)
 
 

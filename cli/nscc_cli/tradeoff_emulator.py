@@ -13,6 +13,7 @@ from nscc.files import Product
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import csv_text
 from nscc_cli import options as shared
+from nscc_cli.completion import SCENE
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import compile_options, load_program
@@ -27,7 +28,8 @@ if TYPE_CHECKING:
 
 @click.command("emulator", cls=CommonCommand)
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
-@click.option("--scene", "scenes", multiple=True, metavar="SCENE", help="As in nscc run; more than "
+@click.option("--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
+              help="As in nscc run; more than "
               "once for several (default: three builtin ones).")  # fmt: skip
 @click.option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv, OUT.png, "
               "OUT_calibration.png and OUT_budget.png.")  # fmt: skip

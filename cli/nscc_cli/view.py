@@ -9,6 +9,7 @@ import click
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
+from nscc.words.legality import refuse_planes
 from nscc_cli.options import OUT, PATH, build_options, tone_option
 from nscc_cli.programs import compile_program, load_program
 from nscc_cli.support import CommonCommand, done, say
@@ -26,6 +27,8 @@ _PROGRAMS = (".nsl", ".icw")
 @build_options
 def command(program: Path, out: Path | None, gates: bool, tone: str | None, **options: Any) -> None:
     """Draw the shutters of a program as a time chart, and the map of its codes, as a PNG.
+
+    Of pixels that look at the light the chart says when they are open at which light.
 
     Or draw what nscc has made: a frame file, a reconstruction, a run folder, a result.json, a
     sensor.toml, a picture, a clip.
@@ -50,6 +53,11 @@ def _shutters(program: Path, options: dict[str, Any]) -> bytes:
     container, messages = load_program(program, options)
     say(messages)
     from nscc_runtime.pictures.sheet import png_of
+
+    if container.machine is not None:
+        from nscc_runtime.pictures.courses import course_sheet
+
+        return png_of(course_sheet, container, program.name)
     from nscc_runtime.pictures.shutters import shutter_sheet
 
     return png_of(shutter_sheet, container, program.name)
@@ -65,9 +73,12 @@ def _gates(program: Path, options: dict[str, Any]) -> bytes:
         )
     compiled = compile_program(program, options)
     say(compiled.diagnostics)
+    refuse_planes(
+        compiled.program.target, "--gates has nothing to draw", "without --gates it draws shutters"
+    )
     assert compiled.lowered is not None  # what does not fit is rejected
-    from nscc.emit.network import gate_network
+    from nscc.emit.looking_network import network_of
     from nscc_runtime.pictures.gates import gate_sheet
     from nscc_runtime.pictures.sheet import png_of
 
-    return png_of(gate_sheet, gate_network(compiled.lowered), program.name)
+    return png_of(gate_sheet, network_of(compiled.lowered), program.name)

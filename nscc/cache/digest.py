@@ -9,6 +9,7 @@ from dataclasses import fields, is_dataclass
 from enum import Enum
 from functools import cache
 from hashlib import sha256
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ import numpy as np
 from nscc.plugins import sources
 
 _ROOT = Path(__file__).resolve().parents[1]
-_DECIDES = (".py", ".toml")
+_DECIDES = (".py", ".toml", ".safetensors")
 
 
 def digest(value: Any) -> str:
@@ -36,13 +37,27 @@ def version_digest() -> str | None:
 
     None where sources cannot be read.
     """
-    running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
     roots = {"": _ROOT}
     for name, module in sources("nscc.encodings").items():
         file = getattr(sys.modules[module.partition(".")[0]], "__file__", None)
         if file is None:
             return None
         roots[name] = Path(file).parent if Path(file).stem == "__init__" else Path(file)
+    return _digest_of(roots)
+
+
+@cache
+def package_digest(name: str) -> str | None:
+    """The same of another package that is installed, by the name under which it is imported."""
+    spec = find_spec(name)
+    if spec is None or not spec.submodule_search_locations:
+        return None
+    return _digest_of({name: Path(spec.submodule_search_locations[0])})
+
+
+def _digest_of(roots: Mapping[str, Path]) -> str | None:
+    """The digest of what decides in these folders and files, and of what runs them."""
+    running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
     try:
         for name, root in roots.items():
             paths = _deciding(root)

@@ -39,7 +39,7 @@ def _annotation(diagnostic: Diagnostic) -> str:
         f"{key}={_escaped(value).replace(':', '%3A').replace(',', '%2C')}"
         for key, value in properties.items()
     )
-    return f"::{_KINDS[diagnostic.severity]} {fields}::{_escaped(_text(diagnostic))}\n"
+    return f"::{_KINDS[diagnostic.severity]} {fields}::{_escaped(full_text(diagnostic))}\n"
 
 
 def sarif(diagnostics: Sequence[Diagnostic]) -> str:
@@ -61,7 +61,7 @@ def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
         "ruleId": diagnostic.code,
         "ruleIndex": codes.index(diagnostic.code),
         "level": str(diagnostic.severity),
-        "message": {"text": _text(diagnostic)},
+        "message": {"text": full_text(diagnostic)},
     }
     if source is not None:
         found["locations"] = [_location(source, diagnostic.label)]
@@ -103,7 +103,7 @@ def _region(source: Source, at: Label | Fix) -> dict[str, int]:
     return {"startLine": row, "startColumn": column, "endLine": end_row, "endColumn": end_column}
 
 
-def _text(diagnostic: Diagnostic) -> str:
+def full_text(diagnostic: Diagnostic) -> str:
     """All that a message says, a line each; its place stands beside it."""
     ways = [f"{i}. {way}" for i, way in enumerate(diagnostic.ways_out, 1)]
     fixes = [fix.title for fix in diagnostic.fixes]

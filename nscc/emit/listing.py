@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from nscc.emit.stream import sending_text, sent_lines
 from nscc.logic.problem import Gate
 from nscc.lower.allocate import allocate
 from nscc.lower.decoding import Decoding
@@ -13,8 +14,10 @@ from nscc.lower.lowered import Choice, Lowered
 from nscc.lower.plan import ExposurePlan, Lowering, Misfit, Planned
 from nscc.program.printing import print_program
 from nscc.prove.proof import Proof
+from nscc.stream.sending import Sending
 from nscc.syntax.printing import print_tree
 from nscc.target.target import Target
+from nscc.words.container import Container
 from nscc.words.disassembly import disassemble
 
 
@@ -104,6 +107,18 @@ def _misfits_text(misfits: Mapping[Lowering, Misfit]) -> str:
     return "".join(f"{name:<11}{misfit.reason}\n" for name, misfit in misfits.items())
 
 
+def schedule_of(value: Choice | Sending) -> str:
+    """Lowerings with their kernels, or when planes are sent."""
+    return sending_text(value) if isinstance(value, Sending) else choice_text(value)
+
+
+def container_text(container: Container) -> str:
+    """Words as assembly text; of a chip without logic what is sent and read."""
+    if container.target.streamed:
+        return "".join(f"{line}\n" for line in sent_lines(container))
+    return disassemble(container)
+
+
 def proof_text(proof: Proof) -> str:
     """Whether the proof holds, and of what."""
     verdict = "holds" if proof.holds else f"fails: {proof.failure}"
@@ -115,10 +130,12 @@ def text_after(name: str, value: Any) -> str:
     texts: dict[str, Callable[[Any], str]] = {
         "parse": lambda parsed: print_tree(parsed.tree, parsed.source),
         "program": print_program,
-        "plan": planned_text,
+        "plan": lambda plan: (
+            sending_text(plan) if isinstance(plan, Sending) else planned_text(plan)
+        ),
         "gates": gated_text,
-        "schedule": choice_text,
-        "words": disassemble,
+        "schedule": schedule_of,
+        "words": container_text,
         "prove": proof_text,
     }
     return texts[name](value)

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from nscc.diagnostics.rejection import rejected
+
 if TYPE_CHECKING:
+    from nscc.diagnostics.diagnostic import Rejected
     from nscc.lower.lowered import Choice
     from nscc.pipeline import Compiled
     from nscc.prove.proof import Proof
+    from nscc.stream.sending import Sending
     from nscc.words.container import Container
 
 SUFFIXES = {
@@ -21,6 +25,7 @@ SUFFIXES = {
     "report": ".report.json",
     "dot": ".dot",
     "graphml": ".graphml",
+    "planes": ".planes.npz",
 }
 """The kinds, and how the names of their files end."""
 
@@ -28,9 +33,14 @@ SUFFIXES = {
 def emitted(kind: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
     """The product of a kind of SUFFIXES by its file's name, STEM and suffix.
 
-    After it come the files that go beside it: the images of a C++ program. ValueError for a program
-    of which only a search can tell whether it fits.
+    After it come the files that go beside it: the images of a C++ program. Raises Rejected for what
+    the program's chip does not have (NS0510 for words and gates, NS0512 for planes), ValueError for
+    a program of which only a search can tell whether it fits.
     """
+    if compiled.sending is not None:
+        return {stem + SUFFIXES[kind]: _of_planes(kind, compiled, compiled.sending)}
+    if kind == "planes":
+        raise _no_planes(compiled.program.target.name)
     if kind != "cpp":
         return {stem + SUFFIXES[kind]: _text_or_words(kind, compiled)}
     from nscc.emit.cpp import devkit_program
@@ -38,6 +48,46 @@ def emitted(kind: str, compiled: Compiled, stem: str) -> dict[str, bytes]:
     choice, container, _proof = _complete(compiled)
     made = devkit_program(compiled.tree, choice.best, container, stem)
     return {stem + SUFFIXES[kind]: made.text.encode(), **made.images}
+
+
+def _of_planes(kind: str, compiled: Compiled, sending: Sending) -> bytes:
+    """A product of a program for a chip without logic."""
+    from nscc.emit.listing import text_after
+    from nscc.emit.report import report_bytes
+    from nscc.emit.stream import planes_bytes, sending_text, stream_report
+    from nscc.syntax.printing import print_tree
+    from nscc.words.file import to_bytes
+    from nscc.words.legality import refuse_planes
+
+    container, proof = compiled.container, compiled.proof
+    assert container is not None
+    assert proof is not None
+    match kind:
+        case "ast":
+            return print_tree(compiled.tree, compiled.program.source).encode()
+        case "ir":
+            return text_after("program", compiled.program).encode()
+        case "schedule":
+            return sending_text(sending).encode()
+        case "report":
+            return report_bytes(stream_report(sending, proof))
+        case "planes":
+            return planes_bytes(container)
+        case "icw":
+            return to_bytes(container)
+    what = f"--emit {kind} has nothing to write"
+    refuse_planes(container.target, what, "--emit planes,schedule writes what it is sent, and when")
+    raise ValueError(kind)
+
+
+def _no_planes(chip: str) -> Rejected:
+    return rejected(
+        "NS0512",
+        f"--emit planes has nothing to write: the pixels of {chip} decode their codes themselves",
+        notes=("planes of a bit a slot are for chips whose pixels have no logic",),
+        helps=("--emit asm lists its words; `nscc targets` says which chip is sent planes",),
+        status=1,
+    )
 
 
 def _complete(compiled: Compiled) -> tuple[Choice, Container, Proof]:
@@ -65,9 +115,10 @@ def _text_or_words(kind: str, compiled: Compiled) -> bytes:
         case "schedule":
             return schedule_text(lowered).encode()
         case "dot" | "graphml":
-            from nscc.emit.network import dot_text, gate_network, graphml_bytes
+            from nscc.emit.looking_network import network_of
+            from nscc.emit.network import dot_text, graphml_bytes
 
-            network = gate_network(lowered)
+            network = network_of(lowered)
             return graphml_bytes(network) if kind == "graphml" else dot_text(network).encode()
         case "asm":
             return text_after("words", container).encode()

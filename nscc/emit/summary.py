@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from nscc.emit.looks import looks_lines
+from nscc.emit.stream import rate_text, stream_rows
 from nscc.lower.ledger import ledger
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
 
 def summary(name: str, compiled: Compiled) -> str:
     """What `nscc check` prints of a program that passes."""
-    fits = compiled.lowered is not None
+    fits = compiled.container is not None
     verdict = (
         f"fits {compiled.program.target.name}" if fits else "passes, unless its words do not fit"
     )
@@ -42,6 +43,8 @@ def summary_rows(compiled: Compiled) -> list[tuple[str, str]]:
         names = tuple(bucket.name for bucket in program.buckets)
         told = looks_lines(program.machine, names, program.target)
         rows += [("looks" * (not k), text) for k, text in enumerate(told)]
+    if compiled.sending is not None and proof is not None:
+        return [*rows, *stream_rows(compiled.sending, proof)]
     if lowered is None or proof is None:
         return rows
     schedule = lowered.schedule
@@ -84,7 +87,14 @@ def _codes_text(program: Program) -> str:
 
 
 def cost_text(compiled: Compiled) -> str:
-    """What the words cost, in two lines."""
+    """What the words, or planes of bits, cost, in two lines."""
+    if compiled.sending is not None:
+        sending = compiled.sending
+        return (
+            f"  planes {len(sending.loadings)} a frame, {sending.bits_a_frame} bits, "
+            f"{rate_text(sending.bits_per_us)} while one loads\n"
+            f"  time   shortest legal slot {time_text(sending.shortest_slot_us)}"
+        )
     lowered = compiled.lowered
     assert lowered is not None
     target, schedule = lowered.program.target, lowered.schedule

@@ -9,11 +9,13 @@ from pathlib import Path
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.limits.families import Family, families
 from nscc.limits.search import Trial, candidates, explore
+from nscc.lower.resources import time_text
 from nscc.pipeline import Options, run_passes
 from nscc.program.capacity import bits_needed, impossible_from
 from nscc.program.limits import MOST_SLOTS
 from nscc.source import Source
 from nscc.target.target import Target
+from nscc.words.legality import refuse_planes
 
 BUDGET = 40
 """Most programs compiled for one class at one slot length."""
@@ -51,18 +53,27 @@ class Limit:
 def survey(
     target: Target, options: Options, slots: tuple[str, ...]
 ) -> Generator[Trial, None, list[Limit]]:
-    """Yields each trial as it is made and returns a limit for every slot length and family."""
-    options = replace(options, target=target, codes="open")
+    """Yields each trial as it is made and returns a limit for every slot length and family.
+
+    Raises Rejected (NS0510) for a chip that any shutter fits.
+    """
+    refuse_planes(
+        target,
+        "--limits has nothing to find",
+        f"any shutter fits slots of {time_text(target.plane_load_us)}: only the time limits it",
+    )
     found = []
     for slot in slots:
         for family in families():
-            found.append((yield from _limit(family, target, options, slot)))
+            found.append((yield from limit_of(family, target, options, slot)))
     return found
 
 
-def _limit(
+def limit_of(
     family: Family, target: Target, options: Options, slot: str
 ) -> Generator[Trial, None, Limit]:
+    """The same for one family at one slot length; every legal code is compiled."""
+    options = replace(options, target=target, codes="open")
     capacity = impossible_from(family.shutters, target)
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
     sizes = candidates(family.shutters, family.least, most)

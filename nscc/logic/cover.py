@@ -131,26 +131,32 @@ class Covers:
         Every literal dropped makes the cube larger. Of those that may go, the one goes that lets
         in most of `rest`. When none may, the cube is prime: no larger one avoids `outside`.
         """
-        kept = list(zeros)
-        if outside & ~union(values[i] for i in kept):
+        if outside & ~union(values[i] for i in zeros):
             return None
+        # What alone keeps out a part of `outside` stays: whatever goes, it does so ever after.
+        free, once, twice = list(zeros), 0, 0
+        kept: list[int] = []
         while True:
-            self.budget.spend(len(kept) * (1 + self.everything.bit_length() // 512))
-            # The union of all but one, for each one: what comes before it and what comes after it.
-            after = [0] * (len(kept) + 1)
-            for k in range(len(kept) - 1, -1, -1):
-                after[k] = after[k + 1] | values[kept[k]]
-            before, best, choice = 0, -1, -1
-            for k, i in enumerate(kept):
-                without = before | after[k + 1]
-                if not outside & ~without:
-                    gain = (rest & ~without).bit_count()
-                    if gain > best:
-                        best, choice = gain, k
-                before |= values[i]
-            if choice < 0:
-                return tuple(kept), self.everything & ~after[0]
-            del kept[choice]
+            self.budget.spend((len(free) + len(kept)) * (1 + self.everything.bit_length() // 512))
+            covered, again = once, twice  # by at least one literal, by at least two
+            for i in free:
+                again |= covered & values[i]
+                covered |= values[i]
+            alone = covered & ~again
+            needed = alone & outside
+            may_go = []
+            for i in free:
+                if values[i] & needed:
+                    kept.append(i)
+                    twice |= once & values[i]
+                    once |= values[i]
+                else:
+                    may_go.append(i)
+            if not may_go:
+                return tuple(sorted(kept)), self.everything & ~covered
+            gained = alone & rest
+            may_go.remove(max(may_go, key=lambda i: (values[i] & gained).bit_count()))
+            free = may_go
 
 
 def life(vector: int, ahead: Sequence[int]) -> int:

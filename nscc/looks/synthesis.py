@@ -54,6 +54,11 @@ class Board:
     values: dict[str, int]
     gates: list[Gate] = field(default_factory=list)
 
+    @property
+    def words(self) -> int:
+        """Words of the gates."""
+        return sum(gate.words for gate in self.gates)
+
     def copy(self) -> Board:
         """A board to try something on."""
         return replace(self, values=dict(self.values), gates=list(self.gates))
@@ -91,13 +96,7 @@ class Board:
 
     def make(self, wanted: int, destination: str) -> Made | None:
         """The fewest words found that leave `wanted` in a register, whatever it held."""
-        best: Made | None = None
-        for made in self._ways(wanted, destination):
-            if best is None or made.price < best.price:
-                best = made
-            if best.words == 1:
-                break
-        return best
+        return min(self._ways(wanted, destination), key=lambda made: made.price, default=None)
 
     def load(self, wanted: int) -> Made | None:
         """The fewest words found that bring `wanted` into FLAG."""
@@ -123,21 +122,33 @@ class Board:
 
     def _ways(self, wanted: int, destination: str) -> Iterator[Made]:
         """Several ways to make a vector, by a cover of it and of its complement."""
-        for complements in (False, True):
-            names = list(self.values)
-            values = [self.values[name] for name in names]
-            if complements:
-                names += [f"~{name}" for name in names]
-                values += [self.everything & ~v for v in values]
-            for inverted in (False, True):
-                target = self.everything & ~wanted if inverted else wanted
-                covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))
-                try:
-                    cover = covers.find(values, [True] * len(values), [target], _MOST_CUBES)
-                except GaveUp:
-                    continue
-                if cover is not None:
-                    yield self._emitted(cover, names, values, destination, inverted)
+        # Of registers that hold the same, the first: those of code and states stand before scratch.
+        first = {v: name for name, v in reversed(self.values.items()) if v}
+        names, values = list(first.values()), list(first)
+        fewest = None
+        for made in self._covers(names, values, wanted, destination):
+            fewest = made.words if fewest is None else min(fewest, made.words)
+            yield made
+        # A complement takes a word, and what reads it another.
+        if fewest is None or fewest > 2:
+            for v, name in tuple(first.items()):
+                if self.everything & ~v not in first:
+                    names.append(f"~{name}")
+                    values.append(self.everything & ~v)
+            yield from self._covers(names, values, wanted, destination)
+
+    def _covers(
+        self, names: Sequence[str], values: Sequence[int], wanted: int, destination: str
+    ) -> Iterator[Made]:
+        for inverted in (False, True):
+            target = self.everything & ~wanted if inverted else wanted
+            covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))
+            try:
+                cover = covers.find(values, [True] * len(values), [target], _MOST_CUBES)
+            except GaveUp:
+                continue
+            if cover is not None:
+                yield self._emitted(cover, names, values, destination, inverted)
 
     def _emitted(
         self,
@@ -186,15 +197,12 @@ def update(board: Board, wanted: dict[str, int]) -> None:
     Raises GaveUp where the registers do not tell lanes apart that are to differ.
     """
     left = {name: v for name, v in wanted.items() if board.values[name] != v}
-    best: tuple[int, Board] | None = None
+    best: Board | None = None
     for begun in (board, *_with_changes(board, left)):
-        for tried in _orders(begun, left):
-            words = sum(gate.words for gate in tried.gates)
-            if best is None or words < best[0]:
-                best = words, tried
+        best = _ordered(begun, left, best)
     if best is None:
         raise GaveUp("the registers do not tell the lanes of a look apart")
-    board.values, board.gates = best[1].values, best[1].gates
+    board.values, board.gates = best.values, best.gates
 
 
 def _with_changes(board: Board, wanted: dict[str, int]) -> Iterator[Board]:
@@ -211,18 +219,26 @@ def _with_changes(board: Board, wanted: dict[str, int]) -> Iterator[Board]:
                 yield after
 
 
-def _orders(board: Board, wanted: dict[str, int]) -> Iterator[Board]:
-    """Boards with all new values, each written in another order."""
+def _ordered(board: Board, wanted: dict[str, int], best: Board | None) -> Board | None:
+    """The board with all new values, written in the order of the fewest words; `best` if no order
+    takes fewer than that."""
+    if best is not None and board.words + len(wanted) >= best.words:
+        return best  # every value takes a word at least
     if not wanted:
-        yield board
-        return
-    written = [(name, _written(board, name, wanted)) for name in wanted]
-    tried = [(name, after) for name, after in written if after is not None]
+        return board
+    tried: list[tuple[str, Board]] = []
+    for name in wanted:
+        after = _written(board, name, wanted)
+        if after is not None:
+            tried.append((name, after))
+            if len(wanted) > _MOST_ORDERED and after.words == board.words + 1:
+                break  # none is cheaper
     if len(wanted) > _MOST_ORDERED:
-        tried.sort(key=lambda each: sum(gate.words for gate in each[1].gates))
-        del tried[1:]
+        tried = sorted(tried, key=lambda each: each[1].words)[:1]
     for name, after in tried:
-        yield from _orders(after, {other: v for other, v in wanted.items() if other != name})
+        left = {other: v for other, v in wanted.items() if other != name}
+        best = _ordered(after, left, best)
+    return best
 
 
 def _written(board: Board, name: str, wanted: dict[str, int]) -> Board | None:

@@ -85,6 +85,15 @@ def lower(
     comes from `results`.
     """
     program, target, time = planned.program, planned.program.target, planned.time
+    if most_words is not None and level >= 2:
+        # Improving starts from what fits: a limit that the cheapest solution meets in the end might
+        # leave out what that is made from.
+        free = lower(planned, plan, level, results)
+        if isinstance(free, Misfit):
+            return free
+        kept = lay_out(program, free.decoding, time, most_words)
+        if not kept.overfull:
+            return kept
     problem, actions = problem_of(program, plan, time, planned.opens)
     machine = Machine.of(target)
 

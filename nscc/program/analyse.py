@@ -19,6 +19,7 @@ from nscc.program.problems import Problems
 from nscc.program.program import Codes, Program
 from nscc.program.scopes import constants_scope, require_scope, rule_scope
 from nscc.program.table import Rules
+from nscc.program.wide import parts_of
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File, TargetByName, TargetFromFile
@@ -37,7 +38,7 @@ def analyse(
     """
     problems = Problems(source)
     declared = gather(tree, problems)
-    chosen = target or _load_target(declared, base, problems)
+    chosen = target or target_of(declared, base, problems)
     constants = resolve_constants(declared, chosen, problems)
     frame = None
     if declared.frame is not None:
@@ -46,12 +47,16 @@ def analyse(
     scope = constants_scope(declared, constants)
     fields = make_fields(declared, scope, books, problems)
     requires, rules = _check_rules(declared, constants, problems)
+    if chosen is not None and chosen.streamed and declared.looking:
+        _refuse_looking(declared, chosen, problems)
     looking = make_looking(declared, constants, chosen, problems)
     planes = make_planes(declared, fields, constants, chosen, base, problems)
     problems.stop_on_errors()
     assert frame is not None
     assert chosen is not None
-    sound = tuple(field for field in fields.values() if field is not None)
+    sound = tuple(
+        part for field in fields.values() if field is not None for part in parts_of(field)
+    )
     digits = {name: book for name, book in books.items() if book is not None}
     known = Rules(sound, requires, rules, digits, len(frame.slot_us))
     return Completion(problems, declared, chosen, frame, known, planes, codes, looking).run()
@@ -64,10 +69,12 @@ def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int
     constants = resolve_constants(declared, target, problems)
     books = make_books(declared.books, constants["N"], base, problems)
     fields = make_fields(declared, constants_scope(declared, constants), books, problems)
-    return {name: (each.low, each.high) for name, each in fields.items() if each is not None}
+    sound = (part for each in fields.values() if each is not None for part in parts_of(each))
+    return {part.name: (part.low, part.high) for part in sound}
 
 
-def _load_target(declared: Declarations, base: Path, problems: Problems) -> Target | None:
+def target_of(declared: Declarations, base: Path, problems: Problems) -> Target | None:
+    """The chip that a file is for; None after reporting why it cannot be had."""
     from nscc.target.load import DEFAULT_NAME, load_target
 
     match declared.target:
@@ -82,6 +89,23 @@ def _load_target(declared: Declarations, base: Path, problems: Problems) -> Targ
     except Rejected as rejected:
         problems.adopt(rejected, span)
         return None
+
+
+def _refuse_looking(declared: Declarations, target: Target, problems: Problems) -> None:
+    """NS0510, for pixels that look at the light on a chip without logic; nothing else is said."""
+    looking = (*declared.senses.values(), *declared.states.values(), *declared.nexts.values())
+    statements = [*looking, *([declared.reset] if declared.reset else [])]
+    spans = (*(each.span for each in statements), *(name.span for name in declared.reads.values()))
+    place = min(spans, key=lambda span: span.start)
+    problems.error(
+        "NS0510",
+        f"the pixels of {target.name} have no logic: they neither look at light nor keep states",
+        place,
+        "needs a processor in every pixel",
+        notes=("light goes to a tap by a bit that is sent for every slot, known before it falls",),
+        helps=("compile for such a chip: `target scamp5`", "or give every pixel a fixed shutter"),
+    )
+    problems.stop_on_errors()
 
 
 def _check_rules(

@@ -49,7 +49,8 @@ class Failure:
 class Proof:
     """What was replayed and whether it holds.
 
-    `transitions` counts the answers that were followed in all frames, of a program that looks.
+    `transitions` counts the answers that were followed in all frames, of a program that looks;
+    `pixels` those whose light was followed through planes of bits.
     """
 
     codes: int
@@ -57,6 +58,7 @@ class Proof:
     frames: int
     failure: Failure | None
     transitions: int = 0
+    pixels: int = 0
 
     @property
     def holds(self) -> bool:

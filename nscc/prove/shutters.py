@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.prove.replay import shutters
+from nscc.prove.stream import prove_stream
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc.words.legality import decoded
 
@@ -20,6 +21,8 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
     Raises Rejected: NS0442 (status 1) where light counts half or twice; `name` is what the message
     calls the container.
     """
+    if container.target.streamed:
+        return _sent(container, name)
     if container.machine is not None:
         raise rejected(
             "NS0444",
@@ -40,13 +43,31 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
     return found
 
 
+def _sent(container: Container, name: str) -> NDArray[np.bool_]:
+    """The shutters that planes open: those of the table, where the planes prove to do so."""
+    proof = prove_stream(container)
+    if proof.failure is None:
+        return container.table.shutters
+    raise rejected(
+        "NS0442",
+        f"the planes of {name} open other shutters than its decode table says: "
+        f"{proof.failure.what}",
+        helps=("build it again",),
+        status=1,
+    )
+
+
 def shutters_of_pixels(container: Container, name: str = "this program") -> dict[str, NDArray[Any]]:
     """The shutters and codes of all pixels: `shutter`, `shutter_shape`, `codes_FIELD`.
 
     As in a frame file. A program of one code needs no pixel data. Raises Rejected: NS0441 (status
     1) where pixels have no codes, NS0442 as `replayed`.
     """
-    pixels = container.pixel_codes
+    pixels, sent = container.pixel_codes, container.stream
+    if sent is not None:
+        opened = sent.shutters(len(container.buckets), container.target.cols)
+        size = np.array((*opened.shape[:3], container.slots), np.int64)
+        return {"shutter": opened, "shutter_shape": size, **fields_at_pixels(container)}
     if pixels is None and len(container.table.codes) == 1:
         target = container.target
         pixels = np.zeros((target.rows, target.cols), dtype=np.int32)

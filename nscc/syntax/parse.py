@@ -44,7 +44,7 @@ def parse(source: Source) -> tuple[tree.File, tuple[Diagnostic, ...]]:
     if len(source.text) > MOST_BYTES or len(source.text.encode("utf-8", "replace")) > MOST_BYTES:
         return tree.File(whole, ()), (too_large(source.name),)
     tokens = lex(source)
-    starts = _statement_starts(tokens)
+    starts = statement_starts(tokens)
     errors = _Errors(source)
     if tokens.kinds[:1] != ["nsl"]:
         if "nsl" not in tokens.kinds and _OTHER_LANGUAGE.match(source.text):
@@ -88,7 +88,7 @@ class _Errors:
         return tuple(found)
 
 
-def _statement_starts(tokens: Tokens) -> list[int]:
+def statement_starts(tokens: Tokens) -> list[int]:
     """The tokens that begin statements.
 
     `open` belongs to the `bucket` before it, and a statement's word that stands where a name

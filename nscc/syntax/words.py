@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Set
 
-from nscc.syntax.grammar import END
+from nscc.syntax.grammar import END, spellings
 
 STATEMENT_WORDS = (
     "nsl", "target", "frame", "let", "code", "require", "shutters", "open", "bucket", "pixels",
@@ -20,6 +20,12 @@ NAMES_IN_VERSION_1 = frozenset({*LOOKING_WORDS, "kept", "at", "in", "light", "ex
 def statement_words(version: int) -> tuple[str, ...]:
     """The words that begin statements in a version of the language."""
     return STATEMENT_WORDS if version == 1 else (*STATEMENT_WORDS, *LOOKING_WORDS)
+
+
+def reserved(version: int) -> frozenset[str]:
+    """The words and signs of a version of the language: what no name may be."""
+    own = frozenset(spellings().values())
+    return own - NAMES_IN_VERSION_1 if version == 1 else own
 
 
 FORMS = {

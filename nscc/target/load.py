@@ -19,11 +19,12 @@ from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.plugins import added, unusable
 from nscc.source import Source, Span
-from nscc.target.registers import contradictions
-from nscc.target.target import SCHEMA, Target
+from nscc.target.registers import contradictions, tap_contradictions
+from nscc.target.target import SCHEMA, Target, schema_of
 from nscc.target.words import words_toml
 from nscc.toml.files import file_bytes, file_text, file_values
-from nscc.toml.schema import Found, Key
+from nscc.toml.kinds import Several
+from nscc.toml.schema import Found, Key, keys_of
 
 DEFAULT_NAME = "scamp5"
 _TABLES = Path(__file__).with_name("tables")
@@ -37,8 +38,8 @@ def builtin_names() -> tuple[str, ...]:
 @cache
 def builtin_target(name: str) -> Target:
     """The builtin table of that name, which must exist."""
-    text = (_TABLES / f"{name}.toml").read_text(encoding="utf-8")
-    found, problems = SCHEMA.read(tomllib.loads(text), complete=name == DEFAULT_NAME)
+    values = tomllib.loads((_TABLES / f"{name}.toml").read_text(encoding="utf-8"))
+    found, problems = schema_of(values.get("kind")).read(values, complete=name == DEFAULT_NAME)
     if problems:
         raise ValueError(f"the builtin target {name} is broken: {problems[0].message}")
     return _target(found)
@@ -100,12 +101,12 @@ def load_target(
 
 def target_dict(target: Target) -> dict[str, Any]:
     """The target as JSON values: sections of keys, every key present, in the order of a file."""
-    return SCHEMA.plain(_values(target))
+    return schema_of(target.kind).plain(_values(target))
 
 
 def target_from_dict(values: Mapping[str, Any]) -> Target:
     """The target of `target_dict`'s values; ValueError with the first fault if they are none."""
-    found, problems = SCHEMA.read(values, complete=True)
+    found, problems = schema_of(values.get("kind")).read(values, complete=True)
     problems += _contradictions(found)
     if problems:
         raise ValueError(problems[0].message)
@@ -122,7 +123,8 @@ def target_toml(target: Target) -> str:
         "A target of nscc: what the compiler, the checker and the emulator know of a chip.",
         "Keys marked (not public) are this project's defaults; they may be left out.",
     )
-    plain = replace(SCHEMA, keys=tuple(key for key in SCHEMA.keys if key.path != "words"))
+    schema = schema_of(target.kind)
+    plain = replace(schema, keys=tuple(key for key in schema.keys if key.path != "words"))
     text = file_text(plain, _values(target), remark, head, beside=True)
     return text + "".join(f"{line}\n" for line in words_toml(target.words))
 
@@ -148,7 +150,9 @@ def parse_target(data: bytes, name: str) -> Target:
 
     Raises Rejected, NS0232 to NS0236, with everything that is wrong.
     """
-    found, problems, source = file_values(SCHEMA, data, name, status=1)
+    found, problems, source = file_values(
+        SCHEMA, data, name, status=1, choose=lambda values: schema_of(values.get("kind"))
+    )
     problems += _contradictions(found, source)
     if problems:
         raise Rejected(problems)
@@ -156,26 +160,36 @@ def parse_target(data: bytes, name: str) -> Target:
 
 
 def _target(found: Found) -> Target:
-    """The target of values that are right; scamp5's where they say nothing, nor the key does."""
-    values = {}
-    for key in SCHEMA.keys:
+    """The target of values that are right; scamp5's where they say nothing, nor the key does.
+
+    A chip without logic has no registers."""
+    values: dict[str, Any] = {}
+    streamed = schema_of(found.get("kind")) is not SCHEMA
+    for key in keys_of(Target):
         if key.path in found:
             values[key.attribute] = found[key.path]
-        elif key.default is MISSING:
+        elif key.default is not MISSING:
+            continue
+        elif streamed and key.section == "registers":
+            values[key.attribute] = () if isinstance(key.kind, Several) else ""
+        else:
             values[key.attribute] = getattr(builtin_target(DEFAULT_NAME), key.attribute)
     return Target(**values)
 
 
 def _values(target: Target) -> dict[str, Any]:
-    return {key.path: getattr(target, key.attribute) for key in SCHEMA.keys}
+    return {key.path: getattr(target, key.attribute) for key in keys_of(Target)}
 
 
 def _contradictions(found: Found, source: Source | None = None) -> list[Diagnostic]:
-    begin = "registers."
+    """NS0236: keys that are right by themselves and cannot stand together."""
+    streamed = found.get("kind") == "stream"
+    section, wrong = ("stream", tap_contradictions) if streamed else ("registers", contradictions)
+    begin = f"{section}."
     given = {path.removeprefix(begin): v for path, v in found.items() if path.startswith(begin)}
     return [
-        SCHEMA.problem("NS0236", message, "registers", key, source, help_text)
-        for key, message, help_text in contradictions(given)
+        SCHEMA.problem("NS0236", message, section, key, source, help_text)
+        for key, message, help_text in wrong(given)
     ]
 
 

@@ -1,4 +1,4 @@
-"""What registers of a target must be together, each of them being well formed."""
+"""What registers or taps of a target must be together, each of them being well formed."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE
 from nscc.toml.text import shown
 
 _MOST_TOLD = 10
+_MOST_TAPS = 16
 
 
 def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
@@ -35,6 +36,22 @@ def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str
     for key, name in (("mask", mask), ("masked", masked)):
         if name is not None and digital is not None and name not in digital:
             yield key, f"registers.{key} is {shown(name)}, not in registers.digital", ""
+
+
+def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
+    """The same of a chip whose pixels have taps and no registers; `stream` are its keys."""
+    taps, drain, gains = map(stream.get, ("taps", "drain", "tap_gain"))
+    if taps is not None and len(set(taps)) < len(taps):
+        yield "taps", "stream.taps has a name twice", ""
+    elif taps is not None and not 1 <= len(taps) <= _MOST_TAPS:
+        message = f"stream.taps lists {len(taps)} taps, and 1 to {_MOST_TAPS} are possible"
+        yield "taps", message, ""
+    elif taps is not None and len(taps) == 1 and not drain:
+        message = "stream.taps has one tap, and without a drain all light goes there"
+        yield "taps", message, "give `drain = true`, or a second tap"
+    if taps is not None and gains and len(gains) != len(taps):
+        message = f"stream.tap_gain has {len(gains)} gains, and there are {len(taps)} taps"
+        yield "tap_gain", message, "give one for each tap, in their order"
 
 
 def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, str]]:

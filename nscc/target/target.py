@@ -1,27 +1,31 @@
 """What a compiler, a trainer and an emulator may know of a chip: one frozen value from TOML.
 
 The fields are the keys of a target file: reading one, writing one, listing a target and the table
-in a container all follow from them.
+in a container all follow from them. There are two kinds of chip, and a file has the keys of its
+kind: those whose pixels have a processor ("scamp"), and those whose pixels have none, and are sent
+a bit for every slot ("stream").
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import MISSING, dataclass, replace
 from functools import partial
-from typing import Literal
+from typing import Any, Literal
 
 from nscc.operations import Operation
 from nscc.target.words import OwnWords
 from nscc.toml.kinds import LINE, NAME, Flag, Integer, Number, Several, Text
-from nscc.toml.schema import Codes, Schema, key, keys_of
+from nscc.toml.schema import Codes, Key, Schema, key, keys_of
 
 _SIDE = Integer(1, 8192)
 _REGISTER = Text(said="the name of a register", optional=True)
 _REGISTERS = Several(Text(), said="a list of register names")
+_TAP = Text(pattern=r"[A-Z][A-Z0-9_]{0,15}")
 _SOURCES = Integer(2, 1000, unlimited=True)
 _WORD_US = Number(0, 1e6, low_excluded=True)
 _ABOVE_0 = Number(0, 1e15, low_excluded=True)
 _ours = partial(key, source="not public")
+_stream = partial(key, section="stream")
 _in = partial(key, source="not public", section="in", later=True)
 
 
@@ -34,6 +38,12 @@ class Target:
     """
 
     name: str = key(NAME, "what messages and reports call it", required=True)
+    kind: Literal["scamp", "stream"] = key(
+        Text(("scamp", "stream")),
+        'pixels with a processor ("scamp"), or sent a bit for every slot ("stream")',
+        default="scamp",
+        later=True,
+    )
     description: str = key(LINE, "one line for `nscc targets`", default="")
     words: tuple[Operation, ...] = key(
         OwnWords(), "words that only this chip has, each in a [[words]] of its own", default=()
@@ -90,14 +100,20 @@ class Target:
     analog_word_us: float = _ours(_WORD_US, "one analog word", section="time")
     digital_word_us: float = _ours(_WORD_US, "one digital word", section="time")
     launch_us: float = _ours(Number(0, 1e9), "overhead of one kernel launch", section="time")
+    wait_us: float = _ours(
+        Number(0, 1e9), "the frame loop's own time at a boundary", section="time", later=True,
+        default=1.0,
+    )  # fmt: skip
     readout_us: float = _ours(
-        Number(0, 1e12), "reading one analog register of the whole array out", section="time"
+        Number(0, 1e12),
+        "reading one analog register, or all taps, of the whole array out",
+        section="time",
     )
     digital_retention_us: float = key(
         _ABOVE_0, "an untouched digital register keeps its bit for so long", section="time"
     )
 
-    full_well_e: float = _ours(_ABOVE_0, "electrons that PIX can hold", section="range")
+    full_well_e: float = _ours(_ABOVE_0, "electrons that PIX, or a tap, can hold", section="range")
     register_min_e: float = _ours(
         Number(-1e15, 0, high_excluded=True), "least value of an analog register, below 0",
         section="range",
@@ -107,10 +123,16 @@ class Target:
     )
     adc_bits: int = key(Integer(1, 16), "bits of the readout", section="range")
     adc_offset_lsb: float = _ours(
-        Number(-65536, 65536), "code of a register that holds nothing", section="range"
+        Number(-65536, 65536), "codes on top of what the readout makes of nothing", section="range"
     )
+    readout: Literal["spread", "full", "half"] = key(
+        Text(("spread", "full", "half")),
+        "codes of 0 .. full_well_e: spread, all of them (2 x exposure - full well is converted); "
+        "full, the upper half, for the converter is symmetric around 0; half, 0 to the middle",
+        section="range", default="spread", later=True, source="not public",
+    )  # fmt: skip
 
-    in_low: int = _in(Integer(-32768, 0), "least value of IN, in steps", default=-127)
+    in_low: int = _in(Integer(-32767, 0), "least value of IN, in steps", default=-127)
     in_high: int = _in(Integer(1, 32767), "largest value of IN, in steps", default=126)
     in_step_e: float | None = _in(
         Number(0, 1e15, low_excluded=True, automatic=True),
@@ -120,6 +142,39 @@ class Target:
         Number(0, 1e9), "time from setting IN to the first word that reads it", default=5.0
     )
 
+    taps: tuple[str, ...] = _stream(
+        Several(_TAP, said="a list of names of capital letters, digits and `_`"),
+        "where a pixel can collect charge, in the order of a program's buckets", default=(),
+        required=True,
+    )  # fmt: skip
+    drain: bool = _stream(Flag(), "can a slot's bit also choose to lead light away?", default=False)
+    row_load_us: float = _stream(
+        _WORD_US, "sending one row of a plane of bits", default=1.0, required=True
+    )
+    pipelined: bool = _stream(
+        Flag(), "is a plane loaded while the last one acts, or does light wait for it?",
+        default=True,
+    )  # fmt: skip
+    tap_gain: tuple[float, ...] = _stream(
+        Several(Number(0, 1e6, low_excluded=True), said="a list of numbers above 0, one a tap"),
+        "gain from a tap's charge to the converter; [] is 1 for each", default=(),
+    )  # fmt: skip
+
+    @property
+    def streamed(self) -> bool:
+        """Whether its pixels have no logic and are sent a bit for every slot."""
+        return self.kind == "stream"
+
+    @property
+    def plane_load_us(self) -> float:
+        """How long a plane of bits takes to load, row by row."""
+        return self.rows * self.row_load_us
+
+    @property
+    def gains(self) -> tuple[float, ...]:
+        """The gain of every tap."""
+        return self.tap_gain or (1.0,) * len(self.taps)
+
     @property
     def electrons_per_step(self) -> float:
         """Electrons a step of IN."""
@@ -128,7 +183,37 @@ class Target:
     @property
     def electrons_per_lsb(self) -> float:
         """Electrons a code of the readout ADC."""
-        return self.full_well_e / ((1 << self.adc_bits) - 1)
+        return self.full_well_e * self.wells_read / ((1 << self.adc_bits) - 1)
+
+    @property
+    def wells_read(self) -> int:
+        """How many full wells all codes of the converter span: 2 where it is symmetric around 0."""
+        return 1 if self.readout == "spread" else 2
+
+    @property
+    def spread_level(self) -> int | None:
+        """Steps of IN that are a full well less than nothing, which spread exposures over all
+        codes; None where they are not to be spread, or IN does not reach so far."""
+        level = round(-self.full_well_e / self.electrons_per_step)
+        off_e = abs(level * self.electrons_per_step + self.full_well_e)
+        reached = self.in_low <= level <= self.in_high and off_e <= self.electrons_per_lsb
+        return level if self.readout == "spread" and reached else None
+
+    @property
+    def code_bits(self) -> int:
+        """Bits of the largest code that is read out."""
+        return self.adc_bits - (self.readout == "half")
+
+    @property
+    def top_code(self) -> int:
+        """The largest code that is read out."""
+        return (1 << self.code_bits) - 1
+
+    @property
+    def zero_lsb(self) -> float:
+        """The code of a register that holds nothing."""
+        symmetric = 1 << (self.adc_bits - 1) if self.readout == "full" else 0
+        return symmetric + self.adc_offset_lsb
 
     @property
     def analog_available(self) -> tuple[str, ...]:
@@ -136,9 +221,16 @@ class Target:
         return tuple(r for r in self.analog_registers if r != self.analog_scratch)
 
 
+_CODES = Codes("NS0231", "NS0232", unknown="NS0233", wrong="NS0235", missing="NS0234")
+_OF_STREAMS = (
+    "name", "kind", "description", "array.rows", "array.cols", "time.readout_us",
+    "range.full_well_e", "range.adc_bits", "range.adc_offset_lsb",
+)  # fmt: skip
+"""Keys that chips without logic share with the others."""
+
 SCHEMA = Schema(
     "target",
-    keys_of(Target),
+    tuple(key for key in keys_of(Target) if key.section != "stream"),
     {
         "": "",
         "array": "the pixels",
@@ -149,6 +241,31 @@ SCHEMA = Schema(
         "range": "",
         "in": "the global value IN that every pixel can compare with; set between kernels",
     },
-    Codes("NS0231", "NS0232", unknown="NS0233", wrong="NS0235", missing="NS0234"),
+    _CODES,
     "`nscc targets scamp5 --toml` prints a complete file to start from",
 )
+"""The file of a chip whose pixels have a processor."""
+
+STREAM_SCHEMA = Schema(
+    "target",
+    tuple(
+        replace(key, default=MISSING, later=False) if key.name == "kind" else key
+        for key in keys_of(Target)
+        if key.section == "stream" or key.path in _OF_STREAMS
+    ),
+    {
+        "": "",
+        "array": "the pixels",
+        "time": "",
+        "range": "of every tap",
+        "stream": "the bits that pixels are sent, and where their light goes",
+    },
+    _CODES,
+    "`nscc targets dual-tap --toml` prints a complete file to start from",
+)
+"""The file of a chip whose pixels have no logic."""
+
+
+def schema_of(kind: Any) -> Schema[Key]:
+    """The keys of files of a kind; a file that does not say a known one is taken as a scamp's."""
+    return STREAM_SCHEMA if kind == "stream" else SCHEMA

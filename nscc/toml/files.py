@@ -37,12 +37,23 @@ def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
 
 
 def file_values(
-    schema: Schema[Row], data: bytes, name: str, *, status: int = 2
-) -> tuple[Found, list[Diagnostic], Source]:
+    schema: Schema[Row], data: bytes, name: str, *, status: int = 2,
+    choose: Callable[[Mapping[str, Any]], Schema[Row]] | None = None,
+) -> tuple[Found, list[Diagnostic], Source]:  # fmt: skip
     """The values of a file's bytes that are right, what is wrong with the others, and its text.
 
-    `name` is the file's for messages. Rejected (`status`) if it is no TOML at all.
+    `name` is the file's for messages. Where there are several kinds of such files, `choose` finds
+    the schema by what a file holds. Rejected (`status`) if it is no TOML at all.
     """
+    values, source = file_table(schema, data, name, status=status)
+    chosen = schema if choose is None else choose(values)
+    return *chosen.read(values, source), source
+
+
+def file_table(
+    schema: Schema[Row], data: bytes, name: str, *, status: int = 2
+) -> tuple[dict[str, Any], Source]:
+    """The same as TOML has it, whatever keys it holds, and its text."""
     try:
         text, values = parsed(data)
     except NotToml as reason:
@@ -52,8 +63,7 @@ def file_values(
             helps=(schema.start,),
             status=status,
         ) from None
-    source = Source(name, text)
-    return *schema.read(values, source), source
+    return values, Source(name, text)
 
 
 def file_text(

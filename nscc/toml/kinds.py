@@ -11,6 +11,8 @@ from functools import partial
 from math import isfinite
 from typing import Any, Protocol
 
+from nscc.toml.text import shown
+
 LEAST = 1e-9
 """The least that "above 0" takes. Quotients and squares of what is next to 0 leave the range of
 floats, and no time, charge or current that nscc knows is as small."""
@@ -158,6 +160,43 @@ class Several(Kind):
 
     def plain(self, value: Any) -> Any:
         return [self.each.plain(part) for part in value]
+
+
+@dataclass(frozen=True, slots=True)
+class Axis(Kind):
+    """A value of one kind, or a list of different ones: as Python keeps it always a tuple.
+
+    Of a kind whose values are lists themselves, a list of lists is several values.
+    """
+
+    each: Kind
+
+    @property
+    def allowed(self) -> str:
+        return f"{self.each.allowed}, or a list of such values"
+
+    def read(self, value: Any) -> tuple[Any, ...]:
+        many = isinstance(value, list | tuple)
+        if many and isinstance(self.each, Several):
+            many = not value or isinstance(value[0], list | tuple)
+        if many and not value:
+            raise ValueError("an empty list leaves no point: name a value, or leave the key out")
+        if not many:
+            return (self.each.read(value),)
+        found = tuple(map(self._read_one, value))
+        if len(set(found)) < len(found):
+            raise ValueError("a value of a list stands there once")
+        return found
+
+    def _read_one(self, value: Any) -> Any:
+        try:
+            return self.each.read(value)
+        except ValueError as reason:
+            raise ValueError(str(reason) or f"{shown(value)} is not allowed") from None
+
+    def plain(self, value: Any) -> Any:
+        found = [self.each.plain(part) for part in value]
+        return found[0] if len(found) == 1 else found
 
 
 NAME = Text(

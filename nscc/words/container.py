@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.target.target import Target
 from nscc.words.machine import Machine, StatePlanes
+from nscc.words.stream import Stream
 
 Word = tuple[int, int, int, int, int]
 """One ICW: five 32-bit words as the chip takes them."""
@@ -37,7 +38,10 @@ class Launch:
 
 @dataclass(frozen=True)
 class Readout:
-    """After the frame, the exposure of `bucket` in electrons is `register` times `gain`."""
+    """After the frame, the exposure of `bucket` in electrons is `register` times `gain`.
+
+    Of a chip without logic `register` is a tap, and the electrons are those at the converter.
+    """
 
     register: str
     bucket: str
@@ -81,6 +85,9 @@ class Container:
     Where shutters depend on the light, `machine` says how, and the rows of `encoding` and of the
     table's shutters are its behaviours: those are the shutters in the dark. `state_planes` says by
     name how registers hold the states that are read or kept.
+
+    A chip without logic has no words: `stream` is what it is sent. It follows from table and
+    pixels (`nscc.stream.lay`), and is None without pixels.
     """
 
     target: Target
@@ -97,6 +104,7 @@ class Container:
     notes: Mapping[str, str] = field(default_factory=dict)
     machine: Machine | None = None
     state_planes: Mapping[str, StatePlanes] = field(default_factory=dict)
+    stream: Stream | None = None
 
     @property
     def slots(self) -> int:
@@ -114,6 +122,10 @@ class Container:
         return sum(len(self.kernels[each.kernel].words) for each in self.launches)
 
     def __repr__(self) -> str:
+        if self.target.streamed:
+            planes = "no planes yet" if self.stream is None else f"{self.slots} planes"
+            codes = len(self.table.codes)
+            return f"Container({codes} codes, {self.slots} slots, {planes}, for {self.target.name})"
         return (
             f"Container({len(self.table.codes)} codes, {self.slots} slots, {self.words_stored} "
             f"words, {self.words_per_frame} a frame, for {self.target.name})"
@@ -131,6 +143,14 @@ class Container:
         shutter = self.table.shutter_of_code.astype(np.intp).take(self.pixel_codes)
         column = {name: i for i, name in enumerate(self.target.digital_registers)}
         return {name: self.encoding[:, column[name]].take(shutter) for name in self.code_registers}
+
+
+def state_registers(container: Container) -> tuple[str, ...]:
+    """The digital registers of which a host makes the states that are read, in their order."""
+    machine = container.machine
+    read = [state.name for state in machine.states if state.read] if machine else []
+    held = (r for name in read for r in container.state_planes[name].registers)
+    return tuple(dict.fromkeys(held))
 
 
 def packed_shutters(

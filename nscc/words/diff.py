@@ -32,6 +32,7 @@ def differences(first: Container, second: Container) -> list[str]:
         ("kernels", _kernels(first, second)),
         ("schedule", _schedule(first, second)),
         ("codes", _codes(first, second)),
+        ("planes", _planes(first, second)),
         ("readouts", _readouts(first, second)),
         ("notes", _notes(first, second)),
     ):
@@ -166,6 +167,15 @@ def _codes(first: Container, second: Container) -> Iterator[str]:
         yield from _rows("register contents for shutters", first.encoding, second.encoding)
         yield from _rows("shutters for codes", old.shutter_of_code, new.shutter_of_code)
     yield from _pixels(first, second)
+
+
+def _planes(first: Container, second: Container) -> Iterator[str]:
+    """What chips without logic are sent."""
+    old, new = first.stream, second.stream
+    if old is not None and new is not None:
+        yield from _rows("bits of slots", old.planes, new.planes)
+        for bit in ("zeros", "ones"):
+            yield from _rows(f"where {bit} lead in slots", getattr(old, bit), getattr(new, bit))
 
 
 def _rows(what: str, old: NDArray[Any], new: NDArray[Any]) -> Iterator[str]:

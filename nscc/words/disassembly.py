@@ -21,7 +21,7 @@ from nscc.words import machine_file
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.cost import frame_cost, kernel_cost
 from nscc.words.encoding import matching, word_text
-from nscc.words.legality import pair_kind, target_fault
+from nscc.words.legality import pair_kind, refuse_planes, target_fault
 from nscc.words.machine import LIGHT
 from nscc.words.text import block_text, name_text, number_text, ranges_text, slots_text
 
@@ -32,7 +32,12 @@ _TIMES_A_LINE = 8
 
 
 def disassemble(container: Container) -> str:
-    """The whole container as text."""
+    """The whole container as text. Raises Rejected (NS0510) where there are no words."""
+    refuse_planes(
+        container.target,
+        "there is no assembly text of this",
+        "`nscc build --emit planes,schedule` writes what the chip is sent, and when",
+    )
     sections = (
         _head(container),
         _source(container.source_lines),

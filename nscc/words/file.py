@@ -33,10 +33,12 @@ from nscc.words import machine_file
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.machine import Machine, StatePlanes
 from nscc.words.soundness import faults
+from nscc.words.stream import Stream
 
 MAGIC = b"\x89ICW\r\n\x1a\n"
-VERSIONS = (1, 2)
-"""The second one is that of programs that look: a machine, and launches with levels."""
+VERSIONS = (1, 2, 3)
+"""The second one is that of programs that look: a machine, and launches with levels. The third is
+that of chips without logic: planes of bits."""
 _PREAMBLE = Struct("<8sIIQ")
 _DIGEST = 32
 LARGEST_FILE = 1 << 31
@@ -64,7 +66,7 @@ class _Array(NamedTuple):
 def _layout(header: dict[str, Any]) -> tuple[_Array, ...]:
     """The arrays that a header announces, in file order."""
     counts, target = header["counts"], header["target"]
-    registers = len(target["registers"]["digital"])
+    registers = len(target["registers"]["digital"]) if "registers" in target else 0
     buckets, fields = len(header["buckets"]), len(header["fields"])
     pixels = (target["array"]["rows"], target["array"]["cols"]) if counts["pixels"] else (0, 0)
     words = sum(count for _, count in header["kernels"])
@@ -78,6 +80,10 @@ def _layout(header: dict[str, Any]) -> tuple[_Array, ...]:
         _Array("launches", "<i4", (counts["launches"], 2)),
         _Array("pixel_codes", "<i4", pixels),
     )
+    if target.get("kind") == "stream":
+        planes = (counts["slots"], pixels[0], -(-pixels[1] // 8))
+        places = (_Array(name, "|i1", (counts["slots"],)) for name in ("ones", "zeros"))
+        return (*arrays, _Array("planes", "|u1", planes), *places) if counts["pixels"] else arrays
     if "machine" not in header:
         return arrays
     parts = machine_file.layout_of(header["machine"], buckets, counts["slots"])
@@ -95,9 +101,15 @@ def to_bytes(container: Container) -> bytes:
     parts = [text.encode("ascii")]
     parts += [_packed(array, arrays[array.name]) for array in _layout(header)]
     length = _PREAMBLE.size + sum(map(len, parts)) + _DIGEST
-    version = VERSIONS[container.machine is not None]
+    version = _version(container)
     body = b"".join([_PREAMBLE.pack(MAGIC, version, len(parts[0]), length), *parts])
     return body + sha256(body).digest()
+
+
+def _version(container: Container) -> int:
+    if container.target.streamed:
+        return 3
+    return 1 if container.machine is None else 2
 
 
 def _header(container: Container) -> dict[str, Any]:
@@ -134,6 +146,9 @@ def _arrays(container: Container) -> dict[str, NDArray[Any]]:
         given = [launch.level for launch in container.launches]
         none = machine_file.NO_LEVEL
         of_machine["levels"] = np.array([none if x is None else x for x in given], "<i4")
+    of_stream: dict[str, NDArray[Any]] = {}
+    if container.stream is not None:
+        of_stream = {name: getattr(container.stream, name) for name in ("planes", "ones", "zeros")}
     words = [word for kernel in container.kernels for word in kernel.words]
     launches = [(launch.instant, launch.kernel) for launch in container.launches]
     return {
@@ -146,6 +161,7 @@ def _arrays(container: Container) -> dict[str, NDArray[Any]]:
         "launches": np.array(launches, dtype="<i4").reshape(-1, 2),
         "pixel_codes": np.zeros((0, 0), "<i4") if pixels is None else pixels,
         **of_machine,
+        **of_stream,
     }
 
 
@@ -222,7 +238,7 @@ def _check_frame(data: bytes, name: str) -> int:
         raise _rejected("NS0705", name, f"it was cut short: {len(data)} bytes are left of it")
     _, version, header_length, length = _PREAMBLE.unpack_from(data)
     if version not in VERSIONS:
-        known = " and ".join(map(str, VERSIONS))
+        known = f"{VERSIONS[0]} to {VERSIONS[-1]}"
         what = f"it has version {version} of the format, this nscc reads versions {known}"
         raise _rejected("NS0704", name, what)
     if len(data) != length:
@@ -298,6 +314,7 @@ def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
         kernels.append(Kernel(name, tuple(words[first : first + count])))
         first += count
     fields, meaning = tuple(header["fields"]), ("codes", "shutter_of_code", "shutters")
+    sent = ("planes", "ones", "zeros")
     machine: Machine | None = None
     planes: dict[str, StatePlanes] = {}
     launches = [(instant, kernel, None) for instant, kernel in arrays["launches"].tolist()]
@@ -323,6 +340,7 @@ def _assembled(header: dict[str, Any], data: bytes, start: int) -> Container:
         notes=header["notes"],
         machine=machine,
         state_planes=planes,
+        stream=Stream(*(arrays[name] for name in sent)) if sent[0] in arrays else None,
     )
 
 

@@ -10,12 +10,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.operations import Effect, Op, Phase
 from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.encoding import matching, no_operation
 
 _MOST_SHOWN = 10
+
+
+def refuse_planes(target: Target, what: str, help_text: str) -> None:
+    """NS0510 (status 1) for `what` (half a sentence) of a chip without logic: it has no words."""
+    if target.streamed:
+        raise rejected(
+            "NS0510",
+            f"{what}: the pixels of {target.name} have no logic, and run no words",
+            notes=("they are sent a bit for every slot",),
+            helps=(help_text,),
+            status=1,
+        )
 
 
 def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:

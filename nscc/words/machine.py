@@ -85,6 +85,11 @@ class Machine:
         return int(self.opens.shape[2])
 
     @property
+    def keeps(self) -> bool:
+        """Whether a frame hangs on the one before it."""
+        return any(state.kept for state in self.states)
+
+    @property
     def stages(self) -> int:
         """One more than there are looks."""
         return len(self.first) - 1

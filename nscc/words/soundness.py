@@ -7,7 +7,7 @@ from math import isfinite
 
 import numpy as np
 
-from nscc.words import machine_file
+from nscc.words import machine_file, stream
 from nscc.words.container import Container
 
 MOST_WORDS = 1 << 18
@@ -24,7 +24,7 @@ def faults(container: Container) -> list[str]:
     """
     parts = (
         _time_faults, _table_faults, _kernel_faults, _register_faults, _pixel_faults, _text_faults,
-        machine_file.faults,
+        machine_file.faults, _stream_faults,
     )  # fmt: skip
     return [fault for part in parts for fault in part(container)]
 
@@ -109,8 +109,9 @@ def _register_faults(container: Container) -> Iterator[str]:
     read = [readout.bucket for readout in container.readouts]
     if sorted(read) != sorted(container.buckets):
         yield "its readouts do not name every bucket once"
+    held = target.taps if target.streamed else target.analog_registers
     for readout in container.readouts:
-        if readout.register not in target.analog_registers:
+        if readout.register not in held:
             yield f"it reads out {readout.register[:40]!a}, which {target.name} does not have"
         if not isfinite(readout.gain):
             yield f"a readout has the gain {readout.gain}"
@@ -126,6 +127,23 @@ def _pixel_faults(container: Container) -> Iterator[str]:
             )
         elif not _within(pixels, len(container.table.codes)):
             yield f"a pixel holds a code that is not among the {len(container.table.codes)}"
+
+
+def _stream_faults(container: Container) -> Iterator[str]:
+    """A chip without logic has planes where pixels have codes, and neither words nor machine."""
+    target, sent = container.target, container.stream
+    if not target.streamed:
+        if sent is not None:
+            yield f"it has planes of bits to send, and {target.name} takes words"
+        return
+    if container.kernels or container.launches or container.code_registers:
+        yield f"it has words, and the pixels of {target.name} have no logic"
+    if container.machine is not None:
+        yield f"its pixels look at the light, and those of {target.name} have no logic"
+    if (sent is None) != (container.pixel_codes is None):
+        yield "it has planes without codes of the pixels, or codes without planes"
+    elif sent is not None:
+        yield from stream.faults(sent, target, container.slots, len(container.buckets))
 
 
 def _text_faults(container: Container) -> Iterator[str]:

@@ -48,7 +48,7 @@ def decode_arrays(
     container: Container, sensor: Sensor, plan: Mapping[str, Any] | None
 ) -> dict[str, NDArray[Any]]:
     """The arrays by their keys in a frame file; none where pixels have no codes, or where words
-    open no shutters that the codes alone tell.
+    open no shutters that codes alone tell, as those of pixels that look.
 
     `decode_row` (rows, cols): which shutter a pixel has, a row of the others; `decode_shutter`
     uint8 (shutters, buckets, ceil(N / 8)), packed along N, the first slot in the lowest bit;
@@ -57,7 +57,7 @@ def decode_arrays(
     variance and the photons' own, of an exposure's size where they are counted.
     `plan` as in a frame's meta: None for frames of a chip, which has every effect.
     """
-    if container.pixel_codes is None:
+    if container.pixel_codes is None or container.machine is not None:
         return {}
     kept = everything() if plan is None else _kept(plan)
     try:
@@ -100,7 +100,9 @@ def _response(
     """Mean gain over a shutter's open time, bias and variance, each (shutters, buckets)."""
     shape = shutters.shape[:2]
     if kept.noiseless:
-        return np.ones(shape), np.zeros(shape), np.zeros(shape)
+        gains = np.array([readout.gain for readout in container.readouts])
+        gains = gains if container.target.streamed else np.ones(shape[1])
+        return np.broadcast_to(gains, shape), np.zeros(shape), np.zeros(shape)
     word, leak, dark = kept.part(WordGain), kept.part(Leak), kept.part(CountedDark)
     found = backward(
         container, analog_words(container), word.gain(sensor) if word else 1.0,

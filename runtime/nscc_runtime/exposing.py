@@ -21,7 +21,6 @@ from typing import Any, get_args
 
 from nscc.diagnostics.arguments import one_of, shown, warn, whole, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
 from nscc_runtime.captured import Capture
 from nscc_runtime.effects import Selection
@@ -38,6 +37,7 @@ from nscc_runtime.given import (
     sensor_of,
 )
 from nscc_runtime.pieces import simulate_scene
+from nscc_runtime.planless import planless
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.pool import processors
@@ -152,9 +152,8 @@ def plan(
     Arguments as of `capture`, which takes the plan for this scene and others. Nothing is exposed.
     """
     from nscc_runtime.emulator.capture import check
-    from nscc_runtime.planner.choose import plan_for
-    from nscc_runtime.planner.frames import made_ready
     from nscc_runtime.planner.tolerance import tolerance_e
+    from nscc_runtime.planning import planning_of
 
     call = "nscc_runtime.plan"
     container = container_of(call, program)
@@ -164,16 +163,11 @@ def plan(
     whole(call, "device_seed", device_seed)
     request = Request.of(effects=_effects(call, effects), tolerance=_tolerance(call, tolerance))
     check(container, scene)
-    if container.machine is not None:
-        raise rejected(
-            "NS0750",
-            "a program whose pixels look at the light has no plan",
-            notes=("its words are executed one by one, with every effect that is on",),
-            helps=("capture it: effects='all' approximates nothing",),
-        )
+    if container.target.streamed:
+        raise planless(call)
     warn(said)
     allowed_e = tolerance_e(request.tolerance, chip)
-    return plan_for(made_ready(container, chip), scene, allowed_e, request.effects, device_seed)
+    return planning_of(container, chip, scene, device_seed).plan(allowed_e, request.effects)
 
 
 def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:

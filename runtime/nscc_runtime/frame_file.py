@@ -27,6 +27,7 @@ import json
 import zipfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import IO, Any
 
 import numpy as np
@@ -100,7 +101,7 @@ def read_out(
     known = ~np.isnan(exposure.exposure_e)
     (codes,) = everything().at("codes")
     electrons = np.where(known, exposure.exposure_e, 0.0)
-    found = codes(sensor, electrons, noise_lsb, 2**target.adc_bits - 1)
+    found = codes(sensor, electrons, noise_lsb, target.top_code)
     frame = np.where(known, found, 0.0).astype(np.uint8)
     saturated_by = last_codes(frame, target)
     if exposure.saturated_by is not None:
@@ -111,7 +112,7 @@ def read_out(
 def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
     """The bits of `saturated_by` that codes tell by themselves: which is the last of the scale."""
     bit = marks()["codes"].bit
-    return np.asarray((frame == 2**target.adc_bits - 1).view(np.uint8) * np.uint8(bit))
+    return np.asarray((frame == target.top_code).view(np.uint8) * np.uint8(bit))
 
 
 def converted(
@@ -214,9 +215,12 @@ class Provenance:
     audit: Mapping[str, Any] | None = None
 
 
-def unplanned(chosen: Selection, moving: bool) -> dict[str, Any]:
+def unplanned(
+    chosen: Selection, moving: bool, absent: Mapping[str, str] = MappingProxyType({})
+) -> dict[str, Any]:
     """The `plan` of a run without one, which keeps the effects that it was told to: words were
-    executed slot by slot, and nothing was predicted. `moving`: whether the scene is sampled.
+    executed slot by slot, and nothing was predicted. `moving`: whether the scene is sampled;
+    `absent`: effects that the chip cannot have, with the reason.
     """
     nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
     return {
@@ -229,9 +233,11 @@ def unplanned(chosen: Selection, moving: bool) -> dict[str, Any]:
             {
                 "name": effect.name,
                 "kind": effect.kind,
-                "decision": _decision(effect, chosen, moving),
+                "decision": (
+                    "absent" if effect.name in absent else _decision(effect, chosen, moving)
+                ),
                 "forced": effect.name in chosen.forced,
-                "reason": _reason(effect, chosen, moving),
+                "reason": absent.get(effect.name) or _reason(effect, chosen, moving),
                 **dict.fromkeys(nothing),
             }
             for effect in registered()

@@ -76,24 +76,24 @@ class Light:
         """(rows, cols)."""
         return self.frames.shape[1], self.frames.shape[2]
 
-    def slot(self, n: int) -> NDArray[np.float32]:
+    def slot(self, n: int, rows: slice = slice(None)) -> NDArray[np.float32]:
         """Electrons of slot n (rows, cols): what is integrated and what `--keep light` writes.
 
-        May be a view of `frames`: not to be written to.
+        Of some `rows` only, if given. May be a view of `frames`: not to be written to.
         """
         start, stop = int(self.row_start[n]), int(self.row_start[n + 1])
         if stop == start:
-            return np.zeros(self.shape, np.float32)
+            return np.zeros(self.shape, np.float32)[rows]
         if stop == start + 1 and self.weight[start] == 1.0:
-            return self._frame(start)
-        total: NDArray[np.float64] = self._frame(start) * self.weight[start]
+            return self._frame(start, rows)
+        total: NDArray[np.float64] = self._frame(start, rows) * self.weight[start]
         for k in range(start + 1, stop):
-            total += self._frame(k) * self.weight[k]
+            total += self._frame(k, rows) * self.weight[k]
         return total.astype(np.float32)
 
-    def _frame(self, k: int) -> NDArray[np.float32]:
-        """The frame of matrix entry k."""
-        frame: NDArray[np.float32] = self.frames[self.frame_index[k]]
+    def _frame(self, k: int, rows: slice) -> NDArray[np.float32]:
+        """Rows of the frame of matrix entry k."""
+        frame: NDArray[np.float32] = self.frames[self.frame_index[k], rows]
         return frame
 
     def part(self, rows: slice, cols: slice) -> Light:

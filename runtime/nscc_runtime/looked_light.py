@@ -10,7 +10,7 @@ is infinite where a pixel was full, for there the light was at least so much.
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -38,6 +38,8 @@ Values = NDArray[np.float64]
 
 LIGHT, DEVIATION = "light_e_per_s", "light_sd_e_per_s"
 """The keys of the frame file: (buckets, rows, cols), electrons a second."""
+OPEN = "open_slots"
+"""The key of how many slots each bucket was open (buckets, rows, cols)."""
 
 _READS, _WORDS = 2, 4
 """An exposure is PIX less its reset level: each is read once, and copied by two words."""
@@ -67,7 +69,7 @@ def told_by(
     slots, open_us = open_times(machine, behaviour, found)
     states = {f"states_{name}": each for name, each in found.items()}
     light = light_of(frame, open_us, container, sensor, effects)
-    return {**states, "open_slots": slots, **light}
+    return {**states, OPEN: slots, **light}
 
 
 def open_us_of(container: Container, told: Mapping[str, NDArray[Any]]) -> Values:
@@ -89,19 +91,31 @@ def open_times(
     last = machine.nodes(machine.stages - 1)
     read = [k for k, state in enumerate(machine.states) if state.read]
     ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
-    known, first = np.unique(ends, axis=0, return_index=True)
-    numbers = {tuple(row): place for row, place in zip(known.tolist(), first.tolist(), strict=True)}
-    pixels = np.stack([behaviour, *(states[machine.states[k].name] for k in read)], axis=-1)
-    distinct, inverse = np.unique(pixels.reshape(-1, pixels.shape[-1]), axis=0, return_inverse=True)
-    rows = np.array([numbers.get(tuple(row), -1) for row in distinct.tolist()], np.intp)
-    buckets = machine.opens.shape[1]
-    slots = np.full((len(distinct), buckets), -1, np.int64)
-    us = np.full((len(distinct), buckets), -1.0)
-    there = rows >= 0
-    slots[there] = machine.open_slots[last][rows[there]]
-    us[there] = machine.open_us[last][rows[there]]
-    shape = (buckets, *behaviour.shape)
-    return slots[inverse.reshape(-1)].T.reshape(shape), us[inverse.reshape(-1)].T.reshape(shape)
+    pixels: list[NDArray[np.integer]] = [behaviour]
+    pixels += [states[machine.states[k].name] for k in read]
+    row, there = _row_of(ends, pixels)
+    slots = np.where(there[..., None], machine.open_slots[last][row], -1)
+    us = np.where(there[..., None], machine.open_us[last][row], -1.0)
+    return np.moveaxis(slots.astype(np.int64), -1, 0), np.moveaxis(us, -1, 0)
+
+
+def _row_of(
+    rows: NDArray[np.int64], columns: Sequence[NDArray[np.integer]]
+) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
+    """Which of `rows` (R, K) has the values of these K arrays, element by element, and where there
+    is one."""
+    number = np.zeros(len(rows), np.int64)
+    found = np.zeros(columns[0].shape, np.int64)
+    there = np.ones(found.shape, np.bool_)
+    for column, values in zip(rows.T, columns, strict=True):
+        low, span = int(column.min()), int(np.ptp(column)) + 1
+        known, number = np.unique(number * span + column - low, return_inverse=True)
+        there &= (values >= low) & (values < low + span)
+        wanted = found * span + values - low
+        found = np.minimum(np.searchsorted(known, wanted), len(known) - 1)
+        there &= known[found] == wanted
+    first = np.unique(number, return_index=True)[1]
+    return first[found], there
 
 
 def light_of(
@@ -126,7 +140,7 @@ def light_of(
     dark_e = _dark_e_per_s(sensor, effects) * open_s
     electrons = held_e / gain
     light_e = electrons - dark_e
-    variance = _variance_e2(np.maximum(electrons, 0.0), gain, sensor, effects)
+    variance = variance_e2(np.maximum(electrons, 0.0), gain, sensor, effects)
     deviation = np.where(frame.saturated, np.inf, np.sqrt(variance) / open_s)
     deviation[np.isnan(open_s)] = np.nan
     return {LIGHT: light_e / open_s, DEVIATION: deviation}
@@ -165,7 +179,7 @@ def _dark_e_per_s(sensor: Sensor, effects: Selection) -> float:
     return 0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean())
 
 
-def _variance_e2(electrons: Values, gain: Values, sensor: Sensor, effects: Selection) -> Values:
+def variance_e2(electrons: Values, gain: Values, sensor: Sensor, effects: Selection) -> Values:
     """Of the estimate, in square electrons on PIX."""
     found = np.full(electrons.shape, sensor.electrons_per_lsb**2 / 12.0)
     converter = effects.part(Converter)

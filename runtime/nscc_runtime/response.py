@@ -19,8 +19,9 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.parts import CountedDark, WordGain
+from nscc_runtime.effects.parts import CountedDark, Leak, SlowWords, WordGain
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.reference.weights import Backward, backward
 
 Values = NDArray[np.float64]
 
@@ -64,26 +65,38 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
     plain = Response(open_s, np.ones(open_s.shape), np.zeros(open_s.shape), sensor)
     if container.machine is not None:
         return replace(plain, open_s=np.full(open_s.shape, np.nan))
+    if container.target.streamed:
+        gains = np.array([readout.gain for readout in container.readouts])[:, None, None]
+        plain = replace(plain, gain=plain.gain * gains)
     if effects.noiseless:
         return plain
+    weights = _weights(container, sensor, effects)
+    if weights is None:
+        return plain
+    seen_s = np.einsum("n,nlb->lb", slot_s, weights.slots)
+    zero_e = np.zeros(seen_s.shape)
+    words, dark = effects.part(WordGain), effects.part(CountedDark)
+    if words is not None:
+        zero_e += words.mean_e(sensor) * sum(weights.errors.values(), np.zeros(seen_s.shape))
+    if dark is not None:
+        current = dark.per_s(sensor, 0, np.arange(_PIXELS, dtype=np.int64)).mean()
+        zero_e += current * seen_s
+    seen, zero = (each[lanes].transpose(2, 0, 1) for each in (seen_s, zero_e))
+    gain = np.divide(seen, open_s, out=np.ones(open_s.shape), where=(open_s > 0) & (seen > 0))
+    return Response(open_s, gain, zero, sensor)
+
+
+def _weights(container: Container, sensor: Sensor, effects: Selection) -> Backward | None:
+    """What of each slot's light, and of each word's error, reaches exposures; None for words that
+    open no shutters."""
+    if container.target.streamed:
+        leak = effects.part(Leak)
+        rate = 1.0 / leak.tau_s(sensor) if leak else 0.0
+        return backward(container, (), 1.0, rate, effects.part(SlowWords) is not None)
     from nscc_runtime.planner.frames import made_ready
 
     try:
         program = made_ready(container, sensor)
-    except Rejected:  # NS0442: these words open no shutters
-        return plain
-    model = program.model(effects)
-    seen_s = np.einsum("n,nlb->lb", slot_s, program.tables.weights(model).slots)
-    zero_e = np.zeros(seen_s.shape)
-    words, dark = effects.part(WordGain), effects.part(CountedDark)
-    if words is not None:
-        zero_e += words.mean_e(sensor) * program.tables.pattern(model)
-    if dark is not None:
-        current = dark.per_s(sensor, 0, np.arange(_PIXELS, dtype=np.int64)).mean()
-        zero_e += current * seen_s
-    seen, zero = (
-        each[program.lanes].reshape(*container.pixel_codes.shape, -1).transpose(2, 0, 1)
-        for each in (seen_s, zero_e)
-    )
-    gain = np.divide(seen, open_s, out=np.ones(open_s.shape), where=(open_s > 0) & (seen > 0))
-    return Response(open_s, gain, zero, sensor)
+    except Rejected:  # NS0442
+        return None
+    return program.tables.weights(program.model(effects))

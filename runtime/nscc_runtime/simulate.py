@@ -19,6 +19,7 @@ from nscc_runtime import frame_file
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
+from nscc_runtime.planless import planless
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
@@ -137,9 +138,11 @@ def simulate(
 ) -> Simulated:
     """Expose the scene. Raises Rejected where the program, the scene or the plan is unfit."""
     listener = listener or Listener()
-    if container.machine is not None:
-        return _looking(container, light, sensor, request, listener)
-    if request.planned:
+    if container.target.streamed and (request.plan is not None or request.audit):
+        raise planless("--plan" if request.plan is not None else "--audit")
+    if container.target.streamed and not request.effects.noiseless:
+        return _streamed(container, light, sensor, request, listener)
+    if request.planned and not container.target.streamed:
         return _planned(container, light, sensor, request, listener)
     with listener.timings.part("expose_s"):
         frame = _exact(container, light, sensor, request, listener)
@@ -150,34 +153,27 @@ def simulate(
     return Simulated(frame, Provenance(digest, sensor, *seeds, fidelity, plan), request.effects)
 
 
-def _looking(
+def _streamed(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
-    """A program whose pixels look at the light: word by word, with all effects that were named."""
+    """A chip without logic: plane by plane, with all effects that were named and that it has."""
     from nscc_runtime.noise.loops import fill_normals
-    from nscc_runtime.reference.looks import looking_frames
+    from nscc_runtime.reference.stream import absent_effects, stream_frames
 
-    if request.plan is not None or request.audit:
-        option = "--plan" if request.plan is not None else "--audit"
-        raise rejected(
-            "NS0750",
-            f"{option} needs a plan, and a program whose pixels look at the light has none",
-            notes=("its words are executed one by one, with every effect that is on",),
-            helps=(f"leave {option} out: nothing is approximated",),
-        )
     _say_compiling(listener, fill_normals.is_compiled(), "noise")
+    absent = absent_effects(container, request.effects)
+    effects = request.effects.without(*absent)
     with listener.timings.part("expose_s"):
-        made = looking_frames(
-            container, light, sensor, request.effects,
+        made = stream_frames(
+            container, light, sensor, effects,
             seed=request.seed, device_seed=request.device_seed, count=request.repeat or 1,
         )  # fmt: skip
         frame = _gathered(made, request.repeat, listener)
     digest = sha256(to_bytes(container)).hexdigest()
-    plan = frame_file.unplanned(request.effects, light.motion is not None)
-    plan["slot_loop_reasons"] = ["pixels look at the light: their words are executed one by one"]
+    plan = frame_file.unplanned(request.effects, light.motion is not None, absent)
+    plan["slot_loop_reasons"] = ["light is sorted slot by slot, as planes of bits say"]
     seeds = request.seed, request.device_seed
-    origin = Provenance(digest, sensor, *seeds, "reference", plan)
-    return Simulated(frame, origin, request.effects)
+    return Simulated(frame, Provenance(digest, sensor, *seeds, "reference", plan), effects)
 
 
 def _exact(
@@ -185,6 +181,8 @@ def _exact(
 ) -> Frame:
     """Words slot by slot: without effects, or by the reference."""
     repeat = request.repeat
+    if container.machine is not None:
+        return _gathered(_looking(container, light, sensor, request, listener), repeat, listener)
     if request.effects.noiseless:
         from nscc_runtime.emulator import expose
         from nscc_runtime.emulator.loops import expose_block
@@ -204,50 +202,64 @@ def _exact(
     return _gathered(made, repeat, listener)
 
 
+def _looking(
+    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
+) -> Iterable[Frame]:
+    """The frames of a program whose pixels look: kept states go on from one to the next."""
+    from nscc_runtime.looking.frames import frames
+    from nscc_runtime.looking.way_loop import run_ways
+    from nscc_runtime.noise.loops import fill_normals
+    from nscc_runtime.reference.looks import looking_frames
+
+    seed, device_seed, count = request.seed, request.device_seed, request.repeat or 1
+    if request.effects.noiseless:
+        _say_compiling(listener, run_ways.is_compiled(), "emulator")
+        return frames(
+            container, light, sensor, request.effects,
+            seed=seed, device_seed=device_seed, count=count, threads=request.threads,
+        )  # fmt: skip
+    _say_compiling(listener, fill_normals.is_compiled(), "noise")
+    return looking_frames(
+        container, light, sensor, request.effects, seed=seed, device_seed=device_seed, count=count
+    )
+
+
 def _planned(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
     """By a plan: made here, or read from its file."""
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.plan_file import plan_text, read_plan
-    from nscc_runtime.planner.choose import plan_for, predicted_for
-    from nscc_runtime.planner.frames import made_ready, planned_frames
-    from nscc_runtime.planner.fused_loop import fused
-    from nscc_runtime.planner.pixel_loop import run_pixels
     from nscc_runtime.planner.tolerance import tolerance_e
+    from nscc_runtime.planning import planning_of
 
     timings, device_seed = listener.timings, request.device_seed
     tolerance = tolerance_e(request.tolerance, sensor)
-    _say_compiling(listener, fused.is_compiled() and run_pixels.is_compiled(), "planner")
+    planning = planning_of(container, sensor, light, device_seed, request.threads)
+    _say_compiling(listener, planning.compiled, "planner")
     check(container, light)
     digest = sha256(to_bytes(container)).hexdigest()
     with timings.part("analyse_s"):
-        program = made_ready(container, sensor)
+        planning.ready()
     file = request.plan if isinstance(request.plan, Path) else None
     given = file is not None and file.exists()
     with timings.part("plan_s"):
         if file is not None and given:
-            plan = predicted_for(program, light, read_plan(file, digest, sensor), device_seed)
+            plan = planning.predicted(read_plan(file, digest, sensor))
         elif request.plan is None or isinstance(request.plan, Path):
-            plan = plan_for(program, light, tolerance, request.effects, device_seed)
+            plan = planning.plan(tolerance, request.effects)
         else:
             assert not isinstance(request.plan, Path)
             plan = request.plan
-    if plan.predicted_e > plan.tolerance_e and (request.effects.auto or given):
-        listener.warn(_over(plan, given))
+    if plan.breach is not None and (request.effects.auto or given):
+        listener.warn(_over(plan, plan.breach, given))
     with timings.part("expose_s"):
-        made = planned_frames(
-            program, light, plan, request.seed, device_seed, request.repeat or 1, request.threads
-        )
+        made = planning.frames(plan, request.seed, request.repeat or 1)
         frame = _gathered(made, request.repeat, listener)
     report, broken = None, None
     if request.audit:
-        from nscc_runtime.planner.audit import audit
-        from nscc_runtime.planner.capture import prepared
-
         with timings.part("audit_s"):
-            exposed = prepared(program, light, plan, device_seed=device_seed)
-            report = audit(exposed, request.seed, request.repeat or 1)
+            report = planning.audit(plan, request.seed, request.repeat or 1)
         broken = None if report.holds else _broken(plan, report)
     origin = Provenance(
         digest, sensor, request.seed, device_seed, "planned", plan.as_json(),
@@ -263,17 +275,21 @@ def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> 
     return frame_file.stacked(found) if repeat else found[0]
 
 
-def _over(plan: Plan, given: bool) -> Diagnostic:
+def _over(plan: Plan, breach: str, given: bool) -> Diagnostic:
     """The warning that what the user forced off, or the plan given, costs more than allowed."""
     forced = [each.name for each in plan.decisions if each.forced and each.decision == "dropped"]
     why = "the plan was made for another scene" if given else f"forced off: {', '.join(forced)}"
     return Diagnostic(
         "NS0749",
-        f"the predicted error is {plan.predicted_e:.3g} e, the tolerance {plan.tolerance_e:.4g} e",
+        breach,
         severity=Severity.WARNING,
         notes=(why,),
         helps=("make a new plan for this scene" if given else "let the planner decide on them",),
-        data={"predicted_e": plan.predicted_e, "tolerance_e": plan.tolerance_e},
+        data={
+            "predicted_e": plan.predicted_e,
+            "tolerance_e": plan.tolerance_e,
+            "other_states": plan.other_states,
+        },
     )
 
 
@@ -281,14 +297,17 @@ def _broken(plan: Plan, report: Audit) -> Rejected:
     """The promise did not hold (status 1)."""
     return rejected(
         "NS0749",
-        f"the audit measured an error of {report.measured_rms_e:.3g} e, more than 1.1 times "
-        f"the tolerance of {plan.tolerance_e:.4g} e",
+        report.breach(plan.tolerance_e),
         notes=(f"predicted were {plan.predicted_e:.3g} e",),
         helps=(
             "use --fidelity reference for this scene; a plan in which nothing was forced "
             "should not come to this: please report it",
         ),
-        data={"measured_rms_e": report.measured_rms_e, "tolerance_e": plan.tolerance_e},
+        data={
+            "measured_rms_e": report.measured_rms_e,
+            "tolerance_e": plan.tolerance_e,
+            "other_states": report.other_states,
+        },
         status=1,
     )
 

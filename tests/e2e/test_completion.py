@@ -1,4 +1,4 @@
-"""The lines of README that make a shell complete `nscc`."""
+"""The lines of README that make a shell complete `nscc`, and what is offered then."""
 
 from __future__ import annotations
 
@@ -8,9 +8,15 @@ import shlex
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
+import click
 import pytest
+
+from nscc_cli.completion import EFFECTS, SCENE, SETTING, TARGET
+from nscc_cli.group import group
+from nscc_cli.main import main
 
 SHELLS = ("bash", "zsh", "fish")
 
@@ -48,21 +54,90 @@ def test_the_script_of_a_shell(shell: str, environment: dict[str, str], root: Pa
         assert (checked.returncode, checked.stderr) == (0, "")
 
 
+def offers(shell: str, typed: str, monkeypatch: pytest.MonkeyPatch,
+           capsys: pytest.CaptureFixture[str]) -> list[tuple[str, str]]:  # fmt: skip
+    """Kind and text of what is offered for the last word, read as that shell's script does."""
+    words = typed.split(" ")
+    monkeypatch.setenv("_NSCC_COMPLETE", f"{shell}_complete")
+    monkeypatch.setenv("COMP_WORDS", typed)
+    monkeypatch.setenv("COMP_CWORD", words[-1] if shell == "fish" else str(len(words) - 1))
+    assert main([]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    if shell == "zsh":  # three lines each: kind, text, description
+        return [*zip(lines[::3], lines[1::3], strict=True)]
+    pairs = (line.partition(",") for line in lines)
+    return [(kind, text.partition("\t")[0]) for kind, _, text in pairs]
+
+
 @pytest.mark.parametrize("shell", SHELLS)
-@pytest.mark.parametrize(("typed", "last", "offered"), [
-    ("nscc bu", "bu", "build"), ("nscc run p.nsl --tol", "--tol", "--tolerance"),
-    ("nscc evaluate comp", "comp", "compare"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("typed", "offered"),
+    [
+        ("nscc bu", ["build"]),
+        ("nscc run p.nsl --tol", ["--tolerance"]),
+        ("nscc evaluate comp", ["compare"]),
+        ("nscc check --lowering l", ["latch"]),
+        ("nscc check --target scamp5-", ["file: scamp5-", "scamp5-algorithm1"]),
+        ("nscc targets sc", ["file: sc", "scamp5", "scamp5-algorithm1", "scamp7"]),
+        ("nscc check a", ["file: a"]),
+        ("nscc run --scene builtin:f", ["file: builtin:f", "builtin:flat:"]),
+        ("nscc run --effects al", ["all"]),
+        ("nscc run --effects shot,+prn", ["shot,+prnu"]),
+        ("nscc run --sensor-set dark_c", ["dark_current_e_per_s="]),
+        ("nscc effects sho", ["shot"]),
+        ("nscc explain NS0412", ["NS0412"]),
+        ("nscc examples class_b", ["class_b", "class_b_4096"]),
+        ("nscc build --emit icw,rep", ["icw,report"]),
+        ("nscc run --keep tr", ["truth"]),
+        ("nscc reconstruct a", ["dir: a", "any"]),
+        ("nscc run --like my", ["dir: my", "my_run"]),
+        ("nscc run --like deep/", ["dir: deep/", "deep/other"]),
+        ("nscc evaluate of x --protocol s", ["sci8"]),
+    ],
+)
 def test_what_is_offered(
-    shell: str, typed: str, last: str, offered: str, environment: dict[str, str]
+    shell: str, typed: str, offered: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    for run in ("my_run", "deep/other"):
+        (tmp_path / run).mkdir(parents=True)
+        (tmp_path / run / "config.resolved.toml").touch()
+    (tmp_path / "my_other_folder").mkdir()
+    monkeypatch.chdir(tmp_path)
+    found = offers(shell, typed, monkeypatch, capsys)
+    assert [text if kind == "plain" else f"{kind}: {text}" for kind, text in found] == offered
+
+
+def commands(group: click.Group, context: click.Context) -> Iterator[click.Command]:
+    """All commands below a group."""
+    for name in group.list_commands(context):
+        found = group.get_command(context, name)
+        assert found is not None
+        yield found
+        if isinstance(found, click.Group):
+            yield from commands(found, context)
+
+
+def test_every_command_offers_what_it_takes() -> None:
+    """Options that have one name everywhere are told to the shell everywhere."""
+    known = {"--target": TARGET, "--scene": SCENE, "--effects": EFFECTS, "--sensor-set": SETTING}
+    asked = [
+        (option, command.name, parameter.type)
+        for command in commands(group, click.Context(group))
+        for parameter in command.params
+        for option in known.keys() & {*parameter.opts}
+    ]
+    assert len(asked) > 10
+    assert [each for each in asked if each[2] is not known[each[0]]] == []
+
+
+def test_fish_keeps_what_stands_behind_a_comma(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    """As the scripts ask: fish hands over the last word, the others its number."""
-    count = str(len(typed.split()) - 1)
-    asked = {"_NSCC_COMPLETE": f"{shell}_complete", "COMP_WORDS": typed,
-             "COMP_CWORD": last if shell == "fish" else count}  # fmt: skip
-    found = subprocess.run(["nscc"], capture_output=True, text=True, env={**environment, **asked})
-    assert found.returncode == 0
-    assert offered in re.split(r"[,\s]", found.stdout)
+    """`string split` with a limit: values with commas are one value."""
+    monkeypatch.setenv("_NSCC_COMPLETE", "fish_source")
+    assert main([]) == 0
+    assert "(string split --max 1 , $completion)" in capsys.readouterr().out
 
 
 def test_bash_itself_completes(environment: dict[str, str], root: Path) -> None:

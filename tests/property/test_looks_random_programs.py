@@ -19,6 +19,8 @@ from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
+from nscc_runtime.looking.frames import frames
+from nscc_runtime.looking.ways import Ways
 from nscc_runtime.reference.looks import looking_frames
 from nscc_runtime.sensor import default_sensor
 
@@ -73,9 +75,14 @@ def check(text: str, container: Container, seed: int) -> None:
     )
     light = (share * FULL_WELL_E / container.slots).astype(np.float32)
     sensor = default_sensor(container.target)
-    taken = looking_frames(
-        container, Light.of_clip(light), sensor, selected("none"), device_seed=seed, count=2
-    )
+    scene, none = Light.of_clip(light), selected("none")
+    taken = [*looking_frames(container, scene, sensor, none, device_seed=seed, count=2)]
+    assert not Ways(container, sensor).lacks(none), text
+    for words, ways in zip(taken, frames(container, scene, sensor, none, count=2), strict=True):
+        assert np.array_equal(words.exposure_e, ways.exposure_e), text
+        assert all(np.array_equal(words.told[key], ways.told[key], True) for key in words.told), (
+            text
+        )
     assert container.machine is not None
     kept_names = {state.name for state in container.machine.states if state.kept}
     kept: dict[tuple[int, int], dict[str, object]] = {}

@@ -52,12 +52,13 @@ def rows():
     return BOOK[SEED].tolist()
 
 
-def test_a_limit_that_is_met_changes_nothing_but_the_choice(tmp_path, rows):
-    text = book_program(rows)
+def test_a_limit_that_is_met_changes_nothing_but_the_other_lowerings(tmp_path, rows):
+    """Of 24 rows some solutions on the way to the cheapest one do not meet it."""
+    text = book_program(rows[:24])
     _, free = built(tmp_path, text)
     most = free["words_per_slot"]["max"]
     _, same = built(tmp_path, text, "--max-words-per-slot", str(most))
-    assert same == free
+    assert same | {"alternatives": free["alternatives"]} == free
 
 
 @pytest.mark.slow

@@ -66,6 +66,7 @@ def test_light_of_high_range_is_counted_as_protocols_do(folder: Path, run_nscc: 
     made = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | cv2.IMREAD_COLOR)[..., 0]
     assert mu_psnr(truth, made, np.percentile(truth, 99.9)) == pytest.approx(said, abs=0.1)
     assert said > float(outcome.err.split("always open ")[1].split(" dB")[0]) + 5
+    assert float(outcome.err.split("that look ")[1].split(" dB")[0]) > said + 5
 
 
 @pytest.mark.parametrize("how", [[], ["--merge"]], ids=["decoder", "merge"])

@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import combinations
+from pathlib import Path
 from typing import Any
 
 import matplotlib
@@ -21,11 +22,13 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 from PIL import Image as PillowImage
 
+import nscc
 from nscc.target.load import builtin_target
 from nscc.tradeoff.points import Point
 from nscc.words.container import Container, DecodeTable
 from nscc_runtime.merge import Readout
 from nscc_runtime.pictures import sheet
+from nscc_runtime.pictures.courses import course_sheet
 from nscc_runtime.pictures.frames import frame_sheet
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.labels import Label, place_labels
@@ -141,6 +144,11 @@ def container(codes: int, buckets: int, slots: int, shape: tuple[int, int] | Non
     )  # fmt: skip
 
 
+def looking_program(name: str) -> Container:
+    path = Path(__file__).parents[2] / "examples" / f"{name}.nsl"
+    return nscc.compile(path, level=0).container
+
+
 def readout(rows: int, cols: int, name: str = "frame") -> Readout:
     frame = RNG.integers(0, 256, (rows, cols)).astype(np.uint8)
     light_e, open_s = 100.0 * frame, np.full((rows, cols), 1e-3)
@@ -167,6 +175,9 @@ KINDS: dict[str, Callable[[], Figure]] = {
     "many shutters": partial(shutter_sheet, container(200, 1, 64, (256, 256)), "a.nsl"),
     "many slots": partial(shutter_sheet, container(9, 2, 4096, (3, 200)), "a.nsl"),
     "no pixels": partial(shutter_sheet, container(2, 1, 7, None), "a.nsl"),
+    "a pixel that looks": partial(course_sheet, looking_program("float_pixel"), "a.nsl"),
+    "looks of kept states": partial(course_sheet, looking_program("auto_exposure"), "a.nsl"),
+    "looks everywhere": partial(course_sheet, looking_program("first_light"), "a.nsl"),
     "a frame": partial(frame_sheet, [readout(256, 256)], "a.nsl"),
     "frames": partial(frame_sheet, [readout(2, 90, "b0"), readout(2, 90, "b1")], "a.nsl"),
     "images": partial(
@@ -206,7 +217,7 @@ def written(figure: Figure) -> list[Text]:
     texts = [*figure.texts, *(text for legend in figure.legends for text in legend.get_texts())]
     for axes in figure.axes:
         for part in (axes, *axes.child_axes):
-            texts += [part.title, part._left_title, *part.texts]  # type: ignore[attr-defined]
+            texts += [part.title, part._left_title, part._right_title, *part.texts]  # type: ignore[attr-defined]
             for axis in (part.xaxis, part.yaxis):
                 if axis.get_visible() and part.axison:
                     low, high = sorted(axis.get_view_interval())

@@ -18,7 +18,7 @@ torch = pytest.importorskip("torch")
 from nscc_training.tradeoff.sensor import Settings, configurations, measure  # noqa: E402
 
 SMALL: dict[str, Any] = {
-    "classes": ("c",), "slots": (4, 8), "stop_slots": (8,), "codes": ("fixed",),
+    "classes": ("c",), "slots": (4, 8), "stop_slots": (8,), "looks": (), "codes": ("fixed",),
     "lowerings": ("edges",), "target": "scamp5", "level": 0, "effects": "none", "slot_us": None,
     "data": None, "count": 1, "seed": 0,
 }  # fmt: skip
@@ -81,7 +81,7 @@ def test_other_seeds_are_other_scenes_and_the_same_seed_the_same() -> None:
 
 def test_the_command(tmp_path: Path) -> None:
     arguments = ["tradeoff", "sensor", "--classes", "c,e", "--slots", "4,16", "--stop-slots", "8",
-                 "--codes", "open", "--lowerings", "edges", "-O", "0", "--effects",
+                 "--looks", "2", "--codes", "open", "--lowerings", "edges", "-O", "0", "--effects",
                  "none"]  # fmt: skip
     for name in ("one", "two"):
         done = invoke([*arguments, "-o", name], tmp_path)
@@ -107,6 +107,7 @@ def test_the_command(tmp_path: Path) -> None:
 def test_nothing_that_fits(tmp_path: Path) -> None:
     done = invoke(
         ["tradeoff", "sensor", "--classes", "c", "--slots", "4", "--stop-slots", "3000",
+         "--looks", "none",
          "--codes", "open", "--lowerings", "latch", "--slot-us", "0.01", "-O", "0", "-o", "o"],
         tmp_path,
     )  # fmt: skip
@@ -122,6 +123,7 @@ def test_nothing_that_fits(tmp_path: Path) -> None:
         (["--slots", "0"], "NS0783"),
         (["--slots", ""], "NS0783"),
         (["--slot-us", "0"], "NS0783"),
+        (["--looks", "1"], "NS0783"),
         (["--data", "."], "NS0811"),
         (["--effects", "nonsense"], "NS0756"),
         (["--csv", "a", "--png", "a"], "NS0745"),

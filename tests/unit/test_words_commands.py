@@ -56,7 +56,7 @@ def test_a_refused_text_leaves_no_file(tmp_path: Path) -> None:
 def test_targets_are_listed_and_printed(tmp_path: Path) -> None:
     listed = CliRunner().invoke(targets.command).stdout
     assert [line.split()[0] for line in listed.splitlines()] == [
-        "name", "scamp5", "scamp5-algorithm1", "scamp7",
+        "name", "dual-tap", "scamp5", "scamp5-algorithm1", "scamp7",
     ]  # fmt: skip
     details = CliRunner().invoke(targets.command, ["scamp7"]).stdout
     assert "R0..R22" in details

@@ -2,23 +2,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field
 from threading import Thread
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.operations import Effect
+from nscc.words.encoding import decode
 from nscc_runtime.device.messages import Channel
+from nscc_runtime.device.objects import packed_plane
 
 if TYPE_CHECKING:
     from nscc.target.target import Target
     from nscc.words.container import Container
     from nscc_runtime.device.parsing import Held
+    from nscc_runtime.interface import Exposure
     from nscc_runtime.light import Light
     from nscc_runtime.sensor import Sensor
 
 Scene = Callable[[Sequence[float]], "Light"]
 """The light on the array in slots of these lengths, in microseconds."""
+
+
+@dataclass(frozen=True, eq=False)
+class Executed:
+    """A frame as a loader sends it, and what each code register holds after it, as a PLANE object
+    has it: states that are kept stand in such registers."""
+
+    frame: bytes
+    planes: Mapping[str, bytes]
 
 
 @dataclass
@@ -35,23 +51,56 @@ class EmulatedChip:
     report: Callable[[Exception], None] = lambda _: None
     _light: tuple[tuple[float, ...], Light] | None = field(default=None, init=False)
 
-    def exposure(self, container: Container, channels: int) -> bytes:
-        """One frame of a container as a loader sends it: all codes, then all exposures."""
-        from nscc_runtime.emulator import expose
+    def execute(self, container: Container, channels: int) -> Executed:
+        """One frame of a container: all codes, then all exposures, readout by readout, column by
+        column; then all planes of states.
+        """
         from nscc_runtime.frame_file import read_out
 
         if self._light is None or self._light[0] != container.slot_us:
             self._light = (container.slot_us, self.scene(container.slot_us))
-        exact = expose(container, self._light[1], device_seed=self.device_seed)
+        exact, planes = self._executed(container, self._light[1])
         frame = read_out(exact, self.target, self.sensor)
-        codes = frame.frame.tobytes() if channels & Channel.CODES else b""
-        exposure = frame.exposure_e.astype("<f8").tobytes() if channels & Channel.EXPOSURE else b""
-        return codes + exposure
+        parts = [in_columns(frame.frame)] if channels & Channel.CODES else []
+        if channels & Channel.EXPOSURE:
+            parts.append(in_columns(frame.exposure_e.astype("<f8")))
+        packed = {name: packed_plane(plane) for name, plane in planes.items()}
+        if channels & Channel.STATES:
+            parts += [packed[name] for name in container.state_planes]
+        return Executed(b"".join(parts), {name: packed[name] for name in container.code_registers})
+
+    def exposure(self, container: Container, channels: int) -> bytes:
+        """The frame alone."""
+        return self.execute(container, channels).frame
+
+    def _executed(
+        self, container: Container, light: Light
+    ) -> tuple[Exposure, Mapping[str, NDArray[np.bool_]]]:
+        """The exposure without effects, and digital registers after the frame."""
+        if looks(container):
+            from nscc_runtime.reference.looks import executed
+
+            found = executed(container, light, self.sensor, self.device_seed)
+            return found.exposure, found.planes
+        from nscc_runtime.emulator import expose
+
+        return expose(container, light, device_seed=self.device_seed), container.planes()
 
 
-def in_background(work: Callable[[], bytes]) -> Future[bytes]:
+def in_columns(frame: NDArray[Any]) -> bytes:
+    """The bytes of (readouts, rows, cols) values in the order in which a loader sends them."""
+    return np.ascontiguousarray(frame.transpose(0, 2, 1)).tobytes()
+
+
+def looks(container: Container) -> bool:
+    """Whether its words compare analog values: pixels then have FLAGs of their own."""
+    words = (word for kernel in container.kernels for word in kernel.words)
+    return any(decode(word).operation.effect is Effect.FLAG_ANALOG for word in words)
+
+
+def in_background(work: Callable[[], Executed]) -> Future[Executed]:
     """What comes of work in a thread of its own, for which nobody waits when the process ends."""
-    future: Future[bytes] = Future()
+    future: Future[Executed] = Future()
 
     def run() -> None:
         try:
@@ -68,22 +117,25 @@ class BackgroundChip:
 
     def __init__(self, chip: EmulatedChip) -> None:
         self._chip = chip
-        self._exposing: Future[bytes] | None = None
+        self._exposing: Future[Executed] | None = None
+        self._held: Held | None = None
 
     def expose(self, held: Held, channels: int) -> None:
         """Begin to expose a program that a loader has checked."""
-        chip = self._chip
-        self._exposing = in_background(lambda: chip.exposure(held.container(chip.target), channels))
+        chip, self._held = self._chip, held
+        self._exposing = in_background(lambda: chip.execute(held.container(chip.target), channels))
 
     def exposed(self) -> bytes | None:
         """The frame, None before it is there; RuntimeError where there is none."""
-        if self._exposing is None:
+        if self._exposing is None or self._held is None:
             raise RuntimeError("nothing is exposed")
         if not self._exposing.done():
             return None
         try:
-            return self._exposing.result()
+            executed = self._exposing.result()
         except Exception as error:
             self._exposing = None
             self._chip.report(error)
             raise RuntimeError("no frame") from error
+        self._held.take(executed.planes, self._chip.target)
+        return executed.frame

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from random import SystemRandom
 from typing import TYPE_CHECKING, Any
@@ -11,16 +11,26 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.words.container import state_registers
 from nscc.words.file import to_bytes
 from nscc_runtime.device import tasks
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.link import Link
-from nscc_runtime.device.messages import Capability, Captured, Channel, Info, State, bytes_a_pixel
-from nscc_runtime.device.objects import Upload, upload_of
-from nscc_runtime.device.trouble import check_fits, no_program, rejected
+from nscc_runtime.device.messages import (
+    Capability,
+    Captured,
+    Channel,
+    Info,
+    State,
+    frame_bytes,
+    plane_bytes,
+)
+from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
+from nscc_runtime.device.trouble import check_fits, no_program, rejected, states_lost
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.interface import Exposure
+from nscc_runtime.looked_light import told_by
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor, default_sensor
 
@@ -83,11 +93,12 @@ class Chip:
         return self.link.run(said)
 
     def upload(self, container: Container) -> Upload:
-        """Bring a program to the device; one that it has already is not sent again."""
+        """Bring a program to the device; one that it has already is not sent again, unless it keeps
+        states: they then have their first values again."""
         program = self._program(container)
         info = self.info()
-        check_fits(self.link.path, program, container.target, info, channels_of(info))
-        self._upload(program)
+        check_fits(self.link.path, program, container.target, info, channels_of(info, program))
+        self._upload(program, anew=_keeps(container))
         return program
 
     def _program(self, container: Container) -> Upload:
@@ -97,19 +108,29 @@ class Chip:
             self.label = label
         return self._made[1]
 
-    def _upload(self, program: Upload) -> None:
-        sent = 0
+    def _upload(self, program: Upload, *, anew: bool) -> None:
+        sent, host = 0, self.link.host
 
         def watch(done: int) -> None:
             nonlocal sent
             sent = max(sent, done // _STEP)
 
-        steps = self.link.steps(lambda: tasks.upload(self.link.host, program, watch), lambda: sent)
+        def work() -> Task[None]:
+            nonlocal anew
+            if anew:
+                yield from tasks.forget(host, program)
+                anew = False
+            yield from tasks.upload(host, program, watch)
+
+        steps = self.link.steps(work, lambda: sent)
         for _ in self.progress(steps, "uploading", len(program.stream) // _STEP):
             pass
 
     def capture(self, container: Container) -> Shot:
-        """One frame of the program that was uploaded, which is sent again should it be lost."""
+        """One frame of the program that was uploaded, which is sent again should it be lost.
+
+        NS0774 where it was lost and keeps states from frame to frame: these cannot be sent again.
+        """
         program = self._program(container)
         return self._shot(container.target, container, program)
 
@@ -124,20 +145,25 @@ class Chip:
     def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
         host = self.link.host
         self._number += 1
-        number, channels = self._number, 0
+        wanted, lost = tasks.Wanted(self._number, 0), False
 
         def work() -> Task[tasks.Taken]:
-            nonlocal channels
+            nonlocal lost
             assert host.info is not None
-            channels = channels_of(host.info)
+            wanted.channels = channels_of(host.info, program)
             if program is not None:
-                yield from tasks.upload(host, program)
-            return (yield from tasks.capture(host, number, channels))
+                there = yield from tasks.upload(host, program)
+                lost = lost or not there
+            return (yield from tasks.capture(host, wanted))
 
         taken = self.link.run(work)
+        if lost and container is not None and _keeps(container):
+            raise states_lost(self.link.path)
         captured = taken.captured
         wrong = container is not None and captured.readouts != len(container.readouts)
-        expected = captured.readouts * target.rows * target.cols * bytes_a_pixel(channels)
+        states = program.states if program else 0
+        pixels = target.rows * target.cols
+        expected = frame_bytes(wanted.channels, pixels, captured.readouts, states)
         if wrong or not captured.readouts or len(taken.data) != expected:
             raise rejected(
                 "NS0767",
@@ -147,14 +173,15 @@ class Chip:
             )
         shape = (captured.readouts, target.rows, target.cols)
         sensor = self.sensor or default_sensor(target)
-        frame = frame_of(taken.data, channels, shape, sensor, target, container)
+        frame = frame_of(taken.data, wanted.channels, shape, sensor, target, container)
         return Shot(frame, captured)
 
 
-def channels_of(info: Info) -> int:
-    """The channels to ask a loader for: all that it has."""
+def channels_of(info: Info, program: Upload | None = None) -> int:
+    """The channels to ask a loader for: all that it has of a program."""
     exact = info.capabilities & Capability.EXACT
-    return Channel.CODES | Channel.EXPOSURE if exact else Channel.CODES
+    states = Channel.STATES if program and program.states else 0
+    return Channel.CODES | (Channel.EXPOSURE if exact else 0) | states
 
 
 def frame_of(
@@ -164,19 +191,42 @@ def frame_of(
     """A frame from its channels' bytes; without EXPOSURE electrons are those of the codes.
 
     What is saturated the codes tell: the last of the scale, and with the program those that a full
-    well or register reads. A loader with EXPOSURE stands in for a chip without either.
+    well or register reads. A loader with EXPOSURE stands in for a chip without either. What pixels
+    that looked say of their light comes from the planes of STATES, with the program.
     """
-    pixels = int(np.prod(shape))
-    codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(shape)
+    readouts, rows, cols = shape
+    pixels, columns = readouts * rows * cols, (readouts, cols, rows)
+    codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(columns)
+    codes = np.ascontiguousarray(codes.transpose(0, 2, 1))
     saturated_by = last_codes(codes, target)
     if channels & Channel.EXPOSURE:
         exposure = np.frombuffer(data, "<f8", pixels, offset=pixels).astype(np.float64)
-        exposure = exposure.reshape(shape)
+        exposure = np.ascontiguousarray(exposure.reshape(columns).transpose(0, 2, 1))
     else:
         exposure = (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb
-        if container is not None:
+        if container is not None and container.machine is None:
             saturated_by |= _full(codes, container, sensor)
-    return Frame(codes, exposure, np.isfinite(exposure), saturated_by)
+    frame = Frame(codes, exposure, np.isfinite(exposure), saturated_by)
+    if container is None or container.machine is None:
+        return frame
+    simulated = selected("none") if channels & Channel.EXPOSURE else everything()
+    planes = _state_planes(data, container)
+    return replace(frame, told=told_by(container, planes, frame, sensor, simulated))
+
+
+def _keeps(container: Container) -> bool:
+    return container.machine is not None and container.machine.keeps
+
+
+def _state_planes(data: bytes, container: Container) -> dict[str, NDArray[np.bool_]]:
+    """The planes at the end of a frame's bytes, by register."""
+    shape = container.target.rows, container.target.cols
+    size, names = plane_bytes(shape[0] * shape[1]), state_registers(container)
+    ends = (len(data) - size * k for k in reversed(range(len(names))))
+    return {
+        name: unpacked_plane(data[end - size : end], shape)
+        for name, end in zip(names, ends, strict=True)
+    }
 
 
 def _full(

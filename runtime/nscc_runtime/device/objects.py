@@ -2,12 +2,17 @@
 
     READOUTS   u32 count; each: u8 analog register, 7 free, f64 gain
     KERNELS    u32 count, u32 words of each kernel, then the words, five u32 each
-    SCHEDULE   u32 slots; u32 runs, each: u32 slots, f64 microseconds of each of them;
+    SCHEDULE   u32 slots; u32 grace in nanoseconds; u32 most late launches;
+               u32 runs, each: u32 slots, f64 microseconds of each of them;
                u32 rows, each: u32 advance, u16 kernel, u16 times
     PLANE      one bit a pixel, row by row from the top left, the first in the lowest bit
+    LEVELS     u32 count; each: i16 steps of IN, for the rows of the SCHEDULE that follows
+    STATES     u32 count; each: u8 digital register that comes with the frame
 
 Registers go by their place in the target table. A row of the schedule is done `times` times: the
-light of `advance` slots falls, then the kernel runs. Slots left after the last row follow it.
+light of `advance` slots falls, then IN is set to the row's level, but for AS_IT_IS, and the kernel
+runs. Slots left after the last row follow it. A launch that comes later than `grace` after its
+boundary is late. LEVELS and STATES are those of programs that look.
 """
 
 from __future__ import annotations
@@ -19,33 +24,43 @@ from enum import IntEnum
 from functools import cached_property
 from hashlib import sha256
 from itertools import groupby
+from math import ceil
 from struct import Struct
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.target.load import target_dict
 from nscc.target.target import Target
-from nscc.words.container import Container
+from nscc.words.container import Container, state_registers
+from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, Entry
 
 MOST_TIMES = (1 << 16) - 1
 MOST_LAUNCHES = 1 << 20
 """Most launches of a frame, whatever its rows."""
 READOUT = Struct("<B7xd")
+SCHEDULE_HEAD = Struct("<III")
 RUN = Struct("<Id")
 ROW = Struct("<IHH")
 COUNT = Struct("<I")
+_REGISTER = Struct("<B")
 WORD = Struct("<5I")
+LEVEL = Struct("<h")
+AS_IT_IS = -32768
+"""The level of a row that leaves IN alone."""
 
 
 class ObjectKind(IntEnum):
-    """What an object holds; the order in which a program's objects are sent."""
+    """What an object holds."""
 
     READOUTS = 1
     KERNELS = 2
     SCHEDULE = 3
     PLANE = 4
+    LEVELS = 5
+    STATES = 6
 
 
 @dataclass(frozen=True)
@@ -65,7 +80,8 @@ class Object:
 @dataclass(frozen=True)
 class Upload:
     """A program ready to be sent: `words`, `kernels`, `rows`, `runs` are what it takes of a
-    loader's room; `planes`, `readouts` how many it has."""
+    loader's room, and `frame_ms` of its time; `readouts`, `states` how many registers come with a
+    frame; `levels`: IN is set."""
 
     target: bytes
     label: bytes
@@ -74,8 +90,11 @@ class Upload:
     kernels: int
     rows: int
     runs: int
+    frame_ms: int
     readouts: int
+    states: int
     gains: bool
+    levels: bool
 
     @cached_property
     def digest(self) -> bytes:
@@ -110,16 +129,13 @@ def target_digest(target: Target) -> bytes:
 def upload_of(container: Container, label: bytes) -> Upload:
     """The objects of a container with pixels (NS0741 without); `label` is 32 bytes.
 
-    Raises Rejected (NS0765) for a program whose pixels look at the light.
+    Raises Rejected: NS0510 for a program that has planes instead of words.
     """
-    if container.machine is not None:
-        raise rejected(
-            "NS0765",
-            "a program whose pixels look at the light cannot be uploaded: the loader does not set "
-            "IN between kernels, nor send digital registers",
-            helps=("`nscc run` executes its words on the emulator",),
-            status=1,
-        )
+    refuse_planes(
+        container.target,
+        "the loader takes words, and cannot be sent this program",
+        "`nscc build --emit planes` writes an .npz for a driver of the chip",
+    )
     if container.pixel_codes is None:
         raise rejected(
             "NS0741",
@@ -130,18 +146,23 @@ def upload_of(container: Container, label: bytes) -> Upload:
     target = container.target
     rows = list(_rows(container))
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
-    schedule = COUNT.pack(container.slots) + _counted(RUN, runs) + _counted(ROW, rows)
-    objects = [
-        Object(ObjectKind.READOUTS, 0, _readouts(container)),
-        Object(ObjectKind.KERNELS, 0, _kernels(container)),
-        Object(ObjectKind.SCHEDULE, 0, schedule),
-    ]
+    levels = [(AS_IT_IS if level is None else level,) for *_, level in rows]
+    sets_in = any(level != (AS_IT_IS,) for level in levels)
+    schedule = SCHEDULE_HEAD.pack(container.slots, grace_ns(target), 0)
+    schedule += _counted(RUN, runs) + _counted(ROW, [row[:3] for row in rows])
+    states = [(target.digital_registers.index(name),) for name in state_registers(container)]
+    objects = [Object(ObjectKind.READOUTS, 0, _readouts(container))]
+    if states:
+        objects.append(Object(ObjectKind.STATES, 0, _counted(_REGISTER, states)))
+    objects.append(Object(ObjectKind.KERNELS, 0, _kernels(container)))
+    if sets_in:
+        objects.append(Object(ObjectKind.LEVELS, 0, _counted(LEVEL, levels)))
+    objects.append(Object(ObjectKind.SCHEDULE, 0, schedule))
     planes = container.planes()
     # It takes a write only where the mask is 1, so it comes before the mask's own code.
     for register in sorted(planes, key=lambda name: name != target.masked_register):
-        bits = np.packbits(planes[register], axis=None, bitorder="little").tobytes()
         number = target.digital_registers.index(register)
-        objects.append(Object(ObjectKind.PLANE, number, bits))
+        objects.append(Object(ObjectKind.PLANE, number, packed_plane(planes[register])))
     return Upload(
         target_digest(target),
         label,
@@ -150,9 +171,30 @@ def upload_of(container: Container, label: bytes) -> Upload:
         kernels=len(container.kernels),
         rows=len(rows),
         runs=len(runs),
+        frame_ms=ceil(sum(container.slot_us) / 1000),
         readouts=len(container.readouts),
+        states=len(states),
         gains=any(readout.gain != 1 for readout in container.readouts),
+        levels=sets_in,
     )
+
+
+def packed_plane(plane: NDArray[np.bool_]) -> bytes:
+    """A plane (rows, cols) as the bytes of a PLANE object."""
+    return np.packbits(plane, axis=None, bitorder="little").tobytes()
+
+
+def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
+    """The plane (rows, cols) that a PLANE object holds."""
+    bits = np.frombuffer(data, np.uint8)
+    flat = np.unpackbits(bits, count=shape[0] * shape[1], bitorder="little")
+    return flat.view(np.bool_).reshape(shape)
+
+
+def grace_ns(target: Target) -> int:
+    """How late a launch may be, in nanoseconds: by what the loop takes, whose clock may be one of
+    whole microseconds."""
+    return min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
 
 
 def _readouts(container: Container) -> bytes:
@@ -176,14 +218,14 @@ def _kernels(container: Container) -> bytes:
     )
 
 
-def _rows(container: Container) -> Iterator[tuple[int, int, int]]:
-    """(advance, kernel, times): launches with equal distances between them are one row."""
+def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
+    """(advance, kernel, times, level): launches with equal distances between them are one row."""
     at = 0
     steps = []
     for launch in container.launches:
-        steps.append((launch.instant - at, launch.kernel))
+        steps.append((launch.instant - at, launch.kernel, launch.level))
         at = launch.instant
-    for (advance, kernel), same in groupby(steps):
+    for (advance, kernel, level), same in groupby(steps):
         times = len(list(same))
         for done in range(0, times, MOST_TIMES):
-            yield advance, kernel, min(times - done, MOST_TIMES)
+            yield advance, kernel, min(times - done, MOST_TIMES), level

@@ -6,7 +6,7 @@ same faults. What a word may be comes from `nscc.words`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from math import isfinite
 from struct import Struct
@@ -19,12 +19,24 @@ from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout, Word
 from nscc.words.encoding import matching
 from nscc.words.legality import split_pairs, target_fault
+from nscc.words.machine import StatePlanes
 from nscc.words.planes import codes_of_planes
 from nscc.words.soundness import MOST_SLOTS
-from nscc_runtime.device.messages import Fault
-from nscc_runtime.device.objects import COUNT, MOST_LAUNCHES, READOUT, ROW, RUN, WORD, ObjectKind
-
-_LONGEST_SLOT_US = 1e15
+from nscc_runtime.device.messages import Fault, frame_bytes, plane_bytes
+from nscc_runtime.device.objects import (
+    AS_IT_IS,
+    COUNT,
+    LEVEL,
+    MOST_LAUNCHES,
+    READOUT,
+    ROW,
+    RUN,
+    SCHEDULE_HEAD,
+    WORD,
+    ObjectKind,
+    unpacked_plane,
+)
+from nscc_runtime.device.timing import LONGEST, LONGEST_SLOT_US, TOO_LONG, fixed_point, frame_time
 
 
 @dataclass(eq=False)
@@ -55,7 +67,11 @@ class Held:
     slots: int = 0
     runs: tuple[tuple[int, float], ...] | None = None
     rows: tuple[tuple[int, int, int], ...] = ()
+    levels: tuple[int, ...] = ()
+    states: tuple[int, ...] = ()
     planes: dict[int, bytes] | None = None
+    frame_us: int = 0
+    """From a frame's first word to its last, once the program is whole."""
 
     def accept(self, kind: int, register: int, data: bytes, target: Target, most: Limits) -> None:
         """Check an object and keep it; raises Refusal."""
@@ -70,6 +86,12 @@ class Held:
                 self._schedule(data, most)
             case ObjectKind.PLANE:
                 self._plane(register, data, target)
+            case ObjectKind.LEVELS:
+                self.runs, self.rows, self.levels = None, (), ()
+                self.levels = _levels(data, target, most)
+            case ObjectKind.STATES:
+                self.states = ()
+                self.states = _states(data, target)
             case _:
                 raise Refusal(Fault.MALFORMED, kind)
 
@@ -79,31 +101,41 @@ class Held:
         rooms = {
             ObjectKind.READOUTS: COUNT.size + len(target.analog_registers) * READOUT.size,
             ObjectKind.KERNELS: COUNT.size * (1 + most.kernels) + most.words * WORD.size,
-            ObjectKind.SCHEDULE: 3 * COUNT.size + most.runs * RUN.size + most.rows * ROW.size,
-            ObjectKind.PLANE: (target.rows * target.cols + 7) // 8,
+            ObjectKind.SCHEDULE: 5 * COUNT.size + most.runs * RUN.size + most.rows * ROW.size,
+            ObjectKind.PLANE: plane_bytes(target.rows * target.cols),
+            ObjectKind.LEVELS: COUNT.size + most.rows * LEVEL.size,
+            ObjectKind.STATES: COUNT.size + len(target.digital_registers),
         }
         if kind not in set(ObjectKind):
             raise Refusal(Fault.MALFORMED, kind)
         if length > rooms[ObjectKind(kind)]:
             raise Refusal(Fault.TOO_LARGE, length)
 
-    @property
-    def whole(self) -> bool:
-        """Whether nothing is missing that a frame needs."""
-        return None not in (self.readouts, self.kernels, self.runs)
+    def check_whole(self, target: Target) -> None:
+        """Refuse a program of which something is missing, or whose frames take too long."""
+        if self.readouts is None or self.kernels is None or self.runs is None:
+            raise Refusal(Fault.NO_PROGRAM)
+        held = set(self.planes or ())
+        self.frame_us, fault = frame_time(
+            self.kernels, self.runs, self.rows, self.levels, held, target
+        )
+        if fault:
+            raise Refusal(Fault.SCHEDULE, fault)
 
     def _schedule(self, data: bytes, most: Limits) -> None:
         if self.kernels is None:
             raise Refusal(Fault.SCHEDULE, 0)
         reader = Reader(data, Fault.SCHEDULE)
-        slots = reader.count()
+        slots, _, _ = next(reader.rows(SCHEDULE_HEAD, 1))
         if not 1 <= slots <= MOST_SLOTS:
             raise Refusal(Fault.SCHEDULE, 1)
         lengths = tuple(reader.rows(RUN, reader.count(most.runs)))
         if sum(count for count, _ in lengths) != slots or any(not n for n, _ in lengths):
             raise Refusal(Fault.SCHEDULE, 2)
-        if not all(isfinite(us) and 0 < us <= _LONGEST_SLOT_US for _, us in lengths):
+        if not all(0 < us < LONGEST_SLOT_US for _, us in lengths):
             raise Refusal(Fault.SCHEDULE, 3)
+        if sum(count * fixed_point(us) for count, us in lengths) > LONGEST:
+            raise Refusal(Fault.SCHEDULE, TOO_LONG)
         rows = tuple(ROW.iter_unpack(reader.take(reader.count(most.rows) * ROW.size)))
         reader.end()
         at = launches = 0
@@ -112,6 +144,8 @@ class Held:
             launches += times
             if not times or at > slots or launches > MOST_LAUNCHES or kernel >= len(self.kernels):
                 raise Refusal(Fault.SCHEDULE, 4)
+        if self.levels and len(self.levels) != len(rows):
+            raise Refusal(Fault.SCHEDULE, 5)
         self.slots, self.runs, self.rows = slots, lengths, rows
 
     def _plane(self, register: int, data: bytes, target: Target) -> None:
@@ -119,7 +153,7 @@ class Held:
         planes = self.planes or {}
         if register >= len(target.digital_registers) or register in planes:
             raise Refusal(Fault.PLANE, register)
-        if len(data) != (pixels + 7) // 8 or (pixels % 8 and data[-1] >> pixels % 8):
+        if len(data) != plane_bytes(pixels) or (pixels % 8 and data[-1] >> pixels % 8):
             raise Refusal(Fault.PLANE, register)
         if target.digital_registers[register] == target.masked_register:
             # It takes a write only where the mask is 1, so the mask's own code has to come later.
@@ -128,13 +162,24 @@ class Held:
                 raise Refusal(Fault.PLANE, register)
         self.planes = {**planes, register: data}
 
-    def launches(self) -> Iterator[tuple[int, int]]:
-        """(boundary, kernel) of every launch, in order."""
+    def take(self, planes: Mapping[str, bytes], target: Target) -> None:
+        """What a frame left in code registers: the next one begins with it."""
+        numbers = {name: number for number, name in enumerate(target.digital_registers)}
+        self.planes = {numbers[name]: plane for name, plane in planes.items()}
+
+    def frame_bytes(self, channels: int, target: Target) -> int:
+        """Bytes of a frame in these channels."""
+        pixels = target.rows * target.cols
+        return frame_bytes(channels, pixels, len(self.readouts or ()), len(self.states))
+
+    def launches(self) -> Iterator[Launch]:
+        """Every launch, in order."""
         at = 0
-        for advance, kernel, times in self.rows:
+        levels = self.levels or (AS_IT_IS,) * len(self.rows)
+        for (advance, kernel, times), level in zip(self.rows, levels, strict=True):
             for _ in range(times):
                 at += advance
-                yield at, kernel
+                yield Launch(at, kernel, None if level == AS_IT_IS else level)
 
     def container(self, target: Target) -> Container:
         """The program for the emulator; without a decode table, which no loader needs."""
@@ -147,6 +192,7 @@ class Held:
             kernels=self.kernels,
             launches=list(self.launches()),
             runs=self.runs,
+            states=self.states,
             planes=self.planes or {},
         )
 
@@ -156,20 +202,24 @@ def container_of(
     *,
     readouts: Sequence[tuple[int, float]],
     kernels: Sequence[tuple[Word, ...]],
-    launches: Sequence[tuple[int, int]],
+    launches: Sequence[Launch],
     runs: Sequence[tuple[int, float]],
+    states: Sequence[int],
     planes: dict[int, bytes],
 ) -> Container:
-    """What a chip was told to do, as a container that the emulator runs."""
+    """What a chip was told to do, as a container that the emulator runs.
+
+    Each digital register that comes with the frame is a state of one bit, by its own name.
+    """
     shape = (target.rows, target.cols)
     slot_us = tuple(us for count, us in runs for _ in range(count))
     bits: dict[str, NDArray[np.bool_]] = {}
     for number, data in planes.items():
-        packed = np.frombuffer(data, np.uint8)
-        flat = np.unpackbits(packed, count=shape[0] * shape[1], bitorder="little")
-        bits[target.digital_registers[number]] = flat.astype(bool).reshape(shape)
+        bits[target.digital_registers[number]] = unpacked_plane(data, shape)
     encoding, codes = codes_of_planes(bits, target)
     names = tuple(f"bucket{number}" for number in range(len(readouts)))
+    read = [target.digital_registers[number] for number in states]
+    bit = np.array([[False], [True]])
     count = len(encoding)
     return Container(
         target=target,
@@ -182,7 +232,7 @@ def container_of(
             np.zeros((count, len(names), len(slot_us)), bool),
         ),
         kernels=tuple(Kernel(f"k{number}", words) for number, words in enumerate(kernels)),
-        launches=tuple(Launch(*launch) for launch in launches),
+        launches=tuple(launches),
         code_registers=tuple(bits),
         encoding=encoding,
         pixel_codes=np.zeros(shape, np.int32) if codes is None else codes,
@@ -191,6 +241,7 @@ def container_of(
             for (register, gain), name in zip(readouts, names, strict=True)
         ),
         notes={"table": "none"},
+        state_planes={name: StatePlanes((name,), (0, 1), bit) for name in read},
     )
 
 
@@ -258,3 +309,25 @@ def _kernels(data: bytes, target: Target, most: Limits) -> tuple[tuple[Word, ...
         kernels.append(tuple(words))
     reader.end()
     return tuple(kernels)
+
+
+def _levels(data: bytes, target: Target, most: Limits) -> tuple[int, ...]:
+    reader = Reader(data, Fault.SCHEDULE)
+    levels = tuple(level for (level,) in reader.rows(LEVEL, reader.count(most.rows)))
+    reader.end()
+    if any(level != AS_IT_IS and not target.in_low <= level <= target.in_high for level in levels):
+        raise Refusal(Fault.SCHEDULE, 6)
+    return levels
+
+
+def _states(data: bytes, target: Target) -> tuple[int, ...]:
+    reader = Reader(data, Fault.READOUT)
+    count = reader.count()
+    if count > len(target.digital_registers):
+        raise Refusal(Fault.READOUT, count)
+    registers = tuple(reader.take(count))
+    reader.end()
+    for register in registers:
+        if register >= len(target.digital_registers):
+            raise Refusal(Fault.READOUT, register)
+    return registers

@@ -10,12 +10,18 @@ from nscc.diagnostics import rejection
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.target import Target
 from nscc_runtime.device.host import Refused, Silent, Stalled
-from nscc_runtime.device.messages import Capability, Fault, Info, bytes_a_pixel
+from nscc_runtime.device.messages import Capability, Fault, Info, frame_bytes
 from nscc_runtime.device.objects import Upload, target_digest
 from nscc_runtime.device.packets import VERSION, Kind
 from nscc_runtime.device.port import PortTrouble
+from nscc_runtime.device.timing import FADES, NO_BREATH, TOO_LONG
 
 FAILED = 3
+_UNTIMED = {
+    TOO_LONG: "they last longer than its clock counts",
+    NO_BREATH: "they keep it from its other work for more than two seconds",
+    FADES: "a register that holds a code is not written often enough",
+}
 _LIST = "`nscc doctor` lists the serial ports of this machine"
 _STAND_IN = "`nscc device serve --scene SCENE` gives a stand-in and prints its port"
 
@@ -110,6 +116,21 @@ def _refused(port: str, refused: Refused) -> Rejected:
             )
         case Fault.NO_PROGRAM:
             return no_program(port)
+        case Fault.LATE:
+            return rejected(
+                "NS0721",
+                f"{at} began {failure.detail} launch{'' if failure.detail == 1 else 'es'} of the "
+                "frame later than the program allows",
+                "measure the device's times and build the program with them: `nscc device "
+                "calibrate PORT`",
+            )
+        case Fault.SCHEDULE if failure.detail in _UNTIMED:
+            return rejected(
+                "NS0722",
+                f"{at} cannot time the program's frames: {_UNTIMED[failure.detail]}",
+                "use fewer slots, or longer ones: one of more than 200 us in every two seconds is "
+                "enough",
+            )
     name = {fault.value: fault.name for fault in Fault}.get(failure.fault, str(failure.fault))
     asked = {kind.value: kind.name for kind in Kind}.get(failure.request, str(failure.request))
     return rejected(
@@ -127,6 +148,16 @@ def no_program(port: str) -> Rejected:
         "NS0771",
         f"the device at '{port[:200]}' holds no program",
         "bring it one: `nscc device upload PORT FILE`, or name it: `nscc device capture PORT FILE`",
+    )
+
+
+def states_lost(port: str) -> Rejected:
+    """NS0774: a frame does not go on from the one before it."""
+    return rejected(
+        "NS0774",
+        f"the device at '{port[:200]}' lost what its pixels keep from frame to frame",
+        "give the command again: the frames then begin with the program's first values",
+        notes=("it started anew, or another host brought it a program, between two frames",),
     )
 
 
@@ -155,13 +186,15 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
     """Refuse what the loader would refuse, before anything is sent: NS0764, NS0765, NS0767."""
     if target_digest(target) != info.target:
         raise wrong_target(port, target, info)
-    frame_bytes = upload.readouts * bytes_a_pixel(channels) * info.rows * info.cols
+    pixels = info.rows * info.cols
+    length = frame_bytes(channels, pixels, upload.readouts, upload.states)
     for what, required, available in (
         ("words", upload.words, info.most_words),
         ("kernels", upload.kernels, info.most_kernels),
         ("rows of its schedule", upload.rows, info.most_rows),
         ("runs of equal slots", upload.runs, info.most_runs),
-        ("bytes of a frame", frame_bytes, info.most_frame),
+        ("bytes of a frame", length, info.most_frame),
+        ("milliseconds of exposure", upload.frame_ms, info.longest_ms),
     ):
         if required > available:
             raise rejected(
@@ -175,6 +208,13 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
                     "proved": True,
                 },
             )  # fmt: skip
+    if (upload.levels or upload.states) and not info.capabilities & Capability.LOOKS:
+        raise rejected(
+            "NS0765",
+            f"the program's pixels look at the light, and the loader at '{port[:200]}' neither "
+            "sets IN nor sends digital registers",
+            "put the loader that came with this nscc on the device (runtime/firmware)",
+        )
     if upload.gains and not info.capabilities & Capability.GAIN:
         raise rejected(
             "NS0765",

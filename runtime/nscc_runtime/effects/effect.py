@@ -67,15 +67,17 @@ class ByParts:
 
 @dataclass(frozen=True)
 class InLoop:
-    """What the loop over the words of single pixels is told of an effect, by the loop's own names
-    (`nscc_runtime.planner.layout`): `switch` turns it on, `numbers` are its figures, `device_key`
-    is that of its stream on the device, `function` what it calls. `cost_ns`: nanoseconds a pixel
-    that leaving it out saves there.
+    """What the loops over words are told of an effect, by their own names (of single pixels:
+    `nscc_runtime.planner.layout`; of programs that look: `nscc_runtime.looking.layout`): `switch`
+    turns it on, `numbers` are its figures, `device_key` is that of its stream on the device,
+    `draws_key` of its draws at words, where it has no `Errors`, `function` what is called.
+    `cost_ns`: nanoseconds a pixel that leaving it out saves there.
     """
 
     switch: str | None = None
     numbers: Mapping[str, Callable[[Sensor], float]] = field_of(default_factory=dict)
     device_key: str | None = None
+    draws_key: str | None = None
     function: Callable[..., float] | None = None
     cost_ns: float = 0.0
 
@@ -105,7 +107,8 @@ class Effect:
     does, `absent` why it does nothing where its field is nothing. `parameters`: the sensor's that
     it depends on. `reference`: its functions by stage. `field`: what it does to exposures, for the
     planner and, by its docstring, for people. `sums`: its parts in sums over slots; `fused`: in the
-    loop that does a simple plan in one go; `words`: in the loop over the words of single pixels.
+    loop that does a simple plan in one go; `words`: in the loops over the words of single pixels
+    and of pixels that look.
     `cost_ns`: nanoseconds a pixel that leaving it out saves, measured, to a factor of about two.
     `always` effects cannot be left out. `marks`: how a frame tells where it cut values off, by what
     is marked (`nscc_runtime.effects.marks`).

@@ -27,6 +27,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.words.soundness import faults
 from nscc_runtime.emulator.steps import Layout, steps_of
+from nscc_runtime.emulator.taps import sorted_light
 from nscc_runtime.interface import Exposure
 
 if TYPE_CHECKING:
@@ -53,16 +54,18 @@ class Emulator:
 def expose(
     container: Container, light: Light, *, device_seed: int = 0, block: int = BLOCK
 ) -> Exposure:
-    """Run `container`'s words over `light`, slot by slot, in float64.
+    """Run `container`'s words over `light`, slot by slot, in float64; or what it is sent.
 
     `block`, a multiple of 64, is how many pixels run together; it changes no bit. Raises
     `Rejected` for a program without pixel codes (NS0741), for light of another size (NS0734), and
     for words that the target cannot run (`nscc.words.legality`); ValueError for a container or
     light whose parts contradict each other.
     """
+    check(container, light)
+    if container.target.streamed:
+        return sorted_light(container, light)
     from nscc_runtime.emulator.loops import Block, expose_block
 
-    check(container, light)
     if block < 64 or block % 64:
         raise ValueError(f"a block of {block} pixels")
     layout = Layout.of(container.target)

@@ -28,7 +28,7 @@ _MOST_LABELLED = 8
 """Cells a side of a tile map that still have room for their codes."""
 _CORNER = 16
 _MAP, _BETWEEN = 3.5, 0.6
-_CHART = 2 * _MAP + _BETWEEN
+CHART_INCHES = 2 * _MAP + _BETWEEN
 """Inches of the maps' sides, between them, and of the chart."""
 _ABOVE, _BELOW = 0.36, 1.0
 """Inches for the numbers of the slots, and from the chart to the maps."""
@@ -48,13 +48,13 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
     maps, top = _maps(container, shutters, colours), _ABOVE + chart_height + _BELOW
     sizes = [sheet.zoomed(each.colours.shape, _MAP) for each in maps]
-    figure = sheet.blank(_CHART, top + max((height for _, height in sizes), default=0.0))
-    chart = sheet.place(figure, 0, _ABOVE, _CHART, chart_height)
+    figure = sheet.blank(CHART_INCHES, top + max((height for _, height in sizes), default=0.0))
+    chart = sheet.place(figure, 0, _ABOVE, CHART_INCHES, chart_height)
     _draw_chart(chart, container, shutters.rows[chosen], colours[chosen])
     chart.set_yticks(range(len(chosen)), [shutters.labels[i] for i in chosen])
     for number, (drawing, size) in enumerate(zip(maps, sizes, strict=True)):
         _draw_map(sheet.place(figure, number * (_MAP + _BETWEEN), top, *size), drawing)
-    note = _subtitle(container, count)
+    note = subtitle(container, f"{count} shutter{'s' * (count != 1)}")
     if len(chosen) < count:
         note += f"   ·   {len(chosen)} of them shown, evenly chosen"
     bars = enumerate(container.buckets) if lanes > 1 else ()
@@ -63,7 +63,8 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     return figure
 
 
-def _subtitle(container: Container, shutters: int) -> str:
+def subtitle(container: Container, what: str) -> str:
+    """A program's class, frame and chip in a line, with `what` is drawn of it."""
     lengths, lowering = container.slot_us, container.notes.get("lowering")
     length = _time(min(lengths))
     if min(lengths) < max(lengths):
@@ -72,7 +73,7 @@ def _subtitle(container: Container, shutters: int) -> str:
     parts = (
         f"class {name}" if len(name) == 1 else name,
         f"{container.slots} slot{'s' * (container.slots > 1)} of {length}",
-        f"{shutters} shutter{'s' * (shutters != 1)}",
+        what,
         f"{len(container.buckets)} buckets" if len(container.buckets) > 1 else "",
         f"{container.target.name}, {lowering}" if lowering else container.target.name,
     )
@@ -80,11 +81,11 @@ def _subtitle(container: Container, shutters: int) -> str:
 
 
 def _time(us: float) -> str:
-    scale, unit = _unit(us)
-    return f"{us * scale:.4g} {unit}"
+    scale, name = unit(us)
+    return f"{us * scale:.4g} {name}"
 
 
-def _unit(us: float) -> tuple[float, str]:
+def unit(us: float) -> tuple[float, str]:
     """A factor and a unit that keep a time readable."""
     if us >= 1e6:
         return 1e-6, "s"
@@ -106,15 +107,14 @@ def _draw_chart(axes: Axes, container: Container, rows: NDArray[np.bool_], own: 
 
     count, lanes, slots = rows.shape
     edges_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
-    scale, unit = _unit(float(edges_us[-1]))
+    scale, name = unit(float(edges_us[-1]))
     edges = edges_us * scale
-    columns = edges if slots <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
+    columns = chart_columns(edges)
     buckets = [to_rgb(look().of(lane)["color"]) for lane in range(lanes)]
     image = np.empty((count, lanes + 1, len(columns) - 1, 3))
     image[:] = to_rgb(look().paper)  # the last lane stays: it is the gap
     for row, lane in np.ndindex(count, lanes):
-        open_until = np.concatenate(([0.0], np.cumsum(np.diff(edges) * rows[row, lane])))
-        share = np.diff(np.interp(columns, edges, open_until)) / np.diff(columns)
+        share = open_share(rows[row, lane], edges, columns)
         colour = own[row] if lanes == 1 else buckets[lane]
         image[row, lane] = np.outer(1 - share, to_rgb(look().closed)) + np.outer(share, colour)
     lines = np.linspace(-_BAR / 2, _BAR / 2, lanes + 1)
@@ -126,13 +126,24 @@ def _draw_chart(axes: Axes, container: Container, rows: NDArray[np.bool_], own: 
     if slots <= _MOST_BOUNDARIES:
         axes.vlines(edges[1:-1], -0.5, count - 0.5, colors=look().paper, linewidth=0.7)
     axes.spines[:].set_visible(False)
-    axes.set_xlabel(f"time in the frame, {unit}")
+    axes.set_xlabel(f"time in the frame, {name}")
     axes.tick_params(axis="y", length=0, pad=13, labelcolor=look().ink)
     axes.scatter(
         np.full(count, -0.009), np.arange(count), s=36, c=own, marker="s", clip_on=False,
         transform=axes.get_yaxis_transform(),
     )  # fmt: skip
     _number_slots(axes, edges)
+
+
+def chart_columns(edges: Field) -> Field:
+    """The edges of a chart's columns: those of the slots (N + 1,), or fewer."""
+    return edges if len(edges) - 1 <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
+
+
+def open_share(opened: NDArray[np.bool_], edges: Field, columns: Field) -> Field:
+    """The part of each column that a shutter (N,) is open for."""
+    open_until = np.concatenate(([0.0], np.cumsum(np.diff(edges) * opened)))
+    return np.asarray(np.diff(np.interp(columns, edges, open_until)) / np.diff(columns))
 
 
 def _number_slots(axes: Axes, edges: Field) -> None:

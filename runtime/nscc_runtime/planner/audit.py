@@ -7,6 +7,7 @@ of the brightest pixel. A band's rows are those of the whole frame, crosstalk's 
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -15,8 +16,10 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.planner.capture import Planned
-from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.plan import MOST_OTHER_STATES
 from nscc_runtime.reference.capture import Reference, scene_of
+
+Values = NDArray[np.float64]
 
 SLACK = 1.1
 """A promise holds while the measured error is at most this times the tolerance."""
@@ -40,6 +43,8 @@ class Audit:
     `std_ratio`: standard deviation over the frames of the plan's pixels by that of the reference's
     (root mean squares over the pixels; None where the reference's do not change), with
     `std_ratio_mc_error`. `samples`: pixels x buckets x frames compared. `frames`: how many.
+    `other_states`: of a program that looks, the part of the pixels that end in other states than
+    the reference's, with its standard error; errors are those of the other pixels.
     """
 
     measured_rms_e: float
@@ -52,16 +57,35 @@ class Audit:
     frames: int
     sampled_rows: int
     holds: bool
+    other_states: float | None = None
+    other_states_mc_error: float | None = None
 
     def __str__(self) -> str:
         verdict = "the promise holds" if self.holds else "THE PROMISE IS BROKEN"
         ratio = "" if self.std_ratio is None else (
             f", std ratio {self.std_ratio:.4f} +- {self.std_ratio_mc_error:.4f}"
         )  # fmt: skip
+        if self.other_states is not None:
+            ratio += (
+                f"; {self.other_states:.2%} +- {self.other_states_mc_error:.2%} of the pixels end "
+                "in other states"
+            )
         return (
             f"audit: measured {self.measured_rms_e:.3g} +- {self.mc_error_e:.2g} e, bias "
             f"{self.bias_e:+.2g} +- {self.bias_mc_error_e:.2g} e{ratio}; {self.samples} "
             f"samples in {self.frames} frames: {verdict}"
+        )
+
+    def breach(self, tolerance_e: float) -> str:
+        """What of the promise was found broken, in words."""
+        if self.measured_rms_e <= SLACK * tolerance_e and self.other_states is not None:
+            return (
+                f"the audit found {self.other_states:.2%} of the pixels in other states, more than "
+                f"{MOST_OTHER_STATES:.1%}"
+            )
+        return (
+            f"the audit measured an error of {self.measured_rms_e:.3g} e, more than {SLACK} times "
+            f"the tolerance of {tolerance_e:.4g} e"
         )
 
 
@@ -74,49 +98,66 @@ def audit(
     has few pixels. `effects` are the reference's, by default all.
     """
     program, light = planned.program, planned.light
-    rows = _rows(program, light.total_e())
-    pixels = len(rows) * light.shape[1]
-    pooled = max(1, math.ceil(_POOLED / max(1, light.shape[0] * light.shape[1])))
-    count = max(_FEWEST_FRAMES, min(frames, _MOST_FRAMES)) * min(pooled, 64)
+    rows = compared_rows(program.container.slots, light.total_e())
+    count, pooled = compared_frames(frames, light.shape)
     reference = Reference.of(program.container, program.sensor, effects or everything())
     scene = scene_of(program.container, light)
-    weight = _weights(rows, light.shape[0])
     plans, fulls = [], []
     for frame in range(count):
         plans.append(planned.expose(seed, frame).exposure_e[:, rows])
         parts = [
             reference.expose_rows(scene, band, seed, planned.device_seed, frame).exposure_e
-            for band in _bands(rows)
+            for band in bands(rows)
         ]
         fulls.append(np.concatenate(parts, axis=1))
-    plan, full = np.stack(plans), np.stack(fulls)
+    weight = row_weights(rows, light.shape[0])
+    return compared(np.stack(plans), np.stack(fulls), weight, pooled, planned.plan.tolerance_e)
+
+
+def compared_frames(frames: int, shape: tuple[int, int]) -> tuple[int, int]:
+    """How many frames of pixels (rows, cols) are compared where `frames` were asked for, and how
+    many are pooled."""
+    pooled = min(max(1, math.ceil(_POOLED / max(1, shape[0] * shape[1]))), 64)
+    return max(_FEWEST_FRAMES, min(frames, _MOST_FRAMES)) * pooled, pooled
+
+
+def compared(plan: Values, full: Values, weight: Values, pooled: int, tolerance_e: float) -> Audit:
+    """The audit of exposures (frames, buckets, rows, cols); NaN where they are not compared.
+
+    `weight` (rows,): the part of the frame that each row stands for.
+    """
     error = plan - full
-    square = (np.nanmean(error**2, axis=3) * weight).sum(axis=2)
-    per_frame = square.reshape(-1, min(pooled, 64), square.shape[1]).mean(axis=1)
-    worst = math.sqrt(float(per_frame.max()))
+    with warnings.catch_warnings():
+        # Of a row of which nothing is compared there is no mean.
+        warnings.simplefilter("ignore", RuntimeWarning)
+        by_row, means = np.nanmean(error**2, axis=3), np.nanmean(error, axis=3)
+    there = weight * np.isfinite(by_row)
+    by_row, means = np.nan_to_num(by_row), np.nan_to_num(means)
+    there = there / np.maximum(there.sum(axis=2, keepdims=True), 1e-300)
+    square = (by_row * there).sum(axis=2)
+    worst = math.sqrt(float(square.reshape(-1, pooled, square.shape[1]).mean(axis=1).max()))
     # Rows are the independent parts: pixels of a row share its light.
-    by_row = np.nanmean(error**2, axis=3).reshape(-1, len(rows))
     spread = float(by_row.std() / math.sqrt(by_row.size))
-    means = np.nanmean(error, axis=3).reshape(-1, len(rows))
     ratio, ratio_error = _std_ratio(plan, full)
     return Audit(
         worst,
         spread / (2 * worst) if worst > 0 else 0.0,
-        float((means * weight).sum(axis=1).mean()),
+        float((means * there).sum(axis=2).mean()),
         float(means.std() / math.sqrt(means.size)),
         ratio,
         ratio_error,
-        pixels * error.shape[1] * count,
-        count,
-        len(rows),
-        worst <= SLACK * planned.plan.tolerance_e,
+        error.size,
+        len(error),
+        error.shape[2],
+        worst <= SLACK * tolerance_e,
     )
 
 
-def _rows(program: Program, total_e: NDArray[np.float64]) -> NDArray[np.intp]:
-    """The rows to compare: all, or bands of `_BAND` with that of the brightest pixel."""
+def compared_rows(slots: int, total_e: Values) -> NDArray[np.intp]:
+    """The rows to compare where so many slots of a pixel are made: all, or bands of `_BAND` with
+    that of the brightest pixel. `total_e` (rows, cols): all the light of each pixel."""
     height, cols = total_e.shape
-    wanted = _MOST_CELLS // (program.container.slots * cols) // _BAND
+    wanted = _MOST_CELLS // (slots * cols) // _BAND
     bands = -(-height // _BAND)
     if wanted >= bands:
         return np.arange(height)
@@ -126,24 +167,27 @@ def _rows(program: Program, total_e: NDArray[np.float64]) -> NDArray[np.intp]:
     return np.array([row for row in rows if row < height])
 
 
-def _weights(rows: NDArray[np.intp], height: int) -> NDArray[np.float64]:
+def row_weights(rows: NDArray[np.intp], height: int) -> Values:
     """The part of the frame that each row stands for: half-way to the next ones."""
     edges = np.concatenate(([0.0], (rows[1:] + rows[:-1] + 1) / 2, [float(height)]))
     return np.diff(edges) / height
 
 
-def _bands(rows: NDArray[np.intp]) -> Iterator[range]:
+def bands(rows: NDArray[np.intp]) -> Iterator[range]:
     """Runs of consecutive rows."""
     for run in np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1):
         yield range(int(run[0]), int(run[-1]) + 1)
 
 
-def _std_ratio(
-    plan: NDArray[np.float64], full: NDArray[np.float64]
-) -> tuple[float | None, float | None]:
+def _std_ratio(plan: Values, full: Values) -> tuple[float | None, float | None]:
     """Ratio of the root mean square standard deviations over the frames (axis 0), its error."""
-    mine, theirs = (np.nanvar(values, axis=0, ddof=1).reshape(-1) for values in (plan, full))
-    if not theirs.mean() > _NO_NOISE_E2:
+    with warnings.catch_warnings():
+        # Pixels that are compared in fewer than two frames have no deviation.
+        warnings.simplefilter("ignore", RuntimeWarning)
+        mine, theirs = (np.nanvar(values, axis=0, ddof=1).reshape(-1) for values in (plan, full))
+    known = np.isfinite(mine) & np.isfinite(theirs)
+    mine, theirs = mine[known], theirs[known]
+    if not (theirs.size and theirs.mean() > _NO_NOISE_E2):
         return None, None
     ratio = math.sqrt(float(mine.mean() / theirs.mean()))
     # Path-wise coupling makes the pixels' differences much smaller than their spread.

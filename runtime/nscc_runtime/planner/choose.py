@@ -20,6 +20,7 @@ from nscc_runtime.effects import (
     selected,
 )
 from nscc_runtime.effects.registry import always_on, optional
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.planner.plan import Approximation, Choice, Decision, Loop, Plan
 from nscc_runtime.planner.predict import Forecast
@@ -211,7 +212,7 @@ class Chooser(Forecast):
     def _decision(self, effect: Effect, dropped: frozenset[str], forced_reason: str) -> Decision:
         forced = self._forced(effect)
         if effect.kind == "after":
-            return self._after(effect, forced_reason)
+            return after_exposure(effect, self.effects, self.program.sensor, forced_reason)
         rms, bias = self.contribution(effect)
         then = math.sqrt(self._square(dropped | {effect.name}))
         cost = self._saved_ns(frozenset({effect.name}), dropped)
@@ -231,13 +232,16 @@ class Chooser(Forecast):
             cost * len(self.program.lanes) * 1e-6,
         )  # fmt: skip
 
-    def _after(self, effect: Effect, forced_reason: str) -> Decision:
-        """The readout's: no part of the promise, on unless the user wants it off."""
-        assert isinstance(effect.field, AfterExposure)
-        forced = self._forced(effect) and not effect.always
-        on = effect in self.effects or (self.effects.auto and not forced)
-        reason = forced_reason if forced else "always applied, after the exposure"
-        return Decision(
-            effect.name, effect.kind, "kept" if on else "dropped", forced, reason,
-            effect.field.rms_e(self.program.sensor), 0.0, None, 0.0,
-        )  # fmt: skip
+
+def after_exposure(
+    effect: Effect, effects: Selection, sensor: Sensor, forced_reason: str
+) -> Decision:
+    """The readout's: no part of the promise, on unless the user wants it off."""
+    assert isinstance(effect.field, AfterExposure)
+    forced = not effect.always and (not effects.auto or effect.name in effects.forced)
+    on = effect in effects or (effects.auto and not forced)
+    reason = forced_reason if forced else "always applied, after the exposure"
+    return Decision(
+        effect.name, effect.kind, "kept" if on else "dropped", forced, reason,
+        effect.field.rms_e(sensor), 0.0, None, 0.0,
+    )  # fmt: skip

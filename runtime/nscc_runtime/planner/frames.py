@@ -3,28 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from threading import Lock
-from weakref import WeakKeyDictionary
 
-from nscc.words.container import Container
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.light import Light
 from nscc_runtime.planner.capture import prepared
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.program import Program
+from nscc_runtime.ready import MadeReady
 
-_programs: WeakKeyDictionary[Container, dict[Sensor, Program]] = WeakKeyDictionary()
-_analysing = Lock()
-
-
-def made_ready(container: Container, sensor: Sensor) -> Program:
-    """The analysis of a program, kept as long as the program is."""
-    with _analysing:  # threads that share a program wait for one analysis of it
-        found = _programs.setdefault(container, {})
-        if sensor not in found:
-            found[sensor] = Program.of(container, sensor)
-        return found[sensor]
+made_ready = MadeReady(Program.of)
+"""The analysis of a program on a sensor."""
 
 
 def planned_frames(

@@ -6,19 +6,19 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import CannotHave, Effect, InLoop, Selection, registered
+from nscc_runtime.effects import CannotHave, Selection, registered
 from nscc_runtime.effects.counts import LIGHT, THINNED, WITHOUT_LIGHT
+from nscc_runtime.effects.in_loops import device_keys, figures, switches
 from nscc_runtime.effects.parts import CountedDark, CountedLight, Errors, Moving
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
-from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.noise.keys import base
 from nscc_runtime.planner.charge_loop import SITES
 from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
@@ -154,7 +154,6 @@ class Pixels:
         whole = 1 << (container.slots - 1).bit_length()
         # What the charge of one site takes: rates, counts and their stamps, of light and dark.
         each = 16 * (container.slots + 2 * 2 * whole * groups)
-        switches = {loop.switch: effect in effects for effect, loop in _in_loop() if loop.switch}
         marks = {at: effects.marking(at) for at in ("well", "subtracted", "registers")}
         return Sizes(
             pixels=count,
@@ -169,7 +168,7 @@ class Pixels:
             whole=whole,
             kept_cols=cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
             frame=frame,
-            **switches,
+            **switches(Sizes, effects),
             **{f"{at}_bit": mark.bit if mark else 0 for at, mark in marks.items()},
         )
 
@@ -205,27 +204,20 @@ def _entries(program: Reference) -> tuple[NDArray[Any], NDArray[np.int64]]:
 
 def _numbers(sensor: Sensor, effects: Selection) -> Numbers:
     """The figures of the effects; 0 of those that are off."""
-    figures = {
-        name: figure(sensor) if effect in effects else 0.0
-        for effect, loop in _in_loop()
-        for name, figure in loop.numbers.items()
-    }
     mark = effects.marking("registers")
     return Numbers(
         least_lost=mark.least_e(sensor) if mark else 0.0,
         pix_start=sensor.full_well_e,
         register_start=sensor.register_max_e,
         rate_cap=RATE_CAP,
-        **figures,
+        **figures(Numbers, sensor, effects),
     )
 
 
 def _keys(seed: int, device_seed: int) -> Keys:
     """Keys of the device, and those that a frame's follow from, whether effects are on or not."""
-    found = {"start": base(device_seed, START)}
-    for effect, loop in _in_loop():
-        if loop.device_key is not None:
-            found[loop.device_key] = key(device_seed, effect.stream)
+    found = {"start": base(device_seed, START), **device_keys(Keys, device_seed)}
+    for effect in registered():
         for kind, source, name in (
             (CountedLight, LIGHT, "light"), (CountedDark, WITHOUT_LIGHT, "dark"),
         ):  # fmt: skip
@@ -236,13 +228,6 @@ def _keys(seed: int, device_seed: int) -> Keys:
             found[f"sum_{part.at}"] = base(seed, effect.stream, SUM)
             found[f"part_{part.at}"] = base(seed, effect.stream, PART)
     return Keys(**found)
-
-
-def _in_loop() -> Iterator[tuple[Effect, InLoop]]:
-    """The effects that the loop has."""
-    for effect in registered():
-        if isinstance(effect.words, InLoop):
-            yield effect, effect.words
 
 
 def _scratch(sizes: Sizes) -> dict[str, NDArray[Any]]:

@@ -20,6 +20,10 @@ from nscc_runtime.planner.tolerance import LEAST_E
 Choice = Literal["kept", "dropped", "absent"]
 Loop = Literal["none", "some", "all", "reference"]
 
+MOST_OTHER_STATES = 0.005
+"""Of the pixels of a program that looks, what part may end in other states than with all effects.
+"""
+
 _LOOPS: Mapping[Loop, str] = {
     "none": "no pixel runs through the words one by one",
     "some": "some pixels run through the words one by one",
@@ -36,6 +40,8 @@ class Decision:
     square over pixels and buckets, and its mean. `predicted_if_dropped_e`: the error of the plan
     if this effect were left out as well. None where a prediction has no meaning (the readout).
     `forced`: the user decided. `cost_ms_model`: what leaving it out saves, by a model of costs.
+    `other_states`: of a program that looks, the part of the pixels that the effect takes to other
+    states; errors are those of the other pixels.
     """
 
     name: str
@@ -47,6 +53,7 @@ class Decision:
     predicted_bias_e: float | None
     predicted_if_dropped_e: float | None
     cost_ms_model: float
+    other_states: float | None = None
 
 
 @dataclass(frozen=True)
@@ -65,7 +72,9 @@ class Plan:
     every effect, in electrons before the ADC. `slot_loop`: "none", "some" pixels or "all" go
     through all their words one by one; "reference": the reference does it all. `leak_nodes`: at how
     many rates of leakage the sums over slots are made. `closed`: whether the charge of closed slots
-    is counted. As text a plan is the table that `nscc run` prints.
+    is counted. `other_states`: of a program that looks, the part of the pixels that end in other
+    states than with every effect, at most MOST_OTHER_STATES; errors are those of the other pixels.
+    As text a plan is the table that `nscc run` prints.
     """
 
     tolerance_e: float
@@ -78,6 +87,7 @@ class Plan:
     decisions: tuple[Decision, ...]
     leak_nodes: int = 1
     closed: bool = False
+    other_states: float | None = None
 
     def __repr__(self) -> str:
         kept = [each.name for each in self.decisions if each.decision == "kept"]
@@ -87,18 +97,26 @@ class Plan:
         )
 
     def __str__(self) -> str:
-        rows: list[tuple[str, ...]] = [("effect", "rms e", "bias e", "choice", "why", "saves ms")]
+        looks = self.other_states is not None
+        head = ("effect", "rms e", "bias e", "choice", "why", "saves ms")
+        rows: list[tuple[str, ...]] = [(*head, "other states") if looks else head]
         for each in self.decisions:
             rms = "" if each.predicted_rms_e is None else f"{each.predicted_rms_e:.3g}"
             bias = "" if not each.predicted_bias_e else f"{each.predicted_bias_e:+.3g}"
             choice = each.decision + (", forced" if each.forced else "")
             cost = "" if each.cost_ms_model <= 0 else f"{each.cost_ms_model:.2f}"
-            rows.append((each.name, rms, bias, choice, each.reason, cost))
+            other = (f"{each.other_states:.2%}" if each.other_states else "",) if looks else ()
+            rows.append((each.name, rms, bias, choice, each.reason, cost, *other))
         lines = [
             columns(rows, left=(0, 3, 4)),
             f"predicted error {self.predicted_e:.3g} e (at most {self.bound_e:.3g}), "
             f"tolerance {self.tolerance_e:.4g} e, from {self.sampled_fraction:.1%} of the pixels",
         ]
+        if self.other_states is not None:
+            lines.append(
+                f"predicted to end in other states: {self.other_states:.2%} of the pixels, at most "
+                f"{MOST_OTHER_STATES:.1%}"
+            )
         lines += [f"short cut: {each.name}, {each.error_e:.2g} e" for each in self.approximations]
         loop = _LOOPS[self.slot_loop]
         lines.append(": ".join(filter(None, (loop, "; ".join(self.slot_loop_reasons)))))
@@ -107,6 +125,21 @@ class Plan:
     def _repr_html_(self) -> str:
         said = f"predicted error {self.predicted_e:.3g} e, tolerance {self.tolerance_e:.4g} e"
         return html.card("plan", said, html.plain(str(self)))
+
+    @property
+    def breach(self) -> str | None:
+        """What of the promise is predicted to break, in words."""
+        if self.predicted_e > self.tolerance_e:
+            return (
+                f"the predicted error is {self.predicted_e:.3g} e, "
+                f"the tolerance {self.tolerance_e:.4g} e"
+            )
+        if self.other_states is not None and self.other_states > MOST_OTHER_STATES:
+            return (
+                f"{self.other_states:.2%} of the pixels are predicted to end in other states, "
+                f"{MOST_OTHER_STATES:.1%} may"
+            )
+        return None
 
     @cached_property
     def kept(self) -> Selection:
@@ -146,6 +179,7 @@ class Plan:
             "approximations": [asdict(each) for each in self.approximations],
             "leak_nodes": self.leak_nodes,
             "closed_slots_counted": self.closed,
+            "other_states": self.other_states,
             "effects": [asdict(each) for each in self.decisions],
         }
 

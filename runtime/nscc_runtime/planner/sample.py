@@ -42,14 +42,11 @@ def sample_of(total_e: NDArray[np.float64], frames: int, near: NDArray[np.int64]
     """
     pixels = total_e.size
     wanted = min(max(_MOST_SAMPLES // frames, _FEWEST_PIXELS), _MOST_PIXELS, pixels)
-    chance = _chances(total_e)
+    chance = chances(total_e).reshape(-1)
     chance[near] = 0.0
     drawn = np.arange(pixels, dtype=np.int64)
     if wanted < pixels and chance.any():
-        steps = np.cumsum(chance)
-        # An additive recurrence inside equal strata: in step with no tile of codes.
-        points = (np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0) * (steps[-1] / wanted)
-        drawn = np.minimum(np.searchsorted(steps, points, side="right"), pixels - 1)
+        drawn = drawn_by(chance, wanted)
     else:
         chance[...] = 1.0
         drawn = np.delete(drawn, near)
@@ -62,12 +59,20 @@ def sample_of(total_e: NDArray[np.float64], frames: int, near: NDArray[np.int64]
     return Sample(places, weight, np.arange(len(places)) >= len(places) - len(some))
 
 
-def _chances(total_e: NDArray[np.float64]) -> NDArray[np.float64]:
-    """How likely each pixel (flat) is to be drawn, up to a factor."""
+def drawn_by(chance: NDArray[np.float64], wanted: int) -> NDArray[np.intp]:
+    """So many places, in order, as likely as `chance` (flat) has it; the same on every call."""
+    steps = np.cumsum(chance)
+    # An additive recurrence inside equal strata: in step with no tile of codes.
+    points = (np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0) * (steps[-1] / wanted)
+    return np.asarray(np.minimum(np.searchsorted(steps, points, side="right"), len(chance) - 1))
+
+
+def chances(total_e: NDArray[np.float64]) -> NDArray[np.float64]:
+    """How likely each pixel (rows, cols) is to be drawn, up to a factor."""
     score = total_e.copy()
     for rows, values in ((score, total_e), (score.T, total_e.T)):
         step = np.abs(np.diff(values, axis=0))
         rows[1:] += step
         rows[:-1] += step
     mean = score.mean()
-    return np.asarray(score + (mean if mean > 0 else 1.0)).reshape(-1)
+    return np.asarray(score + (mean if mean > 0 else 1.0))

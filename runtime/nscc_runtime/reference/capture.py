@@ -106,7 +106,7 @@ class Reference:
         step = max(1, _CELLS // (container.slots * cols))
         for begin in range(rows.start, rows.stop, step):
             part = range(begin, min(begin + step, rows.stop))
-            charge, good = charge_of_rows(
+            fallen = charge_of_rows(
                 scene, self.groups, self.sensor, self.effects, (seed, device_seed), frame, part
             )
             chunk = slice(part.start - rows.start, part.stop - rows.start)
@@ -115,10 +115,10 @@ class Reference:
                 sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
                 program=self,
             )  # fmt: skip
-            found, marked = pixels.run(charge.reshape(container.slots, -1))
+            found, marked = pixels.run(fallen.charge.reshape(container.slots, -1))
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
             saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
-            valid[chunk] = good
+            valid[chunk] = fallen.valid
         return Exposure(exposure, np.isfinite(exposure) & valid, saturated_by)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,8 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene, Slots
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, poisson, thin
+from nscc_runtime.reference.light_loop import LitSizes, add_light
+from nscc_runtime.remembered import remembered
 
 Charge = NDArray[np.float64]
 
@@ -30,18 +33,33 @@ class Groups:
     lane: NDArray[np.intp]
 
 
+class Fallen(NamedTuple):
+    """What has fallen on some rows: `charge` float64 (N, rows, cols) electrons on PIX in each slot,
+    `light` (N, rows, cols) those of the scene alone; `valid` (rows, cols): where they are numbers.
+    """
+
+    charge: Charge
+    light: Charge
+    valid: NDArray[np.bool_]
+
+    def rows(self, rows: slice) -> Fallen:
+        """On some of the rows."""
+        return Fallen(self.charge[:, rows], self.light[:, rows], self.valid[rows])
+
+
 def charge_of_rows(
     scene: Scene,
-    groups: Groups,
+    groups: Groups | None,
     sensor: Sensor,
     effects: Selection,
     seeds: tuple[int, int],
     frame: int,
     rows: range,
-) -> tuple[Charge, NDArray[np.bool_]]:
-    """Electrons (N, rows, cols) that fall on PIX in each slot, and where they are numbers.
+) -> Fallen:
+    """The charge that falls on consecutive rows.
 
-    `seeds` are those of the frames' noise and of the device. What the pixels get does not depend
+    `groups` None: every slot is counted by itself. `seeds` are those of the frames' noise and of
+    the device. What the pixels get does not depend
     on how the array is cut into rows.
     """
     height, cols = scene.light.shape
@@ -52,15 +70,16 @@ def charge_of_rows(
     slots = _Slots(
         sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
         places=np.arange(begin * cols, end * cols, dtype=np.int64),
-        scene=scene, rows=slice(begin, end), of_slot=groups.of_slot,
-        lanes=groups.lane[begin:end].reshape(-1),
+        scene=scene, rows=slice(begin, end), of_slot=None if groups is None else groups.of_slot,
+        lanes=None if groups is None else groups.lane[begin:end].reshape(-1),
     )  # fmt: skip
-    charge = slots.electrons(scene.light)
+    charge = light = slots.electrons(scene.light)
     for stage in ("light", "response", "count", "charge", "neighbours"):
         for change in effects.at(stage):
             charge = change(slots, charge)
     inner = slice(rows.start - begin, rows.stop - begin)
-    return charge[:, inner], slots.valid.reshape(end - begin, cols)[inner]
+    valid = slots.valid.reshape(end - begin, cols)[inner]
+    return Fallen(charge[:, inner], light[:, inner], valid)
 
 
 @dataclass(eq=False, kw_only=True)
@@ -68,8 +87,8 @@ class _Slots(Slots):
     """`valid` (pixels,) is cleared where a rate is no number."""
 
     rows: slice
-    of_slot: NDArray[np.int64]
-    lanes: NDArray[np.intp]
+    of_slot: NDArray[np.int64] | None
+    lanes: NDArray[np.intp] | None
 
     def __post_init__(self) -> None:
         self.valid = np.ones(len(self.places), np.bool_)
@@ -77,17 +96,35 @@ class _Slots(Slots):
     def fixed(self, make: OnDevice) -> Charge:
         return super().fixed(make).reshape(-1, self.scene.light.shape[1])
 
+    @remembered
     def electrons(self, light: Light) -> Charge:
-        slots = (light.slot(n)[self.rows].astype(np.float64) for n in range(light.slots))
-        return np.stack([*slots])
+        rows, cols = len(self.places) // light.shape[1], light.shape[1]
+        out = np.empty((light.slots, rows, cols))
+        add_light(
+            sizes=LitSizes(
+                slots=light.slots, pixels=rows * cols, first=self.rows.start * cols,
+                all_pixels=light.shape[0] * cols,
+            ),
+            frames=np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), -1),
+            row_start=np.require(light.row_start, np.int64, ["C", "A"]),
+            frame_index=np.require(light.frame_index, np.int32, ["C", "A"]),
+            weight=np.require(light.weight, np.float64, ["C", "A"]),
+            out=out.reshape(light.slots, -1),
+        )  # fmt: skip
+        return out
 
     def counted(self, stream: int, source: int, rates: Charge) -> Charge:
         """Rates below 0 count as 0, above `RATE_CAP` as that."""
         shape, rates = rates.shape, rates.reshape(len(rates), -1)
         self.valid &= ~np.isnan(rates).any(axis=0)
-        rates = np.clip(np.nan_to_num(rates, nan=0.0, posinf=RATE_CAP), 0.0, RATE_CAP)
-        counted = np.zeros_like(rates)
         named = self.seed, stream, source, self.frame
+        counted = np.zeros(rates.shape)
+        if self.of_slot is None or self.lanes is None:
+            for n, each in enumerate(rates):
+                counted[n], good = poisson(count_key(*named, n), self.places, each, exact=True)
+                self.valid &= good
+            return counted.reshape(shape)
+        rates = np.clip(np.nan_to_num(rates, nan=0.0, posinf=RATE_CAP), 0.0, RATE_CAP)
         for group in np.unique(self.of_slot[self.lanes]).tolist():
             among = group == self.of_slot[self.lanes].T
             shares = np.where(among, rates, 0.0)

@@ -6,10 +6,8 @@ the pixel has at that moment. Random numbers are keyed by the word, not by the s
 has to meet them. A frame starts with arbitrary bits in registers that carry neither code nor a kept
 state.
 
-Between two boundaries with words nothing happens but that charge falls, registers leak and PIX may
-fill: the counts of such slots are drawn as one, which changes no distribution, and the first slot
-after a boundary stays by itself, for its words take a part of it. Without effects every slot is
-added by itself, as the exposure is defined.
+Slots between two boundaries with words are one interval (`nscc_runtime.reference.intervals`).
+Without effects every slot is added by itself, as the exposure is defined.
 """
 
 from __future__ import annotations
@@ -26,24 +24,28 @@ from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
-from nscc_runtime.emulator.capture import check
+from nscc_runtime.emulator.capture import check, check_size
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import told_by
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
-from nscc_runtime.reference.charge import Groups, charge_of_rows
+from nscc_runtime.reference.charge import charge_of_rows
+from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.sensor import default_sensor
 
 Values = NDArray[np.float64]
 Bits = NDArray[np.bool_]
 
+WORD_DRAWS = 1
+"""The source, in the keys, of what is drawn word by word."""
 _CELLS = 1 << 21
 """Most slots x pixels of a chunk of rows."""
 _FIRST_BIT = 256
@@ -52,7 +54,8 @@ _FIRST_BIT = 256
 
 @dataclass(frozen=True, eq=False)
 class Executed:
-    """One frame: the exposure, and the digital registers that are read or kept, as planes."""
+    """One frame: the exposure, and the digital registers that are read, kept or hold code, as
+    planes."""
 
     exposure: Exposure
     planes: Mapping[str, Bits]
@@ -69,7 +72,11 @@ class Running:
 
 @dataclass(frozen=True, eq=False)
 class LookingReference:
-    """A container with a machine, made ready. Raises Rejected for words that cannot run."""
+    """A container whose pixels compare, made ready. Raises Rejected for words that cannot run.
+
+    Without a machine (what a loader has of a program) `before` is of no use: what registers hold
+    when the frame starts are the container's own planes.
+    """
 
     container: Container
     sensor: Sensor
@@ -77,88 +84,89 @@ class LookingReference:
     kernels: tuple[tuple[Op, ...], ...] = field(init=False)
 
     def __post_init__(self) -> None:
-        if self.container.pixel_codes is None or self.container.machine is None:
-            raise ValueError("a container without pixels or without a machine")
+        if self.container.pixel_codes is None:
+            raise ValueError("a container without pixels")
         object.__setattr__(self, "kernels", decoded(self.container))
 
     @cached_property
-    def starts(self) -> tuple[int, ...]:
-        """The slots with which the intervals begin that are simulated as one."""
-        slots = self.container.slots
-        if self.effects.noiseless:
-            return tuple(range(slots))
-        at = {launch.instant for launch in self.container.launches}
-        found = {0, slots - 1, *at, *(n + 1 for n in at)}
-        return tuple(sorted(n for n in found if n < slots))
-
-    @cached_property
-    def interval_us(self) -> NDArray[np.float64]:
-        """How long each one lasts."""
-        return np.add.reduceat(np.array(self.container.slot_us, np.float64), self.starts)
+    def intervals(self) -> Intervals:
+        """What is simulated as one."""
+        return Intervals.of(self.container, every_slot=self.effects.noiseless)
 
     def expose(
         self,
         scene: Scene,
-        seed: int,
-        device_seed: int,
+        loaded: Mapping[str, Bits],
+        seeds: tuple[int, int],
         frame: int,
-        before: Mapping[str, Bits] | None = None,
+        rows: range | None = None,
     ) -> Executed:
-        """Frame number `frame`; `before` are the planes that the last one left, None at first."""
-        container = self.container
-        rows, cols = scene.light.shape
-        light, previous = (each.joined(self.starts) for each in (scene.light, scene.previous))
-        scene = Scene(light, previous, self.interval_us * 1e-6)
-        loaded = container.planes()
-        kept = {r for name in self._kept() for r in container.state_planes[name].registers}
-        if before is not None:
-            loaded |= {name: plane for name, plane in before.items() if name in kept}
+        """Frame number `frame`, or consecutive rows of it: bit for bit as the whole frame has them.
+
+        `loaded`: the digital registers (rows, cols) with which it starts (`Container.planes`, then
+        `next_planes`). `seeds` are those of the frames' noise and of the device.
+        """
+        container, cols = self.container, scene.light.shape[1]
+        rows = range(scene.light.shape[0]) if rows is None else rows
+        pace = self.intervals.paced(scene, self.effects)
+        scene = self.intervals.joined(scene)
         told = {r for planes in container.state_planes.values() for r in planes.registers}
-        exposure = np.empty((len(container.buckets), rows, cols))
+        told |= set(container.code_registers)
+        exposure = np.empty((len(container.buckets), len(rows), cols))
         saturated_by = np.empty(exposure.shape, np.uint8)
-        valid = np.empty((rows, cols), np.bool_)
-        planes = {name: np.empty((rows, cols), np.bool_) for name in sorted(told)}
-        # Nothing is summed over groups of slots: all slots are one.
-        lane = np.zeros((rows, cols), np.intp)
-        groups = Groups(np.zeros((1, len(self.starts)), np.int64), lane)
-        step = max(1, _CELLS // (len(self.starts) * cols))
-        for begin in range(0, rows, step):
-            part = range(begin, min(begin + step, rows))
-            charge, good = charge_of_rows(
-                scene, groups, self.sensor, self.effects, (seed, device_seed), frame, part
-            )
-            chunk = slice(part.start, part.stop)
+        valid = np.empty((len(rows), cols), np.bool_)
+        planes = {name: np.empty((len(rows), cols), np.bool_) for name in sorted(told)}
+        step = max(1, _CELLS // (len(self.intervals) * cols))
+        for begin in range(rows.start, rows.stop, step):
+            part = range(begin, min(begin + step, rows.stop))
+            fallen = charge_of_rows(scene, None, self.sensor, self.effects, seeds, frame, part)
+            here = slice(part.start, part.stop)
             places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
             pixels = _LookingPixels(
-                sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
-                program=self, code={n: p[chunk].reshape(-1) for n, p in loaded.items()},
+                sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
+                places=places, program=self, pace=pace(here, fallen.light),
+                code={name: plane[here].reshape(-1) for name, plane in loaded.items()},
             )  # fmt: skip
-            found, marked = pixels.run(charge.reshape(len(self.starts), -1))
+            found, marked = pixels.run(fallen.charge.reshape(len(self.intervals), -1))
+            chunk = slice(part.start - rows.start, part.stop - rows.start)
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
             saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
-            valid[chunk] = good
+            valid[chunk] = fallen.valid
             for name, plane in planes.items():
                 plane[chunk] = pixels.bits[name].reshape(len(part), cols)
         valid_here = np.isfinite(exposure) & valid
         return Executed(Exposure(exposure, valid_here, saturated_by), planes)
 
-    def _kept(self) -> list[str]:
-        machine = self.container.machine
-        assert machine is not None
-        return [state.name for state in machine.states if state.kept]
+
+def next_planes(
+    container: Container, loaded: Mapping[str, Bits], left: Mapping[str, Bits]
+) -> dict[str, Bits]:
+    """The registers with which a frame starts after one that has `left` these planes: kept states
+    go on, the codes that were `loaded` stay."""
+    machine = container.machine
+    assert machine is not None
+    names = (state.name for state in machine.states if state.kept)
+    kept = {register for name in names for register in container.state_planes[name].registers}
+    return {**loaded, **{name: plane for name, plane in left.items() if name in kept}}
+
+
+def executed(
+    container: Container, light: Light, sensor: Sensor | None = None, device_seed: int = 0
+) -> Executed:
+    """One frame without effects, of a container that a loader has checked."""
+    check_size(container, light)
+    reference = LookingReference(
+        container, sensor or default_sensor(container.target), selected("none")
+    )
+    return reference.expose(
+        scene_of(container, light, None), container.planes(), (0, device_seed), 0
+    )
 
 
 def looking_frames(
-    container: Container,
-    light: Light,
-    sensor: Sensor,
-    effects: Selection,
-    *,
-    seed: int = 0,
-    device_seed: int = 0,
-    count: int = 1,
-    previous: Light | None = None,
-) -> Iterator[Frame]:
+    container: Container, light: Light, sensor: Sensor, effects: Selection, *,
+    seed: int = 0, device_seed: int = 0, count: int = 1, previous: Light | None = None,
+) -> Iterator[Frame]:  # fmt: skip
     """Frames 0 .. `count` - 1 of `light`, one after the other: kept states go on from frame to
     frame. What can be refused is refused before the first one."""
     check(container, light)
@@ -170,23 +178,31 @@ def looking_frames(
 def _frames(
     reference: LookingReference, scene: Scene, seeds: tuple[int, int], count: int
 ) -> Iterator[Frame]:
-    container, planes = reference.container, None
+    container = reference.container
+    loaded = container.planes()
     for number in range(count):
-        executed = reference.expose(scene, *seeds, number, planes)
-        planes = executed.planes
-        frame = converted(
-            executed.exposure, container.target, reference.sensor, reference.effects, seeds, number
-        )
-        told = told_by(container, planes, frame, reference.sensor, reference.effects)
-        yield replace(frame, told=told)
+        executed = reference.expose(scene, loaded, seeds, number)
+        loaded = next_planes(container, loaded, executed.planes)
+        yield told_frame(container, executed, reference.sensor, reference.effects, seeds, number)
+
+
+def told_frame(
+    container: Container, executed: Executed, sensor: Sensor, effects: Selection,
+    seeds: tuple[int, int], number: int,
+) -> Frame:  # fmt: skip
+    """Frame number `number` as its file has it."""
+    frame = converted(executed.exposure, container.target, sensor, effects, seeds, number)
+    return replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
 
 
 @dataclass(eq=False, kw_only=True)
 class _LookingPixels(Pixels):
-    """Some pixels while the words of one frame run. All arrays are (pixels,)."""
+    """Some pixels while the words of one frame run. All arrays are (pixels,) but `pace`, which
+    `nscc_runtime.reference.intervals` has made."""
 
     program: LookingReference
     code: Mapping[str, Bits]
+    pace: Values
 
     def __post_init__(self) -> None:
         self.at = self.program.effects.at
@@ -222,7 +238,7 @@ class _LookingPixels(Pixels):
 
     def draw(self, name: str, number: int) -> Values:
         effect = next(each for each in self.program.effects.effects if each.name == name)
-        return normals(key(self.seed, effect.stream, 1, self.frame, number), self.places)
+        return normals(key(self.seed, effect.stream, WORD_DRAWS, self.frame, number), self.places)
 
     def run(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
         """The exposures (buckets, pixels) of a frame of `charge` (intervals, pixels), and what cut
@@ -230,10 +246,10 @@ class _LookingPixels(Pixels):
         slots, target = self.container.slots, self.target
         launches = iter(self.container.launches)
         launch = next(launches, None)
-        interval_us = self.program.interval_us.tolist()
-        for number, n in enumerate((*self.program.starts, slots)):
-            now = min(number, len(interval_us) - 1)
-            self.fallen, self.after_us = 0.0, 0.0
+        intervals = self.program.intervals
+        interval_us = intervals.us.tolist()
+        for number, n in enumerate((*intervals.starts, slots)):
+            self.fallen, self.after_us = np.zeros(1), 0.0
             while launch is not None and launch.instant == n:
                 if launch.level is not None:
                     self.in_e = launch.level * target.electrons_per_step
@@ -241,22 +257,24 @@ class _LookingPixels(Pixels):
                 for op in self.program.kernels[launch.kernel]:
                     self.after_us += word_us(op, target)
                     if op.analog:
-                        self._until(op, charge[now], interval_us[now], n == slots)
+                        self._until(op, charge[min(number, len(charge) - 1)], number, n)
                     self._run(op)
                 launch = next(launches, None)
             if n < slots:
-                self._fall(charge[now] * (1.0 - self.fallen) if self.fallen else charge[now])
+                self._fall(charge[number] * (1.0 - self.fallen))
                 for held in self.at("hold"):
-                    kept = held(self, interval_us[now] * 1e-6)
+                    kept = held(self, interval_us[number] * 1e-6)
                     self.register = {name: v * kept for name, v in self.register.items()}
-                self.now_us += interval_us[now]
+                self.now_us += interval_us[number]
         return self._read_out()
 
-    def _until(self, op: Op, charge: Values, slot_us: float, at_end: bool) -> None:
+    def _until(self, op: Op, charge: Values, number: int, boundary: int) -> None:
         """The light that falls while words run, up to the end of this one."""
         for ends_us in self.at("time"):
-            now = ends_us(Running(self.number, self.after_us, op)) / slot_us
-            now = now if at_end else min(now, 1.0)
+            now_us = ends_us(Running(self.number, self.after_us, op))
+            if boundary < self.container.slots:
+                now_us = min(now_us, self.container.slot_us[boundary])
+            now = now_us * self.pace[number]
             self._fall(charge * (now - self.fallen))
             self.fallen = now
 

@@ -61,6 +61,8 @@ def backward(
     Analog registers lose their value at the rate `leak_per_s`. With `dead_time` a slot's charge
     falls on PIX while the words of its boundary run, at an even rate.
     """
+    if container.target.streamed:
+        return _of_taps(container, leak_per_s, dead_time)
     lanes, buckets = len(container.encoding), len(container.buckets)
     names = (*container.target.analog_registers, "PIX", "IN")
     weight = {name: np.zeros((lanes, buckets)) for name in names}
@@ -93,6 +95,21 @@ def backward(
     result.slots[:later] = weight["PIX"]
     result.slots[-1] += after_the_last
     return result
+
+
+def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backward:
+    """The same of a chip without logic: its taps are reset and read once. Reads are errors of the
+    converter's side, behind the gain."""
+    target, shutters = container.target, container.table.shutters
+    gains = np.array([readout.gain for readout in container.readouts])
+    slot_us = np.array(container.slot_us)
+    age_s = (slot_us.sum() - np.cumsum(slot_us)) * 1e-6
+    lit = np.exp(-leak_per_s * age_s)
+    if dead_time and not target.pipelined:
+        lit = lit * (1.0 - target.plane_load_us / slot_us)
+    slots = shutters.transpose(2, 0, 1) * gains * lit[:, None, None]
+    each = np.broadcast_to(np.eye(len(gains))[:, None, :], (len(gains), *slots.shape[1:]))
+    return Backward(slots, dict(enumerate(each)), dict(enumerate(each * gains)), {})
 
 
 def _ends(executed: Sequence[AnalogWord], slot_us: float, after_the_last: bool) -> list[float]:

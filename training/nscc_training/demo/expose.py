@@ -14,11 +14,13 @@ from numpy.typing import NDArray
 
 from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.examples import examples
 from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import FrameFile, meta
+from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.pieces import Taken, simulate_scene
 from nscc_runtime.scenes import Fit, Laid, Scene
 from nscc_runtime.sensor import Sensor, load_sensor
@@ -28,6 +30,8 @@ from nscc_training.run_files import RunCapture, run_capture
 
 RUNS = {True: Path("hdr"), False: Path("clip")}
 """The run for stills, and that for clips."""
+LOOKING = "float_pixel"
+"""The example whose pixels look at the light: what a still is exposed through beside the run."""
 DARK_FRAMES, DARK_SEED = 16, 1 << 20
 """Frames without light, whose mean is taken from every other, and how far their seed is off."""
 _BRIGHTER = ("@99", "@100")
@@ -52,10 +56,21 @@ class Settings:
 
 
 @dataclass(frozen=True, eq=False)
+class Looked:
+    """A still through pixels that look: `light`, electrons over the frame, as truth is; `open_us`
+    (rows, cols), how long each was open, in colours the mean of them; `seconds` that it took."""
+
+    light: NDArray[np.float64]
+    open_us: NDArray[np.float64]
+    seconds: float
+
+
+@dataclass(frozen=True, eq=False)
 class Exposed:
     """What was exposed, and how: `scene` with its exposure on the arrays (`laid`, one for each
     colour), the coded frame (`taken`) and that of always open pixels (`usual`), each with its
-    frames without light; `seconds` that the coded frame took.
+    frames without light; `seconds` that the coded frame took; `looked`, a still as pixels that
+    look have it.
     """
 
     run: Path
@@ -68,6 +83,7 @@ class Exposed:
     usual: Taken
     usual_dark: Taken
     seconds: float
+    looked: Looked | None
 
     @property
     def still(self) -> bool:
@@ -117,7 +133,30 @@ def exposed(found: Subject, settings: Settings, listener: Listener) -> Exposed:
     dark, usual_dark = (
         _dark(each, sensor, settings, listener) for each in (compiled, usual_camera)
     )
-    return Exposed(run, scene, laid, compiled, sensor, taken, dark, usual, usual_dark, seconds)
+    looked = _looked(scene, sensor, request, listener) if found.still else None
+    return Exposed(
+        run, scene, laid, compiled, sensor, taken, dark, usual, usual_dark, seconds, looked
+    )
+
+
+def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) -> Looked:
+    """A still through the example whose pixels look; no decoder has a part in its light."""
+    container = compile_file(examples()[LOOKING], Options()).container
+    assert container is not None  # an example has compiled before
+    begin = perf_counter()
+    laid = scene.laid(container.slot_us, container.target, progress=listener.progress)
+    told = simulate_scene(container, laid, sensor, request, listener).simulated.frame.told
+    # The buckets are the last but two axes; of colours there is one more.
+    kept = (told[key].reshape(-1, *told[key].shape[-3:]) for key in (LIGHT, DEVIATION, OPEN))
+    slot_s = np.array(container.slot_us) * 1e-6
+    images = [
+        (merged_image(light, deviation) * slot_s.sum(), slots[0])
+        for light, deviation, slots in zip(*kept, strict=True)
+    ]
+    light = np.stack([image for image, _ in images], axis=-1)
+    open_us = np.mean([np.cumsum([0, *container.slot_us])[n] for _, n in images], axis=0)
+    seconds = perf_counter() - begin
+    return Looked(light[..., 0] if len(images) == 1 else light, open_us, seconds)
 
 
 def _laid(

@@ -29,12 +29,14 @@ _CORNER = 16
 
 @dataclass(frozen=True)
 class Demo:
-    """What a demo left: its `files`, the sheet first, PSNR in dB of the always open pixels and of
-    the reconstruction, and the commands that make the same step by step."""
+    """What a demo left: its `files`, the sheet first, PSNR in dB of the always open pixels, of the
+    reconstruction and, of a still, of pixels that look; and the commands that make the same step by
+    step."""
 
     files: tuple[Path, ...]
     open_db: float
     psnr_db: float
+    looked_db: float | None
     commands: tuple[str, ...]
 
 
@@ -68,7 +70,9 @@ def demo(
     products |= {path: file_of(path, content, "it") for path in paths}
     write_together(products)
     files = (*products, *frames)
-    return Demo(files, shown.open_db, shown.psnr_db, _commands(made, settings, files))
+    return Demo(
+        files, shown.open_db, shown.psnr_db, shown.looked_db, _commands(made, settings, files)
+    )
 
 
 def _reconstructed(
@@ -97,10 +101,10 @@ def _shown(
         title=name if name.startswith("builtin:") else Path(name).name, still=made.still,
         display=display, truth=made.truth(), light=light, frame=made.codes(made.taken),
         usual=made.codes(made.usual), dark=dark_codes(made.usual_dark),
-        top=2**container.target.adc_bits - 1, lsb_e=made.sensor.electrons_per_lsb,
+        top=container.target.top_code, lsb_e=made.sensor.electrons_per_lsb,
         white_e=made.white_e() if display else None, tone=settings.tone,
         shutters=container.table.shutters[:, 0][corner], slot_us=container.slot_us,
-        how=how, expose_s=made.seconds, decode_s=decode_s,
+        how=how, expose_s=made.seconds, decode_s=decode_s, looked=made.looked,
     )  # fmt: skip
 
 

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.tone import Tone, fitted
+from nscc_training.demo.expose import Looked
 from nscc_training.demo.merge import laid_like
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
 
@@ -38,7 +39,7 @@ class Shown:
     `dark` (rows, cols) of the array is what always open pixels read without light, `top` the last
     code; `lsb_e` makes electrons of codes. `shutters` (rows, cols, N) are those of a corner of the
     array. `display` says that the scene was made for screens, which show `white_e` as white. `how`
-    names the reconstruction.
+    names the reconstruction; `looked` is the same still through pixels that look.
     """
 
     title: str
@@ -58,6 +59,7 @@ class Shown:
     how: str
     expose_s: float
     decode_s: float
+    looked: Looked | None = None
 
     @property
     def curve(self) -> str:
@@ -86,6 +88,11 @@ class Shown:
     def open_db(self) -> float:
         """Of what always open pixels tell."""
         return self.decibels(self.usual_light)
+
+    @property
+    def looked_db(self) -> float | None:
+        """Of the light that pixels tell that look; None of a clip."""
+        return None if self.looked is None else self.decibels(self.looked.light)
 
     @property
     def measure(self) -> str:
@@ -125,6 +132,9 @@ def demo_sheet(shown: Shown) -> Figure:
             [Image(_fit(truth), "truth", tone), panels["usual"], panels["frame"]],
             [Image(_fit(light), "reconstruction", told), _error(truth, light), _shutters(shown)],
         ]
+        if shown.looked is not None:
+            title += f"; {shown.looked_db:.1f} dB by pixels that look"
+            rows.append(_of_looks(shown, shown.looked, truth))
         return image_sheet(rows, title, _SIDE_INCHES)
     moments = np.linspace(0, len(shown.truth) - 1, _MOMENTS).round().astype(int)
     truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
@@ -135,6 +145,22 @@ def demo_sheet(shown: Shown) -> Figure:
         [_error(a, b, k > 0) for k, (a, b) in enumerate(zip(truth, light, strict=True))],
     ]
     return image_sheet(rows, title, _SIDE_INCHES)
+
+
+def _of_looks(shown: Shown, looked: Looked, truth: NDArray[np.uint8]) -> list[Image]:
+    """The light of pixels that look, its error, and when they closed."""
+    light = shown.fitted(looked.light)
+    note = (
+        f"exposures over their times, no decoder: {shown.measure} {shown.looked_db:.1f} dB, in "
+        f"{_time(looked.seconds)}"
+    )
+    shortest, longest = looked.open_us.min(), looked.open_us.max()
+    times = np.log2(looked.open_us / shortest) / max(1.0, np.log2(longest / shortest))
+    closed = f"open for {shortest * 1e-3:.3g} to {longest * 1e-3:.3g} ms: yellow is longest"
+    return [
+        Image(_fit(light), "pixels that look", note), _error(truth, light),
+        Image(_fit(_coloured(times)), "when they closed", closed),
+    ]  # fmt: skip
 
 
 def _time(seconds: float) -> str:

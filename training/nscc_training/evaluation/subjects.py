@@ -9,7 +9,13 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
-from nscc_training.evaluation import hdr_baselines, hdr_looks, video_baselines
+from nscc_training.evaluation import (
+    deblur,
+    hdr_baselines,
+    hdr_looks,
+    several_frames,
+    video_baselines,
+)
 from nscc_training.evaluation.runs import evaluate_run
 from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import load_run
@@ -17,6 +23,8 @@ from nscc_training.run_folder import load_run
 _OF_PROTOCOL = {
     "hdr-v1": (*hdr_baselines.BASELINES, *hdr_looks.LOOKING),
     "video-v1": video_baselines.BASELINES,
+    "deblur-v1": deblur.BASELINES,
+    **{protocol: tuple(rows) for protocol, rows in several_frames.ROWS.items()},
 }
 
 
@@ -46,6 +54,14 @@ def evaluate(
             if subject in hdr_looks.LOOKING and not codes:
                 return hdr_looks.evaluate_looks(subject, data, seed)
             return hdr_baselines.evaluate_hdr_baseline(subject, data, seed, codes)
+        if chosen.name == "deblur-v1":
+            return deblur.evaluate_deblur(subject, data, seed, codes)
+        if chosen.name in several_frames.ROWS:
+            if codes:
+                raise rejected(
+                    "NS0840", f"{subject} has codes of its own", helps=("leave --shutter out",)
+                )
+            return several_frames.evaluate_several(chosen.name, subject, data, seed)
         return video_baselines.evaluate_video_baseline(subject, data, seed, codes)
     if Path(subject).is_dir():
         if codes:

@@ -39,7 +39,9 @@ def sensor_diagram(found: Measured, slot_us: float | None) -> Figure:
 
     def names(point: Point) -> tuple[str, str]:
         """Panel and line: stills have one class; clips have a panel for each way to compile."""
-        shutters, way = point.method.split(", ", 1)
+        shutters, _, way = point.method.partition(", ")
+        if not way:  # pixels that look have one way to compile, and their exposures for a number
+            return ("stills, pixels that look", shutters.partition("-")[0])
         return (f"stills, class {shutters}", way) if point.case == "stills" else (way, shutters)
 
     points = sorted(found.points, key=names)
@@ -50,10 +52,10 @@ def sensor_diagram(found: Measured, slot_us: float | None) -> Figure:
     slots = "shortest slots" if slot_us is None else f"slots of {slot_us:g} us"
     return precision_diagram(
         panels, "What the shortest slot costs",
-        f"captured by the emulated {found.target} at {slots} (numbers: slots of a frame; hollow: "
-        "dominated), decoded without training",
+        f"captured by the emulated {found.target} at {slots} (numbers: slots of a frame, exposures "
+        "of pixels that look; hollow: dominated), decoded without training",
         Reading(
             "shortest slot, us", 1e3, lambda point: names(point)[1],
-            lambda point: point.setting.split()[0], linear=True,
+            lambda point: point.method.partition("-")[2] or point.setting.split()[0], linear=True,
         ),
     )  # fmt: skip

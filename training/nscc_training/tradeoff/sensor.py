@@ -9,6 +9,7 @@ from functools import partial
 from hashlib import sha256
 from itertools import product
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
@@ -24,14 +25,23 @@ from nscc.tradeoff.synthesis import Case, Way, compiled_or_not
 from nscc.words.container import Container
 from nscc_runtime import capture
 from nscc_runtime.light import Light
-from nscc_runtime.sensor import Sensor, default_sensor
+from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_training.baselines.sci import gap_tv
+from nscc_training.design.chip import Chip as DesignChip
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.base import Encoder
 from nscc_training.evaluation import hdr
+from nscc_training.evaluation.hdr_looks import SLOTS
 from nscc_training.measures import number
 from nscc_training.programs import Chip, program_of
 from nscc_training.sensor_model import SensorModel, laid
+from nscc_training.tradeoff.looks import (
+    Looking,
+    looked_psnr_db,
+    looking_kinds,
+    looking_source,
+    schedule_of,
+)
 from nscc_training.tradeoff.scenes import Kind, Scene, kinds_in, protocol_of, scenes
 from nscc_training.tradeoff.ways import Taken, clip_light, merged_still
 
@@ -46,15 +56,20 @@ _TICK_US = 0.01
 
 @dataclass(frozen=True)
 class Settings:
-    """What to compare: `classes` in `slots` for clips, class b in `stop_slots` for stills.
+    """What to compare: `classes` in `slots` for clips, class b in `stop_slots` for stills, and for
+    these pixels that look, with so many exposures (`looks`).
 
-    The most of `slots` is a multiple of each of them: it is the number of a clip's frames.
-    `slot_us` is what captures are made at, None for the shortest slot of each configuration.
+    A clip has `frames`, a multiple of all `slots`; None: the most of them. `slot_us` is what
+    captures are made at, None for the shortest slot of each configuration. `sensor` is a file, by
+    default that of every default, and `changes` are NAME=VALUE on top of it. Codes begin as `init`
+    on a `tile`; None: random ones for clips, 2 x 2 stops for stills. Class c is open for `length`
+    slots, None: a quarter of the frame; a codebook has `rows`.
     """
 
     classes: tuple[str, ...]
     slots: tuple[int, ...]
     stop_slots: tuple[int, ...]
+    looks: tuple[int, ...]
     codes: tuple[Codes, ...]
     lowerings: tuple[Lowering, ...]
     target: str
@@ -64,21 +79,35 @@ class Settings:
     data: Path | None
     count: int
     seed: int
+    frames: int | None = None
+    sensor: Path | None = None
+    changes: tuple[str, ...] = ()
+    tile: tuple[int, int] | None = None
+    init: str | None = None
+    length: int | None = None
+    rows: int = ROWS
 
 
 @dataclass(frozen=True)
 class Configuration:
-    """One shutter, one way to compile it. Class c is open for a quarter of the frame."""
+    """One shutter, one way to compile it.
+
+    `exposures` are those of a pixel that looks, None of one that does not; such programs have one
+    code and one lowering.
+    """
 
     kind: Kind
     shutters: str
     slots: int
     codes: Codes
     lowering: Lowering
+    exposures: int | None = None
 
     @property
     def method(self) -> str:
         """What stands in the tables."""
+        if self.exposures is not None:
+            return f"{self.shutters}-{self.exposures}"
         return f"{self.shutters}, {self.codes} codes, {self.lowering}"
 
 
@@ -102,11 +131,17 @@ def configurations(settings: Settings) -> list[Configuration]:
         shapes += [("clips", *each) for each in product(settings.classes, settings.slots)]
     if "stills" in kinds:
         shapes += [("stills", "b", slots) for slots in settings.stop_slots]
-    return [
+    found = [
         Configuration(*shape, codes, lowering)
         for shape in shapes
         for codes, lowering in product(settings.codes, settings.lowerings)
     ]
+    if "stills" in kinds:
+        found += [
+            Configuration("stills", kind, SLOTS, "open", "edges", exposures)
+            for kind, exposures in looking_kinds(settings.looks)
+        ]
+    return found
 
 
 def measure(settings: Settings, progress: Progress = iter) -> Measured:
@@ -122,17 +157,18 @@ def measure(settings: Settings, progress: Progress = iter) -> Measured:
     refused: list[Refused] = []
     for each in progress(todo):
         bench, setting = benches[each.kind], f"{each.slots} slots"
-        encoder = _encoder(each, settings.seed)
-        found = compiled_for(each, encoder, settings)
+        shutters = _shutters(each, bench, settings)
+        found = compiled_for(each, shutters, settings)
         if isinstance(found, Diagnostic):
             refused.append(Refused(each.kind, each.method, setting, found.code, found.message))
             continue
         assert found.lowered is not None
         assert found.container is not None
+        words = f"{setting}, {found.lowered.schedule.words_total} words"
         points.append(
             Point(
-                each.kind, each.method, setting,
-                bench.psnr_db(found.container, encoder, settings), "psnr_db",
+                each.kind, each.method, words,
+                shutters.psnr_db(found.container), "psnr_db",
                 (found.lowered.shortest_slot_us / 1e3,), more_is_better=True,
             )
         )  # fmt: skip
@@ -140,39 +176,67 @@ def measure(settings: Settings, progress: Progress = iter) -> Measured:
 
 
 def compiled_for(
-    each: Configuration, encoder: Encoder, settings: Settings
+    each: Configuration, shutters: _Shutters, settings: Settings
 ) -> Compiled | Diagnostic:
     """The configuration compiled for the slots that it is captured with, or why it does not fit.
 
     Words do not depend on the slot's length but for refresh, which shorter slots need less of.
     """
     if settings.slot_us is not None:
-        return _compiled(each, encoder, settings.slot_us, settings)
-    found = _compiled(each, encoder, _LONG_US, settings)
+        return _compiled(each, shutters, settings.slot_us, settings)
+    found = _compiled(each, shutters, _LONG_US, settings)
     if isinstance(found, Diagnostic):
         return found
     assert found.lowered is not None
     ticks = math.ceil(found.lowered.shortest_slot_us / _TICK_US - 1e-6)
-    return _compiled(each, encoder, max(1, ticks) * _TICK_US, settings)
+    return _compiled(each, shutters, max(1, ticks) * _TICK_US, settings)
 
 
 def _compiled(
-    each: Configuration, encoder: Encoder, slot_us: float, settings: Settings
+    each: Configuration, shutters: _Shutters, slot_us: float, settings: Settings
 ) -> Compiled | Diagnostic:
     chip = Chip(settings.target, slot_us)
-    source = Source("shutter.nsl", program_of(encoder, chip).text)
+    source = Source("shutter.nsl", shutters.text(chip))
     case = Case(each.method, source, Path(), each.codes, chip.file)
     return compiled_or_not(Way(case, each.lowering, settings.level))
 
 
-def _encoder(each: Configuration, seed: int) -> Encoder:
-    """Random codes, the 2 x 2 pattern for stills."""
+class _Shutters(NamedTuple):
+    """Shutters of a configuration: their program on a chip, and what its captures are worth."""
+
+    text: Callable[[Chip], str]
+    psnr_db: Callable[[Container], float]
+
+
+def _shutters(each: Configuration, bench: _Bench, settings: Settings) -> _Shutters:
+    if each.exposures is None:
+        encoder = _encoder(each, settings)
+        return _Shutters(
+            lambda chip: program_of(encoder, chip).text,
+            lambda container: bench.psnr_db(container, encoder, settings),
+        )
+    known = DesignChip.of(bench.target, bench.sensor)
+    crops = [scene for scene in bench.shown if isinstance(scene, hdr.Crop)]
+    kind: Looking = "looks" if each.shutters == "looks" else "designed"
+    schedule = schedule_of(kind, each.exposures, known, crops)
+    return _Shutters(
+        lambda chip: looking_source(
+            schedule, known, chip.slot_us, chip.target if chip.file is None else None
+        ),
+        lambda container: bench.looked_psnr_db(container, crops, settings),
+    )
+
+
+def _encoder(each: Configuration, settings: Settings) -> Encoder:
+    """The codes that a configuration is captured with."""
+    tile, start = ((2, 2), "quad") if each.kind == "stills" else (TILE, "random")
+    length = settings.length or max(1, each.slots // 4)
     spec = ShutterSpec(
-        each.shutters, each.slots, (2, 2) if each.kind == "stills" else TILE,
-        length=max(1, each.slots // 4) if each.shutters == "c" else None,
-        rows=ROWS if each.shutters == "codebook" else None,
+        each.shutters, each.slots, settings.tile or tile,
+        length=length if each.shutters == "c" else None,
+        rows=settings.rows if each.shutters == "codebook" else None,
     )  # fmt: skip
-    return make_encoder(spec, "quad" if each.kind == "stills" else "random", seed)
+    return make_encoder(spec, settings.init or start, settings.seed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -180,6 +244,7 @@ class _Bench:
     """Scenes of one kind in front of one sensor; `known` are scores of captures seen before."""
 
     shown: tuple[Scene, ...]
+    target: Target
     sensor: Sensor
     model: SensorModel
     known: dict[bytes, float] = field(default_factory=dict)
@@ -203,6 +268,16 @@ class _Bench:
             scores.append(self.known[digest])
         return float(np.mean(scores))
 
+    def looked_psnr_db(
+        self, container: Container, crops: Sequence[hdr.Crop], settings: Settings
+    ) -> float:
+        """The same of pixels that look, without a decoder."""
+        seeds = [1000 * settings.seed + index for index in range(len(crops))]
+        return float(np.mean([
+            looked_psnr_db(container, crop, self.sensor, settings.effects, seed, settings.seed)
+            for crop, seed in zip(crops, seeds, strict=True)
+        ]))  # fmt: skip
+
     def _decoded(self, taken: Taken) -> float:
         scene = taken.scene
         if isinstance(scene, hdr.Crop):
@@ -213,14 +288,14 @@ class _Bench:
 
 
 def _bench(kind: Kind, target: Target, settings: Settings) -> _Bench:
-    sensor = default_sensor(target)
-    size, frames = max(target.rows, target.cols), max(settings.slots, default=1)
+    sensor = load_sensor(target, settings.sensor, settings.changes)
+    size, frames = max(target.rows, target.cols), settings.frames or max(settings.slots, default=1)
     protocol = protocol_of(kind, size, frames, sensor.full_well_e)
     shown = tuple(
         replace(scene, light_e=scene.light_e[..., : target.rows, : target.cols])
         for scene in scenes(kind, protocol, settings.data, settings.count, settings.seed)
     )
-    return _Bench(shown, sensor, SensorModel.of(sensor, target))
+    return _Bench(shown, target, sensor, SensorModel.of(sensor, target))
 
 
 def _light(scene: Scene, slots: int) -> Light:

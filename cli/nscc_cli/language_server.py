@@ -1,0 +1,286 @@
+"""The Language Server Protocol on pygls: editors' requests to `nscc.editing`, and its answers back.
+
+Texts come whole with every change. All work on them is done by one thread, in the order asked, so
+that the server hears what is typed meanwhile; a text that a newer one has replaced is not checked.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+from collections.abc import Awaitable, Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import TypeVar
+
+from lsprotocol import types
+from pygls import uris
+from pygls.exceptions import JsonRpcException
+from pygls.lsp.server import LanguageServer
+
+from nscc import __version__
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.editing.actions import all_mended, fixes_at
+from nscc.editing.complete import complete
+from nscc.editing.document import Document
+from nscc.editing.hints import hints
+from nscc.editing.hover import hover
+from nscc.editing.listing import Listing, Text, complete_listing
+from nscc.editing.mentions import alike, declaration, mention_at
+from nscc.editing.outline import outline
+from nscc.editing.rename import CannotRename, renameable, renamed
+from nscc.source import Span
+from nscc.syntax.format import format_source
+from nscc_cli import protocol_values as values
+from nscc_cli.positions import Positions
+
+Answer = TypeVar("Answer")
+AnyText = TypeVar("AnyText", bound=Text)
+
+_REQUEST_FAILED = -32803
+"""LSPErrorCodes.RequestFailed: what was asked cannot be done, and nobody is at fault."""
+_FIX_ALL = types.CodeActionKind("source.fixAll")
+
+
+class Server(LanguageServer):
+    """The open texts, by their URIs, and the thread that works on them."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "nscc", __version__, text_document_sync_kind=types.TextDocumentSyncKind.Full
+        )
+        self.documents: dict[str, Text] = {}
+        self.versions: dict[str, int] = {}
+        self.worker = ThreadPoolExecutor(1)
+
+    def take(self, uri: str, text: str, version: int) -> None:
+        """Has this text from now on, and will say what is wrong with it."""
+        self.versions[uri] = version
+        path = Path(uris.to_fs_path(uri) or uri.rpartition(":")[2])
+        kind = Listing if path.suffix.lower() == ".asm" else Document
+        self.documents[uri] = kind(path.as_posix(), text.removeprefix("\ufeff"), path.parent)
+        self.check(uri)
+
+    def check(self, uri: str) -> None:
+        """Will say what is wrong with a text, unless a newer one comes first."""
+        document, version = self.documents[uri], self.versions[uri]
+
+        def publish(done: asyncio.Future[list[types.Diagnostic] | None]) -> None:
+            found = None if done.cancelled() else done.result()
+            if found is not None and self.documents.get(uri) is document:
+                said = types.PublishDiagnosticsParams(uri, found, version)
+                self.text_document_publish_diagnostics(said)
+
+        def found() -> list[types.Diagnostic] | None:
+            if self.documents.get(uri) is not document:
+                return None
+            return [values.diagnostic(each, document, uri) for each in _checked(document)]
+
+        asyncio.get_running_loop().run_in_executor(self.worker, found).add_done_callback(publish)
+
+    async def ask(
+        self, uri: str, question: Callable[[Document, Positions], Answer]
+    ) -> Answer | None:
+        """What the working thread answers about a program as it is now; None if none is open."""
+        document = self.documents.get(uri)
+        return await self.work(document, question) if isinstance(document, Document) else None
+
+    async def work(self, text: AnyText, question: Callable[[AnyText, Positions], Answer]) -> Answer:
+        """What the working thread answers about a text."""
+        loop = asyncio.get_running_loop()
+        return await loop.run_in_executor(self.worker, lambda: question(text, Positions(text.text)))
+
+
+def _checked(document: Text) -> tuple[Diagnostic, ...]:
+    """What `nscc check` says; that nscc failed, where it does, with no end to the server."""
+    try:
+        return document.checked.diagnostics
+    except Exception as error:
+        said = " ".join(str(error).split())[:200]
+        return (
+            Diagnostic(
+                "NS0901", f"nscc itself failed: {type(error).__name__}: {said}",
+                helps=("save the text: `nscc check` then leaves what is needed to report it",),
+            ),
+        )  # fmt: skip
+
+
+def make_server() -> Server:
+    """A server that has heard of no text yet."""
+    logging.getLogger("pygls.protocol.json_rpc").addFilter(_is_no_refusal)
+    server = Server()
+    for add in (_texts, _answers, _changes):
+        add(server)
+    return server
+
+
+def _is_no_refusal(record: logging.LogRecord) -> bool:
+    """That a request was refused is the editor's to show; in the log it would be a traceback."""
+    return record.exc_info is None or not isinstance(record.exc_info[1], JsonRpcException)
+
+
+def _texts(server: Server) -> None:
+    """Texts that are opened, changed, closed; files beside them that change."""
+
+    @server.feature(types.TEXT_DOCUMENT_DID_OPEN)
+    def did_open(params: types.DidOpenTextDocumentParams) -> None:
+        opened = params.text_document
+        server.take(opened.uri, opened.text, opened.version)
+
+    @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)
+    def did_change(params: types.DidChangeTextDocumentParams) -> None:
+        changed = params.text_document
+        for whole in params.content_changes[-1:]:
+            server.take(changed.uri, whole.text, changed.version)
+
+    @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)
+    def did_close(params: types.DidCloseTextDocumentParams) -> None:
+        uri = params.text_document.uri
+        server.documents.pop(uri, None)
+        server.versions.pop(uri, None)
+        server.text_document_publish_diagnostics(types.PublishDiagnosticsParams(uri, []))
+
+    @server.feature(types.WORKSPACE_DID_CHANGE_WATCHED_FILES)
+    def files_changed(params: types.DidChangeWatchedFilesParams) -> None:
+        for uri, document in [*server.documents.items()]:
+            server.take(uri, document.text, server.versions[uri])
+
+
+def _answers(server: Server) -> None:
+    """What is asked about a text."""
+
+    @server.feature(types.TEXT_DOCUMENT_HOVER)
+    async def hovered(params: types.HoverParams) -> types.Hover | None:
+        def told(document: Document, positions: Positions) -> types.Hover | None:
+            found = hover(document, positions.offset(params.position))
+            if found is None:
+                return None
+            text = types.MarkupContent(types.MarkupKind.Markdown, found.text)
+            return types.Hover(text, positions.range(found.span))
+
+        return await server.ask(params.text_document.uri, told)
+
+    @server.feature(
+        types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=['"', "/"])
+    )
+    async def completed(params: types.CompletionParams) -> list[types.CompletionItem] | None:
+        def offered(text: Text, positions: Positions) -> list[types.CompletionItem]:
+            offset = positions.offset(params.position)
+            found = (
+                complete_listing(text, offset)
+                if isinstance(text, Listing)
+                else complete(text, offset)
+            )
+            span, offers = found
+            at = positions.range(span)
+            return [values.completion(offer, at) for offer in offers]
+
+        text = server.documents.get(params.text_document.uri)
+        return None if text is None else await server.work(text, offered)
+
+    @server.feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
+    async def symbols(params: types.DocumentSymbolParams) -> list[types.DocumentSymbol] | None:
+        return await server.ask(
+            params.text_document.uri,
+            lambda document, at: [values.symbol(entry, at) for entry in outline(document)],
+        )
+
+    @server.feature(types.TEXT_DOCUMENT_INLAY_HINT)
+    async def hinted(params: types.InlayHintParams) -> list[types.InlayHint] | None:
+        def remarks(document: Document, positions: Positions) -> list[types.InlayHint]:
+            shown = positions.span(params.range)
+            inside = (h for h in hints(document) if shown.start <= h.offset <= shown.end)
+            return [types.InlayHint(positions.of(h.offset), h.text, padding_left=True)
+                    for h in inside]  # fmt: skip
+
+        return await server.ask(params.text_document.uri, remarks)
+
+    @server.feature(types.TEXT_DOCUMENT_DEFINITION)
+    async def defined(params: types.DefinitionParams) -> types.Location | None:
+        def place(document: Document, positions: Positions) -> types.Location | None:
+            mention = mention_at(document, positions.offset(params.position))
+            found = mention and declaration(document, mention)
+            if not found:
+                return None
+            return types.Location(params.text_document.uri, positions.range(found.span))
+
+        return await server.ask(params.text_document.uri, place)
+
+    @server.feature(types.TEXT_DOCUMENT_REFERENCES)
+    async def referred(params: types.ReferenceParams) -> list[types.Location] | None:
+        def places(document: Document, positions: Positions) -> list[types.Location]:
+            mention = mention_at(document, positions.offset(params.position))
+            found = alike(document, mention) if mention else []
+            kept = (m for m in found if params.context.include_declaration or not m.declares)
+            uri = params.text_document.uri
+            return [types.Location(uri, positions.range(each.span)) for each in kept]
+
+        return await server.ask(params.text_document.uri, places)
+
+
+def _changes(server: Server) -> None:
+    """What changes a text."""
+
+    @server.feature(
+        types.TEXT_DOCUMENT_CODE_ACTION,
+        types.CodeActionOptions([types.CodeActionKind.QuickFix, _FIX_ALL]),
+    )
+    async def mendings(params: types.CodeActionParams) -> list[types.CodeAction] | None:
+        def offered(document: Document, positions: Positions) -> list[types.CodeAction]:
+            uri, only = params.text_document.uri, params.context.only
+            found = [
+                values.quick_fix(diagnostic, fix, document, uri)
+                for diagnostic, fix in fixes_at(document, positions.span(params.range))
+            ]
+            better = all_mended(document)
+            if better is not None:
+                edit = values.edits(uri, [(_whole(document), better)], positions)
+                found.append(types.CodeAction("Make every sure fix", _FIX_ALL, edit=edit))
+            return [each for each in found if only is None or _is_of(each.kind, only)]
+
+        return await server.ask(params.text_document.uri, offered)
+
+    @server.feature(types.TEXT_DOCUMENT_FORMATTING)
+    async def formatted(params: types.DocumentFormattingParams) -> list[types.TextEdit] | None:
+        def styled(document: Document, positions: Positions) -> list[types.TextEdit]:
+            try:
+                text = format_source(document.source)
+            except Rejected:  # what is wrong is shown already
+                return []
+            whole = positions.range(_whole(document))
+            return [] if text == document.text else [types.TextEdit(whole, text)]
+
+        return await server.ask(params.text_document.uri, styled)
+
+    @server.feature(types.TEXT_DOCUMENT_PREPARE_RENAME)
+    async def rename_begun(params: types.PrepareRenameParams) -> types.Range | None:
+        def place(document: Document, positions: Positions) -> types.Range:
+            return positions.range(renameable(document, positions.offset(params.position)).span)
+
+        return await _or_refused(server.ask(params.text_document.uri, place))
+
+    @server.feature(types.TEXT_DOCUMENT_RENAME, types.RenameOptions(prepare_provider=True))
+    async def rename(params: types.RenameParams) -> types.WorkspaceEdit | None:
+        def edit(document: Document, positions: Positions) -> types.WorkspaceEdit:
+            offset = positions.offset(params.position)
+            places = renamed(document, offset, params.new_name)
+            changes = [(place, params.new_name) for place in places]
+            return values.edits(params.text_document.uri, changes, positions)
+
+        return await _or_refused(server.ask(params.text_document.uri, edit))
+
+
+def _is_of(kind: str | None, wanted: Sequence[str]) -> bool:
+    """Whether a kind of action is one of those wanted: `source` stands for `source.fixAll`."""
+    return kind is not None and any((kind + ".").startswith(each + ".") for each in wanted)
+
+
+def _whole(document: Document) -> Span:
+    return Span(0, len(document.text))
+
+
+async def _or_refused(answer: Awaitable[Answer]) -> Answer:
+    try:
+        return await answer
+    except CannotRename as reason:
+        raise JsonRpcException(str(reason), _REQUEST_FAILED) from None

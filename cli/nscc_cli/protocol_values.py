@@ -1,0 +1,117 @@
+"""Values of `nscc.editing` as those of the Language Server Protocol."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from lsprotocol import types
+from pygls import uris
+
+from nscc.diagnostics.diagnostic import Diagnostic, Fix, Severity
+from nscc.diagnostics.reports import full_text
+from nscc.editing.complete import Offer
+from nscc.editing.document import Document
+from nscc.editing.listing import Text
+from nscc.editing.outline import Entry
+from nscc.source import Source, Span
+from nscc_cli.positions import Positions
+
+_SEVERITIES = {
+    Severity.ERROR: types.DiagnosticSeverity.Error,
+    Severity.WARNING: types.DiagnosticSeverity.Warning,
+    Severity.NOTE: types.DiagnosticSeverity.Information,
+}
+_OFFERED = {
+    "word": types.CompletionItemKind.Keyword,
+    "name": types.CompletionItemKind.Variable,
+    "target": types.CompletionItemKind.Module,
+    "file": types.CompletionItemKind.File,
+    "digest": types.CompletionItemKind.Constant,
+}
+_DECLARED = {
+    "frame": types.SymbolKind.Event,
+    "let": types.SymbolKind.Constant,
+    "code": types.SymbolKind.Field,
+    "shutters": types.SymbolKind.Array,
+    "open": types.SymbolKind.Function,
+    "bucket": types.SymbolKind.Function,
+    "sense": types.SymbolKind.Boolean,
+    "state": types.SymbolKind.Variable,
+}
+"""By the word that begins the statement."""
+
+
+def diagnostic(found: Diagnostic, document: Text, uri: str) -> types.Diagnostic:
+    """A message at its place in the document; one about another file or none at the first line."""
+    source, label = found.source, found.label
+    own = source is not None and source.name == document.name
+    place = types.Range(types.Position(0, 0), types.Position(0, 0))
+    related: list[types.DiagnosticRelatedInformation] = []
+    if source is not None:
+        positions = Positions(source.text)
+        there = uri if own else _uri(source, document)
+        if label is not None and own:
+            place = positions.range(label.span)
+        elsewhere = [label] if label is not None and not own else []
+        related = [
+            types.DiagnosticRelatedInformation(
+                types.Location(there, positions.range(each.span)), each.text or found.message
+            )
+            for each in (*elsewhere, *found.related)
+        ]
+    return types.Diagnostic(
+        place,
+        full_text(found),
+        severity=_SEVERITIES[found.severity],
+        code=found.code,
+        source="nscc",
+        related_information=related or None,
+    )
+
+
+def _uri(source: Source, document: Text) -> str:
+    """That of another file, whose name is relative to the document's folder."""
+    path = Path(document.folder / source.name)
+    return uris.from_fs_path(path.absolute().as_posix()) or path.as_posix()
+
+
+def quick_fix(found: Diagnostic, fix: Fix, document: Document, uri: str) -> types.CodeAction:
+    """A fix that one may choose; a sure one is preferred."""
+    positions = Positions(document.text)
+    return types.CodeAction(
+        fix.title,
+        types.CodeActionKind.QuickFix,
+        diagnostics=[diagnostic(found, document, uri)],
+        is_preferred=fix.sure,
+        edit=edits(uri, [(fix.span, fix.replacement)], positions),
+    )
+
+
+def edits(
+    uri: str, changes: Iterable[tuple[Span, str]], positions: Positions
+) -> types.WorkspaceEdit:
+    """Changes of one document, none of which overlap."""
+    made = [types.TextEdit(positions.range(span), text) for span, text in changes]
+    return types.WorkspaceEdit({uri: made})
+
+
+def completion(offer: Offer, at: types.Range) -> types.CompletionItem:
+    """What may stand in a place; `at` is what it replaces."""
+    return types.CompletionItem(
+        offer.text,
+        kind=_OFFERED[offer.kind],
+        detail=offer.detail or None,
+        text_edit=types.TextEdit(at, offer.text),
+    )
+
+
+def symbol(entry: Entry, positions: Positions) -> types.DocumentSymbol:
+    """A statement in the outline."""
+    return types.DocumentSymbol(
+        entry.name,
+        _DECLARED[entry.kind],
+        positions.range(entry.span),
+        positions.range(entry.at),
+        detail=entry.detail,
+    )

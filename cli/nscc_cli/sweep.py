@@ -1,0 +1,73 @@
+"""`nscc sweep`: everything in every combination, on one machine or on many."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from nscc_cli.options import OUT, PATH
+from nscc_cli.support import CommonCommand, done, progress
+
+_KINDS = ("compile", "limits", "emulate", "train", "evaluate", "design")
+
+
+def _print_part(context: click.Context, _option: click.Parameter, kind: str | None) -> None:
+    if kind is not None and not context.resilient_parsing:
+        from nscc_training.sweep.grid import part_text
+
+        click.echo(part_text(kind), nl=False)
+        context.exit()
+
+
+@click.command("sweep", cls=CommonCommand)
+@click.argument("grid", metavar="GRID.toml", type=PATH)
+@click.option("--out", required=True, metavar="DIR", type=OUT,
+              help="The folder of the results.")  # fmt: skip
+@click.option("--workers", type=click.IntRange(0, 1024), metavar="N", help="Processes on this "
+              "machine (default: one a processor; 0: none but this one).")  # fmt: skip
+@click.option("--threads", type=click.IntRange(1, 1024), default=1, show_default=True,
+              metavar="T", help="Of each of them: what training gives depends on it.")  # fmt: skip
+@click.option("--scheduler", metavar="tcp://HOST:PORT",
+              help="The workers of a Dask scheduler instead.")  # fmt: skip
+@click.option("--again", is_flag=True, help="Compute points again that failed.")
+@click.option("--dry-run", is_flag=True, help="Say how many points there are, and stop.")
+@click.option("--parquet", is_flag=True, help="Write the table as Parquet, too.")
+@click.option("--schema", type=click.Choice(_KINDS), is_eager=True, expose_value=False,
+              callback=_print_part, metavar="KIND", help=f"Print a complete part of a kind "
+              f"({', '.join(_KINDS)}), and exit.")  # fmt: skip
+def command(
+    grid: Path, out: Path, workers: int | None, threads: int, scheduler: str | None, again: bool,
+    dry_run: bool, parquet: bool,
+) -> None:  # fmt: skip
+    """Compute every point of a grid: programs compiled, scenes exposed, runs trained and scored.
+
+    Lists in GRID.toml are axes. Rows are kept in DIR as they are found: killed and started again
+    the sweep goes on, and a grid that changed gets what is missing. What does not fit is a row with
+    the code of its message. Ends with status 1 where a point failed.
+
+    \b
+    nscc sweep --schema compile > grid.toml
+    nscc sweep grid.toml --out results
+    nscc sweep grid.toml --out results --scheduler tcp://10.0.0.1:8786
+    """
+    from nscc_runtime.planner.pool import processors
+    from nscc_training.sweep.grid import read_grid
+    from nscc_training.sweep.run import How, failures, known, sweep
+
+    if scheduler is not None and workers is not None:
+        raise click.UsageError("--workers starts processes here, --scheduler has its own")
+    asked = read_grid(grid)
+    how = How(processors() if workers is None else workers, threads, scheduler, again)
+    if dry_run:
+        count, here = known(asked, out, how)
+        click.echo(f"{count} points: {here} known, {count - here} to compute")
+        return
+    found = sweep(asked, out, how, parquet=parquet, track=progress, report=done)
+    done(
+        f"{len(found.table)} points: {len(found.table) - found.misfits - found.failed} with "
+        f"figures, {found.misfits} with a message instead, {found.failed} failed"
+    )
+    done("wrote " + ", ".join(path.as_posix() for path in found.files))
+    if found.failed:
+        raise failures(found)

@@ -1,0 +1,44 @@
+"""Doing a thing again whenever one of its files changes."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from time import sleep
+
+_PAUSE_S = 0.2
+
+State = tuple[int, ...] | None
+"""What tells one content of a file from another; None for a file that is not there."""
+
+
+def rounds(files: Callable[[], Iterable[Path]]) -> Iterator[list[str]]:
+    """Yields once at first, then the names of the files that changed, whenever some did.
+
+    Changes while the caller is at work are not missed. `files` is asked again each time: what a
+    file names may be others then. A file may be missing, and come.
+    """
+    seen = _states(files())
+    changed: list[str] = []
+    while True:
+        yield changed
+        now = _states(files())
+        seen = {path: seen.get(path, state) for path, state in now.items()}
+        while now == seen:
+            sleep(_PAUSE_S)
+            now = _states(now)
+        changed = sorted(path.as_posix() for path in now if now[path] != seen[path])
+        seen = now
+
+
+def _states(files: Iterable[Path]) -> dict[Path, State]:
+    return {path: _state(path) for path in files}
+
+
+def _state(path: Path) -> State:
+    try:
+        found = os.stat(path)
+    except (OSError, ValueError):
+        return None
+    return found.st_mtime_ns, found.st_size, found.st_ino

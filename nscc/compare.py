@@ -1,0 +1,148 @@
+"""One program on several chips: whether it fits each, how short its slots may be, what is sent."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from nscc.columns import columns
+from nscc.compiler import compile_file
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.emit.stream import rate_text
+from nscc.lower.resources import time_text
+from nscc.pipeline import Compiled, Options
+from nscc.program.problems import counted
+from nscc.target.target import Target
+from nscc.words.container import Container
+
+NoiseOf = Callable[[Container], tuple[float, float] | None]
+"""The noise in electrons that a chip is expected to have in the dark, and at half a full well."""
+
+
+@dataclass(frozen=True, eq=False)
+class OnChip:
+    """A program on a chip: compiled, or the first reason why not.
+
+    `shortest_slot_us` is None where that is not known. `sent_bits` go to the chip for every frame,
+    `bits_per_us` while it is sent; `stored` says what the chip keeps. `noise_e` is in the dark and
+    at half a full well, None where it is not known.
+    """
+
+    target: Target
+    compiled: Compiled | None
+    wrong: Diagnostic | None
+    shortest_slot_us: float | None
+    frame_us: float | None
+    sent_bits: int | None
+    bits_per_us: float | None
+    stored: str
+    noise_e: tuple[float, float] | None
+
+
+def compare(
+    path: Path, targets: Sequence[Target], level: int, noise_of: NoiseOf | None = None
+) -> list[OnChip]:
+    """The program of a file on each chip.
+
+    Raises Rejected for what is wrong with the program on any chip: its text, names and types.
+    """
+    return [_on(path, target, level, noise_of) for target in targets]
+
+
+def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnChip:
+    try:
+        compiled = compile_file(path, Options(level=level, target=target))
+    except Rejected as error:
+        wrong = next(d for d in error.diagnostics if d.severity is Severity.ERROR)
+        if wrong.code[:4] in ("NS01", "NS02"):
+            raise
+        late = wrong.data.get("resource") == "slot_us"
+        needed = float(wrong.data["required"]) if late else None
+        return OnChip(target, None, wrong, needed, None, None, None, "", None)
+    container, frame_us = compiled.container, 0.0
+    assert container is not None
+    noise = noise_of(container) if noise_of is not None else None
+    if compiled.sending is not None:
+        way = compiled.sending
+        return OnChip(
+            target, compiled, None, way.shortest_slot_us, way.frame_us, way.bits_a_frame,
+            way.bits_per_us, "nothing", noise,
+        )  # fmt: skip
+    lowered = compiled.lowered
+    assert lowered is not None
+    planes = counted(len(container.code_registers), "plane of code", "planes of code")
+    stored = f"{counted(container.words_stored, 'word')}, {planes}"
+    frame_us = sum(container.slot_us) + target.readout_us * len(container.readouts)
+    return OnChip(
+        target, compiled, None, lowered.shortest_slot_us, frame_us, 0, 0.0, stored, noise
+    )  # fmt: skip
+
+
+def compared_text(found: Sequence[OnChip]) -> str:
+    """A column a chip, and below what keeps the program from fitting one, with a way out."""
+    rows: list[tuple[str, ...]] = [("", *(each.target.name for each in found))]
+    for title, said in _ROWS.items():
+        rows.append((title, *(said(each) for each in found)))
+    lines = [columns(rows)]
+    for each in found:
+        if each.wrong is not None:
+            lines += ["", f"{each.target.name}: {each.wrong.message} [{each.wrong.code}]"]
+            lines += [f"  {text}" for text in (*each.wrong.ways_out, *each.wrong.helps)]
+    return "\n".join(lines)
+
+
+def compared_json(found: Sequence[OnChip]) -> list[dict[str, Any]]:
+    """The same as JSON values; what is not known is null."""
+    return [
+        {
+            "target": each.target.name,
+            "kind": each.target.kind,
+            "rows": each.target.rows,
+            "cols": each.target.cols,
+            "fits": each.compiled is not None,
+            "code": None if each.wrong is None else each.wrong.code,
+            "reason": None if each.wrong is None else each.wrong.message,
+            "shortest_slot_us": each.shortest_slot_us,
+            "frame_us": each.frame_us,
+            "sent_bits_a_frame": each.sent_bits,
+            "sent_bits_per_us": each.bits_per_us,
+            "noise_dark_e": None if each.noise_e is None else each.noise_e[0],
+            "noise_half_well_e": None if each.noise_e is None else each.noise_e[1],
+        }
+        for each in found
+    ]
+
+
+def _time(us: float | None) -> str:
+    return "?" if us is None else time_text(us) if us else "any"
+
+
+def _noise(index: int) -> Callable[[OnChip], str]:
+    return lambda each: "?" if each.noise_e is None else f"{each.noise_e[index]:.3g} e"
+
+
+def _sent(each: OnChip) -> str:
+    if each.sent_bits is None:
+        return "?"
+    return f"{each.sent_bits} bits" if each.sent_bits else "nothing"
+
+
+def _mean_rate(each: OnChip) -> str:
+    if not each.sent_bits or not each.frame_us:
+        return "?" if each.sent_bits is None else "nothing"
+    return f"{rate_text(each.bits_per_us or 0.0)}, mean {rate_text(each.sent_bits / each.frame_us)}"
+
+
+_ROWS: dict[str, Callable[[OnChip], str]] = {
+    "fits": lambda each: "yes" if each.compiled is not None else f"no, {each.wrong.code}",  # type: ignore[union-attr]
+    "pixels": lambda each: f"{each.target.rows} x {each.target.cols}",
+    "shortest slot": lambda each: _time(each.shortest_slot_us),
+    "frame with readout": lambda each: _time(each.frame_us),
+    "kept in the chip": lambda each: each.stored or "?",
+    "sent for a frame": _sent,
+    "data rate": _mean_rate,
+    "noise in the dark": _noise(0),
+    "noise at half a well": _noise(1),
+}

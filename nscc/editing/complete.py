@@ -1,0 +1,180 @@
+"""What may stand next at a place of a text."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Collection, Iterator
+from dataclasses import dataclass
+from hashlib import sha256
+from typing import Literal
+
+from nscc.editing.document import Document
+from nscc.program.names import PREDEFINED
+from nscc.program.scopes import (
+    at_scope,
+    constants_scope,
+    next_scope,
+    pixels_scope,
+    require_scope,
+    rule_scope,
+)
+from nscc.source import Source, Span
+from nscc.syntax.grammar import END
+from nscc.syntax.lexer import Tokens, lex
+from nscc.syntax.parse import statement_starts
+from nscc.syntax.statement import Stuck, read
+from nscc.syntax.tree import Bucket
+from nscc.syntax.words import FORMS, reserved, statement_words
+from nscc.target.load import target_names
+
+_MOST_FILES = 200
+_MOST_HASHED_BYTES = 64 << 20
+_WORD = re.compile(r"[\w-]*\Z")
+_ENDINGS = {"target": ".toml", "shutters": ".npz", "pixels": ".npz"}
+"""What the files that a statement names end in."""
+
+_ONCE = ("nsl", "target", "frame", "reset")
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """What may stand here, what it is, and a line about it."""
+
+    text: str
+    kind: Literal["word", "name", "target", "file", "digest"]
+    detail: str = ""
+
+
+def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
+    """What of the text would be replaced, and by what: words that the grammar takes here, the names
+    that this place knows, targets, files, and the digest of a file that was named."""
+    before = document.text[:offset]
+    tokens = lex(Source(document.name, before))
+    end = tokens.span(len(tokens.kinds) - 1).end if tokens.kinds else 0
+    if "#" in re.split(r"[\r\n]", before[end:])[-1]:  # in a comment
+        return Span(offset, offset), []
+    starts = statement_starts(tokens)
+    if tokens.kinds[-1:] == ["UNCLOSED"]:
+        return _in_quotes(document, tokens, starts, offset)
+    found = _WORD.search(before)
+    typed = found.group() if found else ""
+    span = Span(offset - len(typed), offset)
+    tokens = lex(Source(document.name, before[: span.start]))
+    return span, list(_Place(document, tokens, statement_starts(tokens)).offers())
+
+
+@dataclass(frozen=True)
+class _Place:
+    """A place between tokens: those before it, and which of them begin statements."""
+
+    document: Document
+    tokens: Tokens
+    starts: list[int]
+
+    def offers(self) -> Iterator[Offer]:
+        kinds = self.tokens.kinds
+        if not self.starts:
+            yield from (Offer(form, "word", "language and version") for form in FORMS["nsl"])
+            return
+        begin = self.starts[-1]
+        statement = kinds[begin]
+        _, stuck = read(self.tokens, begin, len(kinds))
+        if stuck is not None and stuck.token < len(kinds):
+            expected = frozenset({"NAME", END})  # something before is wrong: then anything may come
+        else:
+            expected = Stuck(len(kinds), tuple(self.tokens.found[begin:])).expected
+        if "NAME" in expected:
+            yield from self._names(statement, begin)
+        if "TARGET_NAME" in expected:
+            yield from (Offer(name, "target", "a chip") for name in target_names())
+        own = reserved(self.tokens.version).difference(FORMS)
+        yield from (Offer(word, "word") for word in sorted(own & expected) if word.isalpha())
+        if statement == "bucket" and "open" in expected:
+            yield Offer("open", "word")
+        if END in expected:
+            yield from self._statements()
+
+    def _statements(self) -> Iterator[Offer]:
+        for word in statement_words(self.tokens.version):
+            if word not in _ONCE or word not in self.document.tokens.kinds:
+                yield Offer(word, "word", FORMS[word][0])
+
+    def _names(self, statement: str, begin: int) -> Iterator[Offer]:
+        """The names that mean something at this place of a statement."""
+        kinds, declared = self.tokens.kinds[begin:], self.document.declared
+        last, first = kinds[-1], len(kinds) == 1
+        if last == "exposure":
+            buckets = (rule.name.text for rule in declared.rules if isinstance(rule, Bucket))
+            yield from (Offer(name, "name", "a bucket") for name in buckets)
+        elif statement == "code" and last == "of":
+            yield from (Offer(name, "name", "a codebook") for name in declared.books)
+        elif first and statement == "pixels":
+            yield from (Offer(name, "name", "a field") for name in declared.codes)
+        elif statement == "read" or (first and statement == "next"):
+            yield from (Offer(name, "name", "a state") for name in declared.states)
+        elif not first and last not in ("key", "kept"):
+            yield from self._known(statement, kinds)
+
+    def _known(self, statement: str, kinds: Collection[str]) -> Iterator[Offer]:
+        declared, constants = self.document.declared, self.document.constants
+        match statement:
+            case "open" | "bucket":
+                scope = rule_scope(declared, constants)
+            case "next" | "reset":
+                scope = next_scope(declared, constants)
+            case "require":
+                scope = require_scope(declared, constants)
+            case "sense" if "at" in kinds:
+                scope = at_scope(declared, constants)
+            case "sense":
+                scope = require_scope(declared, constants)
+            case "pixels" if "tile" not in kinds:
+                scope = pixels_scope(declared, constants)
+            case _:
+                scope = constants_scope(declared, constants)
+        what = dict(declared.declared())
+        for name, meaning in scope.items():
+            if meaning.kind != "misplaced":
+                value = f" = {meaning.value}" if meaning.kind == "constant" else ""
+                told = what.get(name, PREDEFINED.get(name, ""))
+                yield Offer(name, "name", f"{told}{value}".strip())
+
+
+def _in_quotes(
+    document: Document, tokens: Tokens, starts: list[int], offset: int
+) -> tuple[Span, list[Offer]]:
+    """Files of the kind that a statement names; after `sha256` the digest of the file it named."""
+    opening = len(tokens.kinds) - 1
+    span = Span(tokens.span(opening).start + 1, offset)
+    begin = starts[-1] if starts else 0
+    statement, before = tokens.kinds[begin], tokens.kinds[opening - 1] if opening else ""
+    if before == "sha256":
+        named = [tokens.text(k)[1:-1] for k in range(begin, opening) if tokens.kinds[k] == "TEXT"]
+        return span, [Offer(text, "digest", f"of {named[0]}") for text in _digest(document, named)]
+    ending = _ENDINGS.get(statement)
+    if ending is None:
+        return span, []
+    return span, list(_files(document, document.text[span.start : offset], ending))
+
+
+def _files(document: Document, typed: str, ending: str) -> Iterator[Offer]:
+    """Files with that ending, and folders, in the folder of the path that was begun."""
+    inside = typed[: typed.rfind("/") + 1]
+    try:
+        entries = sorted(os.scandir(document.folder / inside), key=lambda entry: entry.name)
+    except (OSError, ValueError):
+        return
+    shown = [e for e in entries if e.is_dir() or e.name.lower().endswith(ending)]
+    for entry in shown[:_MOST_FILES]:
+        if not entry.name.startswith(".") and '"' not in entry.name:
+            yield Offer(inside + entry.name + "/" * entry.is_dir(), "file")
+
+
+def _digest(document: Document, named: list[str]) -> Iterator[str]:
+    try:
+        path = document.folder / named[0]
+        if path.stat().st_size <= _MOST_HASHED_BYTES:
+            yield sha256(path.read_bytes()).hexdigest()
+    except (OSError, ValueError, IndexError):
+        return

@@ -1,0 +1,22 @@
+"""The files that a program is made of."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.syntax import tree
+from nscc.syntax.parse import parse, read_source
+
+
+def files_of(program: Path) -> set[Path]:
+    """A program's file, there or not, and the files of chips, codebooks and codes that it names."""
+    found = {program}
+    try:
+        statements = parse(read_source(program))[0].statements
+    except Rejected:
+        return found
+    for statement in statements:
+        if isinstance(statement, tree.TargetFromFile | tree.BookFromFile | tree.PixelsFromFile):
+            found.add(program.parent / statement.path.value)
+    return found

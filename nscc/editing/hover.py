@@ -1,0 +1,190 @@
+"""What stands at a place of a text, in words: for the box that an editor opens there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from nscc.diagnostics.explain import page
+from nscc.editing.costs import frame_cost, slot_cost
+from nscc.editing.document import Document
+from nscc.editing.mentions import Mention, declaration, mention_at
+from nscc.lower.resources import time_text
+from nscc.program.names import LOOKS, PREDEFINED
+from nscc.program.problems import clipped, counted
+from nscc.source import Span
+from nscc.syntax import tree
+from nscc.syntax.words import FORMS
+
+_MOST_VALUES = 12
+
+
+@dataclass(frozen=True, slots=True)
+class Hover:
+    """A place, and what is to be said of it, in Markdown."""
+
+    span: Span
+    text: str
+
+
+def hover(document: Document, offset: int) -> Hover | None:
+    """What a name means and which values it has, what a statement's word begins, what the frame and
+    its slots cost, and the page of each message at this place; None where there is nothing."""
+    parts: list[str] = []
+    span: Span | None = None
+    for found in (_name(document, offset), _frame(document, offset), _word(document, offset)):
+        if found is not None:
+            parts.append(found.text)
+            span = span or found.span
+    for diagnostic in document.checked.diagnostics:
+        label = diagnostic.label
+        if label is not None and label.span.start <= offset <= label.span.end:
+            parts.append(page(diagnostic.code))
+            span = span or label.span
+    return Hover(span, "\n\n---\n\n".join(parts)) if span is not None else None
+
+
+def _name(document: Document, offset: int) -> Hover | None:
+    mention = mention_at(document, offset)
+    if mention is None:
+        return None
+    text = _bucket(document, mention) if mention.kind == "bucket" else _meaning(document, mention)
+    return None if text is None else Hover(mention.span, f"`{mention.name}`: {text}")
+
+
+def _bucket(document: Document, mention: Mention) -> str | None:
+    if declaration(document, mention) is None:
+        return None
+    compiled = document.checked.compiled
+    names = [] if compiled is None else [bucket.name for bucket in compiled.program.buckets]
+    told = "one of the frames that an exposure gives"
+    if compiled is None or compiled.program.machine is not None or mention.name not in names:
+        return told
+    return f"{told}. {_open_slots(compiled.program.table.shutters[:, names.index(mention.name)])}"
+
+
+def _open_slots(shutters: np.ndarray[tuple[int, int], np.dtype[np.bool_]]) -> str:
+    """Of shutters bool (shutters, N), how long they are open."""
+    opened = shutters.sum(axis=1)
+    least, most = int(opened.min()), int(opened.max())
+    slots = shutters.shape[1]
+    span = f"{least}" if least == most else f"{least} to {most}"
+    return f"{counted(len(shutters), 'shutter')}, open in {span} of {counted(slots, 'slot')}."
+
+
+def _meaning(document: Document, mention: Mention) -> str | None:
+    name, declared = mention.name, document.declared
+    if name in declared.lets:
+        meaning = document.constants.get(name)
+        known = meaning is not None and meaning.kind == "constant"
+        return f"a constant, {clipped(meaning.value)}" if meaning and known else "a constant"
+    if name in declared.codes:
+        return _field(document, name)
+    if name in declared.books:
+        book = document.books.get(name)
+        size = "" if book is None else f" of {len(book)} shutters, {book.shape[1]} slots each"
+        return f"a codebook{size}"
+    if name in declared.senses:
+        return _sense(document, name)
+    if name in declared.states:
+        return _state(document, name)
+    return _predefined(document, name)
+
+
+def _field(document: Document, name: str) -> str:
+    field = document.fields.get(name)
+    if field is None:
+        return "a field of the pixel code"
+    kinds = {
+        "range": "", "bits": f", {field.bits} free bits", "row": f", a row of `{field.book}`",
+    }  # fmt: skip
+    told = f"a field of the pixel code{kinds[field.kind]}, {field.low}..{field.high}"
+    compiled = document.checked.compiled
+    if compiled is None or compiled.program.mode != "fixed":
+        return told
+    table = compiled.program.table
+    used = np.unique(table.codes[:, table.fields.index(name)])
+    listed = f": {', '.join(map(str, used))}" if len(used) <= _MOST_VALUES else ""
+    return f"{told}. {len(used)} of its {field.high - field.low + 1} values in use{listed}."
+
+
+def _sense(document: Document, name: str) -> str:
+    looking = document.looking
+    sense = next((each for each in looking.senses if each.name == name), None) if looking else None
+    if sense is None:
+        return "what a pixel sees of its own light"
+    listed = ", ".join(map(str, sense.at[:_MOST_VALUES])) + ", .." * (len(sense.at) > _MOST_VALUES)
+    return (
+        "whether the pixel's signal was beyond its level at the latest look, false before the "
+        f"first. It looks {'once' if len(sense.at) == 1 else f'{len(sense.at)} times'}, at "
+        f"{listed}"
+    )
+
+
+def _state(document: Document, name: str) -> str:
+    looking = document.looking
+    found = next((each for each in looking.states if each.name == name), None) if looking else None
+    if found is None:
+        return "what a pixel remembers"
+    values = "a bit" if found.boolean else f"{found.low}..{found.high}"
+    kept = ", kept from frame to frame" if found.kept else ""
+    read = ", read out with the frame" if name in document.declared.reads else ""
+    return f"what a pixel remembers: {values}, {found.start} at the start{kept}{read}"
+
+
+def _predefined(document: Document, name: str) -> str | None:
+    if name == LOOKS and document.tokens.version > 1:
+        return "how many boundaries with a sense there were so far, this one included"
+    meaning = document.constants.get(name)
+    if name in PREDEFINED and meaning is not None and meaning.kind == "constant":
+        return f"{PREDEFINED[name]}: {meaning.value}"
+    return PREDEFINED.get(name)
+
+
+def _frame(document: Document, offset: int) -> Hover | None:
+    """What the frame costs; on one of listed slots, what that one does."""
+    for statement in document.parsed[0].statements:
+        if not isinstance(statement, tree.EqualSlots | tree.ListedSlots):
+            continue
+        if not statement.span.start <= offset <= statement.span.end:
+            continue
+        if isinstance(statement, tree.ListedSlots):
+            for slot, length in enumerate(statement.lengths):
+                if length.span.start <= offset <= length.span.end:
+                    told = slot_cost(document, slot)
+                    return None if told is None else Hover(length.span, told)
+        cost = frame_cost(document)
+        parts = [*_lengths(document, statement), *([] if cost is None else [cost])]
+        return Hover(statement.span, " ".join(parts)) if parts else None
+    return None
+
+
+def _lengths(document: Document, statement: tree.EqualSlots | tree.ListedSlots) -> Iterator[str]:
+    count = document.constants["N"]
+    if count.kind != "constant":
+        return
+    if isinstance(statement, tree.EqualSlots):
+        lengths = [statement.length.us] * count.value
+    else:
+        lengths = [length.us for length in statement.lengths]
+    yield f"{counted(count.value, 'slot')}, {time_text(float(sum(lengths)))} in all."
+
+
+def _word(document: Document, offset: int) -> Hover | None:
+    """How a statement is written, at the word that begins it."""
+    for statement in document.parsed[0].statements:
+        start = statement.span.start
+        if not start <= offset <= statement.span.end:
+            continue
+        word = document.text[start : statement.span.end].split(None, 1)[0]
+        if offset <= start + len(word) and word in FORMS:
+            forms = "\n".join(FORMS[word])
+            told = f"```nsl\n{forms}\n```"
+            compiled = document.checked.compiled
+            if isinstance(statement, tree.Open) and compiled is not None:
+                program = compiled.program
+                told = f"Class {program.class_name}: {program.class_reason}.\n\n{told}"
+            return Hover(Span(start, start + len(word)), told)
+    return None

@@ -1,0 +1,164 @@
+"""A program for a chip without logic, as people read it and as the chip's driver does."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator
+from io import BytesIO
+from typing import Any
+
+import numpy as np
+
+from nscc.diagnostics.rejection import rejected
+from nscc.lower.resources import time_text
+from nscc.program.problems import counted
+from nscc.prove.proof import Proof
+from nscc.stream.sending import Sending
+from nscc.target.target import Target
+from nscc.words.container import Container
+from nscc.words.stream import DRAIN
+
+PLANES_FORMAT = "nscc-planes-1"
+
+
+def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
+    """What `nscc check` prints of it beside class and codes, as labels with what they say."""
+    program, target = sending.program, sending.program.target
+    slots = len(program.frame.slot_us)
+    places = [f"{b.name} in {tap}" for b, tap in zip(program.buckets, target.taps, strict=False)]
+    rest = sorted({int(place) for place in sending.route.zeros} - {*range(len(program.buckets))})
+    places += [f"the rest to {_place(place, target)}" for place in rest]
+    pixels = f"{counted(proof.pixels, 'pixel')} x " if proof.pixels else ""
+    what = "" if proof.pixels else ", no pixels yet"
+    return [
+        ("light", "; ".join(places)),
+        (
+            "planes",
+            f"{slots} of {target.rows} x {target.cols} bits, {rate_text(sending.bits_per_us)} "
+            "while one loads",
+        ),
+        (
+            "time",
+            f"shortest slot {time_text(min(program.frame.slot_us))}, loading a plane "
+            f"{time_text(sending.shortest_slot_us)}"
+            + (" meanwhile" if target.pipelined else " of its slot, light led away"),
+        ),
+        ("proved", f"{pixels}{counted(proof.slots, 'slot')}{what}"),
+    ]
+
+
+def rate_text(bits_per_us: float) -> str:
+    """A rate of data in the unit that suits it."""
+    if bits_per_us >= 1e3:
+        return f"{bits_per_us / 1e3:.4g} Gbit/s"
+    return f"{bits_per_us:.4g} Mbit/s" if bits_per_us >= 1 else f"{bits_per_us * 1e3:.4g} kbit/s"
+
+
+def _place(place: int, target: Target) -> str:
+    return "the drain" if place == DRAIN else f"{target.taps[place]}, which is not read"
+
+
+def sending_text(sending: Sending) -> str:
+    """A line a slot: when its plane is sent and acts, and where 1 and 0 lead."""
+    target, way = sending.program.target, sending.route
+    lines = [
+        f"{len(way.ones)} planes of {target.rows} x {target.cols} bits, "
+        f"{sending.bits_a_frame} bits a frame, {time_text(sending.shortest_slot_us)} each"
+    ]
+    named = {DRAIN: "drain", **dict(enumerate(target.taps))}
+    for slot, each in enumerate(sending.loadings):
+        ones, zeros = named[int(way.ones[slot])], named[int(way.zeros[slot])]
+        lines.append(
+            f"slot {slot:>4}: sent at {each.load_us:g} us, acts at {each.acts_us:g} us: "
+            f"1 {ones}, 0 {zeros}"
+        )
+    return "\n".join(lines) + "\n"
+
+
+def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
+    """The report as JSON values: the keys of other chips' that mean something here, and planes."""
+    program, target = sending.program, sending.program.target
+    table = program.table
+    return {
+        "class": program.class_name,
+        "class_reason": program.class_reason,
+        "slots": len(program.frame.slot_us),
+        "slot_time_us": list(program.frame.slot_us),
+        "codes": {
+            "mode": program.mode,
+            "count": len(table.codes),
+            "shutters": len(table.shutters),
+        },
+        "fields": {field.name: [field.low, field.high] for field in program.fields},
+        "buckets": [bucket.name for bucket in program.buckets],
+        "taps": {b.name: t for b, t in zip(program.buckets, target.taps, strict=False)},
+        "lowering": "stream",
+        "planes": {
+            "rows": target.rows,
+            "cols": target.cols,
+            "bits_a_frame": sending.bits_a_frame,
+            "bits_per_us": sending.bits_per_us,
+            "load_us": target.plane_load_us,
+            "pipelined": target.pipelined,
+        },
+        "shortest_slot_us": round(sending.shortest_slot_us, 6),
+        "frame_us": round(sending.frame_us, 6),
+        "proof": {
+            "codes": proof.codes,
+            "slots": proof.slots,
+            "frames": proof.frames,
+            "pixels": proof.pixels,
+            "holds": proof.holds,
+        },
+        "target": target.name,
+        "source_sha256": hashlib.sha256(program.source.text.encode()).hexdigest(),
+    }
+
+
+def planes_bytes(container: Container) -> bytes:
+    """Planes and their schedule for a driver of the chip, as an .npz; docs/targets.md has the keys.
+
+    Raises Rejected (NS0511) where pixels have no codes: a chip with logic takes any later, this
+    one is sent bits of pixels.
+    """
+    from nscc.words.stream import schedule
+
+    sent, target = container.stream, container.target
+    if sent is None:
+        raise rejected(
+            "NS0511",
+            "there are no planes to send: the program does not say which code each pixel has",
+            helps=('give it a `pixels` statement, or codes in a file: `pixels from "C.npz"`',),
+            status=1,
+        )
+    loadings = [*schedule(target, container.slot_us)]
+    meta = {
+        "format": PLANES_FORMAT,
+        "target": target.name,
+        "rows": target.rows,
+        "cols": target.cols,
+        "taps": list(target.taps),
+        "buckets": list(container.buckets),
+        "row_load_us": target.row_load_us,
+        "pipelined": target.pipelined,
+    }
+    out = BytesIO()
+    np.savez(
+        out,
+        meta=np.array(json.dumps(meta)),
+        planes=sent.planes,
+        ones=sent.ones,
+        zeros=sent.zeros,
+        load_us=np.array([each.load_us for each in loadings]),
+        acts_us=np.array([each.acts_us for each in loadings]),
+        slot_us=np.array(container.slot_us),
+    )
+    return out.getvalue()
+
+
+def sent_lines(container: Container) -> Iterator[str]:
+    """A container of planes in lines for `--print-after words`."""
+    yield f"{container!r}"
+    for readout in container.readouts:
+        yield f"{readout.bucket} is read from {readout.register}, gain {readout.gain:g}"

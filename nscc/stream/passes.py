@@ -1,0 +1,74 @@
+"""The passes of programs for chips without logic, as `nscc.pipeline` lists them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from nscc.diagnostics.diagnostic import Diagnostic, Label
+from nscc.program.program import Program
+from nscc.stream.planes import laid, no_route
+from nscc.stream.route import NoRoute, route
+from nscc.stream.sending import Sending, late_fault
+from nscc.words.container import Container, Readout
+
+Found = Sequence[Diagnostic]
+
+
+def plan_of(program: Program, asked: Sequence[str]) -> tuple[Sending | NoRoute, Found]:
+    """The way of the light, or why there is none (NS0509).
+
+    `asked` are options that say how words are to be found: there are none here (NS0510).
+    """
+    if asked:
+        return NoRoute("", ""), [_no_words(program, asked)]
+    names = tuple(bucket.name for bucket in program.buckets)
+    found = route(program.table.shutters, names, program.target)
+    if isinstance(found, NoRoute):
+        return found, [no_route(found, program.target.name, program)]
+    return Sending(program, found), []
+
+
+def timed(sending: Sending) -> tuple[Sending, Found]:
+    """The same, where every plane can be loaded in time (NS0508)."""
+    fault = late_fault(sending)
+    return sending, [fault] if fault else []
+
+
+def container_of(sending: Sending) -> Container:
+    """The container: no words, and planes where pixels have codes."""
+    program, target = sending.program, sending.program.target
+    names = tuple(bucket.name for bucket in program.buckets)
+    gains = target.gains
+    container = Container(
+        target=target,
+        slot_us=program.frame.slot_us,
+        buckets=names,
+        table=program.table,
+        kernels=(),
+        launches=(),
+        code_registers=(),
+        encoding=np.zeros((len(program.table.shutters), 0), np.bool_),
+        pixel_codes=program.pixel_codes,
+        readouts=tuple(
+            Readout(tap, name, gain)
+            for tap, name, gain in zip(target.taps, names, gains, strict=False)
+        ),
+        source_lines=tuple(program.source.text.splitlines()),
+        notes={"class": program.class_name, "codes": program.mode, "lowering": "stream"},
+    )
+    return laid(container, sending.route)
+
+
+def _no_words(program: Program, asked: Sequence[str]) -> Diagnostic:
+    options = " and ".join(asked)
+    return Diagnostic(
+        "NS0510",
+        f"{options}: the pixels of {program.target.name} have no logic, so there are no words to "
+        "find",
+        source=program.source,
+        label=Label(program.buckets[0].span),
+        notes=("light goes to a tap by a bit that is sent for every slot",),
+        helps=(f"leave {options} out, or compile for a chip with a processor in every pixel",),
+    )

@@ -1,0 +1,93 @@
+"""When planes of bits are sent, and whether there is time for it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nscc.diagnostics.diagnostic import Diagnostic, Label
+from nscc.lower.resources import at_least, chip_label, chip_note, resource, time_text
+from nscc.program.problems import counted
+from nscc.program.program import Program
+from nscc.stream.route import Route
+from nscc.words.stream import Loading, schedule
+
+
+@dataclass(frozen=True, eq=False)
+class Sending:
+    """A program's route through a chip without logic, and the time that its planes take."""
+
+    program: Program
+    route: Route
+
+    @property
+    def loadings(self) -> tuple[Loading, ...]:
+        """When the plane of each slot is sent, and when it acts."""
+        return tuple(schedule(self.program.target, self.program.frame.slot_us))
+
+    @property
+    def shortest_slot_us(self) -> float:
+        """The shortest slot in which a plane can be loaded."""
+        return self.program.target.plane_load_us
+
+    @property
+    def bits_a_frame(self) -> int:
+        """How many bits are sent for a frame."""
+        target = self.program.target
+        return len(self.program.frame.slot_us) * target.rows * target.cols
+
+    @property
+    def bits_per_us(self) -> float:
+        """How fast they are sent while a plane loads: a row at a time, each bit by its column."""
+        return self.program.target.cols / self.program.target.row_load_us
+
+    @property
+    def frame_us(self) -> float:
+        """A frame with its readout."""
+        return sum(self.program.frame.slot_us) + self.program.target.readout_us
+
+
+def late_fault(sending: Sending) -> Diagnostic | None:
+    """NS0508: a slot is shorter than loading a plane takes. Certain."""
+    program, target = sending.program, sending.program.target
+    slots_us, needed_us = program.frame.slot_us, target.plane_load_us
+    # Where light waits for the plane, a slot that the loading fills would have none.
+    late = [n for n, us in enumerate(slots_us) if _too_short(us, needed_us, target.pipelined)]
+    if not late:
+        return None
+    worst = min(late, key=slots_us.__getitem__)
+    takes = f"{target.rows} rows x {time_text(target.row_load_us)}"
+    more = "or longer" if target.pipelined else "and more"
+    rows = int(slots_us[worst] / target.row_load_us)
+    fewer: tuple[str, ...] = ()
+    if rows:
+        said = f"a target of at most {counted(rows, 'row')} fits slots of "
+        fewer = (f"{said}{time_text(slots_us[worst])}: `nscc targets {target.name} --toml`",)
+    return Diagnostic(
+        "NS0508",
+        f"slot {worst} is shorter than loading its bits takes: it lasts "
+        f"{time_text(slots_us[worst])}, and {takes} are {time_text(needed_us)}",
+        source=program.source,
+        label=Label(program.frame.span, f"{len(late)} of {len(slots_us)} slots too short"),
+        related=chip_label(program, f"{takes} a plane"),
+        notes=(
+            *chip_note(program, f"{takes} a plane"),
+            "certain: every slot has a plane of its own, which is sent row by row",
+        ),
+        helps=(
+            f"slots of {at_least(needed_us)} {more} leave time for it"
+            + _fewer_slots(slots_us, needed_us),
+            *fewer,
+        ),
+        data=resource("slot_us", needed_us, slots_us[worst], proved=True),
+    )
+
+
+def _too_short(slot_us: float, needed_us: float, pipelined: bool) -> bool:
+    """Times are decimals of a text: what differs by rounding is the same."""
+    return slot_us < needed_us * (1 - 1e-9) or (not pipelined and slot_us <= needed_us)
+
+
+def _fewer_slots(slots_us: tuple[float, ...], needed_us: float) -> str:
+    """How many slots fit into the same frame, where they may be equal."""
+    count = int(sum(slots_us) / needed_us)
+    return f"; {counted(count, 'slot')} of that fit into this frame's time" if count else ""

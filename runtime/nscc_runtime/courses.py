@@ -1,0 +1,100 @@
+"""What pixels of steady light do in a frame of a program that looks: its machine, by light.
+
+Comparators are exact here, and light does not change: what is left is what the program means.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc.words.machine import LIGHT, Machine
+
+Values = NDArray[np.float64]
+Nodes = NDArray[np.int64]
+
+
+@dataclass(frozen=True, eq=False)
+class Courses:
+    """One frame, for each of `wells` (lights,): the light of the whole frame in full wells.
+
+    `opens` bool (lights, buckets, N) and `resets` bool (lights, N) as a machine has them; `values`
+    int64 (lights, states) when the frame ends; `flips`: at which boundary a comparison has one
+    answer for a light and another for the next, (boundary, light).
+    """
+
+    wells: Values
+    opens: NDArray[np.bool_]
+    resets: NDArray[np.bool_]
+    values: NDArray[np.int64]
+    flips: tuple[tuple[int, float], ...]
+
+
+def courses(container: Container, behaviour: int, wells: Values, frame: int = 0) -> Courses:
+    """Those of a behaviour, in the frame of this number; kept states start as the program says in
+    frame 0, and go on from there."""
+    machine = container.machine
+    assert machine is not None
+    nodes = np.full(len(wells), machine.start_nodes()[behaviour])
+    for _ in range(frame):
+        nodes = _next_start(machine, _one(container, machine, nodes, wells)[1])
+    return _one(container, machine, nodes, wells)[0]
+
+
+def thresholds(container: Container) -> Values:
+    """The lights, in full wells over the frame, at which a pixel's gathered light comes to a level
+    of some look, if nothing resets it (comparisons,)."""
+    machine, share = container.machine, _share(container)
+    assert machine is not None
+    level = container.target.electrons_per_step / container.target.full_well_e
+    return np.array([each.level * level / share[each.boundary] for each in machine.comparisons])
+
+
+def _share(container: Container) -> Values:
+    """The part of the frame that is over at each boundary (N + 1,)."""
+    ends = np.cumsum([0.0, *container.slot_us])
+    return np.asarray(ends / ends[-1])
+
+
+def _one(
+    container: Container, machine: Machine, nodes: Nodes, wells: Values
+) -> tuple[Courses, Nodes]:
+    """A frame from these nodes on, and the nodes in which it ends."""
+    share, every = np.diff(_share(container)), np.arange(len(wells))
+    opens = np.zeros((len(wells), *machine.opens.shape[1:]), np.bool_)
+    resets = np.zeros((len(wells), machine.slots), np.bool_)
+    held, exposed = np.zeros(len(wells)), np.zeros((machine.opens.shape[1], len(wells)))
+    level = container.target.electrons_per_step / container.target.full_well_e
+    flips: list[tuple[int, float]] = []
+    for stage in range(machine.stages):
+        for slot in range(machine.starts(stage), machine.ends(stage)):
+            resets[:, slot] = machine.resets[nodes, slot]
+            opens[:, :, slot] = machine.opens[nodes, :, slot]
+            held = np.minimum(np.where(resets[:, slot], 0.0, held) + wells * share[slot], 1.0)
+            exposed += opens[:, :, slot].T * wells * share[slot]
+        if stage + 1 == machine.stages:
+            break
+        outcome = np.zeros(len(wells), np.int64)
+        for bit, asked in enumerate(machine.at(machine.ends(stage))):
+            signal = held if asked.signal == LIGHT else np.minimum(exposed[asked.signal], 1.0)
+            above = signal > asked.level * level
+            outcome |= above.astype(np.int64) << bit
+            turned = np.flatnonzero(above[1:] != above[:-1])
+            flips += [(asked.boundary, float(np.sqrt(wells[k] * wells[k + 1]))) for k in turned]
+        nodes = machine.steps[nodes, outcome].astype(np.int64)
+    return Courses(wells, opens, resets, machine.values[nodes[every]], tuple(flips)), nodes
+
+
+def _next_start(machine: Machine, ended: Nodes) -> Nodes:
+    """Where the next frame starts: what is kept as it was, everything else at its START."""
+    kept = np.array([state.kept for state in machine.states], np.bool_)
+    starts = np.array([state.start for state in machine.states], np.int64)
+    first = slice(0, int(machine.first[1]))
+    known = np.column_stack([machine.behaviour[first], machine.values[first]])
+    wanted = np.where(kept, machine.values[ended], starts)
+    wanted = np.column_stack([machine.behaviour[ended], wanted])
+    place = {tuple(row): number for number, row in enumerate(known.tolist())}
+    return np.array([place[tuple(row)] for row in wanted.tolist()], np.int64)

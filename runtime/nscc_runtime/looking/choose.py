@@ -1,0 +1,162 @@
+"""Choosing a plan for a program that looks: which effects a tolerance lets go.
+
+As `nscc_runtime.planner.choose`, with predictions that are measured on a sample of the scene, and
+with a second limit: of the pixels that end in other states, whose exposures are no error but
+another measurement.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from nscc_runtime.effects import AfterExposure, Effect, Selection, everything, registered, selected
+from nscc_runtime.effects.parts import Fading, Moving
+from nscc_runtime.effects.registry import always_on, optional
+from nscc_runtime.light import Light
+from nscc_runtime.looking.sample import Difference, Sample
+from nscc_runtime.looking.ways import Ways
+from nscc_runtime.planner.choose import MARGIN, after_exposure
+from nscc_runtime.planner.plan import MOST_OTHER_STATES, Choice, Decision, Plan
+
+_LEFT_OUT = 0.5
+"""Effects are left out while this part of the most other states is predicted: a sample shows few
+of them."""
+_REFERENCE_NS = 1000.0
+"""What a pixel costs more in the reference."""
+LOOKS = "pixels look at the light: each runs through the words that act in it"
+
+
+def plan_for(
+    ways: Ways,
+    light: Light,
+    tolerance_e: float,
+    effects: Selection | None = None,
+) -> Plan:
+    """As `nscc_runtime.planner.choose.plan_for`."""
+    return Chooser(Sample.of(ways, light), tolerance_e, effects or selected("auto")).plan()
+
+
+def predicted_for(ways: Ways, light: Light, plan: Plan) -> Plan:
+    """The same decisions for another scene: what they make wrong there."""
+    on = {each.name for each in plan.decisions if each.decision == "kept"}
+    chosen = Selection(always_on() | on, frozenset(optional()))
+    chooser = Chooser(Sample.of(ways, light), plan.tolerance_e, chosen)
+    made = chooser.plan("taken from the plan given")
+    forced = {each.name: each.forced for each in plan.decisions}
+    decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
+    return replace(made, decisions=decisions)
+
+
+@dataclass(frozen=True, eq=False)
+class Chooser:
+    """One search."""
+
+    sample: Sample
+    tolerance_e: float
+    effects: Selection
+
+    @cached_property
+    def alone(self) -> dict[str, Difference]:
+        """What each effect of the exposure changes that is left out alone; without those that can
+        change nothing at all. What changes no pixel of the sample may change others."""
+        ways, light = self.sample.ways, self.sample.light
+        steady = everything().names(Moving) if light.motion is None else frozenset()
+        lasting = frozenset() if ways.fades else everything().names(Fading)
+        return {
+            e.name: self.sample.without(frozenset({e.name})) for e in registered()
+            if e.kind != "after" and e.name not in steady | lasting
+        }  # fmt: skip
+
+    def plan(self, forced_reason: str = "named in --effects") -> Plan:
+        """The plan."""
+        forced = frozenset(
+            e.name for e in registered()
+            if e.kind != "after" and self._forced(e) and e not in self.effects
+        )  # fmt: skip
+        dropped, now = forced, self.sample.without(forced)
+        # What the user forced off has broken the promise: the rest keeps to it by itself.
+        most = (MARGIN * self.tolerance_e) ** 2
+        most_square = most + (now.square.max() if now.square.max() > most else 0.0)
+        most_other = _LEFT_OUT * MOST_OTHER_STATES
+        most_other += now.other_states if now.other_states > most_other else 0.0
+        for name in self._free(dropped):
+            if self.alone[name].square.max() > most_square:
+                break
+            then = self.sample.without(dropped | {name})
+            if then.square.max() <= most_square and then.other_states <= most_other:
+                dropped, now = dropped | {name}, then
+        return self._made(dropped, now, forced_reason)
+
+    def _free(self, forced: frozenset[str]) -> list[str]:
+        """What may be left out and saves something, by how much it saves for what it changes."""
+        free = [
+            e for e in registered()
+            if e.name in self.alone and e.name not in forced and not self._forced(e)
+            and self._saved_ns(e) > 0
+        ]  # fmt: skip
+        return [e.name for e in sorted(free, key=lambda e: self.alone[e.name].square.max())]
+
+    def _forced(self, effect: Effect) -> bool:
+        return not self.effects.auto or effect.name in self.effects.forced
+
+    def _saved_ns(self, effect: Effect) -> float:
+        """Nanoseconds a pixel that leaving an effect out saves."""
+        slow = self.sample.ways.lacks(everything().without(effect.name))
+        much = _REFERENCE_NS if self.sample.ways.lacks(everything()) and not slow else 0.0
+        return effect.cost_ns + much
+
+    def _made(self, dropped: frozenset[str], now: Difference, forced_reason: str) -> Plan:
+        ways = self.sample.ways
+        decisions = tuple(self._decision(e, dropped, now, forced_reason) for e in registered())
+        most = sum((self.alone[n].error_e for n in dropped if n in self.alone), 0.0)
+        plan = Plan(
+            tolerance_e=self.tolerance_e,
+            predicted_e=now.error_e,
+            bound_e=max(most, now.error_e),
+            slot_loop="all",
+            slot_loop_reasons=(LOOKS,),
+            sampled_fraction=self.sample.fraction,
+            approximations=(),
+            decisions=decisions,
+            other_states=now.other_states,
+        )
+        lacking = ways.lacks(plan.kept)
+        if lacking:
+            return replace(plan, slot_loop="reference", slot_loop_reasons=lacking)
+        return plan
+
+    def _decision(
+        self, effect: Effect, dropped: frozenset[str], now: Difference, forced_reason: str
+    ) -> Decision:
+        forced = self._forced(effect)
+        if isinstance(effect.field, AfterExposure):
+            return after_exposure(effect, self.effects, self.sample.ways.sensor, forced_reason)
+        found = self.alone.get(effect.name)
+        if found is None:
+            return Decision(
+                effect.name, effect.kind, "absent", forced, effect.absent, 0.0, 0.0, now.error_e,
+                0.0, 0.0,
+            )  # fmt: skip
+        choice: Choice = "dropped" if effect.name in dropped else "kept"
+        then_e = now.error_e if choice == "dropped" else math.hypot(now.error_e, found.error_e)
+        saved_ns = self._saved_ns(effect)
+        if forced:
+            reason = forced_reason
+        elif choice == "dropped":
+            reason = f"{found.error_e:.3g} e fits into the tolerance"
+        elif saved_ns <= 0:
+            reason = "costs nothing"
+        elif then_e > MARGIN * self.tolerance_e:
+            reason = f"left out, the error would be {then_e:.3g} e"
+        else:
+            reason = f"left out, {found.other_states:.2%} would end in other states"
+        bias = float(found.mean[int(np.argmax(found.square))])
+        # What an effect does to exposures is the opposite of what they lose without it.
+        return Decision(
+            effect.name, effect.kind, choice, forced, reason, found.error_e, 0.0 - bias, then_e,
+            saved_ns * self.sample.pixels * 1e-6, found.other_states,
+        )  # fmt: skip

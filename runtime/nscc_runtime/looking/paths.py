@@ -1,0 +1,257 @@
+"""The ways that a pixel can take through a frame: digital words replayed, analog words kept.
+
+Which analog words act in a pixel hangs on its bits, and these hang on what its comparisons answered
+and on nothing else. So the digital words are run once, for all bits with which a frame can start
+and all answers: what remains are segments, runs of analog words that end with a comparison, which
+leads to one of two further segments, or with the frame. Words whose results no exposure and no
+comparison depends on are left out, and comparisons that lead to the same segment either way.
+
+A bit that nobody has loaded or written is unknown: such programs as the proof lets pass hang on no
+unknown bit. Of one that does there are no paths, and it is said why.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.operations import Effect, Op
+from nscc.words.container import Container
+from nscc.words.cost import word_us
+from nscc_runtime.looking.registers import UNKNOWN, Bits, Registers
+
+MOST = 1 << 21
+"""Most words x ways that are followed: some hundred megabytes."""
+
+
+class Pathless(Exception):
+    """Why the paths of a program are not followed."""
+
+
+@dataclass(frozen=True, slots=True)
+class AnalogWord:
+    """A bus, reset or compare word; its number is its place among those of a frame.
+
+    It ends `after_us` after `boundary`. `in_e`: what IN holds meanwhile, in electrons.
+    """
+
+    boundary: int
+    after_us: float
+    op: Op
+    in_e: float
+
+    @property
+    def writes(self) -> tuple[str, ...]:
+        """The analog registers that it sets, PIX among them."""
+        resets = self.op.operation.effect is Effect.RESET_PIX
+        return ("PIX",) if resets else self.op.destinations
+
+    @property
+    def compares(self) -> bool:
+        """Whether it is a `where`."""
+        return self.op.operation.effect is Effect.FLAG_ANALOG
+
+
+@dataclass(frozen=True, eq=False)
+class Paths:
+    """Segment k has the numbers `acting[start[k] : start[k + 1]]` of `words`; only the last of them
+    may compare, and `following` int64 (segments, 2) says where its answer leads: a segment, or
+    -1 - e, which ends the frame in ending e. Without a comparison both are the same.
+
+    `first` int64 (starts,): where each of `starts` begins, which are bits (starts,) by register, of
+    all that are loaded. `endings`: bits (endings,) by register, of those that are told.
+    """
+
+    words: tuple[AnalogWord, ...]
+    start: NDArray[np.int64]
+    acting: NDArray[np.int64]
+    following: NDArray[np.int64]
+    starts: Mapping[str, Bits]
+    first: NDArray[np.int64]
+    endings: Mapping[str, Bits]
+
+    @classmethod
+    def of(
+        cls, container: Container, kernels: Sequence[Sequence[Op]], retention_us: float = inf
+    ) -> Paths:
+        """Those of a container with a machine; a digital register reads 0 when no word wrote it for
+        more than `retention_us`. Raises Pathless."""
+        starts = _starts(container)
+        walk = _Walk(container, starts, retention_us)
+        words = walk.run(kernels)
+        return _alive(container, words, walk, starts)
+
+
+def _starts(container: Container) -> dict[str, Bits]:
+    """All bits with which a frame can start, by register that is loaded: of codes and of kept
+    states."""
+    machine = container.machine
+    assert machine is not None
+    nodes = np.arange(machine.first[1])
+    encoding = container.encoding[machine.behaviour[nodes]]
+    column = {name: i for i, name in enumerate(container.target.digital_registers)}
+    found = {name: encoding[:, column[name]] for name in container.code_registers}
+    for k, state in enumerate(machine.states):
+        if state.kept:
+            planes = container.state_planes[state.name]
+            rows = dict(zip(planes.values, planes.bits, strict=True))
+            bits = np.array([rows[value] for value in machine.values[nodes, k].tolist()])
+            found |= zip(planes.registers, bits.reshape(len(nodes), -1).T, strict=True)
+    names = sorted(found)
+    bits = np.array([found[name] for name in names], np.int8).reshape(-1, len(nodes))
+    return dict(zip(names, np.unique(bits, axis=1), strict=True))
+
+
+class _Walk:
+    """All ways at once: one lane for each that differs by now."""
+
+    def __init__(
+        self, container: Container, starts: Mapping[str, Bits], retention_us: float
+    ) -> None:
+        self.container, self.target = container, container.target
+        self.registers = Registers(self.target, starts, retention_us)
+        self.starts = self.segments = self.registers.lanes
+        self.segment = np.arange(self.starts)
+        self.passed: list[tuple[int, NDArray[np.intp], Bits]] = []
+        """By word that may act: its number, the segments, and whether it acts there."""
+        self.following: list[tuple[NDArray[np.intp], int, NDArray[np.intp]]] = []
+        """Segments, an answer, and the segments that it leads to."""
+        self.size = 0
+
+    def run(self, kernels: Sequence[Sequence[Op]]) -> tuple[AnalogWord, ...]:
+        """Run a frame; the analog words that were met."""
+        container, target = self.container, self.target
+        start_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
+        words: list[AnalogWord] = []
+        boundary, after_us, in_e = -1, 0.0, 0.0
+        for launch in container.launches:
+            if launch.instant != boundary:
+                boundary, after_us = launch.instant, 0.0
+                self.registers.now_us = float(start_us[boundary])
+            if launch.level is not None:
+                in_e = launch.level * target.electrons_per_step
+            after_us += target.launch_us
+            for op in kernels[launch.kernel]:
+                after_us += word_us(op, target)
+                effect = op.operation.effect
+                if effect in (Effect.BUS, Effect.RESET_PIX, Effect.FLAG_ANALOG):
+                    self._met(len(words), op)
+                    words.append(AnalogWord(boundary, after_us, op, in_e))
+                else:
+                    self.registers.run(op)
+        return tuple(words)
+
+    def told(self) -> tuple[dict[str, Bits], NDArray[np.intp]]:
+        """The endings that differ in what is told: bits (endings,) by register, and the ending of
+        each lane."""
+        planes = self.container.state_planes.values()
+        names = sorted({register for each in planes for register in each.registers})
+        bits = self.registers.bits[[self.registers.place[name] for name in names]]
+        if (bits == UNKNOWN).any():
+            raise Pathless("a state that is told hangs on a bit that nothing has set")
+        endings, ending = np.unique(bits, axis=1, return_inverse=True)
+        return dict(zip(names, endings, strict=True)), ending.reshape(-1)
+
+    def _met(self, number: int, op: Op) -> None:
+        effect, flag = op.operation.effect, self.registers.read("FLAG")
+        everywhere = (effect is Effect.RESET_PIX and self.target.reset_honours_flag == "no") or (
+            effect is Effect.FLAG_ANALOG and not self.target.where_obeys_flag
+        )
+        acts = np.ones_like(flag) if everywhere else flag
+        self.size += len(acts)
+        if self.size > MOST:
+            raise Pathless("its codes, states and answers make too many ways through a frame")
+        self.passed.append((number, self.segment.copy(), acts))
+        if effect is Effect.FLAG_ANALOG:
+            self._answered(acts)
+
+    def _answered(self, asked: Bits) -> None:
+        """Every lane goes on with 0, and with 1 where it was asked."""
+        if (asked == UNKNOWN).any():
+            raise Pathless("a comparison is made where FLAG is unknown")
+        whole = np.arange(len(asked))
+        lanes = np.concatenate([whole, whole[asked == 1]])
+        answer = np.repeat([0, 1], [len(whole), len(lanes) - len(whole)])
+        self.registers.choose(lanes)
+        self.registers.write("FLAG", answer.astype(np.int8))
+        before = self.segment[lanes]
+        group = self.registers.merge()
+        self.segment = self.segments + np.arange(self.registers.lanes)
+        self.segments += self.registers.lanes
+        leads = self.segment[group]
+        for value in (0, 1):
+            at = answer == value
+            self.following.append((before[at], value, leads[at]))
+
+
+def _alive(
+    container: Container, words: tuple[AnalogWord, ...], walk: _Walk, starts: Mapping[str, Bits]
+) -> Paths:
+    """The paths, without what makes no difference: from the frame's end backwards."""
+    registers = {n: 1 << i for i, n in enumerate((*container.target.analog_registers, "PIX"))}
+    reads = [_together(registers, word.op.sources) for word in words]
+    writes = [_together(registers, word.writes) for word in words]
+    last = _together(registers, (readout.register for readout in container.readouts))
+    endings, ending = walk.told()
+    passed, following = _by_segment(walk, ending)
+    live = [0] * walk.segments
+    acting: list[list[int]] = [[] for _ in range(walk.segments)]
+    leads_to = [*range(walk.segments)]
+    alike: dict[tuple[int, ...], int] = {}
+    for segment in reversed(range(walk.segments)):
+        no, yes = (leads_to[n] if n >= 0 else n for n in following[segment].tolist())
+        alive = last if no < 0 else live[no]
+        chosen: list[int] = []
+        for number, acts in reversed(passed[segment]):
+            if words[number].compares:
+                if no == yes:
+                    continue
+                alive |= (last if yes < 0 else live[yes]) | reads[number]
+            elif acts and writes[number] & alive:
+                if acts == UNKNOWN:
+                    raise Pathless("an exposure hangs on a bit that nothing has set")
+                alive = alive & ~writes[number] | reads[number]
+            else:
+                continue
+            chosen.insert(0, number)
+        leads_to[segment] = alike.setdefault((no, yes, *chosen), segment) if chosen else no
+        if leads_to[segment] == segment:
+            live[segment], following[segment], acting[segment] = alive, (no, yes), chosen
+    first = np.array([leads_to[k] for k in range(walk.starts)], np.int64)
+    if any(last if k < 0 else live[k] for k in first.tolist()):
+        raise Pathless("its exposures hang on what the frame before has left")
+    return Paths(
+        words,
+        np.cumsum([0, *map(len, acting)]),
+        np.array([number for each in acting for number in each], np.int64),
+        following,
+        starts,
+        first,
+        endings,
+    )
+
+
+def _together(registers: Mapping[str, int], names: Iterable[str]) -> int:
+    """Registers as a set of bits; IN is none."""
+    return sum({registers[name] for name in names if name in registers})
+
+
+def _by_segment(
+    walk: _Walk, ending: NDArray[np.intp]
+) -> tuple[list[list[tuple[int, int]]], NDArray[np.int64]]:
+    """The words that each segment meets, with whether they act, and where answers lead."""
+    passed: list[list[tuple[int, int]]] = [[] for _ in range(walk.segments)]
+    for number, segments, acts in walk.passed:
+        for segment, here in zip(segments.tolist(), acts.tolist(), strict=True):
+            passed[segment].append((number, here))
+    following = np.empty((walk.segments, 2), np.int64)
+    for before, answer, leads in walk.following:
+        following[before, answer] = leads
+        if answer == 0:
+            following[before, 1] = leads
+    following[walk.segment] = -1 - ending[:, None]
+    return passed, following

@@ -1,0 +1,68 @@
+"""Plans of programs whose pixels look: made, run and audited."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.light import Light
+from nscc_runtime.looking.audit import audit
+from nscc_runtime.looking.choose import plan_for, predicted_for
+from nscc_runtime.looking.frames import frames, ways_of
+from nscc_runtime.looking.way_loop import run_ways
+from nscc_runtime.looking.ways import Ways
+from nscc_runtime.planner.audit import Audit
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.pool import processors
+
+
+@dataclass(frozen=True, eq=False)
+class PlanningByWays:
+    """As `nscc_runtime.planner.planning.Planning` says."""
+
+    container: Container
+    sensor: Sensor
+    light: Light
+    device_seed: int = 0
+    threads: int | None = None
+
+    @property
+    def compiled(self) -> bool:
+        """Whether its loops are machine code already."""
+        return run_ways.is_compiled()
+
+    def ready(self) -> None:
+        """Analyse the program."""
+        self._ways  # noqa: B018  # made when it is asked for
+
+    @cached_property
+    def _ways(self) -> Ways:
+        return ways_of(self.container, self.sensor)
+
+    def plan(self, tolerance_e: float, effects: Selection) -> Plan:
+        """The cheapest plan within the tolerance."""
+        return plan_for(self._ways, self.light, tolerance_e, effects)
+
+    def predicted(self, plan: Plan) -> Plan:
+        """What the decisions of a plan for another scene make of this one."""
+        return predicted_for(self._ways, self.light, plan)
+
+    def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
+        """Frames 0 .. `count` - 1 under a plan."""
+        return frames(
+            self.container, self.light, self.sensor, plan.kept,
+            seed=seed, device_seed=self.device_seed, count=count, threads=self.threads,
+        )  # fmt: skip
+
+    def audit(self, plan: Plan, seed: int, count: int) -> Audit:
+        """A plan's frames against the reference's."""
+        return audit(
+            self._ways, self.light, plan,
+            seed=seed, device_seed=self.device_seed, frames=count,
+            threads=processors() if self.threads is None else self.threads,
+        )  # fmt: skip

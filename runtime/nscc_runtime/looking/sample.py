@@ -1,0 +1,178 @@
+"""Pixels of a scene on which a plan for a program that looks is tried: some tiles of the array.
+
+Effects are measured, not computed: the tiles are exposed with all of them and with some left out,
+under the same draws. A difference in light is then a difference in exposures, but for the few
+pixels whose comparisons it tips over: these end in other states, and are counted apart.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import Selection, everything
+from nscc_runtime.effects.views import Scene
+from nscc_runtime.light import Light
+from nscc_runtime.looking.ways import BEFORE_WORDS, Ways
+from nscc_runtime.planner.sample import chances, drawn_by
+from nscc_runtime.reference.charge import Fallen, charge_of_rows
+from nscc_runtime.reference.intervals import Intervals
+from nscc_runtime.reference.looks import Executed, LookingReference
+from nscc_runtime.remembered import remembered
+
+Bits = NDArray[np.bool_]
+
+_TILES, _SIDE = 256, 2
+"""How many tiles, and how many of their pixels in each direction have all their neighbours."""
+_WHOLE = 2048
+"""Arrays of so few pixels are taken whole."""
+_SLOTS = 16
+"""Slots whose light decides where tiles are taken."""
+_SEEDS = 0, 0
+
+
+@dataclass(frozen=True)
+class Difference:
+    """What leaving effects out changes: the mean square of the exposures (buckets,) and their mean,
+    in electrons, over the pixels that end in the same states, and the share of those that do not.
+    """
+
+    square: NDArray[np.float64]
+    mean: NDArray[np.float64]
+    other_states: float
+
+    @property
+    def error_e(self) -> float:
+        """Root mean square of the worst bucket."""
+        return float(np.sqrt(self.square.max()))
+
+
+def difference(some: Executed, full: Executed, weight: NDArray[np.float64]) -> Difference:
+    """Of a frame with some effects from that with all of them; `weight` (rows, cols): how many
+    pixels each stands for."""
+    valid = some.exposure.valid.all(axis=0) & full.exposure.valid.all(axis=0)
+    weight = np.where(valid, weight, 0.0)
+    alike = np.where(same_states(some, full), weight, 0.0)
+    error = np.where(alike > 0, some.exposure.exposure_e - full.exposure.exposure_e, 0.0)
+    much = alike / max(float(alike.sum()), 1e-300)
+    return Difference(
+        (error**2 * much).sum(axis=(1, 2)),
+        (error * much).sum(axis=(1, 2)),
+        float(1.0 - alike.sum() / weight.sum()) if weight.any() else 0.0,
+    )
+
+
+def same_states(some: Executed, full: Executed) -> Bits:
+    """Where (rows, cols) two frames end in the same states."""
+    same = np.ones(full.exposure.valid.shape[1:], np.bool_)
+    for name, plane in full.planes.items():
+        same &= some.planes[name] == plane
+    return same
+
+
+@dataclass(frozen=True, eq=False)
+class Sample:
+    """Some of the pixels of a scene: `light` and the registers `loaded` on tiles that lie one above
+    the other as an array of their own. `weight` (rows, cols): how many pixels of the scene each
+    stands for, 0 at the tiles' edges, whose neighbours are not their own. `pixels` the scene has.
+    """
+
+    ways: Ways
+    light: Light
+    loaded: Mapping[str, Bits]
+    weight: NDArray[np.float64]
+    pixels: int
+
+    @property
+    def fraction(self) -> float:
+        """Of the scene's pixels."""
+        return np.count_nonzero(self.weight) / self.pixels
+
+    @classmethod
+    def of(cls, ways: Ways, light: Light) -> Sample:
+        """Tiles spread over the scene, more of them where light or its steps are large; the same
+        on every call. Small scenes are taken as they are."""
+        (rows, cols), side = light.shape, _SIDE + 2
+        loaded = ways.container.planes()
+        if rows * cols <= _WHOLE or min(rows, cols) < side:
+            return cls(ways, light, loaded, np.ones((rows, cols)), rows * cols)
+        corners, counts = _corners(light)
+
+        def tiles(values: NDArray[Any]) -> NDArray[Any]:
+            parts = [values[..., y : y + side, x : x + side] for y, x in corners]
+            return np.concatenate(parts, axis=-2)
+
+        frames = tiles(light.frames)
+        motion = None if light.motion is None else replace(light.motion, frames=frames)
+        inner = np.zeros((side, side))
+        inner[1:-1, 1:-1] = 1.0
+        return cls(
+            ways,
+            replace(light, frames=frames, motion=motion),
+            {name: tiles(plane) for name, plane in loaded.items()},
+            np.concatenate([count * inner for count in counts]),
+            rows * cols,
+        )
+
+    @remembered
+    def without(self, dropped: frozenset[str]) -> Difference:
+        """What leaving these effects out changes."""
+        full = self._executed(everything())
+        return difference(self._executed(everything().without(*dropped)), full, self.weight)
+
+    def _executed(self, effects: Selection) -> Executed:
+        """The sample with these effects; those of all effects are kept."""
+        if effects == everything():
+            return self._full
+        return self._exposed(effects)
+
+    @cached_property
+    def _full(self) -> Executed:
+        return self._exposed(everything())
+
+    def _exposed(self, effects: Selection) -> Executed:
+        rows = range(self.light.shape[0])
+        if self.ways.lacks(effects):
+            reference = LookingReference(self.ways.container, self.ways.sensor, effects)
+            return reference.expose(self._scene, self.loaded, _SEEDS, 0)
+        before = frozenset(e.name for e in effects.effects if e.reference.keys() & BEFORE_WORDS)
+        fallen = self._fallen(before, effects.noiseless)
+        return self.ways.run(
+            self._scene, self.loaded, effects, _SEEDS, 0, rows,
+            lambda part: fallen.rows(slice(part.start, part.stop)), among=self.weight > 0,
+        )  # fmt: skip
+
+    @cached_property
+    def _scene(self) -> Scene:
+        slot_s = np.array(self.ways.container.slot_us, np.float64) * 1e-6
+        return Scene(self.light, self.light, slot_s)
+
+    @remembered
+    def _fallen(self, before: frozenset[str], every_slot: bool) -> Fallen:
+        """The charge under the effects that make it, which are fewer than all."""
+        effects = everything()
+        effects = effects.without(*(e.name for e in effects.effects if e.name not in before))
+        joined = Intervals.of(self.ways.container, every_slot).joined(self._scene)
+        rows = range(self.light.shape[0])
+        return charge_of_rows(joined, None, self.ways.sensor, effects, _SEEDS, 0, rows)
+
+
+def _corners(light: Light) -> tuple[list[tuple[int, int]], list[float]]:
+    """The upper left corners of the tiles, and how many pixels each of a tile's stands for."""
+    rows, cols = light.shape
+    some = np.unique(np.linspace(0, light.slots - 1, min(_SLOTS, light.slots)).astype(int))
+    score = chances(np.sum([light.slot(n) for n in some.tolist()], axis=0, dtype=np.float64))
+    down, right = -(-rows // _SIDE), -(-cols // _SIDE)
+    padded = np.pad(score, ((0, down * _SIDE - rows), (0, right * _SIDE - cols)))
+    chance = padded.reshape(down, _SIDE, right, _SIDE).sum(axis=(1, 3)).reshape(-1)
+    places, times = np.unique(drawn_by(chance, min(_TILES, len(chance))), return_counts=True)
+    counts = times / chance[places]
+    counts *= rows * cols / (_SIDE**2 * counts.sum())
+    y = np.clip(places // right * _SIDE - 1, 0, rows - _SIDE - 2)
+    x = np.clip(places % right * _SIDE - 1, 0, cols - _SIDE - 2)
+    return [*zip(y.tolist(), x.tolist(), strict=True)], counts.tolist()

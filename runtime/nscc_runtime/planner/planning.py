@@ -1,0 +1,94 @@
+"""What plans need of a program on a scene: to be made, to be run, to be audited."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Protocol
+
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.light import Light
+from nscc_runtime.planner.audit import Audit, audit
+from nscc_runtime.planner.capture import prepared
+from nscc_runtime.planner.choose import plan_for, predicted_for
+from nscc_runtime.planner.frames import made_ready, planned_frames
+from nscc_runtime.planner.fused_loop import fused
+from nscc_runtime.planner.pixel_loop import run_pixels
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.program import Program
+
+
+class Planning(Protocol):
+    """A program on a scene. `seed` is that of the frames' noise, `count` how many of them."""
+
+    @property
+    def compiled(self) -> bool:
+        """Whether its loops are machine code already."""
+        ...
+
+    def ready(self) -> None:
+        """Analyse the program. Raises Rejected where it cannot run."""
+        ...
+
+    def plan(self, tolerance_e: float, effects: Selection) -> Plan:
+        """The cheapest plan within the tolerance."""
+        ...
+
+    def predicted(self, plan: Plan) -> Plan:
+        """What the decisions of a plan for another scene make of this one."""
+        ...
+
+    def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
+        """Frames 0 .. `count` - 1 under a plan."""
+        ...
+
+    def audit(self, plan: Plan, seed: int, count: int) -> Audit:
+        """A plan's frames against the reference's."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class PlanningBySums:
+    """Of a program whose shutters are fixed. `threads`, None for all processors, change no bit."""
+
+    container: Container
+    sensor: Sensor
+    light: Light
+    device_seed: int = 0
+    threads: int | None = None
+
+    @property
+    def compiled(self) -> bool:
+        """See `Planning`."""
+        return fused.is_compiled() and run_pixels.is_compiled()
+
+    def ready(self) -> None:
+        """See `Planning`."""
+        self._program  # noqa: B018  # made when it is asked for
+
+    @cached_property
+    def _program(self) -> Program:
+        return made_ready(self.container, self.sensor)
+
+    def plan(self, tolerance_e: float, effects: Selection) -> Plan:
+        """See `Planning`."""
+        return plan_for(self._program, self.light, tolerance_e, effects, self.device_seed)
+
+    def predicted(self, plan: Plan) -> Plan:
+        """See `Planning`."""
+        return predicted_for(self._program, self.light, plan, self.device_seed)
+
+    def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
+        """See `Planning`."""
+        return planned_frames(
+            self._program, self.light, plan, seed, self.device_seed, count, self.threads
+        )
+
+    def audit(self, plan: Plan, seed: int, count: int) -> Audit:
+        """See `Planning`."""
+        exposed = prepared(self._program, self.light, plan, device_seed=self.device_seed)
+        return audit(exposed, seed, count)

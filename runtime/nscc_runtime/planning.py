@@ -1,0 +1,23 @@
+"""What plans a program: sums over slots or, where its pixels look, their ways."""
+
+from __future__ import annotations
+
+from nscc.words.container import Container
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.light import Light
+from nscc_runtime.planner.planning import Planning, PlanningBySums
+
+
+def planning_of(
+    container: Container,
+    sensor: Sensor,
+    light: Light,
+    device_seed: int = 0,
+    threads: int | None = None,
+) -> Planning:
+    """What plans for this program on this scene are made, run and audited by."""
+    if container.machine is None:
+        return PlanningBySums(container, sensor, light, device_seed, threads)
+    from nscc_runtime.looking.planning import PlanningByWays
+
+    return PlanningByWays(container, sensor, light, device_seed, threads)

@@ -1,0 +1,29 @@
+"""What is analysed of a program once, and kept as long as the program is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from threading import Lock
+from typing import Generic, TypeVar
+from weakref import WeakKeyDictionary
+
+from nscc.words.container import Container
+from nscc_runtime.effects.sensor import Sensor
+
+T = TypeVar("T")
+
+
+class MadeReady(Generic[T]):
+    """`make(container, sensor)`, once for each."""
+
+    def __init__(self, make: Callable[[Container, Sensor], T]) -> None:
+        self._make = make
+        self._found: WeakKeyDictionary[Container, dict[Sensor, T]] = WeakKeyDictionary()
+        self._making = Lock()
+
+    def __call__(self, container: Container, sensor: Sensor) -> T:
+        with self._making:  # threads that share a program wait for one analysis of it
+            found = self._found.setdefault(container, {})
+            if sensor not in found:
+                found[sensor] = self._make(container, sensor)
+            return found[sensor]

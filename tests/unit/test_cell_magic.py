@@ -1,0 +1,59 @@
+"""`%%nsl` in a shell of IPython."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from IPython.core.interactiveshell import InteractiveShell
+from notebook_page import checked
+
+import nscc
+
+CELL = "nsl 1\nframe 8 slots of 1ms\ncode stop : 1..8\nopen when n < stop\n"
+
+
+@pytest.fixture
+def shell(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[InteractiveShell]:
+    monkeypatch.setenv("IPYTHONDIR", str(tmp_path))
+    InteractiveShell.clear_instance()
+    found = InteractiveShell.instance()
+    found.run_line_magic("load_ext", "nscc")
+    yield found
+    found.history_manager.end_session()  # type: ignore[union-attr]
+    InteractiveShell.clear_instance()
+
+
+def test_a_cell_is_shown_and_named(shell: InteractiveShell) -> None:
+    result = shell.run_cell(f"%%nsl stops -O 1 --target scamp7\n{CELL}", store_history=False)
+    program = result.result
+    assert isinstance(program, nscc.ShutterProgram)
+    assert program.target.name == "scamp7"
+    assert shell.user_ns["stops"] is program
+    assert program.name == "stops"
+    page = checked(program)
+    assert {"class", "words", "stop 1", "stop 8"} <= {*page.words}
+    assert shell.run_cell(f"%%nsl\n{CELL}").result.options.level == 2
+
+
+def test_messages_stand_alone(shell: InteractiveShell, capsys: pytest.CaptureFixture[str]) -> None:
+    result = shell.run_cell(f"%%nsl\n{CELL.replace('n < stop', 'n < stp')}")
+    assert isinstance(result.error_in_exec, nscc.Rejected)
+    said = "".join(capsys.readouterr())
+    assert "error[NS0214]" in said
+    assert "Traceback" not in said
+    assert "cell_magic.py" not in said
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [("-O 9", "invalid choice"), ("--colour red", "unrecognized"), ("7up", "no name"),
+     ("'a", "quotation")],
+)  # fmt: skip
+def test_a_wrong_line(
+    line: str, said: str, shell: InteractiveShell, capsys: pytest.CaptureFixture[str]
+) -> None:
+    result = shell.run_cell(f"%%nsl {line}\n{CELL}")
+    assert result.error_in_exec is not None
+    assert said in "".join(capsys.readouterr())

@@ -1,0 +1,193 @@
+"""`nscc design`: what is expected is what happens, and nothing better is expected of others."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import combinations_with_replacement, product
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.program.looking import level_steps
+from nscc.target.load import builtin_target
+from nscc_runtime import capture
+from nscc_runtime.effects import selected
+from nscc_runtime.light import Light
+from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
+from nscc_runtime.sensor import default_sensor
+from nscc_training.design import Frame, design_looks, design_tile
+from nscc_training.design.chip import Chip, Curve
+from nscc_training.design.looking import Model, Schedule
+from nscc_training.design.scene import histogram
+from nscc_training.design.text import level_text
+from nscc_training.design.tile import best_tile, stops_tried
+
+Values = NDArray[np.float64]
+TARGET = builtin_target("scamp5")
+SENSOR = default_sensor(TARGET)
+FULL_E = 30000.0
+STEP_E = FULL_E / 127
+
+
+def scene(size: int = 64, stops: float = 14.0, seed: int = 0) -> Values:
+    """Light over that many stops, up to 30 wells, electrons over the frame (size, size)."""
+    generator = np.random.default_rng(seed)
+    return np.asarray(30 * FULL_E * 2.0 ** -generator.uniform(0, stops, (size, size)))
+
+
+def mu_law(part: Values) -> Values:
+    return np.asarray(np.log1p(5000 * np.clip(part, 0, 1)) / np.log1p(5000))
+
+
+def exposed(light: Values, at: list[int], levels_e: list[float], slots: int, seed: int) -> Values:
+    """What a chip without errors but counts, comparators and converter tells: pixel by pixel."""
+    draw = np.random.default_rng(seed)
+    offset = draw.normal(0, 0.01 * FULL_E, light.shape)
+    told, open_ = np.zeros(light.shape), np.ones(light.shape, bool)
+    gathered = np.zeros(light.shape)
+    for n in range(1, slots + 1):
+        gathered += draw.poisson(light / slots)
+        held = np.minimum(gathered, FULL_E)
+        looks = n in at
+        noise = draw.normal(0, 0.02 * FULL_E, light.shape)
+        closes = open_ & (n == slots or (looks and held + offset + noise > levels_e[at.index(n)]))
+        code = np.clip(np.round(held / (FULL_E / 255) + draw.normal(0, 0.65, light.shape)), 0, 255)
+        told = np.where(closes, code * (FULL_E / 255) * slots / n, told)
+        open_ &= ~closes
+    return told
+
+
+@pytest.mark.parametrize("curve", ["mu", "linear"])
+def test_expected_is_what_happens(curve: Curve) -> None:
+    """On a chip that only counts, compares and converts, whatever the levels."""
+    light = scene(128, 11)
+    chip = Chip(TARGET, SENSOR, selected("full_well,shot,adc_noise"))
+    model = Model(chip, histogram([light]), [125.0] * 16)
+    schedule = Schedule((1, 3, 7), (40, 70, 55))
+    told = exposed(light, [1, 3, 7], [step * STEP_E for step in schedule.steps], 16, 5)
+    peak = np.percentile(light, 99.9)
+    on = mu_law if curve == "mu" else lambda part: np.clip(part, 0, 1)
+    measured = np.mean((on(told / peak) - on(light / peak)) ** 2)
+    assert model.expected(schedule).errors[curve] == pytest.approx(measured, rel=0.05)
+
+
+def test_no_other_single_look_is_expected_to_be_better() -> None:
+    chip = Chip.of(TARGET, SENSOR)
+    model = Model(chip, histogram([scene(stops=9)]), [125.0] * 12)
+    found = model.expected(model.best(1, "mu")).errors["mu"]
+    every = (
+        model.expected(Schedule((at,), (int(steps),))).errors["mu"]
+        for at, steps in product(range(1, 12), chip.levels)
+    )
+    assert found == pytest.approx(min(every), rel=1e-6)
+
+
+def test_more_looks_are_no_worse() -> None:
+    model = Model(Chip.of(TARGET, SENSOR), histogram([scene(stops=9)]), [125.0] * 64)
+    errors = [model.expected(model.best(looks, "log")).errors["log"] for looks in (1, 2, 4)]
+    assert errors == sorted(errors, reverse=True)
+    assert errors[-1] < errors[0] / 2
+
+
+def test_words_do_what_is_expected() -> None:
+    """The designed words on the emulator with every effect: half a decibel."""
+    target = replace(TARGET, rows=96, cols=96)
+    light = np.geomspace(100, 30 * FULL_E, 96 * 96).reshape(96, 96)
+    made = design_looks([light], 4, Frame(slots=64))
+    container = replace(made.compiled.container, target=target)  # type: ignore[type-var]
+    container = replace(container, pixel_codes=container.pixel_codes[:96, :96])
+    slot_s = np.full(64, 125e-6)
+    still = Light.of_still((light / slot_s.sum()).astype(np.float32), slot_s)
+    taken = capture(container, still, effects="all", seed=3)
+    told = merged_image(taken.told[LIGHT], taken.told[DEVIATION]) * slot_s.sum()
+    peak = np.percentile(light, 99.9)
+    measured = -10 * np.log10(np.mean((mu_law(told / peak) - mu_law(light / peak)) ** 2))
+    assert measured == pytest.approx(-10 * math.log10(made.expected.errors["mu"]), abs=0.5)
+
+
+def test_best_tile_is_the_best_of_all() -> None:
+    """Beside a loop over tiles, pixels and their neighbours; noise by a fine sum over it."""
+    chip = Chip(TARGET, SENSOR, selected("full_well,shot,adc_noise"))
+    light, slots = scene(8, 10, 2), 8
+    peak = np.percentile(light, 99.9)
+    grid = (np.arange(2000) + 0.5) / 2000 * 12 - 6
+    weight = np.exp(-(grid**2) / 2) / np.exp(-(grid**2) / 2).sum()
+
+    def error(x: float, stop: int) -> float:
+        e = x * stop / slots
+        sd = math.sqrt(e + (FULL_E / 255) ** 2 * (1 / 12 + 0.65**2))
+        seen = np.clip(e + sd * grid, 0, FULL_E) * slots / stop
+        gap = mu_law(seen / peak) - mu_law(np.array(x / peak))
+        return float((weight * gap**2).sum())
+
+    stops, risks = stops_tried(slots), {}
+    known = {(x, s): error(x, s) for x in light.ravel().tolist() for s in stops}
+    for tile in combinations_with_replacement(stops, 4):
+        laid, risk = tile[::-1], []
+        for r, c in product(range(0, 8, 2), range(0, 8, 2)):
+            here = light[r : r + 2, c : c + 2].ravel().tolist()
+            on = mu_law(np.array(here) / peak)
+            for p in range(4):
+                ways = [known[here[q], laid[q]] + (on[p] - on[q]) ** 2 for q in range(4)]
+                risk.append(min(ways))
+        risks[laid] = np.mean(risk)
+    found, tried = best_tile(chip, [light], slots, "mu")
+    assert tried == len(risks)
+    assert found.risk == pytest.approx(min(risks.values()), rel=1e-2)
+    assert risks[found.stops] == pytest.approx(found.risk, rel=1e-2)
+
+
+@pytest.mark.parametrize("step_e", ["auto", 100.0, 33.3])
+def test_levels_are_rounded_to_their_own_steps(step_e: float | str) -> None:
+    step = STEP_E if step_e == "auto" else float(step_e)
+    target = replace(TARGET, in_step_e=step)
+    for steps in Chip.of(target, default_sensor(target)).levels.tolist():
+        text = level_text(steps, target)
+        assert level_steps(float(text.rstrip("%")), "%", target) == steps
+
+
+def test_a_design_is_a_program_in_the_one_style(tmp_path: Path) -> None:
+    for options in (["--looks", "9"], ["--criterion", "sve-risk"]):
+        done = invoke(
+            ["design", "--scene", "builtin:hdr", "--exposure", "1000000", "-O", "0",
+             "-o", "p.nsl", *options], tmp_path,
+        )  # fmt: skip
+        assert done.status == 0, done.err
+        assert "wrote p.nsl" in done.out
+        assert "dB PSNR" in done.out
+        assert invoke(["fmt", "--check", "p.nsl"], tmp_path).status == 0
+        assert invoke(["check", "p.nsl", "--deny-warnings"], tmp_path).status == 0
+
+
+def test_the_same_design_for_the_same_scene() -> None:
+    texts = {design_looks([scene()], 3, Frame(slots=16, level=0)).text for _ in range(2)}
+    tiles = {design_tile([scene(8)], Frame(slots=16, level=0)).text for _ in range(2)}
+    assert len(texts) == len(tiles) == 1
+
+
+def test_several_scenes_count_the_same() -> None:
+    """A large scene does not outvote a small one."""
+    small, large = scene(16), scene(64, seed=1)
+    both = histogram([small, large])
+    of_small = both.peak_e == np.percentile(small, 99.9)
+    assert both.weight[of_small].sum() == pytest.approx(0.5)
+    assert both.weight[~of_small].sum() == pytest.approx(0.5)
+    mean = (both.light_e * both.weight)[of_small].sum() / 0.5
+    assert mean == pytest.approx(small.mean())
+
+
+def test_what_cannot_be_designed_for_says_so(tmp_path: Path) -> None:
+    with pytest.raises(Rejected) as found:
+        design_looks([np.zeros((4, 4))], 3)
+    assert found.value.diagnostics[0].code == "NS0824"
+    for options in ([], ["--looks", "3", "--criterion", "sve-risk"],
+                    ["--looks", "9", "--slots", "8"], ["--looks", "1"]):  # fmt: skip
+        done = invoke(["design", "--scene", "builtin:hdr", *options], tmp_path)
+        assert done.status == 2, options
+        assert "NS078" in done.err
+    assert not list(tmp_path.iterdir())

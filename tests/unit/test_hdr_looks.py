@@ -1,0 +1,83 @@
+"""Rows of pixels that look under hdr-v1: kept as they are done, printed under every condition."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import cv2
+import numpy as np
+import pytest
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc_training.evaluation import hdr_looks
+from nscc_training.evaluation.hdr_looks import (
+    DESIGNED,
+    EVERY_EFFECT,
+    LOOKING,
+    PROTOCOL,
+    comparators,
+    evaluate_looks,
+    every_row,
+    means_under,
+    rows_text,
+    saturated,
+)
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A panorama of smooth light over twelve stops."""
+    rng = np.random.default_rng(3)
+    logs = cv2.resize(rng.uniform(-4, 4, (9, 17)).astype(np.float32), (1024, 512))
+    made = tmp_path / "data"
+    made.mkdir()
+    cv2.imwrite(str(made / "p.hdr"), np.repeat(np.exp(logs)[..., None], 3, 2))
+    return made
+
+
+def test_rows_are_kept_and_not_done_again(
+    folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What an interruption leaves is taken up; results of other data are refused."""
+    real, _ = evaluate_looks_once(folder)
+    asked: list[str] = []
+
+    def told(name: str, *_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+        asked.append(name)
+        if len(asked) == 3:
+            raise KeyboardInterrupt
+        return {**real, "method": name}, {}
+
+    monkeypatch.setattr(hdr_looks, "evaluate_looks", told)
+    kept = tmp_path / "kept"
+    with pytest.raises(KeyboardInterrupt):
+        every_row(folder, kept)
+    assert {path.stem for path in kept.iterdir()} == set(LOOKING[:2])
+    found = every_row(folder, kept)
+    assert asked == [*LOOKING[:3], *LOOKING[2:]]
+    assert [each["method"] for each in found] == list(LOOKING)
+    lines = rows_text(found).splitlines()
+    assert len(lines) == 2 + len(LOOKING)
+    mu, linear = means_under(real, PROTOCOL)
+    assert f"| {mu:.1f} / {linear:.1f} |" in lines[-1]
+    (folder / "p.hdr").rename(folder / "q.hdr")
+    with pytest.raises(Rejected) as refused:
+        every_row(folder, kept)
+    assert refused.value.diagnostics[0].code == "NS0808"
+
+
+def evaluate_looks_once(folder: Path) -> tuple[dict[str, Any], dict[str, Any]]:
+    """A real result, of few looks: seconds."""
+    return evaluate_looks("looks-2", folder)
+
+
+@pytest.mark.slow
+def test_designs_are_no_worse_than_rows(folder: Path) -> None:
+    for exposures in DESIGNED.values():
+        row, _ = evaluate_looks(f"looks-{exposures}", folder)
+        made, _ = evaluate_looks(f"designed-{exposures}", folder)
+        for condition in (PROTOCOL, EVERY_EFFECT, saturated(0.1), saturated(0.5)):
+            assert means_under(made, condition)[0] > means_under(row, condition)[0] - 0.1
+        # Levels were chosen for comparators of 2 %; worse ones do not make it fall apart.
+        assert means_under(made, comparators(0.04))[0] > means_under(made, PROTOCOL)[0] - 5

@@ -1,0 +1,328 @@
+"""`nscc sweep` in this process: grids, keys, what is kept, what is written."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+from nscc_command import invoke
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.emit.report import report
+from nscc.pipeline import Options, run_passes
+from nscc.source import Source
+from nscc_training.sweep import compiling
+from nscc_training.sweep.grid import read_grid
+from nscc_training.sweep.keys import key_of
+from nscc_training.sweep.store import ROWS, Store
+
+STOPS = """
+[stops]
+rule = "code stop : 1..N\\nopen when n < stop"
+slots = [4, 8]
+codes = "open"
+level = 0
+"""
+GRID = f'kind = "compile"\n{STOPS}lowering = ["accumulate", "edges"]\n'
+BITS = '[bits]\nrule = "code bits : bit[N]\\nopen when bits[n]"\nslots = 16\ncodes = "open"\n'
+
+
+def written(folder: Path, text: str, name: str = "grid.toml") -> Path:
+    (folder / name).write_text(text)
+    return folder / name
+
+
+def swept(folder: Path, *more: str, status: int = 0) -> list[dict[str, str]]:
+    """The rows of the table."""
+    done = invoke(
+        ["sweep", "grid.toml", "--out", "out", "--workers", "0", "--message-format", "short",
+         *more], folder,
+    )  # fmt: skip
+    assert done.status == status, done.err
+    return list(csv.DictReader(io.StringIO((folder / "out/table.csv").read_text())))
+
+
+def kept(folder: Path) -> list[dict[str, Any]]:
+    return [json.loads(line) for line in (folder / "out" / ROWS).read_text().splitlines()]
+
+
+def test_every_combination_has_the_figures_of_its_report(tmp_path: Path) -> None:
+    written(tmp_path, GRID)
+    rows = swept(tmp_path)
+    wanted = [(slots, how) for slots in ("4", "8") for how in ("accumulate", "edges")]
+    assert [(row["slots"], row["lowering"]) for row in rows] == wanted
+    for row in rows:
+        text = f"nsl 1 frame {row['slots']} slots of 1ms code stop : 1..N open when n < stop"
+        options = Options(level=0, codes="open", lowering=row["lowering"])  # type: ignore[arg-type]
+        made = run_passes(Source("p.nsl", text), Path(), options)
+        assert made.choice is not None
+        assert made.proof is not None
+        told = report(made.choice, made.proof)
+        assert row["words_total"] == str(told["words_total"])
+        assert float(row["shortest_slot_us"]) == told["shortest_slot_us"]
+
+
+def test_what_does_not_fit_is_a_row(tmp_path: Path) -> None:
+    written(tmp_path, GRID + BITS)
+    rows = swept(tmp_path)
+    assert [row["code"] for row in rows] == ["", "", "", "", "NS0412"]
+    assert rows[-1]["words_total"] == ""
+    assert "16 bits" in rows[-1]["error"]
+    page = (tmp_path / "out/report.html").read_text()
+    assert "NS0412" in page
+    assert "data:image/png" in page
+
+
+def test_nothing_fits(tmp_path: Path) -> None:
+    written(tmp_path, f'kind = "compile"\n{BITS}[plot]\ny = ["words_total"]\n')
+    assert [row["code"] for row in swept(tmp_path)] == ["NS0412"]
+    assert not (tmp_path / "out/diagram.png").exists()
+
+
+def test_what_is_drawn_is_there(tmp_path: Path) -> None:
+    written(tmp_path, GRID + '[plot]\ny = ["word_total"]\n')
+    done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
+    assert (done.status, done.codes) == (2, ["NS0832"])
+    assert "did you mean `words_total`?" in done.err
+    assert len(kept(tmp_path)) == 4
+
+
+def test_panels_that_show_the_same_have_the_same_scales() -> None:
+    from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
+
+    wide = {"one": [(1, 2.0), (100, 300.0)], "two": [(5, 9.0)]}
+    panels = [
+        Lines("a", "slots", "words", wide),
+        Lines("b", "slots", "words", {"two": [(7, 7.0), (8, 8.0)]}),
+        Lines("c", "class", "psnr", {"one": [("b", 30.0), ("d", 31.0)]}),
+    ]
+    figure = sweep_diagram(panels, "t", "")
+    first, second, third = figure.axes
+    assert (first.get_xlim(), first.get_ylim()) == (second.get_xlim(), second.get_ylim())
+    assert second.get_xscale() == second.get_yscale() == "log"
+    assert [label.get_text() for label in third.get_xticklabels()] == ["b", "d"]
+    assert [list(line.get_xdata()) for line in third.lines] == [[0, 1]]
+    assert first.lines[1].get_color() == second.lines[0].get_color() != first.lines[0].get_color()
+    with pytest.raises(ValueError, match="no points"):
+        sweep_diagram([Lines("", "x", "y", {"one": []})], "t", "")
+
+
+def test_it_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ended in the middle, with a line cut short: nothing that is known is computed again."""
+    written(tmp_path, GRID)
+    whole = swept(tmp_path)
+    calls: list[Any] = []
+    compute = compiling.COMPILE.compute
+    monkeypatch.setattr(
+        "nscc_training.sweep.work.KINDS",
+        {"compile": replaced(lambda values, place: calls.append(values) or compute(values, place))},
+    )
+    rows = tmp_path / "out" / ROWS
+    lines = rows.read_text().splitlines(keepends=True)
+    rows.write_text("".join(lines[:2]) + "no row\n" + lines[2][:-5])
+    assert swept(tmp_path) == whole
+    assert len(calls) == 2
+    assert [json.loads(line) for line in rows.read_text().splitlines() if line != "no row"] == [
+        json.loads(line) for line in lines
+    ]
+    assert swept(tmp_path) == whole
+    assert len(calls) == 2
+
+
+def replaced(compute: Any) -> Any:
+    from dataclasses import replace
+
+    return replace(compiling.COMPILE, compute=compute)
+
+
+def test_a_grid_that_changed_gets_what_is_missing(tmp_path: Path) -> None:
+    written(tmp_path, GRID)
+    swept(tmp_path)
+    written(tmp_path, GRID.replace("[4, 8]", "[8, 9]"))
+    rows = swept(tmp_path)
+    assert [row["slots"] for row in rows] == ["8", "8", "9", "9"]
+    assert len(kept(tmp_path)) == 6  # those of 4 slots too
+
+
+def test_a_point_that_fails_twice_is_a_row(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    tries: list[int] = []
+
+    def fails(values: Any, place: Any) -> Any:
+        tries.append(values["slots"])
+        if values["slots"] == 8 or len(tries) == 1:  # 4 slots fail once
+            raise OSError(f"no disk for {values['slots']} slots")
+        return {"words_total": 7}
+
+    with monkeypatch.context() as patch:
+        patch.setattr("nscc_training.sweep.work.KINDS", {"compile": replaced(fails)})
+        written(tmp_path, f'kind = "compile"\n{STOPS}')
+        rows = swept(tmp_path, status=1)
+    assert tries == [4, 4, 8, 8]
+    assert [row["code"] for row in rows] == ["", "NS0833"]
+    assert rows[1]["error"] == "OSError: no disk for 8 slots"
+    assert [row["code"] for row in swept(tmp_path, status=1)] == ["", "NS0833"]
+    assert [row["code"] for row in swept(tmp_path, "--again")] == ["", ""]
+
+
+def test_a_key_is_that_of_what_decides(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    written(tmp_path, "nsl 1 frame 2 slots of 1ms open when true", "a.nsl")
+    path = written(tmp_path, 'kind = "compile"\n[one]\nprogram = "a.nsl"\ntarget = "c.toml"\n')
+    chip = invoke(["targets", "scamp5", "--toml"], tmp_path).out
+    written(tmp_path, chip, "c.toml")
+
+    def key(threads: int = 1) -> str:
+        return key_of(read_grid(path).points[0], threads)
+
+    first = key()
+    assert key(threads=2) == first  # words do not depend on threads
+    written(tmp_path, chip.replace("launch_us = 1.0", "launch_us = 2.0"), "c.toml")
+    other_chip = key()
+    written(tmp_path, "nsl 1 frame 3 slots of 1ms open when true", "a.nsl")
+    other_text = key()
+    monkeypatch.setattr("nscc_training.sweep.keys.versions", lambda *_: ("another",))
+    assert len({first, other_chip, other_text, key()}) == 4
+
+
+def test_values_of_chip_and_sensor_are_axes(tmp_path: Path) -> None:
+    written(
+        tmp_path,
+        """
+[walk]
+kind = "emulate"
+rule = "code stop : 1..N\\nopen when n < stop\\npixels stop = tile [[4, 2], [1, 3]]"
+slots = 4
+level = 0
+target = "scamp5"
+chip.full_well_e = [20000, 30000]
+scene = "builtin:flat:1000"
+effects = "none"
+sensor.read_noise_e = [1, 2.5]
+""",
+    )
+    rows = swept(tmp_path)
+    assert [(row["chip.full_well_e"], row["sensor.read_noise_e"]) for row in rows] == [
+        ("20000.0", "1.0"), ("20000.0", "2.5"), ("30000.0", "1.0"), ("30000.0", "2.5")
+    ]  # fmt: skip
+    assert {float(row["mean_e"]) for row in rows} == {625.0}  # 10 of 16 slots
+
+
+@pytest.mark.slow
+def test_what_a_bench_takes_changes_it(tmp_path: Path) -> None:
+    """The table of `nscc tradeoff sensor` at its own values, other numbers at others."""
+    pytest.importorskip("torch")
+    written(
+        tmp_path,
+        """
+[clips]
+kind = "emulate"
+bench = "clips"
+class = "d"
+slots = 4
+frames = 4
+tile = [[8, 8], [2, 2]]
+sensor.read_noise_e = [1, 500]
+lowering = "edges"
+target = "scamp5"
+level = 0
+effects = "read"
+""",
+    )
+    same, noisy, tiled, _ = (float(row["psnr_db"]) for row in swept(tmp_path))
+    done = invoke(
+        ["tradeoff", "sensor", "--classes", "d", "--slots", "4", "--stop-slots", "2", "--looks",
+         "none", "--codes", "fixed", "--lowerings", "edges", "-O", "0", "--effects", "none",
+         "--csv", "sensor.csv"], tmp_path,
+    )  # fmt: skip
+    assert done.status == 0, done.err
+    with open(tmp_path / "sensor.csv", newline="") as file:
+        [clip, _] = csv.DictReader(file)
+    assert same == pytest.approx(float(clip["error"]), abs=0.1)  # an electron of noise
+    assert noisy < same - 0.5
+    assert abs(tiled - same) > 0.05
+
+
+@pytest.mark.parametrize(
+    ("text", "code", "said"),
+    [
+        ("x = 1", "NS0831", "a grid has no key 'x'"),
+        ("[p]\nslots = 4", "NS0832", "the kind of [p] is missing"),
+        ('kind = "compiler"\n[p]', "NS0832", "the kind of [p] is not 'compiler'"),
+        ('kind = "compile"', "NS0832", "here is none"),
+        (GRID + "slot = 1", "NS0831", "did you mean `slots`?"),
+        ("level = 1\n" + GRID, "NS0831", "`level` belongs under [stops]"),
+        (GRID + "max_words = []", "NS0832", "an empty list leaves no point"),
+        (GRID + "max_words = [9, 9]", "NS0832", "a value of a list stands there once"),
+        (GRID + "seed = [0, -1]", "NS0832", "stops.seed must be a whole number"),
+        (GRID + "seed = [0, -1]", "NS0832", "-1 is not allowed"),
+        (GRID + 'class = ["b", "d"]', "NS0832", "and here is rule and class"),
+        (GRID + "chip.launch_us = 2", "NS0832", "changes a chip, and none is named"),
+        (GRID.replace("[stops]", "['a/b']"), "NS0832", "cannot be called 'a/b'"),
+        (GRID + "seed = [" + "1,\n" * 40000 + "]", "NS0830", "larger than 64 KiB"),
+        (GRID + '[scores]\nkind = "evaluate"\nrun = "stops"\ndata = "."', "NS0832",
+         "no part [stops] of kind train"),
+        ("kind = ", "NS0830", "is not a TOML table"),
+    ],
+)  # fmt: skip
+def test_a_wrong_grid(tmp_path: Path, text: str, code: str, said: str) -> None:
+    written(tmp_path, text)
+    done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
+    assert done.status == 2
+    assert code in done.codes
+    assert said in done.err
+    assert not (tmp_path / "out").exists()
+
+
+def test_points_have_the_names_that_are_asked_for(tmp_path: Path) -> None:
+    text = GRID + "[two]\n" + GRID.partition("[stops]\n")[2] + 'name = "s{slots}-{lowering}"\n'
+    names = [point.name for point in read_grid(written(tmp_path, text)).points]
+    assert names[:2] == ["stops_4_accumulate", "stops_4_edges"]
+    assert names[4:] == ["s4-accumulate", "s4-edges", "s8-accumulate", "s8-edges"]
+    with pytest.raises(Rejected, match="did you mean `slots`"):
+        read_grid(written(tmp_path, GRID + 'name = "x{slot}"'))
+
+
+def test_the_page_shows_the_example(root: Path) -> None:
+    example = (root / "examples/sweep.toml").read_text().partition("\n")[2]
+    assert f"```toml\n{example}```" in (root / "docs/sweep.md").read_text()
+
+
+def test_too_many_points(tmp_path: Path) -> None:
+    keys = "".join(f"{key} = {[*range(1, 61)]}\n" for key in ("seed", "slot_us", "length"))
+    text = GRID + keys
+    with pytest.raises(Rejected, match="100000 are the most"):
+        read_grid(written(tmp_path, text))
+
+
+def test_one_sweep_at_a_time(tmp_path: Path) -> None:
+    written(tmp_path, GRID)
+    with Store(tmp_path / "out"):
+        done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
+    assert (done.status, done.codes) == (2, ["NS0834"])
+
+
+@pytest.mark.parametrize("kind", ["compile", "limits", "emulate", "train", "evaluate", "design"])
+def test_a_complete_part_can_be_read(tmp_path: Path, kind: str) -> None:
+    text = invoke(["sweep", "--schema", kind], tmp_path).out
+    assert f"[{kind}]" in text
+    with pytest.raises(Rejected) as wrong:  # it names nothing to compute yet
+        read_grid(written(tmp_path, text))
+    assert {each.code for each in wrong.value.diagnostics} == {"NS0832"}
+
+
+def test_dry_run_and_parquet(tmp_path: Path) -> None:
+    parquet = pytest.importorskip("pyarrow.parquet")
+    written(tmp_path, GRID + BITS)
+    said = invoke(["sweep", "grid.toml", "--out", "out", "--dry-run"], tmp_path)
+    assert said.out == "5 points: 0 known, 5 to compute\n"
+    assert not (tmp_path / "out").exists()
+    rows = swept(tmp_path, "--parquet")
+    table = parquet.read_table(tmp_path / "out/table.parquet").to_pydict()
+    assert table["slots"] == [int(row["slots"]) for row in rows]
+    assert table["words_total"][-1] is None
+    again = invoke(["sweep", "grid.toml", "--out", "out", "--dry-run"], tmp_path)
+    assert again.out == "5 points: 5 known, 0 to compute\n"

@@ -1,0 +1,33 @@
+"""`nscc design`: programs made for scenes, from their statistics and a sensor's figures.
+
+from nscc_training.design import Frame, design_looks
+
+made = design_looks([light_e], 5, Frame(slots=256, slot_us=125))
+print(made.text)
+"""
+
+from __future__ import annotations
+
+from nscc_training.design.make import (
+    CRITERIA,
+    SVE_RISK,
+    Criterion,
+    Design,
+    Frame,
+    LookingDesign,
+    TileDesign,
+    design_looks,
+    design_tile,
+)
+
+__all__ = [
+    "CRITERIA",
+    "SVE_RISK",
+    "Criterion",
+    "Design",
+    "Frame",
+    "LookingDesign",
+    "TileDesign",
+    "design_looks",
+    "design_tile",
+]

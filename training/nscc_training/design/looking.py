@@ -1,0 +1,210 @@
+"""Where to look and at which level: the schedule of least expected error, found by search.
+
+A pixel closes at the first look at which it is above that look's level. Of a steady light x, the
+model follows the part S of pixels that are still open, for each of a few comparator offsets o:
+look k closes the part p = P(x t + o + noise > level) of them, which then tell x by an exposure of
+t.
+The expected error is the mean over the scene's light of sum over k of S p e(x, t).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import ndtr
+
+from nscc_training.design.chip import CURVES, Chip, Curve, hermite
+from nscc_training.design.scene import Histogram
+
+Values = NDArray[np.float64]
+
+_OFFSETS = 5
+_MOST_TRIED = 12
+"""So many moments are tried for one look in a round; between them, the next round tries."""
+_ROUNDS = 12
+_WEIGHINGS = 2
+_MOST_KEPT = 128
+"""Tables of moments, a third of a megabyte each."""
+
+
+@dataclass(frozen=True)
+class Schedule:
+    """Looks at boundaries `at`, from early to late, each with its level in steps of IN."""
+
+    at: tuple[int, ...]
+    steps: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Expected:
+    """What a schedule is expected to do: the mean square error on each curve, and which part of the
+    pixels closes at each look, the frame's end last."""
+
+    errors: dict[Curve, float]
+    closing: tuple[float, ...]
+
+
+class Model:
+    """The expected error of schedules on a chip, in a frame of slots with these lengths."""
+
+    def __init__(self, chip: Chip, scene: Histogram, slot_us: Sequence[float]) -> None:
+        self.chip, self.scene, self._slot_us = chip, scene, slot_us
+        ends = np.cumsum([0.0, *slot_us])
+        self.share = ends / ends[-1]
+        self.slots = len(slot_us)
+        places, weights = hermite(_OFFSETS)
+        self._offset_e = places * chip.offset_e
+        self._start = scene.weight[:, None] * weights
+        self._told: dict[Curve, Values] = {}
+        self._closed: dict[int, NDArray[np.float32]] = {}
+
+    def told(self, curve: Curve) -> Values:
+        """The error (groups, slots + 1) of exposures up to each boundary; of none, infinite."""
+        if curve not in self._told:
+            light, peak = self.scene.light_e, self.scene.peak_e
+            found = np.full((len(light), self.slots + 1), np.inf)
+            found[:, 1:] = self.chip.errors(light, peak, self.share[1:], curve)
+            self._told[curve] = found
+        return self._told[curve]
+
+    def closed(self, at: int) -> NDArray[np.float32]:
+        """The part of pixels (levels, groups, offsets) that a look there finds above each level."""
+        if at not in self._closed:
+            if len(self._closed) == _MOST_KEPT:
+                self._closed.clear()
+            exposed = np.minimum(self.scene.light_e * self.share[at], self.chip.sensor.full_well_e)
+            level = self.chip.levels * self.chip.target.electrons_per_step
+            above = exposed[:, None] + self._offset_e - level[:, None, None]
+            part = ndtr(above / self.chip.compared_sd_e(exposed)[:, None])
+            self._closed[at] = part.astype(np.float32)
+        return self._closed[at]
+
+    def expected(self, schedule: Schedule) -> Expected:
+        """What a schedule does."""
+        open_, closing = self._start, []
+        errors = dict.fromkeys(CURVES, 0.0)
+        ways = [*zip(schedule.at, self._rows(schedule), strict=True), (self.slots, None)]
+        for at, row in ways:
+            part = open_ if row is None else open_ * self.closed(at)[row]
+            closing.append(float(part.sum()))
+            for curve in CURVES:
+                errors[curve] += float(part.sum(axis=1) @ self.told(curve)[:, at])
+            open_ = open_ - part
+        return Expected(errors, tuple(closing))
+
+    def best(self, looks: int, curve: Curve) -> Schedule:
+        """The schedule of so many looks with the least error on a curve that was found.
+
+        From several geometric starts, one look after the other is moved and given the level that
+        is best while the others stay as they are, until no move is better. The best of the starts
+        is kept; the same input gives the same schedule. Of several scenes the decibels count, so
+        that a hard one does not outweigh the others: each is weighed by what it was before.
+        """
+        worth, schedule = min(
+            (self._descended(start, curve) for start in self._starts(looks)),
+            key=lambda each: each[0],
+        )
+        scenes = int(self.scene.scene.max()) + 1
+        if scenes == 1 or curve == "log":
+            return schedule
+        for _ in range(_WEIGHINGS):
+            by = 1 / np.maximum(self._by_scene(schedule, curve), 1e-12 * worth)
+            weighed = Model(self.chip, self.scene.weighed(by), self._slot_us)
+            weighed._told, weighed._closed = self._told, self._closed
+            _, schedule = weighed._descended(schedule, curve)
+        return schedule
+
+    def _descended(self, schedule: Schedule, curve: Curve) -> tuple[float, Schedule]:
+        """The error and the schedule where rounds end."""
+        worth = np.inf
+        for _ in range(_ROUNDS):
+            schedule, now = self._round(schedule, curve)
+            if now >= worth * (1 - 1e-4):
+                break
+            worth = now
+        return worth, schedule
+
+    def _by_scene(self, schedule: Schedule, curve: Curve) -> Values:
+        """The mean square error of every scene (scenes,)."""
+        rows = self._rows(schedule)
+        after = self._after(list(schedule.at), rows, -1, curve)
+        part = (self._start * after).sum(axis=1)
+        return np.bincount(self.scene.scene, part) / np.bincount(
+            self.scene.scene, self.scene.weight
+        )
+
+    def _rows(self, schedule: Schedule) -> list[int]:
+        """The places of a schedule's levels among those of the chip."""
+        return [int(np.abs(self.chip.levels - steps).argmin()) for steps in schedule.steps]
+
+    def _starts(self, looks: int) -> list[Schedule]:
+        """Geometric moments from several first ones, looking at half of what the next may hold."""
+        found: dict[tuple[int, ...], Schedule] = {}
+        first = 1
+        while first == 1 or first * 4 <= self.slots:
+            ratio = (self.slots / first) ** (1 / looks)
+            at = _spread(first * ratio ** np.arange(looks), self.slots)
+            full = self.chip.full_e / self.chip.target.electrons_per_step
+            level = int(np.clip(round(0.9 * full / max(ratio, 2.0)), 1, self.chip.levels[-1]))
+            found.setdefault(at, Schedule(at, (level,) * looks))
+            first *= 4
+        return list(found.values())
+
+    def _round(self, schedule: Schedule, curve: Curve) -> tuple[Schedule, float]:
+        """Each look in turn, the last one first, and the error then."""
+        at, rows = list(schedule.at), self._rows(schedule)
+        worth = np.inf
+        for k in reversed(range(len(at))):
+            open_ = self._start
+            for before in range(k):
+                open_ = open_ * (1 - self.closed(at[before])[rows[before]])
+            after = self._after(at, rows, k, curve)
+            rest = float((open_ * after).sum())
+            earlier = self._so_far(at, rows, k, curve)
+            best = (np.inf, at[k], rows[k])
+            for moment in self._moments(at, k):
+                gained = open_ * (self.told(curve)[:, moment, None] - after)
+                costs = self.closed(moment).reshape(len(self.chip.levels), -1) @ gained.reshape(-1)
+                row = int(costs.argmin())
+                best = min(best, (rest + float(costs[row]), moment, row))
+            worth, at[k], rows[k] = best[0] + earlier, best[1], best[2]
+        steps = tuple(int(self.chip.levels[row]) for row in rows)
+        return Schedule(tuple(at), steps), worth
+
+    def _so_far(self, at: list[int], rows: list[int], k: int, curve: Curve) -> float:
+        """The error of the pixels that close before look k."""
+        open_, found = self._start, 0.0
+        for number in range(k):
+            part = open_ * self.closed(at[number])[rows[number]]
+            found += float(part.sum(axis=1) @ self.told(curve)[:, at[number]])
+            open_ = open_ - part
+        return found
+
+    def _after(self, at: list[int], rows: list[int], k: int, curve: Curve) -> Values:
+        """The error (groups, offsets) of a pixel that is open after look k."""
+        told = self.told(curve)
+        found = np.repeat(told[:, -1:], _OFFSETS, axis=1)
+        for number in range(len(at) - 1, k, -1):
+            closed = self.closed(at[number])[rows[number]]
+            found = closed * told[:, at[number], None] + (1 - closed) * found
+        return found
+
+    def _moments(self, at: list[int], k: int) -> list[int]:
+        """Moments to try for look k between its neighbours, its own among them."""
+        low = at[k - 1] + 1 if k else 1
+        high = at[k + 1] - 1 if k + 1 < len(at) else self.slots - 1
+        if high - low < _MOST_TRIED:
+            return list(range(low, high + 1))
+        tried = np.geomspace(low, high, _MOST_TRIED - 3).round().astype(int).tolist()
+        return sorted({*tried, *(m for m in range(at[k] - 1, at[k] + 2) if low <= m <= high)})
+
+
+def _spread(moments: Values, slots: int) -> tuple[int, ...]:
+    """Whole moments in 1 .. slots - 1, no two the same."""
+    count, found = len(moments), [0]
+    for k, moment in enumerate(moments.round().astype(int).tolist()):
+        found.append(min(max(moment, found[-1] + 1), slots - count + k))
+    return tuple(found[1:])

@@ -1,0 +1,153 @@
+"""Programs made for scenes: designed, compiled, proved."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.compiler import compile_source
+from nscc.pipeline import Compiled, Options
+from nscc.source import Source
+from nscc.target.load import load_target
+from nscc_runtime.sensor import Sensor, default_sensor
+from nscc_training.design.chip import CURVES, Chip, Curve
+from nscc_training.design.looking import Expected, Model, Schedule
+from nscc_training.design.scene import histogram
+from nscc_training.design.text import level_text, looking_text, tile_text
+from nscc_training.design.tile import Tile, best_tile
+from nscc_training.metrics import psnr_of_mse
+
+Criterion = Literal["mu", "linear", "log", "sve-risk"]
+CRITERIA: tuple[Criterion, ...] = get_args(Criterion)
+SVE_RISK: Criterion = "sve-risk"
+Scenes = Sequence[NDArray[np.floating]]
+
+
+@dataclass(frozen=True)
+class Frame:
+    """What is designed for: `slots` equal slots of `slot_us` on a target, a name or a file, with
+    its sensor (None: the default one). `level` is the compiler's."""
+
+    slots: int = 256
+    slot_us: float = 125.0
+    target: str = "scamp5"
+    sensor: Sensor | None = None
+    level: int = 2
+
+    def chip(self) -> Chip:
+        """The target with its sensor; Rejected for a target that is none."""
+        target = load_target(self.target, Path())
+        return Chip.of(target, self.sensor or default_sensor(target))
+
+    def compiled(self, name: str, text: str) -> Compiled:
+        """The program, compiled and proved."""
+        file = self.target if self._from_file else None
+        return compile_source(Source(name, text), Path(), Options(level=self.level, target=file))
+
+    @property
+    def named(self) -> str | None:
+        """The target as a program names it: a file's path is relative to where the user works, not
+        to the program, and is an option of the compiler then."""
+        return None if self._from_file else self.target
+
+    @property
+    def _from_file(self) -> bool:
+        return self.target.endswith(".toml")
+
+
+@dataclass(frozen=True, eq=False)
+class Design:
+    """A program for scenes: its `text`, what the compiler made of it, and lines that say what was
+    chosen and what is expected of it."""
+
+    text: str
+    compiled: Compiled
+    lines: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True, eq=False)
+class LookingDesign(Design):
+    """One whose pixels look."""
+
+    schedule: Schedule
+    expected: Expected
+
+
+@dataclass(frozen=True, eq=False)
+class TileDesign(Design):
+    """One of fixed stops."""
+
+    tile: Tile
+
+
+def design_looks(
+    scenes: Scenes, exposures: int, frame: Frame | None = None, curve: Curve = "mu"
+) -> LookingDesign:
+    """The program of so many exposures a pixel, the frame's end being the last of them, that is
+    expected to tell the scenes' light best on a curve, without a decoder.
+
+    `scenes` are (rows, cols), electrons over the frame that an always open pixel gathers; each
+    counts the same. Raises Rejected: NS0824 for a scene without light, and as the compiler.
+    """
+    frame = frame or Frame()
+    chip = frame.chip()
+    slot_us = [frame.slot_us] * frame.slots
+    model = Model(chip, histogram(scenes), slot_us)
+    schedule = model.best(exposures - 1, curve)
+    expected = model.expected(schedule)
+    levels = [level_text(steps, chip.target) for steps in schedule.steps]
+    remark = (
+        f"A pixel closes at the first of {len(schedule.at)} looks that finds it above the level "
+        f"there. Looks and\nlevels are those of the least error expected ({_CALLED[curve]})."
+    )
+    text = looking_text(schedule, frame.slots, frame.slot_us, chip.target, frame.named, remark)
+    shares = ", ".join(f"{100 * part:.0f}%" for part in expected.closing)
+    lines = (
+        ("looks", f"after slots {', '.join(map(str, schedule.at))} of {frame.slots}"),
+        ("above", ", ".join(levels)),
+        ("close", f"{shares} of the pixels, the last at the end"),
+        ("expected", expected_text(expected.errors)),
+    )
+    name = f"looks-{exposures}.nsl"
+    return LookingDesign(text, frame.compiled(name, text), lines, schedule, expected)
+
+
+def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu") -> TileDesign:
+    """The program of the 2 x 2 tile of stops with the least risk (`nscc_training.design.tile`) on a
+    curve. `scenes` and what is raised as for `design_looks`."""
+    frame = frame or Frame()
+    chip = frame.chip()
+    tile, tried = best_tile(chip, scenes, frame.slots, curve)
+    remark = (
+        f"The 2 x 2 tile of stops with the least risk ({_CALLED[curve]}) of {tried}: what the best "
+        "pixel of a\ntile leaves open."
+    )
+    text = tile_text(tile, frame.slots, frame.slot_us, frame.named, remark)
+    lines = (
+        ("stops", f"{', '.join(map(str, tile.stops))} of {frame.slots} slots"),
+        ("tried", f"{tried} tiles of half stops"),
+        ("risk", expected_text({curve: tile.risk}) + ", by an ideal decoder"),
+    )
+    return TileDesign(text, frame.compiled("sve-risk.nsl", text), lines, tile)
+
+
+_CALLED: dict[Curve, str] = {"mu": "mu-law", "linear": "linear", "log": "logarithm"}
+
+
+def expected_text(errors: dict[Curve, float]) -> str:
+    """Mean square errors as people read them."""
+    parts = []
+    for curve in CURVES:
+        if curve not in errors:
+            continue
+        if curve == "log":
+            parts.append(f"{100 * math.sqrt(errors[curve]):.2g} % rms of the light")
+        else:
+            parts.append(f"{psnr_of_mse(errors[curve], 1.0):.1f} dB PSNR {_CALLED[curve]}")
+    return ", ".join(parts)

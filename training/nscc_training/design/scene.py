@@ -1,0 +1,73 @@
+"""What of scenes a design hangs on: how much light there is, and how often."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.rejection import rejected
+from nscc_training.design.chip import PERCENTILE
+
+Values = NDArray[np.float64]
+
+_GROUPS = 256
+"""Of all scenes together: a tenth of a stop each, over 25 stops."""
+_FEWEST = 24
+
+
+@dataclass(frozen=True, eq=False)
+class Histogram:
+    """The pixels of scenes in groups of nearly equal light; arrays are (groups,).
+
+    `light_e` are the electrons over the frame of an always open pixel, `peak_e` those of the bright
+    end of the group's scene, `weight` the group's part of all pixels: every scene counts the same.
+    `scene` is the number of the group's scene.
+    """
+
+    light_e: Values
+    peak_e: Values
+    weight: Values
+    scene: NDArray[np.int64]
+
+    def weighed(self, by: Values) -> Histogram:
+        """The same, its scenes weighed by these numbers (scenes,)."""
+        weight = self.weight * by[self.scene]
+        return replace(self, weight=weight / weight.sum())
+
+
+def histogram(scenes: Sequence[NDArray[np.floating]]) -> Histogram:
+    """Of scenes (rows, cols), electrons over the frame. Rejected (NS0824) for one without light."""
+    count = max(_FEWEST, _GROUPS // max(1, len(scenes)))
+    parts = []
+    for number, scene in enumerate(scenes):
+        light = np.asarray(scene, np.float64).reshape(-1)
+        peak = peak_of(light, number)
+        # Below a billionth of the peak no shutter tells anything.
+        logs = np.log(np.maximum(light, 1e-9 * peak))
+        low, high = float(logs.min()), float(logs.max())
+        place = np.minimum(
+            ((logs - low) / max(high - low, 1e-12) * count).astype(np.intp), count - 1
+        )
+        held = np.bincount(place, minlength=count)
+        there = held > 0
+        mean = np.bincount(place, light, count)[there] / held[there]
+        part = held[there] / (len(light) * len(scenes))
+        parts.append((mean, np.full(len(mean), peak), part, np.full(len(mean), number)))
+    return Histogram(*(np.concatenate(each) for each in zip(*parts, strict=True)))
+
+
+def peak_of(light: Values, number: int = 0) -> float:
+    """The light that counts as white. Rejected (NS0824) for a scene that has none."""
+    found = float(np.percentile(light, PERCENTILE))
+    if found <= 0:
+        found = float(light.max())
+    if found <= 0:
+        raise rejected(
+            "NS0824",
+            f"scene {number + 1} has no light: there is nothing to design shutters for",
+            helps=("name a scene with light; --exposure says how much of it a frame gets",),
+        )
+    return found

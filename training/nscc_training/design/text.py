@@ -1,0 +1,71 @@
+"""Designs as programs that a person can read."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import count
+
+from nscc.program.looking import level_steps
+from nscc.source import Source
+from nscc.syntax.format import format_source
+from nscc.target.target import Target
+from nscc_training.design.looking import Schedule
+from nscc_training.design.tile import Tile
+
+
+def looking_text(
+    schedule: Schedule, slots: int, slot_us: float, target: Target, chip: str | None, remark: str
+) -> str:
+    """The program whose pixels close at the first look that finds them above its level; `chip` is
+    the target's name, None where the compiler's options say it."""
+    levels = [level_text(steps, target) for steps in schedule.steps]
+    level = levels[0] if len(set(levels)) == 1 else f"[{', '.join(levels)}]"
+    at = ", ".join(map(str, schedule.at))
+    return _formatted([
+        *_head("nsl 2", remark, chip, slots, slot_us),
+        f"sense bright when light > {level} at n in [{at}]",
+        "",
+        f"state closed_at : 0..{len(schedule.at)} = 0".ljust(36) + "# 0: open to the end",
+        "next closed_at = looks when bright and closed_at == 0",
+        "",
+        "open when closed_at == 0",
+        "read closed_at",
+    ])  # fmt: skip
+
+
+def tile_text(tile: Tile, slots: int, slot_us: float, chip: str | None, remark: str) -> str:
+    """The program of a fixed tile of stops."""
+    a, b, c, d = tile.stops
+    return _formatted([
+        *_head("nsl 1", remark, chip, slots, slot_us),
+        "code stop : 1..N",
+        "open when n < stop",
+        "",
+        f"pixels stop = tile [[{a}, {b}],",
+        f"                    [{c}, {d}]]",
+    ])  # fmt: skip
+
+
+def level_text(steps: int, target: Target) -> str:
+    """A level of so many steps of IN in percent of a full well, with the fewest decimals that the
+    compiler rounds to it."""
+    percent = 100 * steps * target.electrons_per_step / target.full_well_e
+    found = (f"{percent:.{digits}f}" for digits in count())
+    return next(f"{text}%" for text in found if level_steps(float(text), "%", target) == steps)
+
+
+def _formatted(lines: Sequence[str]) -> str:
+    """The program in the one style, as `nscc fmt` writes it."""
+    return format_source(Source("design.nsl", "\n".join(lines) + "\n"))
+
+
+def frame_text(slots: int, slot_us: float) -> str:
+    """The statement of a frame of equal slots."""
+    return f"frame {slots} slots of {f'{slot_us:.6f}'.rstrip('0').rstrip('.')}us"
+
+
+def _head(
+    language: str, remark: str, chip: str | None, slots: int, slot_us: float
+) -> Sequence[str]:
+    lines = [*(f"# {line}" for line in remark.splitlines()), language, ""]
+    return [*lines, *([f"target {chip}"] if chip else []), frame_text(slots, slot_us), ""]

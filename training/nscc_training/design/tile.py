@@ -1,0 +1,85 @@
+"""The best fixed 2 x 2 tile of stops for a scene: by enumeration of what no decoder can undo.
+
+The criterion is that of spatially varying exposures (Qu, Chi and Chan, "Spatially Varying Exposure
+with 2-by-2 Multiplexing: Optimality and Universality", 2023, SVE-Risk): not the noise of a mean
+pixel, but where in the scene the saturated and the dark pixels lie. An ideal decoder takes for each
+pixel the best that its tile can tell, and knows which that is; what is still wrong then is the
+risk. It counts the pixel's own noise and clipping, and how far a neighbour's light is another.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import combinations_with_replacement
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training.design.chip import Chip, Curve, on_curve
+from nscc_training.design.scene import peak_of
+
+Values = NDArray[np.float64]
+
+_PLACES = 4
+_MOST_TILES = 2048
+"""Tiles of a scene that count, evenly spread over it."""
+
+
+@dataclass(frozen=True)
+class Tile:
+    """Four stops, row by row from the top left, and their risk: a mean square error on a curve."""
+
+    stops: tuple[int, int, int, int]
+    risk: float
+
+
+def stops_tried(slots: int) -> list[int]:
+    """Half stops from one slot to all of them."""
+    count = int(2 * np.log2(slots)) + 1
+    return sorted({slots, *(round(2 ** (k / 2)) for k in range(count))})
+
+
+def best_tile(
+    chip: Chip, scenes: Sequence[NDArray[np.floating]], slots: int, curve: Curve
+) -> tuple[Tile, int]:
+    """The tile of least mean risk over the scenes, electrons over the frame (rows, cols); and how
+    many were tried. Rejected (NS0824) for a scene without light."""
+    stops = stops_tried(slots)
+    tiles = list(combinations_with_replacement(range(len(stops)), _PLACES))
+    risks = np.zeros(len(tiles))
+    for number, scene in enumerate(scenes):
+        told, apart = _tables(chip, np.asarray(scene, np.float64), number, stops, slots, curve)
+        for k, tile in enumerate(tiles):
+            # The pixel p of each tile, told by the pixel q: what q's stop tells of q's own light,
+            # and how far that is from the light at p.
+            by = np.stack([told[:, q, stop] for q, stop in enumerate(_laid(tile))], axis=1)
+            risks[k] += (by[:, None, :] + apart).min(axis=2).mean() / len(scenes)
+    best = int(risks.argmin())
+    a, b, c, d = (stops[k] for k in _laid(tiles[best]))
+    return Tile((a, b, c, d), float(risks[best])), len(tiles)
+
+
+def _laid(tile: tuple[int, ...]) -> tuple[int, ...]:
+    """From long to short, row by row."""
+    return tuple(reversed(tile))
+
+
+def _tables(
+    chip: Chip, scene: Values, number: int, stops: Sequence[int], slots: int, curve: Curve
+) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """By tile of the scene: the error of each place's own light by stop (tiles, places, stops), and
+    the square distance between the light of two places (tiles, places, places)."""
+    peak = peak_of(scene.reshape(-1), number)
+    # A scene of one row or column has no tiles: it is repeated.
+    scene = np.tile(scene, [2 if side == 1 else 1 for side in scene.shape])
+    rows, cols = (side // 2 * 2 for side in scene.shape)
+    squares = scene[:rows, :cols].reshape(rows // 2, 2, cols // 2, 2).swapaxes(1, 2)
+    tiles = squares.reshape(-1, _PLACES)
+    tiles = tiles[:: -(-len(tiles) // _MOST_TILES)]
+    light, peaks = tiles.reshape(-1), np.full(tiles.size, peak)
+    told = chip.errors(light, peaks, np.array(stops) / slots, curve)
+    on = on_curve(tiles, np.array(peak), curve, chip.code_e)
+    apart = (on[:, :, None] - on[:, None, :]) ** 2
+    shape = (*tiles.shape, len(stops))
+    return told.reshape(shape).astype(np.float32), apart.astype(np.float32)

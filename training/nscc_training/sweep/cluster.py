@@ -1,0 +1,106 @@
+"""Points on many processes: Dask's workers on this machine, or those of a scheduler."""
+
+from __future__ import annotations
+
+import logging
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from nscc.diagnostics.rejection import rejected
+from nscc_training.sweep.work import Done, Task, failure, work
+
+if TYPE_CHECKING:
+    from distributed import Client, Future
+
+Executor = Callable[[Iterable[Task]], Iterator[Done]]
+"""Computes tasks, in any order."""
+
+_TRIES = 2
+_POOLS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
+"""What tells libraries how many threads to start, before they are imported."""
+_PATIENCE_S = 10
+
+
+@contextmanager
+def here(workers: int, threads: int) -> Iterator[Executor]:
+    """So many processes on this machine, of so many threads each, to the end of the block."""
+    import dask
+    from distributed import Client, LocalCluster
+
+    settings = {
+        "distributed.nanny.pre-spawn-environ": dict.fromkeys(_POOLS, threads),
+        # A worker that dies takes one point with it, which is tried once more.
+        "distributed.scheduler.worker-saturation": 1.0,
+        "distributed.scheduler.allowed-failures": 0,
+        # Compiling holds the interpreter for longer than a worker may be silent by default.
+        "distributed.worker.profile.enabled": False,
+        "distributed.admin.tick.limit": "1h",
+    }
+    with dask.config.set(settings), LocalCluster(
+        n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None,
+        silence_logs=logging.CRITICAL,
+    ) as cluster, Client(cluster) as client:  # fmt: skip
+        yield lambda tasks: _computed(client, tasks)
+
+
+@contextmanager
+def at(scheduler: str) -> Iterator[Executor]:
+    """The workers of a scheduler, which must see the same files under the same paths.
+
+    Rejected (NS0835) where none answers.
+    """
+    from distributed import Client
+
+    try:
+        client = Client(scheduler, timeout=_PATIENCE_S)
+    except (OSError, ValueError, TimeoutError) as error:
+        said = " ".join(str(error).split())[:200]
+        raise rejected(
+            "NS0835",
+            f"no scheduler answers at '{scheduler[:100]}'",
+            notes=(said,) if said else (),
+            helps=("`dask scheduler` prints its address, tcp://HOST:PORT",),
+        ) from None
+    with client:
+        yield lambda tasks: _computed(client, tasks)
+
+
+def _computed(client: Client, tasks: Iterable[Task]) -> Iterator[Done]:
+    """Every task, as it is done; one that fails, or whose worker dies, is tried once more."""
+    from distributed import as_completed
+
+    tries: Counter[str] = Counter()
+    running: dict[Future, Task] = {}
+
+    def start(task: Task) -> Future:
+        tries[task.key] += 1
+        name = f"point-{task.key}-{tries[task.key]}"
+        future = client.submit(work, task, key=name, pure=False)
+        running[future] = task
+        return future
+
+    futures = [start(task) for task in tasks]
+    queue = as_completed(futures, loop=client.loop)
+    for future in queue:
+        task = running.pop(future)
+        done = _done(future, task)
+        future.release()
+        if done.failed and tries[task.key] < _TRIES:
+            queue.add(start(task))
+        else:
+            yield done
+
+
+def _done(future: Future, task: Task) -> Done:
+    """What came of a task; a failure where its worker did not live to say it. ModuleNotFoundError
+    where a package is missing: no other point of its kind would fare better."""
+    if future.status == "finished":
+        found: Done = future.result()
+        return found
+    error = future.exception()
+    if isinstance(error, ModuleNotFoundError):
+        raise error
+    why = f"its worker ended while it was computed ({type(error).__name__})"
+    return Done(task, failure(task, why), 0.0, "", failed=True)

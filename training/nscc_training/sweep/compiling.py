@@ -1,0 +1,103 @@
+"""Points of kind compile: what a program costs; and of kind limits: how large a class may be."""
+
+from __future__ import annotations
+
+from hashlib import sha256
+
+from nscc.emit.report import report
+from nscc.limits.families import families
+from nscc.limits.survey import limit_of
+from nscc.pipeline import Options
+from nscc.toml.kinds import Integer, Text
+from nscc.toml.schema import Key
+from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
+from nscc_training.sweep.programs import (
+    axis,
+    compiled_of,
+    program_fault,
+    program_files,
+    program_keys,
+    target_keys,
+    target_of,
+)
+
+
+def _compile(values: Values, _place: Place) -> Figures:
+    found = compiled_of(values)
+    assert found.choice is not None
+    assert found.proof is not None
+    told = report(found.choice, found.proof)
+    logic = told["logic"]
+    return {
+        "program_class": told["class"],
+        "shutters": told["codes"]["shutters"],
+        "lowered": told["lowering"],
+        "encoding": logic["encoding"],
+        "registers": len(told["digital_registers"]),
+        "words_total": told["words_total"],
+        "words_a_slot": round(told["words_per_slot"]["mean"], 6),
+        "largest_slot_words": told["words_per_slot"]["max"],
+        "words_stored": told["words_stored"],
+        "logic_ops": logic["ops"],
+        "logic_words": logic["words"],
+        "logic_bound": logic["bound"],
+        "logic_largest_slot": logic["max_slot_words"],
+        "shortest_slot_us": told["shortest_slot_us"],
+        "frame_us": told["frame_us"],
+        "program_sha256": sha256(found.program.source.text.encode()).hexdigest()[:12],
+    }
+
+
+COMPILE = PointKind(
+    "compile", "words, registers and times of a program, as its report has them", program_keys,
+    _compile, ("words_a_slot",), program_files, fault=program_fault,
+)  # fmt: skip
+
+
+def _limit_keys() -> tuple[Key, ...]:
+    names = tuple(family.name for family in families())
+    return (
+        axis("family", Text(names), "a class at every size"),
+        axis("slot", Text(pattern=r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)", said="a time: 10us"),
+             "the length of its slots", "1ms"),
+        axis("level", Integer(0, 3), "as -O", 1),
+        *target_keys(),
+    )  # fmt: skip
+
+
+def _limit_fault(values: Values) -> Fault | None:
+    if "family" not in values:
+        return Fault("", "the key family is missing: a class at every size", 'add family = "d"')
+    if not values["target"]:
+        return Fault("", "limits are those of a chip, and none is named", 'add target = "scamp5"')
+    return program_fault({**values, "rule": ""})
+
+
+def _limit(values: Values, _place: Place) -> Figures:
+    family = next(family for family in families() if family.name == values["family"])
+    target = target_of(values)
+    assert target is not None
+    options = Options(level=values["level"], target=target, codes="open", cache=False)
+    search = limit_of(family, target, options, values["slot"])
+    while True:
+        try:
+            next(search)
+        except StopIteration as end:
+            limit = end.value
+            break
+    built = limit.built
+    return {
+        "unit": family.unit,
+        "built_up_to": built.size if built else None,
+        "impossible_from": limit.impossible,
+        **({} if built is None else built.figures),
+        "tried": len(limit.tried),
+        "impossible_reason": limit.impossible_reason or None,
+        "unknown_reason": limit.unknown_reason or None,
+    }
+
+
+LIMITS = PointKind(
+    "limits", "how large a class may be on a chip: `nscc targets --limits` point by point",
+    _limit_keys, _limit, ("built_up_to",), program_files, fault=_limit_fault,
+)  # fmt: skip

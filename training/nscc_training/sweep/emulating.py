@@ -1,0 +1,146 @@
+"""Points of kind emulate: what the emulated chip captures, and what can be made of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.toml.kinds import Flag, Integer, Number, Text
+from nscc.toml.schema import Key
+from nscc_training.sweep.light import (
+    light_files,
+    scene_keys,
+    scene_of,
+    sensor_changes,
+    sensor_file,
+    sensor_keys,
+    sensor_of,
+)
+from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
+from nscc_training.sweep.programs import (
+    axis,
+    compiled_of,
+    program_fault,
+    program_files,
+    program_keys,
+)
+
+_BENCHES = ("clips", "stills")
+
+
+def _keys() -> tuple[Key, ...]:
+    return (
+        *program_keys(),
+        *scene_keys(),
+        axis("bench", Text(_BENCHES), "instead: scenes of a protocol, decoded without training"),
+        axis("data", Text(), "a bench's folder of scenes; empty: made ones", ""),
+        axis("scenes", Integer(1, 1000), "how many of them", 1),
+        axis("frames", Integer(1, 4096), "frames of a bench's clips, a multiple of the slots", 16),
+        axis("at_us", Number(0.01, 1e6, automatic=True), "slots that a bench is captured with; "
+             "auto: the shortest", None),
+        axis("effects", Text(), "of the sensor, as --effects", "auto"),
+        axis("tolerance", Text(), "the error that a plan may make", "5e"),
+        axis("fidelity", Text(("planned", "reference")), "how words are executed", "planned"),
+        axis("audit", Flag(), "measure how far the plan is from the reference", False),
+        axis("device_seed", Integer(0, 2**31 - 1), "of fixed patterns", 0),
+        *sensor_keys(),
+    )  # fmt: skip
+
+
+def _fault(values: Values) -> Fault | None:
+    if ("scene" in values) == ("bench" in values):
+        return Fault(
+            "bench" if "bench" in values else "", "a point exposes a scene, or else a bench",
+            'for instance scene = "builtin:hdr", or bench = "clips"',
+        )  # fmt: skip
+    if "bench" in values and "class" not in values:
+        return Fault("bench", "a bench exposes a class, and here is none", 'add class = "d"')
+    if values.get("bench") == "clips" and values["frames"] % values["slots"]:
+        return Fault("frames", f"{values['slots']} slots do not divide {values['frames']} frames",
+                     "name a multiple of every number of slots")  # fmt: skip
+    if values.get("bench") == "stills" and values["class"] != "b":
+        return Fault("bench", "a bench of stills exposes class b", 'write class = "b"')
+    if "bench" in values and not values["target"]:
+        return Fault("bench", "a bench names the chip", 'add target = "scamp5"')
+    changed = next((name for name in values if name.startswith("chip.")), None)
+    if "bench" in values and changed:
+        return Fault(changed, "a bench takes the chip as it is", "name a target's file instead")
+    return program_fault(values)
+
+
+def _reads(values: Values) -> Sequence[Path]:
+    data = [Path(values["data"])] if values["data"] else []
+    return [*program_files(values), *light_files(values), *data]
+
+
+def _emulate(values: Values, place: Place) -> Figures:
+    return _bench(values) if "bench" in values else _capture(values, place.threads)
+
+
+def _capture(values: Values, threads: int) -> Figures:
+    from nscc.containers import with_pixels
+    from nscc_runtime import capture
+
+    compiled = compiled_of(values)
+    assert compiled.container is not None
+    assert compiled.lowered is not None
+    container = with_pixels(compiled.container, "the program")
+    plans = values["effects"] != "none" and values["fidelity"] == "planned"
+    shot = capture(
+        container, scene_of(values), sensor=sensor_of(values, container.target),
+        effects=values["effects"],
+        tolerance=values["tolerance"] if plans and container.machine is None else None,
+        fidelity=values["fidelity"], audit=values["audit"], seed=values["seed"],
+        device_seed=values["device_seed"], threads=threads,
+    )  # fmt: skip
+    plan, audit = shot.plan, shot.audit
+    return {
+        "shortest_slot_us": round(compiled.lowered.shortest_slot_us, 6),
+        "mean_e": _mean(shot.exposure_e, shot.valid),
+        "saturated_share": float(shot.saturated.mean()),
+        "invalid_share": float(1 - shot.valid.mean()),
+        **({} if plan is None else {"predicted_e": plan.predicted_e}),
+        **({} if audit is None else {"measured_e": audit.measured_rms_e, "holds": audit.holds}),
+        "frame_sha256": sha256(np.ascontiguousarray(shot.frame).tobytes()).hexdigest()[:12],
+    }
+
+
+def _mean(exposure_e: Any, valid: Any) -> float | None:
+    return float(exposure_e[valid].mean()) if valid.any() else None
+
+
+def _bench(values: Values) -> Figures:
+    from nscc_training.tradeoff.sensor import Settings, measure
+
+    clips = values["bench"] == "clips"
+    slots = values["slots"]
+    settings = Settings(
+        classes=(values["class"],) if clips else (), slots=(slots,) if clips else (),
+        stop_slots=() if clips else (slots,), looks=(), codes=(values["codes"],),
+        lowerings=(values["lowering"],), target=values["target"], level=values["level"],
+        effects=values["effects"], slot_us=values["at_us"],
+        data=Path(values["data"]) if values["data"] else None, count=values["scenes"],
+        seed=values["seed"], frames=values["frames"], sensor=sensor_file(values),
+        changes=sensor_changes(values), tile=values["tile"], init=values["init"],
+        length=values["length"], rows=values["rows"],
+    )  # fmt: skip
+    found = measure(settings)
+    if found.refused:
+        from nscc.diagnostics.diagnostic import Rejected
+
+        raise Rejected(Diagnostic(found.refused[0].code, found.refused[0].reason))
+    [point] = found.points
+    return {"psnr_db": point.error, "shortest_slot_us": round(point.time_ms * 1e3, 6)}
+
+
+EMULATE = PointKind(
+    "emulate", "what the emulated chip captures of a scene, and what can be made of it", _keys,
+    _emulate, ("psnr_db", "mean_e"), _reads, fault=_fault,
+    packages=("nscc", "nscc_runtime", "nscc_training"),
+    distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
+)  # fmt: skip

@@ -1,0 +1,92 @@
+"""Points of kind evaluate: scores of runs, of baselines and of methods under a protocol."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from nscc.files import write_whole
+from nscc.toml.kinds import Flag, Integer, Number, Text
+from nscc.toml.schema import Key
+from nscc_training.protocols import NAMES
+from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
+from nscc_training.sweep.programs import axis
+
+RUN = "run"
+"""The key that names parts of kind train: each of their points is evaluated."""
+
+
+def _keys() -> tuple[Key, ...]:
+    return (
+        axis(RUN, Text(), "parts of this grid, of kind train, whose runs are scored"),
+        axis("subject", Text(), "instead: a baseline, a run folder, or for sci8 a method"),
+        axis("protocol", Text(NAMES), "what the numbers mean", "hdr-v1"),
+        axis("data", Text(), "the folder of scenes"),
+        axis("seed", Integer(0, 2**31 - 1), "of random codes and noise", 0),
+        axis("skip_seen", Flag(), "leave out files that a run has seen", False),
+        axis("iterations", Integer(1, 10000), "of a method", 40),
+        axis("weight", Number(0, 10, low_excluded=True), "of total variation", 0.1),
+    )
+
+
+def _fault(values: Values) -> Fault | None:
+    if (RUN in values) == ("subject" in values):
+        message = "a point evaluates a run of this grid, or else a subject"
+        return Fault("subject" if RUN in values else "", message, 'for instance subject = "quad"')
+    if "data" not in values:
+        return Fault("", "the key data is missing: the folder of scenes", 'add data = "scenes"')
+    return None
+
+
+def _reads(values: Values) -> Sequence[Path]:
+    return [Path(values["data"]), *([Path(values["subject"])] if "subject" in values else [])]
+
+
+def _evaluate(values: Values, place: Place) -> Figures:
+    import torch
+
+    from nscc_training.evaluation.result_text import result_json
+    from nscc_training.statistics import summary
+
+    torch.set_num_threads(place.threads)
+    found = _result(values, place)
+    write_whole(place.files, result_json(found).encode())
+    items = found["items"]
+    means = {
+        name: summary([float(item[name]) for item in items], [item["file"] for item in items])
+        for name, value in items[0].items()
+        if name not in ("file", "crop", "frame") and isinstance(value, int | float | str)
+    }
+    low, high = found["ci95"] or (None, None)
+    return {
+        "method": found["method"],
+        "items": len(items),
+        **{name: each["mean"] for name, each in means.items()},
+        "ci95_low": low,
+        "ci95_high": high,
+        "parameters": found["parameters"],
+    }
+
+
+def _result(values: Values, place: Place) -> dict[str, Any]:
+    from nscc_training.evaluation.methods import METHODS
+    from nscc_training.evaluation.sci8 import evaluate_sci8, sci_clips
+    from nscc_training.evaluation.subjects import evaluate
+
+    data, subject = Path(values["data"]), values.get("subject", "")
+    if values["protocol"] == "sci8" and subject in METHODS:
+        count, weight = values["iterations"], values["weight"]
+        return evaluate_sci8(sci_clips(data), subject, count, weight)[0]
+    # The run of a point is of this grid, whose configuration names its code.
+    name = subject if place.run is None else str(place.run)
+    chosen = {"trust_code": place.run is not None, "skip_seen": values["skip_seen"]}
+    return evaluate(name, data, values["protocol"], values["seed"], **chosen)[0]
+
+
+EVALUATE = PointKind(
+    "evaluate", "scores under a protocol; the whole result under results", _keys, _evaluate,
+    ("psnr_db",), _reads, fault=_fault, packages=("nscc", "nscc_runtime", "nscc_training"),
+    distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
+    leaves=".json",
+)  # fmt: skip

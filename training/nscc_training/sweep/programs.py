@@ -1,0 +1,146 @@
+"""Programs of points: files, rules in any number of slots, or classes with random codes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import MISSING, replace
+from math import prod
+from pathlib import Path
+
+from nscc.limits.families import program_text
+from nscc.lower.plan import LOWERINGS
+from nscc.pipeline import Compiled, Options, run_passes
+from nscc.source import Source
+from nscc.syntax.parse import read_source
+from nscc.target.load import DEFAULT_NAME, load_target
+from nscc.target.target import SCHEMA, Target
+from nscc.toml.kinds import Axis, Integer, Number, Several, Text
+from nscc.toml.schema import Key
+from nscc_training.sweep.point import Fault, Values
+
+CLASSES = ("a", "b", "c", "d", "e", "codebook")
+STARTS = ("random", "uniform", "quad")
+SOURCES = ("program", "rule", "class")
+"""Where a program may come from: one of them."""
+
+_MOST_PLACES = 4096
+"""A tile of more codes would need a file beside the program."""
+_CHIP = "chip."
+
+
+def axis(name: str, kind: object, meaning: str, default: object = MISSING) -> Key:
+    """A key that takes a value or a list of them."""
+    held = default if default is MISSING else (default,)
+    return Key("", name, Axis(kind), meaning, held)  # type: ignore[arg-type]
+
+
+def target_keys() -> tuple[Key, ...]:
+    """The chip, and each of its numbers as `chip.KEY`."""
+    numbers = (
+        axis(_CHIP + key.attribute, key.kind, key.meaning)
+        for key in SCHEMA.keys
+        if key.section not in ("", "registers")
+    )
+    return (axis("target", Text(), "the chip, by name or file; empty: the program's own", ""),
+            *numbers)  # fmt: skip
+
+
+def program_keys() -> tuple[Key, ...]:
+    """What to compile, and how."""
+    return (
+        axis("program", Text(), "a file of a program"),
+        axis("rule", Text(), "instead: all of a program that stands below its frame"),
+        axis("class", Text(CLASSES), "instead: codes of a class on a tile"),
+        axis("slots", Integer(1, 65536), "slots of a frame, for a rule or a class", 16),
+        axis("slot_us", Number(1e-3, 1e9), "their length in microseconds", 1000.0),
+        axis("tile", Several(Integer(1, 4096), 2), "rows and columns of a class's tile", (8, 8)),
+        axis("init", Text(STARTS), "the codes of a class", "random"),
+        axis(
+            "length",
+            Integer(1, 65536, automatic=True),
+            "slots of a bump of class c; auto: a quarter of the frame",
+            None,
+        ),
+        axis("rows", Integer(1, 4096), "shapes of a codebook", 64),
+        axis("seed", Integer(0, 2**31 - 1), "of everything random", 0),
+        axis("codes", Text(("fixed", "open")), "those in use, or every legal one", "fixed"),
+        axis("lowering", Text(("auto", *LOWERINGS)), "how exposure is gathered", "auto"),
+        axis("level", Integer(0, 3), "as -O", 2),
+        axis("max_words", Integer(1, 10**6, unlimited=True), "most words in a slot", None),
+        *target_keys(),
+    )
+
+
+def program_fault(values: Values) -> Fault | None:
+    """What is wrong with values of `program_keys` together."""
+    given = [name for name in SOURCES if name in values]
+    if len(given) != 1:
+        have = " and ".join(given) or "none of them"
+        return Fault(
+            given[-1] if given else "",
+            f"a point compiles one of {', '.join(SOURCES)}, and here is {have}",
+            'for instance program = "hdr_2x2.nsl", or class = "d"',
+        )
+    if "class" in values and prod(values["tile"]) > _MOST_PLACES:
+        return Fault("tile", f"a tile has at most {_MOST_PLACES} places", "take a smaller one")
+    if values["target"] == "" and any(name.startswith(_CHIP) for name in values):
+        name = next(name for name in values if name.startswith(_CHIP))
+        return Fault(
+            name, f"{name} changes a chip, and none is named", f'add target = "{DEFAULT_NAME}"'
+        )
+    return None
+
+
+def program_files(values: Values) -> Sequence[Path]:
+    """The files that decide a program: its text, all that it names, its chip's."""
+    found = []
+    if "program" in values:
+        source = read_source(Path(values["program"]))
+        folder = Path(values["program"]).parent
+        named = re.findall(r'"([^"\n]{1,255})"', source.text)
+        found += [Path(values["program"]), *(folder / name for name in named)]
+    if values["target"].endswith(".toml"):
+        found.append(Path(values["target"]))
+    return found
+
+
+def target_of(values: Values) -> Target | None:
+    """The chip that a point names, its numbers changed; None where it is the program's own."""
+    if not values["target"]:
+        return None
+    changes = {
+        name.removeprefix(_CHIP): value for name, value in values.items() if name.startswith(_CHIP)
+    }
+    return replace(load_target(values["target"], Path()), **changes)
+
+
+def compiled_of(values: Values) -> Compiled:
+    """A point's program, compiled and proved without the cache of searches; Rejected where it is
+    wrong or does not fit."""
+    options = Options(
+        level=values["level"], codes=values["codes"], lowering=values["lowering"],
+        target=target_of(values), cache=False, max_words_per_slot=values["max_words"],
+    )  # fmt: skip
+    return run_passes(*_source(values), options)
+
+
+def _source(values: Values) -> tuple[Source, Path]:
+    if "program" in values:
+        path = Path(values["program"])
+        return read_source(path), path.parent
+    if "rule" in values:
+        slot = f"{values['slot_us']:.6f}".rstrip("0").rstrip(".") + "us"
+        return Source("rule.nsl", program_text(values["slots"], slot, values["rule"])), Path()
+    from nscc_training.encoders import ShutterSpec, make_encoder
+    from nscc_training.programs import Chip, program_of
+
+    kind = values["class"]
+    spec = ShutterSpec(
+        kind, values["slots"], values["tile"],
+        length=(values["length"] or max(1, values["slots"] // 4)) if kind == "c" else None,
+        rows=values["rows"] if kind == "codebook" else None,
+    )  # fmt: skip
+    encoder = make_encoder(spec, values["init"], values["seed"])
+    text = program_of(encoder, Chip(slot_us=values["slot_us"])).text
+    return Source(f"class_{kind}.nsl", text), Path()

@@ -1,0 +1,234 @@
+"""A sweep from its grid to its table: what is known is not computed again."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, chdir, nullcontext
+from dataclasses import dataclass
+from pathlib import Path
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.files import Product, write_together
+from nscc.program.problems import counted
+from nscc_runtime.progress import Progress, unseen
+from nscc_training.sweep.grid import Grid
+from nscc_training.sweep.keys import key_of
+from nscc_training.sweep.kinds import KINDS
+from nscc_training.sweep.point import Point, Row
+from nscc_training.sweep.store import Store
+from nscc_training.sweep.table import Table, csv_text, parquet_bytes, table_of
+from nscc_training.sweep.work import FAILED, Done, Task, serially
+
+TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
+_POINTS = "points"
+_MOST_REASONS = 5
+_NAMED = {"train": "runs", "evaluate": "results", "design": "programs"}
+"""Folders in which what points leave has their names."""
+
+
+@dataclass(frozen=True)
+class How:
+    """Where points are computed.
+
+    `workers` processes of `threads` each on this machine, 0: in this process; or those of a
+    `scheduler`. `again` computes points that failed before.
+    """
+
+    workers: int = 0
+    threads: int = 1
+    scheduler: str | None = None
+    again: bool = False
+
+
+@dataclass(frozen=True)
+class Swept:
+    """A sweep that is done: its table, how many of its points were `computed` now, have a message
+    instead of figures (`misfits`), and `failed`; the files that were written."""
+
+    table: Table
+    computed: int
+    misfits: int
+    failed: int
+    files: tuple[Path, ...]
+
+
+def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
+    """How many points a grid has, and how many of them are known; nothing is computed."""
+    keys = _keys(grid, how.threads)
+    if not out.is_dir():
+        return len(keys), 0
+    with Store(out) as store:
+        found = (_is_known(store, key, how, _left(out, p, key)) for p, key in keys.items())
+        return len(keys), sum(found)
+
+
+def sweep(
+    grid: Grid, out: Path, how: How, *, parquet: bool = False, track: Progress = unseen,
+    report: Callable[[str], None] = lambda _text: None,
+) -> Swept:  # fmt: skip
+    """Compute what is not known of a grid, and write table, report and diagram into `out`.
+
+    Rows are kept as they are found: killed and started again it goes on. Paths in the grid, and in
+    what it names, are relative to its folder. `track` draws progress, `report` is told what there
+    is to do. Raises Rejected: NS0834 where another sweep is at work in `out`, NS0835 without the
+    scheduler, NS0836 where workers have other files or another nscc.
+    """
+    keys = _keys(grid, how.threads)
+    with Store(out) as store:
+        todo = {
+            key: point
+            for point, key in keys.items()
+            if not _is_known(store, key, how, _left(out, point, key))
+        }
+        report(f"{len(keys)} points: {len(keys) - len(todo)} known, {len(todo)} to compute")
+        tasks = [_task(point, keys, grid, out, how) for point in todo.values()]
+        if tasks:
+            _compute(tasks, keys, store, how, track)
+        rows = [(point, store.rows[key]) for point, key in keys.items()]
+    table = table_of(grid, rows)
+    files = _write(grid, table, out, parquet=parquet)
+    _name(out, keys)
+    codes = [row.code for _, row in rows if row.code]
+    failed = codes.count(FAILED)
+    return Swept(table, len(tasks), len(codes) - failed, failed, files)
+
+
+def failures(swept: Swept) -> Rejected:
+    """NS0833 for the points that failed."""
+    columns = swept.table.columns
+    errors = [
+        e for e, code in zip(columns["error"], columns["code"], strict=True) if code == FAILED
+    ]
+    return rejected(
+        FAILED,
+        f"{counted(swept.failed, 'point')} of {len(swept.table)} failed",
+        notes=tuple(dict.fromkeys(errors))[:_MOST_REASONS],
+        helps=("the same command with --again computes them again",),
+        status=1,
+    )
+
+
+def _keys(grid: Grid, threads: int) -> dict[Point, str]:
+    """The key of every point; those of one key count once."""
+    with chdir(grid.folder):
+        return {point: key_of(point, threads) for point in grid.points}
+
+
+def _is_known(store: Store, key: str, how: How, left: Path | None) -> bool:
+    """Whether a point has a row, and what it `left` is still there."""
+    row = store.rows.get(key)
+    if row is None or (row.code == FAILED and how.again):
+        return False
+    return bool(row.code) or left is None or left.exists()
+
+
+def _task(point: Point, keys: Mapping[Point, str], grid: Grid, out: Path, how: How) -> Task:
+    after, key = point.after, keys[point]
+    run = None if after is None else _left(out, after, keys[after])
+    files = _left(out, point, key) or out.resolve() / _POINTS / key
+    return Task(point, key, grid.folder.resolve(), files, how.threads, run)
+
+
+def _left(out: Path, point: Point, key: str) -> Path | None:
+    """The file or folder that a point leaves; None where its kind leaves none."""
+    ending = KINDS[point.kind].leaves
+    return None if ending is None else out.resolve() / _POINTS / (key[:16] + ending)
+
+
+def _compute(
+    tasks: Sequence[Task], keys: Mapping[Point, str], store: Store, how: How, track: Progress
+) -> None:
+    """Runs first, then what is about them: a run that came to nothing is not to be evaluated."""
+    out = tasks[0].files.parent
+    if any(KINDS[task.point.kind].leaves is not None for task in tasks):
+        out.mkdir(exist_ok=True)
+    with _executor(how, len(tasks)) as execute:
+
+        def every() -> Iterator[Done]:
+            yield from execute([task for task in tasks if task.run is None])
+            ready = []
+            for task in (task for task in tasks if task.run is not None):
+                without = _without_run(task, keys, store)
+                if without is None:
+                    ready.append(task)
+                else:
+                    yield without
+            yield from execute(ready)
+
+        for done in track(every(), "computing points", len(tasks)):
+            if done.other_key:
+                raise _differs(done)
+            store.add(done.row, done.task.point.name, done.seconds, done.worker)
+
+
+def _without_run(task: Task, keys: Mapping[Point, str], store: Store) -> Done | None:
+    """What comes of a task whose run came to nothing; None where there is a run."""
+    after = task.point.after
+    assert after is not None
+    row = store.rows[keys[after]]
+    if not row.code:
+        return None
+    error = f"its run {after.name} has none: {row.error}"
+    return Done(task, Row(task.key, code=row.code, error=error), 0.0, "")
+
+
+def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iterator[Done]]]:
+    if how.scheduler is not None:
+        from nscc_training.sweep.cluster import at
+
+        return at(how.scheduler)
+    if how.workers:
+        from nscc_training.sweep.cluster import here
+
+        return here(min(how.workers, count), how.threads)
+    return nullcontext(serially)
+
+
+def _differs(done: Done) -> Rejected:
+    return rejected(
+        "NS0836",
+        f"the worker {done.worker} would compute another point than {done.task.point.name}",
+        notes=(
+            "its nscc, its Python or the files that the grid names are not those of this process, "
+            "or they changed after the sweep began",
+        ),
+        helps=("install the same versions everywhere, on a file system that all share",),
+        status=3,
+    )
+
+
+def _write(grid: Grid, table: Table, out: Path, *, parquet: bool) -> tuple[Path, ...]:
+    """The products, all or none."""
+    from nscc_training.sweep.report import diagram_of, report_html
+
+    diagram = diagram_of(grid, table)
+    products: dict[Path, Product] = {out / TABLE: csv_text(table).encode()}
+    if parquet:
+        products[out / PARQUET] = parquet_bytes(table)
+    if diagram is not None:
+        products[out / DIAGRAM] = diagram
+    products[out / REPORT] = report_html(grid, table, diagram).encode()
+    write_together(products)
+    return tuple(products)
+
+
+def _name(out: Path, keys: Mapping[Point, str]) -> None:
+    """Links to what the grid's points left, by their names; those of another grid go."""
+    for name in _NAMED.values():
+        for old in (out / name).glob("*"):
+            if old.is_symlink():
+                old.unlink()
+    taken: set[Path] = set()
+    for point, key in keys.items():
+        left = _left(out, point, key)
+        if left is None or not left.exists():
+            continue
+        folder = out / _NAMED[point.kind]
+        folder.mkdir(exist_ok=True)
+        link = folder / (point.name + left.suffix)
+        if link in taken:
+            link = folder / f"{point.name}_{key[:8]}{left.suffix}"
+        taken.add(link)
+        os.symlink(Path("..") / _POINTS / left.name, link)

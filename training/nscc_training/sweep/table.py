@@ -1,0 +1,94 @@
+"""The table of a sweep: a line a point, in the order of the grid, without times."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from nscc_training.sweep.grid import Grid
+from nscc_training.sweep.point import Point, Row
+
+
+@dataclass(frozen=True)
+class Table:
+    """`columns` by name: `part`, the keys that the grid names, figures, `code` and `error` of
+    points that have none, `key`. None: no value."""
+
+    columns: dict[str, list[Any]]
+    inputs: tuple[str, ...]
+    figures: tuple[str, ...]
+
+    def __len__(self) -> int:
+        return len(self.columns["part"])
+
+    def rows(self) -> list[tuple[Any, ...]]:
+        """The lines."""
+        return [*zip(*self.columns.values(), strict=True)]
+
+
+def table_of(grid: Grid, rows: Sequence[tuple[Point, Row]]) -> Table:
+    """The table of a grid's points, each with its row."""
+    figures = tuple(dict.fromkeys(name for _, row in rows for name in row.figures))
+    several = len({point.part for point, _ in rows}) > 1 or not grid.columns
+    columns: dict[str, list[Any]] = {"part": [point.part for point, _ in rows]}
+    for name in grid.columns:
+        columns[name] = [_input(point, name) for point, _ in rows]
+    shown = {name: name if name not in columns else f"found_{name}" for name in figures}
+    for name in figures:
+        columns[shown[name]] = [row.figures.get(name) for _, row in rows]
+    columns["code"] = [row.code or None for _, row in rows]
+    columns["error"] = [row.error or None for _, row in rows]
+    columns["key"] = [row.key[:12] for _, row in rows]
+    inputs = ("part", *grid.columns) if several else grid.columns
+    return Table(columns, inputs, tuple(shown.values()))
+
+
+def _input(point: Point, name: str) -> Any:
+    """What a point, or the run that it is about, has for a key."""
+    if name in point.values:
+        return plain(point.values[name])
+    return None if point.after is None else _input(point.after, name)
+
+
+def plain(value: Any) -> Any:
+    """A value as a cell has it."""
+    return " x ".join(map(str, value)) if isinstance(value, tuple) else value
+
+
+def csv_text(table: Table) -> str:
+    """The table as CSV."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(table.columns)
+    writer.writerows([cell(value) for value in row] for row in table.rows())
+    return text.getvalue()
+
+
+def cell(value: Any) -> str:
+    """A value as text: nothing for None, numbers as Python spells them."""
+    if value is None:
+        return ""
+    return ("no", "yes")[value] if isinstance(value, bool) else str(value)
+
+
+def parquet_bytes(table: Table) -> bytes:
+    """The table as Parquet, each column of one type: text where its values have several."""
+    import pyarrow
+    from pyarrow import parquet
+
+    columns = {name: pyarrow.array(_of_one_type(held)) for name, held in table.columns.items()}
+    data = io.BytesIO()
+    parquet.write_table(pyarrow.table(columns), data)
+    return data.getvalue()
+
+
+def _of_one_type(values: Sequence[Any]) -> list[Any]:
+    types = {type(value) for value in values if value is not None}
+    if types <= {int, float}:
+        return [float(v) if v is not None and float in types else v for v in values]
+    if len(types) < 2:
+        return [*values]
+    return [None if value is None else cell(value) for value in values]

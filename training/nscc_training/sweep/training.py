@@ -1,0 +1,85 @@
+"""Points of kind train: runs, each in a folder of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import MISSING
+from functools import cache
+from pathlib import Path
+
+from nscc.toml.kinds import Axis, Text
+from nscc.toml.schema import Key
+from nscc.toml.text import written
+from nscc_training.config import load_config
+from nscc_training.import_paths import is_import_path
+from nscc_training.settings import SCHEMA, Settings
+from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
+from nscc_training.sweep.programs import axis
+
+_CONFIG = "config"
+_STAGES = ("soft", "hard", "compiled", "emulated")
+
+
+@cache
+def _keys() -> tuple[Key, ...]:
+    settings = (Key("", key.path, Axis(key.kind), key.meaning, MISSING) for key in SCHEMA.keys)
+    return (axis(_CONFIG, Text(), "a configuration of nscc train"), *settings)
+
+
+def _fault(values: Values) -> Fault | None:
+    if _CONFIG in values:
+        return None
+    message = "the key config is missing: a configuration of nscc train"
+    return Fault("", message, "`nscc train --schema > config.toml` writes one")
+
+
+def _settings(values: Values) -> Settings:
+    """What the configuration says, changed by the point; Rejected as `load_config`."""
+    changes = [
+        f"{key.path} = {written(key.kind.plain(values[key.path]))}"
+        for key in SCHEMA.keys
+        if key.path in values
+    ]
+    return load_config(Path(values[_CONFIG]), changes)
+
+
+def _reads(values: Values) -> Sequence[Path]:
+    """The configuration, the data and what else it names. Of code of one's own the module."""
+    settings = _settings(values)
+    named = [
+        settings.data.train, settings.data.val, settings.shutter.target, settings.shutter.init,
+        settings.sensor.file, settings.decoder.name, *settings.loss.name.split("+"),
+    ]  # fmt: skip
+    files = [
+        f"{n.partition(':')[0].replace('.', '/')}.py" if is_import_path(n) else n for n in named
+    ]
+    return [Path(values[_CONFIG]), *(Path(name) for name in files if name)]
+
+
+def _train(values: Values, place: Place) -> Figures:
+    """Goes on from a checkpoint where the point was begun before."""
+    import json
+
+    import torch
+
+    from nscc_training.loop.train import train
+
+    torch.set_num_threads(place.threads)
+    train(_settings(values), place.files)
+    result = json.loads((place.files / "result.json").read_text(encoding="utf-8"))
+    as_trained = result["robustness"][0]
+    return {
+        "psnr_db": as_trained["psnr_db"],
+        "ssim": as_trained["ssim"],
+        **{f"{stage}_db": result["stages"][stage] for stage in _STAGES},
+        "words_a_slot": result["words_per_slot"],
+        "parameters": result["parameters"],
+    }
+
+
+TRAIN = PointKind(
+    "train", "a run of nscc train; its validation, and its folder under runs", _keys, _train,
+    ("psnr_db",), _reads, fault=_fault, packages=("nscc", "nscc_runtime", "nscc_training"),
+    distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
+    leaves="",
+)  # fmt: skip

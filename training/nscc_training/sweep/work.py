@@ -1,0 +1,112 @@
+"""Computing points: one here, or one after the other."""
+
+from __future__ import annotations
+
+import math
+import os
+import socket
+import warnings
+from collections.abc import Iterable, Iterator
+from contextlib import chdir
+from dataclasses import dataclass
+from pathlib import Path
+from threading import Lock
+from time import perf_counter
+
+from nscc.diagnostics.diagnostic import Rejected, Severity
+from nscc_training.sweep.keys import key_of
+from nscc_training.sweep.kinds import KINDS
+from nscc_training.sweep.point import Figures, Place, Point, Row
+
+FAILED = "NS0833"
+"""The code of a point that failed, which says nothing of its values."""
+
+
+_ONE = Lock()
+"""Folder, warnings and torch's threads are the process's: a worker of several threads computes one
+point at a time."""
+
+
+@dataclass(frozen=True)
+class Task:
+    """A point to compute: paths that it names are relative to `folder`, and what it leaves begins
+    with `files`. `run` is the run folder that it needs."""
+
+    point: Point
+    key: str
+    folder: Path
+    files: Path
+    threads: int
+    run: Path | None = None
+
+
+@dataclass(frozen=True)
+class Done:
+    """A task's row, where and how long it was worked at. `failed`: it may be tried again.
+    `other_key`, if any, is what its point is known by where it was to be computed."""
+
+    task: Task
+    row: Row
+    seconds: float
+    worker: str
+    failed: bool = False
+    other_key: str = ""
+
+
+def serially(tasks: Iterable[Task]) -> Iterator[Done]:
+    """All of them in this process; one that fails is tried once more."""
+    for task in tasks:
+        done = work(task)
+        yield work(task) if done.failed else done
+
+
+def work(task: Task) -> Done:
+    """One of them, in this process. What goes wrong is in the row, whatever it is but a package
+    that is missing (ModuleNotFoundError)."""
+    with _ONE, chdir(task.folder), warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # what compilers and scenes say of a point
+        here = key_of(task.point, task.threads)
+        begin = perf_counter()
+        if here != task.key:
+            return Done(task, Row(task.key), 0.0, _worker(), other_key=here)
+        row, failed = _row(task)
+    return Done(task, row, perf_counter() - begin, _worker(), failed)
+
+
+def failure(task: Task, why: str) -> Row:
+    """The row of a point that failed."""
+    return Row(task.key, code=FAILED, error=_anywhere(" ".join(why.split())[:400], task))
+
+
+def _row(task: Task) -> tuple[Row, bool]:
+    kind = KINDS[task.point.kind]
+    place = Place(task.files, task.threads, task.run)
+    try:
+        found = kind.compute(task.point.values, place)
+    except Rejected as rejected:
+        errors = [d for d in rejected.diagnostics if d.severity is Severity.ERROR]
+        first = next((d for d in errors if d.data.get("proved")), errors[0])
+        return Row(task.key, code=first.code, error=_anywhere(first.message, task)), False
+    except ModuleNotFoundError:
+        raise
+    except Exception as error:  # a point must not end the others, whatever it raises
+        return failure(task, f"{type(error).__name__}: {error}"), True
+    return Row(task.key, {name: _stored(found[name]) for name in found}), False
+
+
+def _anywhere(text: str, task: Task) -> str:
+    """A message without the folders that only this machine has."""
+    for folder in (task.files.parents[1], task.folder):
+        text = text.replace(f"{folder}{os.sep}", "")
+    return text
+
+
+def _stored(value: Figures) -> object:
+    """A figure as JSON has it: numbers that are none as text."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
+    return value
+
+
+def _worker() -> str:
+    return f"{socket.gethostname()}:{os.getpid()}"
