@@ -16,6 +16,8 @@ from nscc_training import made_scenes  # noqa: E402
 from nscc_training.any_code.decode import any_clip, decoded_clip, decoded_still  # noqa: E402
 from nscc_training.any_code.lessons import mask_drawn  # noqa: E402
 from nscc_training.any_code.measured import Measured  # noqa: E402
+from nscc_training.any_code.muon import orthogonal  # noqa: E402
+from nscc_training.any_code.network import exchanged  # noqa: E402
 from nscc_training.any_code.stages import schedule, stage, started  # noqa: E402
 from nscc_training.any_code.stills import started_still  # noqa: E402
 from nscc_training.any_code.training import Part, Trainer  # noqa: E402
@@ -188,6 +190,36 @@ def test_training_goes_on_where_it_stopped(tmp_path: Path) -> None:
     stills = Trainer("still", [tmp_path / "in"], tmp_path / "stills")
     [line] = stills.run((Part("stills", 1, 1, 16, 1e-3, 2),))
     assert "nan" not in line
+
+
+@pytest.mark.parametrize("shape", [(3, 20), (20, 3), (8, 8)])
+def test_steps_lead_all_directions_equally_far(shape: tuple[int, int]) -> None:
+    """By singular values: those of a step are about 1, and its directions the gradient's."""
+    gradient = torch.randn(*shape, generator=torch.Generator().manual_seed(4), dtype=torch.float64)
+    made = orthogonal(gradient)
+    values = torch.linalg.svdvals(made)
+    assert ((values > 0.5) & (values < 1.4)).all()
+    left, _, right = torch.linalg.svd(gradient, full_matrices=False)
+    inner = left.mT @ made @ right.mT
+    assert torch.allclose(inner, torch.diag(inner.diagonal()), atol=1e-9)
+
+
+def test_neighbours_get_channels_and_gradients() -> None:
+    """Beside slices of whole clips, in values and in gradients."""
+
+    def sliced(x: torch.Tensor, frames: int) -> torch.Tensor:
+        parts, count = x.unflatten(0, (-1, frames)), x.shape[1] // 4
+        before = torch.cat([parts[:, :1], parts[:, :-1]], dim=1)[:, :, :count]
+        after = torch.cat([parts[:, 1:], parts[:, -1:]], dim=1)[:, :, count : 2 * count]
+        return torch.cat([before, after, parts[:, :, 2 * count :]], dim=2).flatten(0, 1)
+
+    for frames in (1, 2, 5):
+        x, weight = torch.randn(2, 2 * frames, 8, 3, 4, dtype=torch.float64)
+        x.requires_grad_()
+        found, wanted = exchanged(x, frames), sliced(x, frames)
+        assert torch.equal(found, wanted)
+        slopes = [torch.autograd.grad((y * weight).sum(), x)[0] for y in (found, wanted)]
+        assert torch.allclose(*slopes)
 
 
 PROGRAMS = {
