@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from hashlib import sha256
 
 from nscc.emit.report import report
@@ -17,6 +18,8 @@ from nscc_training.sweep.programs import (
     program_fault,
     program_files,
     program_keys,
+    silent,
+    target_fault,
     target_keys,
     target_of,
 )
@@ -48,9 +51,15 @@ def _compile(values: Values, _place: Place) -> Figures:
     }
 
 
+def _compile_fault(values: Values, named: Collection[str]) -> Fault | None:
+    chosen = () if "class" in values else ("seed",)
+    return program_fault(values, named) or silent(named, chosen, "codes of its own")
+
+
 COMPILE = PointKind(
     "compile", "words, registers and times of a program, as its report has them", program_keys,
-    _compile, ("words_a_slot",), program_files, fault=program_fault,
+    _compile, ("words_a_slot",), program_files,
+    _compile_fault,
 )  # fmt: skip
 
 
@@ -65,12 +74,12 @@ def _limit_keys() -> tuple[Key, ...]:
     )  # fmt: skip
 
 
-def _limit_fault(values: Values) -> Fault | None:
+def _limit_fault(values: Values, _named: Collection[str]) -> Fault | None:
     if "family" not in values:
         return Fault("", "the key family is missing: a class at every size", 'add family = "d"')
     if not values["target"]:
         return Fault("", "limits are those of a chip, and none is named", 'add target = "scamp5"')
-    return program_fault({**values, "rule": ""})
+    return target_fault(values)
 
 
 def _limit(values: Values, _place: Place) -> Figures:
@@ -99,5 +108,6 @@ def _limit(values: Values, _place: Place) -> Figures:
 
 LIMITS = PointKind(
     "limits", "how large a class may be on a chip: `nscc targets --limits` point by point",
-    _limit_keys, _limit, ("built_up_to",), program_files, fault=_limit_fault,
+    _limit_keys, _limit, ("built_up_to",), program_files,
+    _limit_fault,
 )  # fmt: skip
