@@ -318,6 +318,17 @@ class Compiled:
         """The lowering that was chosen."""
         return None if self.choice is None else self.choice.best
 
+    @property
+    def shortest_slot_us(self) -> float:
+        """The shortest slot that leaves time for its words, or for loading its plane of bits.
+
+        ValueError where only a search can tell whether the program fits.
+        """
+        made = self.lowered or self.sending
+        if made is None:
+            raise ValueError("nothing was laid out")
+        return made.shortest_slot_us
+
     def __repr__(self) -> str:
         words = "no words" if self.container is None else f"{self.container!r}"
         return f"Compiled({self.program.source.name!r}, class {self.program.class_name}: {words})"
