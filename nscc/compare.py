@@ -25,9 +25,9 @@ NoiseOf = Callable[[Container], tuple[float, float] | None]
 class OnChip:
     """A program on a chip: compiled, or the first reason why not.
 
-    `shortest_slot_us` is None where that is not known; `frame_us` includes the readout. `sent_bits` go to the chip for every frame,
-    `bits_per_us` while it is sent; `stored` says what the chip keeps. `noise_e` is in the dark and
-    at half a full well, None where it is not known.
+    `shortest_slot_us` is None where that is not known; `frame_us` includes the readout.
+    `sent_bits` go to the chip for every frame, `bits_per_us` while it is sent; `stored` says what
+    the chip keeps. `noise_e` is in the dark and at half a full well, None where it is not known.
     """
 
     target: Target
