@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from hashlib import sha256
+from typing import Any
 
 from nscc.emit.report import report
+from nscc.emit.stream import stream_report
 from nscc.limits.families import families
 from nscc.limits.survey import limit_of
-from nscc.pipeline import Options
+from nscc.pipeline import Compiled, Options
 from nscc.toml.kinds import Integer, Text
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
@@ -27,14 +29,15 @@ from nscc_training.sweep.programs import (
 
 def _compile(values: Values, _place: Place) -> Figures:
     found = compiled_of(values)
-    assert found.choice is not None
     assert found.proof is not None
+    if found.sending is not None:  # a chip without logic: no words, and nothing to count of them
+        told = stream_report(found.sending, found.proof)
+        return _common(found, told)
+    assert found.choice is not None
     told = report(found.choice, found.proof)
     logic = told["logic"]
     return {
-        "program_class": told["class"],
-        "shutters": told["codes"]["shutters"],
-        "lowered": told["lowering"],
+        **_common(found, told),
         "encoding": logic["encoding"],
         "registers": len(told["digital_registers"]),
         "words_total": told["words_total"],
@@ -45,6 +48,15 @@ def _compile(values: Values, _place: Place) -> Figures:
         "logic_words": logic["words"],
         "logic_bound": logic["bound"],
         "logic_largest_slot": logic["max_slot_words"],
+    }
+
+
+def _common(found: Compiled, told: Mapping[str, Any]) -> Figures:
+    """What the reports of all chips tell."""
+    return {
+        "program_class": told["class"],
+        "shutters": told["codes"]["shutters"],
+        "lowered": told["lowering"],
         "shortest_slot_us": told["shortest_slot_us"],
         "frame_us": told["frame_us"],
         "program_sha256": sha256(found.program.source.text.encode()).hexdigest()[:12],

@@ -96,7 +96,6 @@ def _capture(values: Values, threads: int) -> Figures:
 
     compiled = compiled_of(values)
     assert compiled.container is not None
-    assert compiled.lowered is not None
     container = with_pixels(compiled.container, "the program")
     plans = values["effects"] != "none" and values["fidelity"] == "planned"
     shot = capture(
@@ -108,7 +107,7 @@ def _capture(values: Values, threads: int) -> Figures:
     )  # fmt: skip
     plan, audit = shot.plan, shot.audit
     return {
-        "shortest_slot_us": round(compiled.lowered.shortest_slot_us, 6),
+        "shortest_slot_us": round(compiled.shortest_slot_us, 6),
         "mean_e": _mean(shot.exposure_e, shot.valid),
         "saturated_share": float(shot.saturated.mean()),
         "invalid_share": float(1 - shot.valid.mean()),
