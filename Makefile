@@ -4,6 +4,7 @@
 # make test-slow  the tests that take minutes
 # make docs       the site in build/site: runs the tutorials, draws the gallery; some minutes
 # make bench      measure: speed beside numpy, words of logic beside the best known; minutes
+# make vsix      the extension for VS Code in build/nscc.vsix: needs npm
 # make lint       ruff; make types: mypy; make format: put right what ruff can
 # make clean      remove what was built; the environment stays
 #
@@ -24,7 +25,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test quick test-slow bench docs linkcheck pictures lint format types clean
+.PHONY: help demo test quick test-slow bench docs linkcheck pictures vsix lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -129,6 +130,15 @@ linkcheck: $(VENV)/.docs-installed $(VENV)/.compiled
 # Those that pages keep beside them, for who reads them as files.
 pictures: $(VENV)/.docs-installed $(VENV)/.compiled
 	PYTHONPATH=docs $(BIN)/python -m nscc_site
+
+# What it is made with comes from npm, and stays in $(OUT).
+vsix:
+	@command -v npm >/dev/null || { echo "npm is missing: it brings what the extension is made of" >&2; exit 1; }
+	rm -rf $(OUT)/vscode
+	mkdir -p $(OUT)
+	cp -R editors/vscode $(OUT)/vscode
+	cp LICENSE $(OUT)/vscode
+	cd $(OUT)/vscode && npm ci --no-audit --no-fund --silent && npm run --silent package -- --out ../nscc.vsix
 
 clean:
 	rm -rf $(OUT) docs/generated dist .pytest_cache .mypy_cache .ruff_cache .hypothesis

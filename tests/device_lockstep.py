@@ -16,7 +16,7 @@ class Lockstep(Firmware):
     """A loader that answers when it is asked."""
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
-        super().__init__(loader, chip, "--lockstep")
+        super().__init__([str(loader.path), "--lockstep"], loader.target, chip)
         self.busy = True
         self._arrived = b""
 
@@ -43,9 +43,10 @@ class Lockstep(Firmware):
         while True:
             while (found := self.next()) is None:
                 self.fill()
-            if found[0] == b"J":
-                self.answer(partial(self.exposure, found[1]))
-                exposing = True
-            else:
+            if found[0] == b"O":
                 self.busy = exposing or bool(found[1][0])
                 return found[1][1:]
+            job = self._recording.take(*found)
+            if job is not None:
+                self.answer(job, partial(self.execute, job))
+                exposing = True

@@ -11,7 +11,6 @@ import shutil
 import subprocess
 from dataclasses import dataclass, field
 from fractions import Fraction
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -19,7 +18,7 @@ import pytest
 from lowering_oracle import FadingChip
 
 from nscc.target.target import Target
-from nscc.words.container import Container, Word
+from nscc.words.container import Container, Word, state_registers
 from nscc.words.encoding import decode
 
 STUB = Path(__file__).parent / "devkit_stub"
@@ -31,6 +30,9 @@ needs_compiler = pytest.mark.skipif(COMPILER is None, reason="no C++ compiler he
 
 # What a call may take, on the slow side: an array of pixels is drawn in 0.3 s.
 PIXEL_US, PATTERN_US, LAUNCH_US = 4.6, 100.0, 5.0
+
+# What launches, words and looks at the clock take at most in the stub.
+MOST_LAUNCH_NS, MOST_WORD_NS, MOST_LOOKS_NS = 1900, 220, 1200
 
 Event = tuple[str, list[str]]
 
@@ -71,6 +73,10 @@ class Recording:
         return [*self.loading, *(event for frame in self.frames for event in frame)]
 
 
+CHIP = "-D__LPC43XX__"
+"""The build for the chip; without it, that for the devkit's simulator."""
+
+
 def record(text: Path, *options: str) -> Recording:
     """Compiles a program and runs it, in its own folder, for two frames."""
     program = text.with_suffix(".exe")
@@ -86,9 +92,10 @@ def record(text: Path, *options: str) -> Recording:
         else:
             events.append((name, values))
     assert events[-1] == ("end", [])
-    last_setting = max(i for i, (name, _) in enumerate(events) if name == "trigger")
-    found.loading, rest = events[: last_setting + 1], events[last_setting + 1 : -1]
-    assert rest[0] == ("loop", [])
+    # Frames are the turns of the loop that show something.
+    shown = [i for i, (name, _) in enumerate(events) if name == "output"]
+    first = max(i for i, (name, _) in enumerate(events[: shown[0]]) if name == "loop")
+    found.loading, rest = events[:first], events[first:-1]
     for event in rest:
         if event[0] == "loop":
             found.frames.append([])
@@ -145,7 +152,7 @@ def loaded_planes(
         elif name == "loop":
             chip.now_us += 1e6 / rate
         else:
-            assert name in ("display", "request"), name
+            assert name in ("display", "request", "in", "wait"), name
     chip.run("nop", (), ())
     corner = (slice(0, target.rows), slice(0, target.cols))
     return {name: plane[corner][:, ::-1] for name, plane in chip.digital.items()}
@@ -161,60 +168,116 @@ def check_codes(recording: Recording, container: Container) -> None:
 
 
 def check_frames(recording: Recording, container: Container) -> None:
-    """Each frame launches the container's words in their order and at their times."""
+    """Each frame launches the container's words in their order and at their times, with their
+    values of IN, and shows its registers."""
     wanted = [container.kernels[launch.kernel].words for launch in container.launches]
-    boundary_us = [Fraction(0)]
-    for length in container.slot_us:
-        boundary_us.append(boundary_us[-1] + decimal(length))
-    for events in recording.frames:
-        outputs = [values for name, values in events if name == "output"]
-        assert outputs == [[r.register, str(i)] for i, r in enumerate(container.readouts)]
-        exposure = [event for event in events if event[0] != "output"]
-        # Before readout FLAG is set everywhere, and nothing else happens.
-        last_name, last_values = exposure.pop()
-        assert last_name == "launch"
-        assert [str(decode(w)) for w in recording.kernels[int(last_values[0])]] == ["all"]
+    for exposure in exposures(recording, container):
         launched = [recording.kernels[int(v[0])] for name, v in exposure if name == "launch"]
         assert launched == [list(words) for words in wanted]
-        check_times(exposure, recording, container, boundary_us)
+        check_levels(exposure, container)
+        check_times(exposure, container)
 
 
-def check_times(
-    events: list[Event],
-    recording: Recording,
-    container: Container,
-    boundary_us: list[Fraction],
-) -> None:
-    """No slot between launches is shorter than it should be, nor a microsecond longer."""
+def exposures(recording: Recording, container: Container) -> list[list[Event]]:
+    """What happens in each frame up to the readout, which is looked at here."""
+    shown = [readout.register for readout in container.readouts]
+    shown += list(state_registers(container))
+    found = []
+    for events in recording.frames:
+        outputs = [values for name, values in events if name == "output"]
+        assert outputs == [[register, str(i)] for i, register in enumerate(shown)]
+        exposure = [event for event in events if event[0] not in ("output", "post")]
+        check_readout(exposure, recording, container)
+        found.append(exposure)
+    return found
+
+
+def check_readout(exposure: list[Event], recording: Recording, container: Container) -> None:
+    """What comes last, and is taken away here: FLAG is set everywhere, and registers are made what
+    the converter turns into the codes that the target promises; its own zero is code 128."""
     target = container.target
-    now = Fraction(0)
-    starts: list[Fraction] = []
-    exposed = Fraction(0)
+    name, values = exposure.pop()
+    assert name == "launch"
+    level = 0
+    if target.readout == "spread":
+        if exposure[-1][0] == "wait":
+            exposure.pop()
+        name, settings = exposure.pop()
+        assert name == "in"
+        level = int(settings[0])
+    own = [readout.register for readout in container.readouts]
+    for electrons, wanted in ((0.0, 0), (target.full_well_e / 2, 128), (target.full_well_e, 255)):
+        held = dict.fromkeys((*target.analog_registers, "IN"), 12345.0)
+        held |= {**dict.fromkeys(own, electrons), "IN": level * target.register_max_e / 127}
+        words = [decode(word) for word in recording.kernels[int(values[0])]]
+        assert str(words[0]) == "all"
+        for word in words[1:]:
+            assert word.name == "bus"
+            held[word.destinations[0]] = -sum(held[source] for source in word.sources)
+        for register in own:
+            code = 128 + round(held[register] / (2 * target.full_well_e / 255))
+            if target.readout != "spread":
+                wanted = 128 + round(electrons / (2 * target.full_well_e / 255))
+            assert min(code, 255) == min(wanted, 255), register
+
+
+def check_levels(events: list[Event], container: Container) -> None:
+    """IN has the value that each launch is to have, and as long as it needs to settle."""
+    level, settled = None, 0
+    launches = iter(container.launches)
     for name, values in events:
-        if name == "wait":
-            assert int(values[0]) > 0
-            now += int(values[0])
+        if name == "in":
+            level = int(values[0])
+            settled = int(values[1]) + int(1000 * container.target.in_settle_us)
+        elif name == "launch":
+            launch = next(launches)
+            if launch.level is not None:
+                assert level == launch.level
+                assert int(values[1]) >= settled
+
+
+def check_times(events: list[Event], container: Container) -> None:
+    """What a boundary begins with comes when its slots are over and not three microseconds later,
+    however late anything was before: on the library's clock, where all takes longer than it
+    should. Words that a slot is too short for are followed at once."""
+    passed = [setup_us(container)]
+    for length in container.slot_us:
+        passed.append(passed[-1] + decimal(length))
+    launches = iter(container.launches)
+    first_ns = next(int(values[1]) for name, values in events if name == "launch")
+    waiting: int | None = None
+    before, free_ns = 0, 0
+    for name, values in events:
+        if name == "in":
+            waiting = int(values[1])
+        if name != "launch":
             continue
-        instant = container.launches[len(starts)].instant
-        starts.append(now)
+        launch, at_ns = next(launches), int(values[1])
+        begin_ns = at_ns if waiting is None else waiting
+        if launch.instant != before:
+            over = Fraction(begin_ns - first_ns, 1000) - passed[launch.instant]
+            assert over >= 0, launch
+            assert over < 3 or begin_ns <= free_ns, (launch, float(over))
+        before, waiting = launch.instant, None
+        words = len(container.kernels[launch.kernel].words)
+        free_ns = at_ns + MOST_LAUNCH_NS + words * MOST_WORD_NS + MOST_LOOKS_NS
+
+
+def setup_us(container: Container) -> Fraction:
+    """From the first word to the end of the reset that begins the exposure, as words should
+    take."""
+    target = container.target
+    now = end = Fraction(0)
+    for launch in container.launches:
+        if launch.instant:
+            break
         now += decimal(target.launch_us)
-        for word in recording.kernels[int(values[0])]:
+        for word in container.kernels[launch.kernel].words:
             operation = decode(word)
-            us = target.analog_word_us if operation.analog else target.digital_word_us
-            now += decimal(us)
-            if operation.name == "rpix" and instant == 0:
-                exposed = now
-    begin: dict[int, Fraction] = {}
-    for launch, start in zip(container.launches, starts, strict=True):
-        begin.setdefault(launch.instant, start)
-    begin[0] = exposed
-    if container.launches[-1].instant < container.slots:
-        begin[container.slots] = now
-    instants = sorted(begin)
-    for before, after in pairwise(instants):
-        slot_us = begin[after] - begin[before]
-        meant_us = boundary_us[after] - boundary_us[before]
-        assert meant_us <= slot_us < meant_us + 1, (before, after)
+            now += decimal(target.analog_word_us if operation.analog else target.digital_word_us)
+            if operation.name == "rpix":
+                end = now
+    return end
 
 
 def decimal(value: float) -> Fraction:

@@ -17,7 +17,7 @@ from click.shell_completion import CompletionItem, FishComplete, add_completion_
 Items = list[CompletionItem]
 
 
-class Name(click.ParamType):
+class Name(click.types.StringParamType):
     """Any text; shells offer `names`, and with `files` what lies in folders, too.
 
     With `several` the text is a list with commas between; each name may have one of `signs` before

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc_cli import options as shared
+from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import LEVEL, OUT
 from nscc_cli.support import CommonCommand, NumberRange, done, progress, say
@@ -26,8 +27,9 @@ _MOST_SLOTS = 4096
 
 
 @click.command("design", cls=CommonCommand)
-@click.option("--scene", "scenes", multiple=True, metavar="SCENE", help="A scene as nscc run takes "
-              "it; of several the mean of the decibels counts.")  # fmt: skip
+@click.option("--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
+              help="A scene as nscc run takes it; of several the mean of the decibels "
+              "counts.")  # fmt: skip
 @click.option("--looks", type=click.IntRange(2, _MOST_LOOKS), metavar="K",
               help="Design pixels that look: K exposures, the last the whole frame.")  # fmt: skip
 @click.option("--criterion", type=click.Choice([*_CURVES, _SVE_RISK]), help="What is least: the "
@@ -37,8 +39,8 @@ _MOST_SLOTS = 4096
               help="Slots of the frame.")  # fmt: skip
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), default=125.0, show_default=True,
               help="The length of each.")  # fmt: skip
-@click.option("--target", default="scamp5", show_default=True, metavar="NAME|FILE.toml",
-              help="The chip.")  # fmt: skip
+@click.option("--target", type=TARGET, default="scamp5", show_default=True,
+              metavar="NAME|FILE.toml", help="The chip.")  # fmt: skip
 @click.option("-O", "level", type=LEVEL, default=2, show_default=True,
               help="How long to search for fewer words.")  # fmt: skip
 @shared.scene_options

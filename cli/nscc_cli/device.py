@@ -47,6 +47,9 @@ def command() -> None:
 @click.option("--loader", type=click.Choice(["auto", "firmware", "python"]), default="auto",
               show_default=True, help="The firmware, compiled for this machine, or its Python "
               "twin. auto: the firmware where there is a C++ compiler.")  # fmt: skip
+@click.option("--on", "machine", type=click.Choice(["host", "qemu", "qemu-m0"]), default="host",
+              show_default=True, help="What runs the firmware: this machine, or a Cortex-M4 (a "
+              "Cortex-M0) that QEMU emulates.")  # fmt: skip
 @shared.scene_options
 @shared.sensor_options
 @click.option("--device-seed", type=SEED, default=0, help="Which chip.")
@@ -62,6 +65,11 @@ def serve(**options: Any) -> None:
     from nscc_runtime.device.faults import Faults, parse_faults
     from nscc_runtime.emulator.loops import expose_block
 
+    loader = options["loader"]
+    if options["machine"] != "host":
+        if loader == "python":
+            raise click.UsageError("--on names what runs the firmware, and --loader python is none")
+        loader = options["machine"]
     faults = parse_faults(options["fault"]) if options["fault"] else Faults()
     target = load_target(options["target"], Path())
     sensor = sensor_of(target, options)
@@ -72,9 +80,9 @@ def serve(**options: Any) -> None:
     )  # fmt: skip
     support.say_compiling(expose_block, "the emulator's loops")
     expose_block.load()
-    with stand_in.loaded(options["loader"], target, chip, done) as loader:
+    with stand_in.loaded(loader, target, chip, done) as running:
         stand_in.serve(
-            loader, faults, opened=click.echo,
+            running, faults, opened=click.echo,
             moved=lambda port: done(f"the port is {port} now: its old name was taken"),
             once=options["once"], seconds=options["seconds"],
         )  # fmt: skip

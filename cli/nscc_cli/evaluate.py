@@ -76,7 +76,11 @@ def sci8(
 @click.option("--data", required=True, type=PATH, metavar="DIR",
               help="The folder of scenes.")  # fmt: skip
 @click.option(
-    "--protocol", type=PROTOCOL, required=True, metavar="P", help="hdr-v1, video-v1 or sci8."
+    "--protocol",
+    type=PROTOCOL,
+    required=True,
+    metavar="P",
+    help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1 or staggered-v1.",
 )
 @click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
 @click.option("--skip-seen", is_flag=True,
@@ -84,12 +88,15 @@ def sci8(
 @click.option("--shutter", default="", metavar="CLASS[:START]",
               help="The codes of a baseline: c, c:quad, d:random, ... for clips, b:quad, b:random "
               "for stills; a class alone starts at random.")  # fmt: skip
+@click.option("--effects", default="", metavar="E",
+              help="Expose with an emulated chip instead of the protocol's sensor: auto, all, or "
+              "names, as nscc run takes them. For runs.")  # fmt: skip
 @trust_code_option
 @_save_option
 @_outputs
 def of(
     subject: str, data: Path, protocol: str, seed: int, skip_seen: bool, shutter: str,
-    trust_code: bool, **outputs: Any,
+    effects: str, trust_code: bool, **outputs: Any,
 ) -> None:  # fmt: skip
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
@@ -101,11 +108,14 @@ def of(
     level, without a decoder); designed-2, designed-5 (looks and levels made for each
     crop). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks
     bilinear and thin-out. With --shutter, those that take codes of any class are scored on others.
+    Of deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of
+    staggered-v1: aligned, staggered, staggered-alone.
     """
     from nscc_training.evaluation.subjects import evaluate
 
     chosen = {"skip_seen": skip_seen, "trust_code": trust_code}
-    _of_scenes(*evaluate(subject, data, protocol, seed, codes=shutter, **chosen), **outputs)
+    found = evaluate(subject, data, protocol, seed, codes=shutter, effects=effects, **chosen)
+    _of_scenes(*found, **outputs)
 
 
 @command.command("looks", cls=CommonCommand)

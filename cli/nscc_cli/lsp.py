@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import os
+import sys
+
 import click
 
-from nscc_cli.support import CommonCommand
+from nscc_cli.support import CommonCommand, done
 
 
 @click.command("lsp", cls=CommonCommand)
@@ -18,4 +21,7 @@ def command(stdio: bool) -> None:
     """
     from nscc_cli.language_server import make_server
 
-    make_server().start_io()
+    if sys.stdin.isatty():
+        done("waiting for an editor, which speaks over standard input: Ctrl-C ends it")
+    with os.fdopen(os.dup(sys.stdout.fileno()), "wb") as out:  # the server closes what it is given
+        make_server().start_io(stdout=out)

@@ -9,7 +9,7 @@ import click
 from nscc_cli.options import OUT, PATH
 from nscc_cli.support import CommonCommand, done, progress
 
-_KINDS = ("compile", "limits", "emulate", "train", "evaluate")
+_KINDS = ("compile", "limits", "emulate", "train", "evaluate", "design")
 
 
 def _print_part(context: click.Context, _option: click.Parameter, kind: str | None) -> None:
@@ -66,7 +66,7 @@ def command(
     found = sweep(asked, out, how, parquet=parquet, track=progress, report=done)
     done(
         f"{len(found.table)} points: {len(found.table) - found.misfits - found.failed} with "
-        f"figures, {found.misfits} misfits, {found.failed} failed"
+        f"figures, {found.misfits} with a message instead, {found.failed} failed"
     )
     done("wrote " + ", ".join(path.as_posix() for path in found.files))
     if found.failed:

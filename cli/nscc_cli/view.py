@@ -77,8 +77,8 @@ def _gates(program: Path, options: dict[str, Any]) -> bytes:
         compiled.program.target, "--gates has nothing to draw", "without --gates it draws shutters"
     )
     assert compiled.lowered is not None  # what does not fit is rejected
-    from nscc.emit.network import gate_network
+    from nscc.emit.looking_network import network_of
     from nscc_runtime.pictures.gates import gate_sheet
     from nscc_runtime.pictures.sheet import png_of
 
-    return png_of(gate_sheet, gate_network(compiled.lowered), program.name)
+    return png_of(gate_sheet, network_of(compiled.lowered), program.name)

@@ -13,6 +13,7 @@ from docutils import nodes
 from nscc.tradeoff.points import Point
 from nscc_runtime.pictures.look import LOOKS, looking
 from nscc_runtime.pictures.sheet import png_of
+from nscc_site.editor import editor_picture
 from nscc_site.tool import said
 from nscc_training.tradeoff.diagrams import decoder_diagram
 
@@ -56,6 +57,7 @@ KEPT: dict[str, Callable[[Path], bytes]] = {
     ),
     "docs/images/hdr_shutters.png": _shown("view examples/hdr_2x2.nsl -o OUT"),
     "docs/images/float_shutters.png": _shown("view examples/float_pixel.nsl -o OUT"),
+    "docs/images/editor.png": editor_picture,
     "docs/images/gates.png": _shown("view examples/skip_one.nsl --gates -o OUT"),
     "training/results/figures/decoders.png": _decoders,
 }

@@ -1,52 +1,77 @@
-"""What a frame and its slots cost in words, in words."""
+"""What a frame and its slots cost, in words: instruction code words, or planes of bits on a chip
+without logic. None for a text that is rejected, or of which only a search can tell."""
 
 from __future__ import annotations
 
 from nscc.editing.document import Document
 from nscc.lower.lowered import Lowered
 from nscc.lower.resources import time_text
+from nscc.pipeline import Compiled
 from nscc.program.problems import counted
 
 
-def lowered_of(document: Document) -> Lowered | None:
-    """The words of a text that fits; None for others."""
+def in_short(document: Document) -> str | None:
+    """The cost of a frame and the shortest slot, for the end of a line."""
     compiled = document.checked.compiled
-    return None if compiled is None else compiled.lowered
-
-
-def in_short(lowered: Lowered) -> str:
-    """Words a frame and the shortest slot, for the end of a line."""
-    return (
-        f"{counted(lowered.schedule.words_total, 'word')} a frame, "
-        f"shortest slot {time_text(lowered.shortest_slot_us)}"
+    shortest_us = _shortest_slot_us(compiled)
+    if compiled is None or shortest_us is None:
+        return None
+    lowered = compiled.lowered
+    cost = (
+        counted(len(compiled.program.frame.slot_us), "plane")
+        if lowered is None
+        else counted(lowered.schedule.words_total, "word")
     )
+    return f"{cost} a frame, shortest slot {time_text(shortest_us)}"
 
 
-def frame_cost(lowered: Lowered) -> str:
-    """The same with how words are shared out between slots."""
-    schedule, target = lowered.schedule, lowered.program.target
-    at_boundary = lowered.words_per_boundary
-    most = max(at_boundary)
-    slots = lowered.plan.slots
+def frame_cost(document: Document) -> str | None:
+    """The same in sentences, with how words are shared out between slots."""
+    compiled = document.checked.compiled
+    shortest_us = _shortest_slot_us(compiled)
+    if compiled is None or shortest_us is None:
+        return None
+    least = f"slots of {time_text(shortest_us)} and longer possible."
+    if compiled.lowered is not None:
+        return f"{_words_of_frame(compiled.lowered)} The words leave {least}"
+    target = compiled.program.target
+    planes = counted(len(compiled.program.frame.slot_us), "plane")
+    return f"{planes} of {target.rows} x {target.cols} bits a frame. Loading them leaves {least}"
+
+
+def slot_cost(document: Document, slot: int) -> str | None:
+    """What runs before a slot's light, and how much of the slot it takes."""
+    compiled = document.checked.compiled
+    if compiled is None or _shortest_slot_us(compiled) is None:
+        return None
+    lowered, slot_us = compiled.lowered, compiled.program.frame.slot_us[slot]
+    head = f"Slot {slot}, {time_text(slot_us)}"
+    if lowered is None:
+        load_us = compiled.program.target.plane_load_us
+        return f"{head}: one plane of bits, loaded in {_share(load_us, slot_us)}."
+    words, busy_us = lowered.words_per_boundary[slot], lowered.busy_us[slot]
+    if not words:
+        return f"{head}: costs no words."
+    took = _share(busy_us, slot_us) if busy_us else "no time of its light"
+    return f"{head}: {counted(words, 'word')} at its start, {took}."
+
+
+def _shortest_slot_us(compiled: Compiled | None) -> float | None:
+    made = None if compiled is None else compiled.lowered or compiled.sending
+    return None if made is None else made.shortest_slot_us
+
+
+def _share(us: float, slot_us: float) -> str:
+    return f"{time_text(us)} or {100 * us / slot_us:.2g} % of it"
+
+
+def _words_of_frame(lowered: Lowered) -> str:
+    schedule, slots = lowered.schedule, lowered.plan.slots
+    most = max(lowered.words_per_boundary)
+    boundary = lowered.words_per_boundary.index(most)
+    where = f"before slot {boundary}" if boundary < slots else "after the last slot"
     return (
         f"{counted(schedule.words_total, 'word')} a frame, {schedule.words_stored} stored of "
-        f"{target.store_words}: {schedule.words_total / slots:.3g} a slot, at most {most}, "
-        f"{_before(at_boundary.index(most), slots)}. The words leave slots of "
-        f"{time_text(lowered.shortest_slot_us)} and longer possible."
+        f"{lowered.program.target.store_words}: {schedule.words_total / slots:.3g} a slot, at most "
+        f"{most}, {where}."
     )
-
-
-def slot_cost(lowered: Lowered, slot: int) -> str:
-    """What runs before a slot's light, and how much of the slot it takes."""
-    words, busy_us = lowered.words_per_boundary[slot], lowered.busy_us[slot]
-    slot_us = lowered.program.frame.slot_us[slot]
-    if not words:
-        return f"Slot {slot}, {time_text(slot_us)}: costs no words."
-    took = (
-        f"{time_text(busy_us)} or {100 * busy_us / slot_us:.2g} % of it" if busy_us else "no time"
-    )
-    return f"Slot {slot}, {time_text(slot_us)}: {counted(words, 'word')} at its start, {took}."
-
-
-def _before(boundary: int, slots: int) -> str:
-    return f"before slot {boundary}" if boundary < slots else "after the last slot"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from nscc.editing.costs import in_short, lowered_of
+from nscc.editing.costs import in_short
 from nscc.editing.document import Document
 from nscc.program.problems import clipped
 from nscc.syntax import tree
@@ -24,9 +24,9 @@ def hints(document: Document) -> Iterator[Hint]:
     for statement in document.parsed[0].statements:
         match statement:
             case tree.EqualSlots() | tree.ListedSlots():
-                lowered = lowered_of(document)
-                if lowered is not None:
-                    yield Hint(statement.span.end, in_short(lowered))
+                cost = in_short(document)
+                if cost is not None:
+                    yield Hint(statement.span.end, cost)
             case tree.Let() if not isinstance(statement.value, tree.Int):
                 meaning = document.constants.get(statement.name.text)
                 if meaning is not None and meaning.kind == "constant":

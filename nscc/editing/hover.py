@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from nscc.diagnostics.explain import page
-from nscc.editing.costs import frame_cost, lowered_of, slot_cost
+from nscc.editing.costs import frame_cost, slot_cost
 from nscc.editing.document import Document
 from nscc.editing.mentions import Mention, declaration, mention_at
 from nscc.lower.resources import time_text
@@ -100,14 +100,14 @@ def _field(document: Document, name: str) -> str:
     kinds = {
         "range": "", "bits": f", {field.bits} free bits", "row": f", a row of `{field.book}`",
     }  # fmt: skip
-    told = f"a field of the pixel code{kinds[field.kind]}: {field.low}..{field.high}"
+    told = f"a field of the pixel code{kinds[field.kind]}, {field.low}..{field.high}"
     compiled = document.checked.compiled
     if compiled is None or compiled.program.mode != "fixed":
         return told
     table = compiled.program.table
     used = np.unique(table.codes[:, table.fields.index(name)])
     listed = f": {', '.join(map(str, used))}" if len(used) <= _MOST_VALUES else ""
-    return f"{told}. {len(used)} of its {field.high - field.low + 1} values in use{listed}"
+    return f"{told}. {len(used)} of its {field.high - field.low + 1} values in use{listed}."
 
 
 def _sense(document: Document, name: str) -> str:
@@ -150,14 +150,13 @@ def _frame(document: Document, offset: int) -> Hover | None:
             continue
         if not statement.span.start <= offset <= statement.span.end:
             continue
-        lowered = lowered_of(document)
         if isinstance(statement, tree.ListedSlots):
             for slot, length in enumerate(statement.lengths):
-                if lowered is not None and length.span.start <= offset <= length.span.end:
-                    return Hover(length.span, slot_cost(lowered, slot))
-        parts = list(_lengths(document, statement))
-        if lowered is not None:
-            parts.append(frame_cost(lowered))
+                if length.span.start <= offset <= length.span.end:
+                    told = slot_cost(document, slot)
+                    return None if told is None else Hover(length.span, told)
+        cost = frame_cost(document)
+        parts = [*_lengths(document, statement), *([] if cost is None else [cost])]
         return Hover(statement.span, " ".join(parts)) if parts else None
     return None
 

@@ -13,8 +13,17 @@ plane   what a register holds when the frame starts: `register`, `name` in the l
 gate    `function` WHERE or OR, NOR, MOV (OR of one), NOT, SET (1), CLR (0) of its predecessors; the
         `register` that it writes (FLAG for WHERE), the value's `name`, `words`, `boundary`,
         and the `kernel` it is stored in
-demand  what FLAG must hold: `edge` "open", "rise" or "fall", `bucket`, `boundary`
+demand  what FLAG must hold: `edge` "open", "rise", "fall" or "reset", `bucket` ("" where PIX is
+        reset), `boundary`
 end     a plane as it must be again when the frame ends: `register`, `boundary`
+
+Of a program whose pixels look at the light, planes are also the registers of its states, which the
+frame's first words clear or which the frame before left, for the behaviours of its machine. It has
+two kinds more:
+
+look    an answer in FLAG, which comes from no gate: `function` where, `signal` "light" or a bucket,
+        `steps` of IN, `boundary`, `kernel`. It holds where the signal is at most the level
+state   a bit of a state as the frame leaves it: `state`, `bit`, `register`, `boundary`
 """
 
 from __future__ import annotations
@@ -25,7 +34,6 @@ from collections.abc import Iterable, Iterator
 
 import networkx as nx
 
-from nscc.diagnostics.rejection import rejected
 from nscc.logic.problem import Gate
 from nscc.lower.allocate import words
 from nscc.lower.lowered import Lowered
@@ -33,18 +41,8 @@ from nscc.operations import Op
 
 
 def gate_network(lowered: Lowered) -> nx.DiGraph:
-    """The network of a program's gates; see the module for nodes and attributes.
-
-    Raises Rejected (NS0507) for a program that looks: its gates read what pixels find.
-    """
-    if lowered.program.machine is not None:
-        raise rejected(
-            "NS0507",
-            "there is no network of the gates of a program whose pixels look at the light",
-            notes=("what they compute hangs on answers, which come from no gate",),
-            helps=("`--emit gates` and `--emit schedule` list them",),
-            status=1,
-        )
+    """The network of a program's gates, whose shutters are fixed; see the module for nodes and
+    attributes. `nscc.emit.looking_network` has that of any program."""
     solution, program = lowered.solution, lowered.program
     allocation = lowered.schedule.allocation
     network = nx.DiGraph(
@@ -62,7 +60,7 @@ def gate_network(lowered: Lowered) -> nx.DiGraph:
         plane(f"p{i}", allocation.places[f"p{i}"], holder, vector)
     if solution.state_in_flag:
         plane("FLAG", "FLAG", "1 in every pixel", lowered.plan.everywhere)
-    kernels = _Kernels(lowered)
+    kernels = KernelFinder(lowered)
     gates = demands = 0
     for boundary, item in _in_order(lowered):
         if isinstance(item, Gate):
@@ -88,6 +86,11 @@ def gate_network(lowered: Lowered) -> nx.DiGraph:
         register = allocation.places[f"p{i}"]
         network.add_node(f"e{i}", kind="end", register=register, boundary=lowered.plan.slots)
         network.add_edge(holds[f"p{i}"], f"e{i}")
+    return measured(network)
+
+
+def measured(network: nx.DiGraph) -> nx.DiGraph:
+    """The network, with its `depth` and `registers` said."""
     network.graph |= {"depth": depth(network), "registers": registers_needed(network)}
     return network
 
@@ -105,7 +108,7 @@ def _in_order(lowered: Lowered) -> Iterator[tuple[int, Gate | tuple[str, int]]]:
         yield from ((lowered.plan.slots, gate) for gate in segment)
 
 
-class _Kernels:
+class KernelFinder:
     """Finds each gate's words again in the kernels that its boundary launches."""
 
     def __init__(self, lowered: Lowered) -> None:
@@ -155,7 +158,7 @@ def interference(network: nx.DiGraph) -> nx.Graph:
     alive: set[str] = set()
     for node, kind in network.nodes(data="kind"):
         alive -= {value for value in network.predecessors(node) if last[value] == node}
-        if kind in ("plane", "gate"):
+        if kind in ("plane", "gate", "look"):
             graph.add_node(node)
             graph.add_edges_from((node, other) for other in alive)
             if node in last:
@@ -181,7 +184,10 @@ def graphml_bytes(network: nx.DiGraph) -> bytes:
     return out.getvalue() + b"\n"
 
 
-_SHAPES = {"plane": "box", "gate": "ellipse", "demand": "invhouse", "end": "box"}
+_SHAPES = {
+    "plane": "box", "gate": "ellipse", "look": "diamond", "demand": "invhouse", "end": "box",
+    "state": "box",
+}  # fmt: skip
 
 
 def dot_text(network: nx.DiGraph) -> str:
@@ -202,8 +208,13 @@ def _label(node: dict[str, str | int]) -> list[str]:
         case "gate":
             name = f"{node['function']} {node['name']}"
             return [name, f"{node['register']}, boundary {node['boundary']}"]
+        case "look":
+            what = f"{node['signal']} at most {node['steps']} steps"
+            return [what, f"FLAG, boundary {node['boundary']}"]
         case "demand":
-            return [f"{node['edge']} of {node['bucket']}", f"boundary {node['boundary']}"]
+            return [f"{node['edge']} of {node['bucket'] or 'PIX'}", f"boundary {node['boundary']}"]
+        case "state":
+            return [f"{node['state']}, bit {node['bit']}", str(node["register"])]
         case _:
             return [f"{node['register']} as it was"]
 

@@ -115,9 +115,10 @@ def _text_or_words(kind: str, compiled: Compiled) -> bytes:
         case "schedule":
             return schedule_text(lowered).encode()
         case "dot" | "graphml":
-            from nscc.emit.network import dot_text, gate_network, graphml_bytes
+            from nscc.emit.looking_network import network_of
+            from nscc.emit.network import dot_text, graphml_bytes
 
-            network = gate_network(lowered)
+            network = network_of(lowered)
             return graphml_bytes(network) if kind == "graphml" else dot_text(network).encode()
         case "asm":
             return text_after("words", container).encode()

@@ -32,9 +32,8 @@ _MOST_CLEARED = 4
 def lay_out_looks(
     plan: LookingPlan, solution: LookingSolution, time: Timeline, most_words: int | None
 ) -> Lowered | None:
-    """The words of a solution over the frame's boundaries; None where its registers are too many.
-
-    `most_words` as in Lowered.
+    """The words of a solution over the frame's boundaries; None where its registers are too many,
+    or where the mask would lose what it holds. `most_words` as in Lowered.
     """
     target = plan.program.target
     general = _general(solution, plan)

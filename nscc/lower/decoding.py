@@ -13,6 +13,7 @@ from nscc.lower.plan import ExposurePlan, Opens, Step
 from nscc.lower.timeline import Timeline
 from nscc.operations import Effect
 from nscc.program.program import Program
+from nscc.program.wide import whole_name
 from nscc.target.target import Target
 from nscc.words.container import DecodeTable
 
@@ -68,8 +69,9 @@ def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
         if field.bits is None:
             values[field.name] = codes[:, index]
         else:
-            bits = {f"{field.name}[{k}]": codes[:, index] >> k & 1 for k in range(field.bits)}
-            values.update(bits)
+            name, first = whole_name(field.name), field.first_bit
+            for k in range(field.bits):
+                values[f"{name}[{first + k}]"] = codes[:, index] >> k & 1
     return values
 
 

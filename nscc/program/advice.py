@@ -54,7 +54,7 @@ def judge_names(
     """
     in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
     for field in fields:
-        if field.name not in in_rules:
+        if not field.first_bit and field.name not in in_rules:
             place = declared.codes[field.name].name.span
             why = "every value of it gives the same shutter"
             problems.warning("NS0352", f"no rule reads the field `{field.name}`", place, why)

@@ -22,6 +22,7 @@ from nscc.program.planes import Plane, first_place, pixel_text
 from nscc.program.problems import Problems, counted
 from nscc.program.program import BucketRule, Codes, Frame, Program
 from nscc.program.table import (
+    UNCOUNTED,
     CodeArray,
     NoValue,
     Rules,
@@ -199,7 +200,7 @@ class Completion:
         and their number, where it can be told quickly."""
         rules = self.rules
         total = rules.combinations
-        legal = None if rules.requires else total
+        legal = None if rules.requires or total >= UNCOUNTED else total
         if total > SURVEY_LIMIT:
             return table, legal
         try:

@@ -27,6 +27,7 @@ from nscc.program.arithmetic import (
 )
 from nscc.program.expressions import Checked, operands
 from nscc.program.problems import clipped
+from nscc.program.wide import PART_BITS, part_name
 from nscc.syntax import tree
 
 Bindings = Mapping[str, Value]
@@ -169,7 +170,23 @@ def _position(node: tree.Index, index: Value, size: int, what: str) -> tuple[Dat
 def _bit(node: tree.Index, index: Value, field: Value, bindings: Bindings) -> Value:
     bits = bindings[bit_count(node.base.text)].low
     position, faults = _position(node, index, bits, f"{bits} bits")
-    return Value((field.data >> position) & 1 != 0, 0, 1, either(field.faults, faults))
+    if bits <= PART_BITS:
+        return Value((field.data >> position) & 1 != 0, 0, 1, either(field.faults, faults))
+    parts = [bindings[part_name(node.base.text, k)].data for k in range(-(-bits // PART_BITS))]
+    return Value(_bit_of_parts(parts, position), 0, 1, either(field.faults, faults))
+
+
+def _bit_of_parts(parts: list[Data], position: Data) -> Data:
+    """The bit at `position` of fields kept as several numbers; both broadcast."""
+    if isinstance(position, int):
+        return parts[position // PART_BITS] >> position % PART_BITS & 1 != 0
+    shape = np.broadcast_shapes(np.shape(parts[0]), position.shape)
+    found = np.zeros(shape, np.bool_)
+    for k in np.unique(position // PART_BITS).tolist():
+        here = np.broadcast_to(position // PART_BITS == k, shape)
+        shifted = parts[k] >> np.where(here, position % PART_BITS, 0)
+        found |= here & (shifted & 1 != 0)
+    return found
 
 
 def bit_count(field: str) -> str:

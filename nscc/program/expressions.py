@@ -27,14 +27,16 @@ class Meaning:
     """What a name stands for in one place.
 
     `constant` has a `value`; `variable` differs between codes, slots or pixels (`bits` where it may
-    be indexed); `book` is a codebook; `failed` had an error that is reported already; `misplaced`
-    is known but cannot stand here, and `note` says why. `type` is that of a variable.
+    be indexed, and `wide` where it is too long for a number); `book` is a codebook; `failed` had an
+    error that is reported already; `misplaced` is known but cannot stand here, and `note` says why.
+    `type` is that of a variable.
     """
 
     kind: Literal["constant", "variable", "book", "failed", "misplaced"]
     value: int = 0
     note: str = ""
     bits: bool = False
+    wide: bool = False
     type: Type = "integer"
 
 
@@ -180,6 +182,8 @@ class _Checker:
                 return "integer"
             case "variable":
                 self.variables.add(node.text)
+                if meaning.wide:
+                    self._too_wide(node)
                 return meaning.type
             case "failed":
                 self.sound = False
@@ -193,6 +197,15 @@ class _Checker:
                 self._error("NS0209", message, node.span, "a whole codebook", helps=helps)
                 return None
         assert_never(meaning.kind)
+
+    def _too_wide(self, node: tree.Name) -> None:
+        self._error(
+            "NS0513",
+            f"`{node.text}` has more bits than a number: it cannot be calculated with",
+            node.span,
+            "a bit field of more than 62 bits",
+            helps=(f"read single bits: `{node.text}[n]`",),
+        )
 
     def _base(self, base: tree.Name) -> None:
         meaning = self.scope.get(base.text)

@@ -15,6 +15,7 @@ from nscc.program.limits import MOST_BITS
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems
 from nscc.program.program import Field
+from nscc.program.wide import PART_BITS
 from nscc.source import Span
 from nscc.syntax.tree import CodeBits, CodeRange, CodeRow, Name
 
@@ -25,7 +26,8 @@ def make_fields(
     books: Mapping[str, NDArray[np.bool_] | None],
     problems: Problems,
 ) -> dict[str, Field | None]:
-    """Every declared field, None where an error was reported, here or about its book.
+    """Every declared field, None where an error was reported, here or about its book. Tells
+    `declared` which bit fields are longer than a number.
 
     Reports an empty range (NS0306), a bit count outside 1..MOST_BITS (NS0307) and `row of` what is
     no codebook (NS0209, NS0214).
@@ -74,10 +76,10 @@ class _Maker:
         if not 1 <= count <= MOST_BITS:
             message = f"a field of {count} bits is not possible"
             text = f"a bit field has 1 to {MOST_BITS} bits"
-            longer = ("a codebook names shutters of any length: `code id : row of BOOK`",)
-            helps = longer if count > MOST_BITS else ()
-            self.problems.error("NS0307", message, statement.count.span, text, helps=helps)
+            self.problems.error("NS0307", message, statement.count.span, text)
             return None
+        if count > PART_BITS:
+            self.declared.wide.add(statement.name.text)
         place = self._bits_place(statement)
         return Field(statement.name.text, "bits", 0, 2**count - 1, place, bits=count)
 

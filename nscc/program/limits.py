@@ -31,8 +31,8 @@ stays within the proof limit."""
 MOST_FIELDS = 64
 """Most fields of a pixel code: more than any target has registers for."""
 
-MOST_BITS = 62
-"""Most bits of a bit field: its value then stays below 2^62 like every other number."""
+MOST_BITS = MOST_SLOTS
+"""Most bits of a bit field: one for every slot of the longest frame."""
 
 
 def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:

@@ -19,6 +19,7 @@ from nscc.program.looking import Looking, Sense, level_steps
 from nscc.program.names import LOOKS
 from nscc.program.problems import counted
 from nscc.program.table import CodeArray, Finding, NoValue, Rules, TooMuch, code_text
+from nscc.program.wide import whole_name
 from nscc.target.target import Target
 from nscc.words.machine import Comparison, Machine, State
 
@@ -118,7 +119,7 @@ class _Builder:
             column = self.codes[nodes[:, 0], k].reshape(-1, 1)
             found[field.name] = Value(column, field.low, field.high)
             if field.bits is not None:
-                found[bit_count(field.name)] = scalar(field.bits)
+                found[bit_count(whole_name(field.name))] = scalar(field.first_bit + field.bits)
         for k, state in enumerate(self.looking.states, 1):
             column = nodes[:, k : k + 1]
             found[state.name] = Value(

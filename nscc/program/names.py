@@ -33,7 +33,8 @@ class Declarations:
     """The statements of a file by kind and name, each name once, in the order written.
 
     `pixels` holds the first `pixels FIELD = ...` for each name, whether that is a field or not;
-    `pixels_file` the one `pixels from`. `refused` are names whose declaration, or second
+    `pixels_file` the one `pixels from`. `wide` are the bit fields that no number holds, as soon as
+    their lengths are known. `refused` are names whose declaration, or second
     declaration, was an error: what they mean is not known, and their use is no second error.
     """
 
@@ -48,6 +49,7 @@ class Declarations:
         self.pixels: dict[str, tree.PixelsExpr | tree.PixelsTile] = {}
         self.pixels_file: tree.PixelsFromFile | None = None
         self.refused: set[str] = set()
+        self.wide: set[str] = set()
         self.version = 1
         self.senses: dict[str, tree.Sense] = {}
         self.states: dict[str, State] = {}

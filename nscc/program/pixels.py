@@ -13,8 +13,16 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.program.arrays_file import ArraysFile
-from nscc.program.planes import Plane, as_plane, first_place, pixel_text, stored_plane
+from nscc.program.planes import (
+    Plane,
+    Stored,
+    first_place,
+    pixel_text,
+    planes_of,
+    stored_planes,
+)
 from nscc.program.problems import clipped, counted
+from nscc.program.wide import grouped
 from nscc.words.container import DecodeTable
 
 _DENSE = 2**20
@@ -67,14 +75,17 @@ def codes_from_file(
 ) -> NDArray[np.int32]:
     """Codes for a program that is compiled already: the row of `table.codes` at each pixel.
 
-    The file holds an integer array (rows, cols) for each field of `table`, by name. For messages,
+    The file holds for each field of `table`, by name, an array as `nscc.program.planes.planes_of`
+    takes it: integers (rows, cols), or single bits. For messages,
     `shown` is the path, `mode` says whether `table` holds every legal code ("open"), and `ranges`
     is asked for what the fields may be. Raises Rejected: NS0313 and NS0314 for the file; with the
     first such pixel and their number, NS0311 for a value out of its field's range, NS0312 for a
     code that the program forbids, NS0319 for one that it was not compiled for.
     """
     file = ArraysFile(path, str(path) if shown is None else shown)
-    planes = [stored_plane(file, name, rows, cols) for name in table.fields]
+    planes: list[Stored] = []
+    for name, parts in grouped(table.fields).items():
+        planes += stored_planes(file, name, (rows, cols), len(parts))
     return _rows_of_table(planes, table, (rows, cols), f'"{file.shown}"', mode, ranges)
 
 
@@ -87,30 +98,24 @@ def codes_from_arrays(
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
-    """The same of integer arrays (rows, cols), one for each field of `table`, by name.
+    """The same of arrays, one for each field of `table`, by name.
 
     Raises Rejected: NS0314 for arrays that are missing, too many, of another shape or of no
     integers; for their values as `codes_from_file`.
     """
-    for name in {*arrays} - {*table.fields}:
+    fields = grouped(table.fields)
+    for name in {*arrays} - {*fields}:
         raise rejected(
             "NS0314",
             f"the program's code has no field '{clipped(name)}'",
-            notes=(f"its fields: {', '.join(table.fields) or 'none'}",),
-            helps=meant(name, table.fields),
+            notes=(f"its fields: {', '.join(fields) or 'none'}",),
+            helps=meant(name, fields),
         )
-    planes = []
-    for name in table.fields:
+    planes: list[Stored] = []
+    for name, parts in fields.items():
         if name not in arrays:
             raise rejected("NS0314", f"there is no array for the field '{name}' of the code")
-        stored = np.asarray(arrays[name])
-        if stored.dtype.kind not in "iu" or stored.shape != (rows, cols):
-            raise rejected(
-                "NS0314",
-                f"the array '{name}' is {stored.shape} of {stored.dtype}, and must be integers "
-                f"({rows}, {cols}): [row, column]",
-            )
-        planes.append(as_plane(stored))
+        planes += planes_of(np.asarray(arrays[name]), name, (rows, cols), len(parts))
     return _rows_of_table(planes, table, (rows, cols), "the arrays", mode, ranges)
 
 

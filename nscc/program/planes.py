@@ -16,12 +16,13 @@ from nscc.program.arithmetic import Value, array
 from nscc.program.arrays_file import ArraysFile
 from nscc.program.constants import constant
 from nscc.program.evaluate import evaluate, fault_at
-from nscc.program.expressions import Checked, Meaning, check
+from nscc.program.expressions import LIMIT, Checked, Meaning, check
 from nscc.program.limits import MOST_FIELDS, WORK_LIMIT, work
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems, clipped, counted
 from nscc.program.program import Field
 from nscc.program.scopes import constants_scope, pixels_scope
+from nscc.program.wide import PART_BITS, parts_of, parts_of_bits
 from nscc.source import Span
 from nscc.syntax.tree import Expr, Int, PixelsExpr, PixelsFromFile, PixelsTile
 from nscc.target.target import Target
@@ -42,7 +43,8 @@ def make_planes(
 
     Without any `pixels` statement, or without a target, there are none. Reports fields not given
     (NS0210), values outside their range (NS0311), faults of expressions, tiles that are no
-    rectangle (NS0316), files (NS0313, NS0314, NS0315).
+    rectangle (NS0316), files (NS0313, NS0314, NS0315). A bit field that no number holds has a plane
+    for each of its parts.
     """
     return _Maker(declared, fields, constants, target, base, problems).run()
 
@@ -199,10 +201,16 @@ class _Maker:
             field = self.fields[name]
             if field is None or self.target is None:
                 continue
+            shape = self.target.rows, self.target.cols
+            names = [part.name for part in parts_of(field)]
             try:
-                plane, beyond = stored_plane(file, name, self.target.rows, self.target.cols)
+                found = stored_planes(file, name, shape, len(names), field.bits)
             except Rejected as wrong:
                 self.problems.adopt(wrong, statement.path.span)
+                continue
+            (plane, beyond), *more = found
+            if more:
+                planes.update(zip(names, (each for each, _ in found), strict=True))
             else:
                 self._keep(planes, field, plane, statement, beyond)
 
@@ -215,23 +223,39 @@ class _Maker:
         beyond: NDArray[np.bool_] | None = None,
     ) -> None:
         """Adds a plane whose values are in range; `beyond` are places that int64 cannot hold."""
-        outside = (plane < field.low) | (plane > field.high)
+        outside = (plane < field.low) | (plane > min(field.high, LIMIT))
         if beyond is not None:
             outside |= beyond
         if not outside.any():
-            planes[field.name] = plane
+            first, *others = (part.name for part in parts_of(field))
+            planes[first] = plane
+            planes.update((name, np.zeros_like(plane)) for name in others)
             return
         y, x = first_place(outside)
         count = int(outside.sum())
         value = "a number beyond 2^63" if beyond is not None and beyond[y, x] else plane[y, x]
         self.problems.error(
             "NS0311",
-            f"the {pixel_text(x, y)} has {field.name} = {value}, outside {field.low}..{field.high}",
+            f"the {pixel_text(x, y)} has {field.name} = {value}, outside {_range(field)}",
             _value_span(statement, x, y),
             f"{counted(count, 'pixel is', 'pixels are')} outside the range",
-            related=(Label(field.span, f"`{field.name}` is {field.low}..{field.high}"),),
+            related=(Label(field.span, f"`{field.name}` is {_range(field)}"),),
+            helps=_as_bits(field, self.target),
             data={"field": field.name, "x": x, "y": y, "pixels": count},
         )
+
+
+def _range(field: Field) -> str:
+    """The values of a field; a number has at most 62 bits."""
+    return f"{field.low}..{min(field.high, LIMIT)}"
+
+
+def _as_bits(field: Field, target: Target | None) -> tuple[str, ...]:
+    """How to give the pixels of a bit field that no number holds."""
+    if field.high <= LIMIT or target is None:
+        return ()
+    shape = f"({target.rows}, {target.cols}, {field.bits})"
+    return (f"give its bits: an array {field.name} of 0 and 1 {shape}, bit 0 first, in a file",)
 
 
 def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: int) -> Span:
@@ -247,17 +271,62 @@ def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: 
     assert_never(statement)
 
 
-def stored_plane(
-    file: ArraysFile, name: str, rows: int, cols: int
-) -> tuple[Plane, NDArray[np.bool_]]:
-    """The array `name` as int64, and where it held what int64 cannot."""
-    stored = file.integers(name, most=max(rows * cols, 2**20))
-    if stored.shape != (rows, cols):
-        found = f'the array `{clipped(name)}` of "{file.shown}" has shape {stored.shape}'
-        message = f"{found}; the array of pixels is {rows} rows x {cols} columns"
-        helps = (f"save an array of shape ({rows}, {cols}): [row, column]",)
+Stored = tuple[Plane, NDArray[np.bool_]]
+"""A plane, and where what was given is beyond int64."""
+
+
+def stored_planes(
+    file: ArraysFile, name: str, shape: tuple[int, int], parts: int = 1, bits: int | None = None
+) -> list[Stored]:
+    """The planes of the field `name` in a file, as `planes_of` makes them; NS0313, NS0314."""
+    most = shape[0] * shape[1] * (bits or parts * PART_BITS)
+    stored = file.integers(name, most=max(most, 2**20), bools=True)
+    return planes_of(stored, name, shape, parts, bits, f' of "{file.shown}"')
+
+
+def planes_of(
+    stored: NDArray[Any],
+    name: str,
+    shape: tuple[int, int],
+    parts: int,
+    bits: int | None = None,
+    where: str = "",
+) -> list[Stored]:
+    """The planes of a field that is kept as so many parts, of the array that gives it.
+
+    It holds integers (rows, cols), or the single bits (rows, cols, K) of a bit field, bit 0 first:
+    as many as the field has where `bits` says, else as many as its parts can hold. NS0314 for
+    anything else.
+    """
+    if stored.ndim == 3 and (parts > 1 or bits is not None):
+        return [(plane, np.zeros(shape, np.bool_)) for plane in
+                parts_of_bits(_single_bits(stored, name, shape, parts, bits, where))]  # fmt: skip
+    if stored.dtype.kind not in "iu" or stored.shape != shape:
+        found = f"the array `{clipped(name)}`{where} is {stored.shape} of {stored.dtype}"
+        message = f"{found}, and must be integers {shape}: [row, column]"
+        helps = (f"the array of pixels is {shape[0]} rows x {shape[1]} columns",)
         raise rejected("NS0314", message, helps=helps)
-    return as_plane(stored)
+    plane = as_plane(stored)
+    nothing = np.zeros(shape, np.int64), np.zeros(shape, np.bool_)
+    return [plane, *[nothing] * (parts - 1)]
+
+
+def _single_bits(
+    stored: NDArray[Any], name: str, shape: tuple[int, int], parts: int, bits: int | None,
+    where: str,
+) -> NDArray[Any]:  # fmt: skip
+    count = stored.shape[2]
+    least = bits or (parts - 1) * PART_BITS + 1
+    most = bits or parts * PART_BITS
+    if stored.shape[:2] != shape or not least <= count <= most:
+        wanted = f"({shape[0]}, {shape[1]}, {bits if bits else f'{least} to {most}'})"
+        message = f"the array `{clipped(name)}`{where} has shape {stored.shape}; bits are {wanted}"
+        helps = ("the last axis is the bit, bit 0 first",)
+        raise rejected("NS0314", message, helps=helps)
+    if not np.isin(stored, (0, 1)).all():
+        message = f"the array `{clipped(name)}`{where} has values other than 0 and 1"
+        raise rejected("NS0314", message, helps=("with three axes, an array holds single bits",))
+    return stored
 
 
 def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:

@@ -23,7 +23,8 @@ class Field:
     """A field of the pixel code: its values are `low`..`high`.
 
     `kind` is how it was declared: a range, free bits (`bits` of them) or a row of `book`.
-    `span` is the declaration's range, bit count or book name: the place a user would change.
+    `span` is the declaration's range, bit count or book name: the place a user would change. A part
+    of a long bit field (`nscc.program.wide`) begins with bit number `first_bit` of it.
     """
 
     name: str
@@ -32,6 +33,7 @@ class Field:
     high: int
     span: Span
     bits: int | None = None
+    first_bit: int = 0
     book: str | None = None
 
 

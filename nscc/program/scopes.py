@@ -50,7 +50,8 @@ def require_scope(declared: Declarations, constants: Scope) -> dict[str, Meaning
     scope = constants_scope(declared, constants)
     scope.update(dict.fromkeys(("x", "y"), Meaning("misplaced", note=_PLACE_IN_RULE)))
     for name, statement in declared.codes.items():
-        scope[name] = Meaning("variable", bits=isinstance(statement, CodeBits))
+        bits = isinstance(statement, CodeBits)
+        scope[name] = Meaning("variable", bits=bits, wide=name in declared.wide)
     return _without_refused(scope, declared)
 
 

@@ -19,8 +19,9 @@ from nscc.program.limits import (
     WORK_LIMIT,
     total_work,
 )
-from nscc.program.problems import counted
+from nscc.program.problems import counted, printable
 from nscc.program.program import Field
+from nscc.program.wide import whole_name
 from nscc.words.container import DecodeTable
 
 CodeArray = NDArray[np.int64]
@@ -118,8 +119,8 @@ def legal_codes(rules: Rules) -> CodeArray:
         _limit_codes(rules, total)
     elif total > COMBINATION_LIMIT:
         tried = f"at most {COMBINATION_LIMIT} are tried against `require`"
-        message = f"the fields name {total} combinations, and {tried}"
-        raise TooMuch(message, total, COMBINATION_LIMIT)
+        message = f"the fields name {printable(total)} combinations, and {tried}"
+        raise TooMuch(message, min(total, UNCOUNTED), COMBINATION_LIMIT)
     _limit_work(rules.requires, rules, total, 1)
     kept: list[CodeArray] = []
     count = 0
@@ -195,7 +196,8 @@ def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
         column = np.ascontiguousarray(codes[:, k]).reshape(-1, 1)
         bindings[field.name] = Value(column, field.low, field.high)
         if field.bits is not None:
-            bindings[bit_count(field.name)] = scalar(field.bits)
+            # Of a long field's parts the last one has the highest bit.
+            bindings[bit_count(whole_name(field.name))] = scalar(field.first_bit + field.bits)
     return bindings
 
 
@@ -218,14 +220,23 @@ def _blocks(count: int, width: int) -> Iterator[slice]:
         yield slice(start, min(start + step, count))
 
 
+UNCOUNTED = 2**72
+"""More codes than this are told by a power of two: nobody reads so many digits."""
+
+
 def _limit_codes(rules: Rules, codes: int) -> None:
     buckets = len(rules.rules)
     needed = codes * buckets * rules.slots
     if needed > PROOF_LIMIT:
         in_buckets = f"{counted(buckets, 'bucket')} x " if buckets != 1 else ""
-        size = f"{counted(codes, 'code')} x {in_buckets}{counted(rules.slots, 'slot')}"
-        message = f"{size} are {needed} values to prove, and the limit is {PROOF_LIMIT}"
-        raise TooMuch(message, needed, PROOF_LIMIT)
+        if needed < UNCOUNTED:
+            of_codes, values = counted(codes, "code"), f"{needed} values"
+        else:
+            of_codes = f"2^{codes.bit_length() - 1} codes or more"
+            values = f"2^{needed.bit_length() - 1} values or more"
+        size = f"{of_codes} x {in_buckets}{counted(rules.slots, 'slot')}"
+        message = f"{size} are {values} to prove, and the limit is {PROOF_LIMIT}"
+        raise TooMuch(message, min(needed, UNCOUNTED), PROOF_LIMIT)
     kept = codes * len(rules.fields)
     if kept > TABLE_LIMIT:
         size = f"{counted(codes, 'code')} of {counted(len(rules.fields), 'field')}"

@@ -65,10 +65,9 @@ def shutters_of_pixels(container: Container, name: str = "this program") -> dict
     """
     pixels, sent = container.pixel_codes, container.stream
     if sent is not None:
-        shape = len(container.buckets), *sent.planes.shape[1:2], container.target.cols
-        shutter = sent.shutters(shape[0], shape[2])
-        long = np.array((*shape, container.slots), np.int64)
-        return {"shutter": shutter, "shutter_shape": long, **fields_at_pixels(container)}
+        opened = sent.shutters(len(container.buckets), container.target.cols)
+        size = np.array((*opened.shape[:3], container.slots), np.int64)
+        return {"shutter": opened, "shutter_shape": size, **fields_at_pixels(container)}
     if pixels is None and len(container.table.codes) == 1:
         target = container.target
         pixels = np.zeros((target.rows, target.cols), dtype=np.int32)

@@ -58,7 +58,7 @@ def late_fault(sending: Sending) -> Diagnostic | None:
     takes = f"{target.rows} rows x {time_text(target.row_load_us)}"
     more = "or longer" if target.pipelined else "and more"
     rows = int(slots_us[worst] / target.row_load_us)
-    fewer = ()
+    fewer: tuple[str, ...] = ()
     if rows:
         said = f"a target of at most {counted(rows, 'row')} fits slots of "
         fewer = (f"{said}{time_text(slots_us[worst])}: `nscc targets {target.name} --toml`",)

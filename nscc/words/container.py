@@ -145,6 +145,14 @@ class Container:
         return {name: self.encoding[:, column[name]].take(shutter) for name in self.code_registers}
 
 
+def state_registers(container: Container) -> tuple[str, ...]:
+    """The digital registers of which a host makes the states that are read, in their order."""
+    machine = container.machine
+    read = [state.name for state in machine.states if state.read] if machine else []
+    held = (r for name in read for r in container.state_planes[name].registers)
+    return tuple(dict.fromkeys(held))
+
+
 def packed_shutters(
     container: Container, shutters: NDArray[np.bool_]
 ) -> tuple[NDArray[np.uint8], NDArray[np.int64]]:

@@ -45,7 +45,8 @@ class Stream:
 
     def place(self, slot: int, cols: int) -> NDArray[np.int8]:
         """Where the light of each pixel goes in a slot (rows, cols): a tap's number, or DRAIN."""
-        return np.where(self.bits(slot, cols), self.ones[slot], self.zeros[slot])
+        found: NDArray[np.int8] = np.where(self.bits(slot, cols), self.ones[slot], self.zeros[slot])
+        return found
 
     def shutters(self, buckets: int, cols: int) -> Bits:
         """When each pixel is open, uint8 (buckets, rows, cols, ceil(N / 8)), as in a frame file:

@@ -37,6 +37,7 @@ from nscc_runtime.given import (
     sensor_of,
 )
 from nscc_runtime.pieces import simulate_scene
+from nscc_runtime.planless import planless
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.pool import processors
@@ -162,6 +163,8 @@ def plan(
     whole(call, "device_seed", device_seed)
     request = Request.of(effects=_effects(call, effects), tolerance=_tolerance(call, tolerance))
     check(container, scene)
+    if container.target.streamed:
+        raise planless(call)
     warn(said)
     allowed_e = tolerance_e(request.tolerance, chip)
     return planning_of(container, chip, scene, device_seed).plan(allowed_e, request.effects)

@@ -91,7 +91,8 @@ def open_times(
     last = machine.nodes(machine.stages - 1)
     read = [k for k, state in enumerate(machine.states) if state.read]
     ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
-    pixels = [behaviour, *(states[machine.states[k].name] for k in read)]
+    pixels: list[NDArray[np.integer]] = [behaviour]
+    pixels += [states[machine.states[k].name] for k in read]
     row, there = _row_of(ends, pixels)
     slots = np.where(there[..., None], machine.open_slots[last][row], -1)
     us = np.where(there[..., None], machine.open_us[last][row], -1.0)

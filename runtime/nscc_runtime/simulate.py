@@ -19,6 +19,7 @@ from nscc_runtime import frame_file
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
+from nscc_runtime.planless import planless
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
@@ -137,6 +138,8 @@ def simulate(
 ) -> Simulated:
     """Expose the scene. Raises Rejected where the program, the scene or the plan is unfit."""
     listener = listener or Listener()
+    if container.target.streamed and (request.plan is not None or request.audit):
+        raise planless("--plan" if request.plan is not None else "--audit")
     if container.target.streamed and not request.effects.noiseless:
         return _streamed(container, light, sensor, request, listener)
     if request.planned and not container.target.streamed:
@@ -157,14 +160,6 @@ def _streamed(
     from nscc_runtime.noise.loops import fill_normals
     from nscc_runtime.reference.stream import absent_effects, stream_frames
 
-    if request.plan is not None or request.audit:
-        option = "--plan" if request.plan is not None else "--audit"
-        raise rejected(
-            "NS0750",
-            f"{option} needs a plan, and a chip that is sent planes of bits has none",
-            notes=("light is sorted slot by slot, with every effect that is on",),
-            helps=(f"leave {option} out: nothing is approximated",),
-        )
     _say_compiling(listener, fill_normals.is_compiled(), "noise")
     absent = absent_effects(container, request.effects)
     effects = request.effects.without(*absent)
@@ -216,16 +211,17 @@ def _looking(
     from nscc_runtime.noise.loops import fill_normals
     from nscc_runtime.reference.looks import looking_frames
 
-    seeds = {"seed": request.seed, "device_seed": request.device_seed}
-    count = request.repeat or 1
+    seed, device_seed, count = request.seed, request.device_seed, request.repeat or 1
     if request.effects.noiseless:
         _say_compiling(listener, run_ways.is_compiled(), "emulator")
         return frames(
-            container, light, sensor, request.effects, **seeds, count=count,
-            threads=request.threads,
+            container, light, sensor, request.effects,
+            seed=seed, device_seed=device_seed, count=count, threads=request.threads,
         )  # fmt: skip
     _say_compiling(listener, fill_normals.is_compiled(), "noise")
-    return looking_frames(container, light, sensor, request.effects, **seeds, count=count)
+    return looking_frames(
+        container, light, sensor, request.effects, seed=seed, device_seed=device_seed, count=count
+    )
 
 
 def _planned(

@@ -1,20 +1,27 @@
-// A stand-in for the SCAMP-5d devkit's library, for programs that nscc writes.
+// A stand-in for the SCAMP-5d devkit's library, for programs that nscc writes: with __LPC43XX__ for
+// the chip, without it for the devkit's simulator.
 //
 // It has the calls that such programs make, with their public forms, and draws no picture: it prints
 // what the program does, one event a line, and ends it after two frames. Words are put together
 // from the chip's control lines, by themselves and not by nscc's table.
 //
 //   kernel ID HEX...        the words of a kernel (five integers each), before its first launch
-//   launch ID               wait US                 loop
+//   launch ID NS            in STEPS NS             loop
 //   trigger MODE RATE       display NAME ROW COL SIZE
 //   pattern REG R C RX CX   draw REG R C R C ...    request FILE BITS
-//   output REG DISPLAY      in STEPS
+//   output REG DISPLAY      integrate NUM DEN       wait US
+//
+// NS is the time on a clock that words, launches, waits and looks at it move on: as long as they
+// should take, and some more that is different each time.
 //
 // With DEVKIT_STUB_TABLE_FUNCTION, scamp5_kernel(table, n) is a function that launches a table;
 // without it, an object that launches it when called.
 
 #ifndef DEVKIT_STUB_SCAMP5_HPP
 #define DEVKIT_STUB_SCAMP5_HPP
+
+#include <poll.h>
+#include <unistd.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -76,7 +83,9 @@ struct Word {
     }
     void raise(std::initializer_list<int> lines) {
         for (int line : lines) {
-            if (line >= 0) {
+            if (line >= 80) {
+                part[1 + (line - 80) / 13] |= 1u << (19 + (line - 80) % 13);
+            } else if (line >= 0) {
                 part[line / 16] |= 1u << line % 16;
             }
         }
@@ -84,6 +93,18 @@ struct Word {
 };
 
 inline void flush_drawing();
+
+inline uint64_t &now_ns() {
+    static uint64_t now = 1;
+    return now;
+}
+
+// Time passes: so long, and up to `more_ns` on top.
+inline void pass(uint64_t ns, uint32_t more_ns) {
+    static uint32_t state = 12345;
+    state = state * 1664525u + 1013904223u;
+    now_ns() += ns + uint64_t(state >> 8) % (more_ns + 1);
+}
 
 inline std::vector<Word> *&recording() {
     static std::vector<Word> *words = nullptr;
@@ -159,11 +180,49 @@ public:
                 define(id, reinterpret_cast<const uint32_t (*)[5]>(flat.data()), words.size());
             }
         }
-        std::printf("launch %d\n", id);
+        std::printf("launch %d %llu\n", id, (unsigned long long)now_ns());
+        pass(1000, 900);
+        for (size_t i = 0; i < (table ? count : words.size()); ++i) {
+            const uint32_t first = table ? table[i][0] : words[i].part[0];
+            pass((first >> 19 & 7) == 0 ? 200 : 100, 20);
+        }
     }
 };
 
 }  // namespace devkit_stub
+
+#ifndef __LPC43XX__
+
+// The simulator runs calls one by one, and has no tables.
+inline void scamp5_kernel_begin() {
+    static std::vector<devkit_stub::Word> words;
+    words.clear();
+    devkit_stub::recording() = &words;
+}
+
+inline void scamp5_kernel_end() {
+    static std::map<std::vector<uint32_t>, int> known;
+    std::vector<uint32_t> flat;
+    for (const devkit_stub::Word &word : *devkit_stub::recording()) {
+        flat.insert(flat.end(), word.part, word.part + 5);
+    }
+    devkit_stub::recording() = nullptr;
+    devkit_stub::flush_drawing();
+    if (!known.count(flat)) {
+        const int id = known[flat] = devkit_stub::next_kernel();
+        devkit_stub::define(id, reinterpret_cast<const uint32_t (*)[5]>(flat.data()),
+                            flat.size() / 5);
+    }
+    std::printf("launch %d %llu\n", known[flat], (unsigned long long)devkit_stub::now_ns());
+}
+
+namespace vs_sim {
+inline void pix_integrate(uint16_t increment_num, uint16_t increment_den) {
+    std::printf("integrate %u %u\n", increment_num, increment_den);
+}
+}  // namespace vs_sim
+
+#else
 
 #ifdef DEVKIT_STUB_TABLE_FUNCTION
 inline void scamp5_kernel(const uint32_t (*icw)[5], size_t n) {
@@ -189,10 +248,14 @@ public:
         devkit_kernel();                           \
     }
 
+#endif
+
 namespace scamp5_kernel_api {
 
 using devkit_stub::push;
 using devkit_stub::Word;
+
+inline void allow_highspeed(bool) {}
 
 // Analog words.
 inline void nop() { push(Word(0, {})); }
@@ -375,6 +438,10 @@ inline void MUX(const dreg_t &l, const dref_t &x, const dref_t &y, const dref_t 
 
 }  // namespace scamp5_kernel_api
 
+#ifndef __LPC43XX__
+using namespace scamp5_kernel_api;
+#endif
+
 // Codes ----------------------------------------------------------------------------------------
 
 namespace devkit_stub {
@@ -501,6 +568,90 @@ inline bool read_picture(const char *path, vs_dotmat &image) {
 
 inline void vs_init() {}
 
+#ifdef __LPC43XX__
+
+// Scans: a column from its top, or rows; register X holds a pattern of its own.
+inline void scamp5_scan_areg(const aref_t &a, uint8_t *buffer, uint8_t r0, uint8_t c0, uint8_t r1,
+                             uint8_t c1, uint8_t rs, uint8_t cs) {
+    std::printf("scan %s %d\n", a.name, 255 - c0);
+    for (int col = c0; col <= c1; col += cs) {
+        for (int row = r0; row <= r1; row += rs) {
+            *buffer++ = uint8_t(3 * row + 5 * (255 - col) + a.name[0]);
+        }
+    }
+}
+
+inline void scamp5_scan_dreg(const dref_t &d, uint8_t *mem, uint8_t r0 = 0, uint8_t r1 = 255) {
+    std::printf("scan_bits %s %d\n", d.name, r0);
+    for (int row = r0; row <= r1; ++row) {
+        for (int byte = 0; byte < 32; ++byte) {
+            *mem++ = uint8_t(row == 3 && byte == 0 ? 1 : 0);
+        }
+    }
+}
+
+// The serial port: two pipes, named by the environment.
+class vs_io_agent_api {
+    size_t got = 0;
+    bool waits = false;
+    uint8_t *to = nullptr;
+    size_t room = 0;
+
+public:
+    void send(const void *data, size_t bytes) {
+        static const int out = std::atoi(std::getenv("PORT_OUT"));
+        for (size_t done = 0; done < bytes;) {
+            const ssize_t some = ::write(out, static_cast<const char *>(data) + done, bytes - done);
+            if (some <= 0) {
+                std::exit(6);
+            }
+            done += size_t(some);
+        }
+    }
+    bool send_done() { return true; }
+    void receive(void *buffer, size_t buffer_size, size_t = 1) {
+        to = static_cast<uint8_t *>(buffer);
+        room = buffer_size;
+        waits = true;
+    }
+    bool receive_done(size_t *length) {
+        static const int in = std::atoi(std::getenv("PORT_IN"));
+        std::fflush(stdout);
+        pollfd watched = {in, POLLIN, 0};
+        if (!waits || poll(&watched, 1, 2) <= 0) {
+            return false;
+        }
+        const ssize_t count = ::read(in, to, room);
+        if (count <= 0) {
+            std::_Exit(0);
+        }
+        waits = false;
+        *length = size_t(count);
+        return true;
+    }
+};
+
+static vs_io_agent_api devkit_uart;
+static vs_io_agent_api *const vs_uart = &devkit_uart;
+
+#endif
+
+class vs_stopwatch {
+    uint64_t start;
+
+public:
+    vs_stopwatch() : start(devkit_stub::now_ns()) {}
+    void reset() { start = devkit_stub::now_ns(); }
+    uint32_t get_usec() const {
+        devkit_stub::pass(100, 100);
+        return uint32_t((devkit_stub::now_ns() - start) / 1000);
+    }
+};
+
+inline void vs_disable_frame_trigger() {}
+inline void vs_vision_chip_rest() { std::printf("rest\n"); }
+inline void vs_post_text(const char *, unsigned count) { std::printf("post %u\n", count); }
+
 inline vs_handle vs_gui_add_display(const char *name, uint8_t row, uint8_t col, int size = 1) {
     devkit_stub::host().displays.push_back(name);
     std::printf("display %s %d %d %d\n", name, row, col, size);
@@ -513,12 +664,14 @@ inline void vs_configure_frame_trigger(uint16_t mode, int rate) {
 
 inline void scamp5_load_in(int8_t value) {
     devkit_stub::flush_drawing();
-    std::printf("in %d\n", value);
+    std::printf("in %d %llu\n", value, (unsigned long long)devkit_stub::now_ns());
+    devkit_stub::pass(2000, 3000);
 }
 
 inline void vs_wait(uint32_t usec) {
     devkit_stub::flush_drawing();
     std::printf("wait %lu\n", (unsigned long)usec);
+    devkit_stub::pass(uint64_t(usec) * 1000, 9000);
 }
 
 // Not zero while another request is waiting: this one is not taken then.
@@ -558,9 +711,13 @@ inline void vs_frame_loop_control() {
     host.file = nullptr;
 }
 
-inline void scamp5_output_image(const areg_t &a, vs_handle display) {
+inline void scamp5_output_image(const aref_t &a, vs_handle display) {
     ++devkit_stub::host().outputs;
     std::printf("output %s %lu\n", a.name, (unsigned long)display);
+}
+inline void scamp5_output_image(const dref_t &d, vs_handle display) {
+    ++devkit_stub::host().outputs;
+    std::printf("output %s %lu\n", d.name, (unsigned long)display);
 }
 
 #endif

@@ -8,10 +8,14 @@ import shlex
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
+import click
 import pytest
 
+from nscc_cli.completion import EFFECTS, SCENE, SETTING, TARGET
+from nscc_cli.group import group
 from nscc_cli.main import main
 
 SHELLS = ("bash", "zsh", "fish")
@@ -102,6 +106,29 @@ def test_what_is_offered(
     monkeypatch.chdir(tmp_path)
     found = offers(shell, typed, monkeypatch, capsys)
     assert [text if kind == "plain" else f"{kind}: {text}" for kind, text in found] == offered
+
+
+def commands(group: click.Group, context: click.Context) -> Iterator[click.Command]:
+    """All commands below a group."""
+    for name in group.list_commands(context):
+        found = group.get_command(context, name)
+        assert found is not None
+        yield found
+        if isinstance(found, click.Group):
+            yield from commands(found, context)
+
+
+def test_every_command_offers_what_it_takes() -> None:
+    """Options that have one name everywhere are told to the shell everywhere."""
+    known = {"--target": TARGET, "--scene": SCENE, "--effects": EFFECTS, "--sensor-set": SETTING}
+    asked = [
+        (option, command.name, parameter.type)
+        for command in commands(group, click.Context(group))
+        for parameter in command.params
+        for option in known.keys() & {*parameter.opts}
+    ]
+    assert len(asked) > 10
+    assert [each for each in asked if each[2] is not known[each[0]]] == []
 
 
 def test_fish_keeps_what_stands_behind_a_comma(

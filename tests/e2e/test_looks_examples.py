@@ -122,8 +122,6 @@ def test_what_is_missing_says_so(tmp_path: Path) -> None:
     path = ROOT / "examples" / "float_pixel.nsl"
     for arguments, code in (
         (["shutters", path, "-o", "s.npz"], "NS0444"),
-        (["build", path, "-o", "a.icw", "--emit", "dot"], "NS0507"),
-        (["build", path, "-o", "a.icw", "--emit", "cpp"], "NS0520"),
         (["build", path, "-o", "a.icw", "--lowering", "accumulate"], "NS0414"),
     ):
         refused = invoke(arguments, tmp_path)

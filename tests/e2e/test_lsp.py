@@ -75,104 +75,122 @@ class Text:
         return types.Range(types.Position(0, 0), self.at(len(self.text)))
 
 
-def test_messages_come_as_one_types(tmp_path: Path) -> None:
-    async def scenario(client: LanguageClient) -> None:
-        text = Text(client, tmp_path / "a.nsl")
-        assert await text.write(SENT) == []
-        (wrong,) = await text.write(SENT.replace("n < stop", "n < stpo"))
-        assert (wrong.code, wrong.source) == ("NS0214", "nscc")
-        assert wrong.severity == types.DiagnosticSeverity.Error
-        assert wrong.range.start == types.Position(4, 14)
-        assert wrong.range.end == types.Position(4, 18)
-        (fix,) = await client.text_document_code_action_async(
-            types.CodeActionParams(
-                text.asked, types.Range(text.position("stpo"), text.position("stpo")),
-                types.CodeActionContext([wrong]),
-            )
-        )  # fmt: skip
-        (edit,) = fix.edit.changes[text.uri]
-        assert (edit.range, edit.new_text) == (wrong.range, "stop")
-        assert not fix.is_preferred
-        client.text_document_did_close(types.DidCloseTextDocumentParams(text.asked))
-        said = await client.wait_for_notification("textDocument/publishDiagnostics")
-        assert (said.uri, list(said.diagnostics)) == (text.uri, [])
-
-    served(scenario)
-
-
-def test_what_is_asked_is_answered(tmp_path: Path) -> None:
-    async def scenario(client: LanguageClient) -> None:
-        text = Text(client, tmp_path / "ä b.nsl")
-        await text.write(SENT)
-        at = types.TextDocumentPositionParams(text.asked, text.position("stop\n"))
-        where = {"text_document": at.text_document, "position": at.position}
-        hovered = await client.text_document_hover_async(types.HoverParams(**where))
-        assert "1..2" in hovered.contents.value
-        items = await client.text_document_completion_async(types.CompletionParams(**where))
-        assert {"n", "a", "stop"} <= {item.label for item in items}
-        symbols = await client.text_document_document_symbol_async(
-            types.DocumentSymbolParams(text.asked)
+async def messages_come_as_one_types(client: LanguageClient, tmp_path: Path) -> None:
+    text = Text(client, tmp_path / "a.nsl")
+    assert await text.write(SENT) == []
+    (wrong,) = await text.write(SENT.replace("n < stop", "n < stpo"))
+    assert (wrong.code, wrong.source) == ("NS0214", "nscc")
+    assert wrong.severity == types.DiagnosticSeverity.Error
+    assert wrong.range.start == types.Position(4, 14)
+    assert wrong.range.end == types.Position(4, 18)
+    (fix,) = await client.text_document_code_action_async(
+        types.CodeActionParams(
+            text.asked, types.Range(text.position("stpo"), text.position("stpo")),
+            types.CodeActionContext([wrong]),
         )
-        assert [symbol.name for symbol in symbols] == ["frame", "a", "stop", "open"]
-        defined = await client.text_document_definition_async(types.DefinitionParams(**where))
-        assert defined.range.start == text.position("stop : ")
-        context = types.ReferenceContext(include_declaration=False)
-        (referred,) = await client.text_document_references_async(
-            types.ReferenceParams(context=context, **where)
-        )
-        assert referred.range.start == at.position
-        remarks = await client.text_document_inlay_hint_async(
-            types.InlayHintParams(text.asked, text.whole())
-        )
-        assert [remark.position.line for remark in remarks] == [1, 2]
-        assert remarks[0].label.endswith("us")
-        assert remarks[1].label == "= 2"
-
-    served(scenario)
+    )  # fmt: skip
+    (edit,) = fix.edit.changes[text.uri]
+    assert (edit.range, edit.new_text) == (wrong.range, "stop")
+    assert not fix.is_preferred
+    mended = "nsl 1\nframe 8 slots of 1ms\nopen when true\n"
+    await text.write(mended.replace("1ms", "1 ms"))
+    only = types.CodeActionContext([], only=["source"])
+    everything = types.CodeActionParams(text.asked, text.whole(), only)
+    (mend,) = await client.text_document_code_action_async(everything)
+    assert [edit.new_text for edit in mend.edit.changes[text.uri]] == [mended]
+    client.text_document_did_close(types.DidCloseTextDocumentParams(text.asked))
+    said = await client.wait_for_notification("textDocument/publishDiagnostics")
+    assert (said.uri, list(said.diagnostics)) == (text.uri, [])
 
 
-def test_texts_are_changed(tmp_path: Path) -> None:
-    async def scenario(client: LanguageClient) -> None:
-        text = Text(client, tmp_path / "a.nsl")
-        await text.write(SENT.replace("n < stop", "n<stop"))
-        (edit,) = await client.text_document_formatting_async(
-            types.DocumentFormattingParams(text.asked, types.FormattingOptions(4, True))
-        )
-        assert (edit.range, edit.new_text) == (text.whole(), SENT)
-        where = {"text_document": text.asked, "position": text.position("stop : ")}
-        place = await client.text_document_prepare_rename_async(types.PrepareRenameParams(**where))
-        assert place.start == where["position"]
-        renamed = await client.text_document_rename_async(
-            types.RenameParams(new_name="until", **where)
-        )
-        assert len(renamed.changes[text.uri]) == 2
-        with pytest.raises(Exception, match="is predefined"):
-            await client.text_document_rename_async(types.RenameParams(new_name="n", **where))
-        nothing = {"text_document": text.asked, "position": text.position("frame")}
-        with pytest.raises(Exception, match="no name"):
-            await client.text_document_prepare_rename_async(types.PrepareRenameParams(**nothing))
-        await text.write("nsl 1\nframe 8")
-        options = types.FormattingOptions(4, True)
-        formatted = types.DocumentFormattingParams(text.asked, options)
-        assert not await client.text_document_formatting_async(formatted)
+async def what_is_asked_is_answered(client: LanguageClient, tmp_path: Path) -> None:
+    text = Text(client, tmp_path / "ä b.nsl")
+    await text.write(SENT)
+    at = types.TextDocumentPositionParams(text.asked, text.position("stop\n"))
+    where = {"text_document": at.text_document, "position": at.position}
+    hovered = await client.text_document_hover_async(types.HoverParams(**where))
+    assert "1..2" in hovered.contents.value
+    items = await client.text_document_completion_async(types.CompletionParams(**where))
+    assert {"n", "a", "stop"} <= {item.label for item in items}
+    symbols = await client.text_document_document_symbol_async(
+        types.DocumentSymbolParams(text.asked)
+    )
+    assert [symbol.name for symbol in symbols] == ["frame", "a", "stop", "open"]
+    defined = await client.text_document_definition_async(types.DefinitionParams(**where))
+    assert defined.range.start == text.position("stop : ")
+    context = types.ReferenceContext(include_declaration=False)
+    (referred,) = await client.text_document_references_async(
+        types.ReferenceParams(context=context, **where)
+    )
+    assert referred.range.start == at.position
+    remarks = await client.text_document_inlay_hint_async(
+        types.InlayHintParams(text.asked, text.whole())
+    )
+    assert [remark.position.line for remark in remarks] == [1, 2]
+    assert remarks[0].label.endswith("us")
+    assert remarks[1].label == "= 2"
 
-    served(scenario)
+
+async def texts_are_changed(client: LanguageClient, tmp_path: Path) -> None:
+    text = Text(client, tmp_path / "a.nsl")
+    await text.write(SENT.replace("n < stop", "n<stop"))
+    (edit,) = await client.text_document_formatting_async(
+        types.DocumentFormattingParams(text.asked, types.FormattingOptions(4, True))
+    )
+    assert (edit.range, edit.new_text) == (text.whole(), SENT)
+    where = {"text_document": text.asked, "position": text.position("stop : ")}
+    place = await client.text_document_prepare_rename_async(types.PrepareRenameParams(**where))
+    assert place.start == where["position"]
+    renamed = await client.text_document_rename_async(types.RenameParams(new_name="until", **where))
+    assert len(renamed.changes[text.uri]) == 2
+    with pytest.raises(Exception, match="is predefined"):
+        await client.text_document_rename_async(types.RenameParams(new_name="n", **where))
+    nothing = {"text_document": text.asked, "position": text.position("frame")}
+    with pytest.raises(Exception, match="no name"):
+        await client.text_document_prepare_rename_async(types.PrepareRenameParams(**nothing))
+    await text.write("nsl 1\nframe 8")
+    options = types.FormattingOptions(4, True)
+    formatted = types.DocumentFormattingParams(text.asked, options)
+    assert not await client.text_document_formatting_async(formatted)
 
 
-def test_a_file_beside_the_text_changes(tmp_path: Path) -> None:
-    async def scenario(client: LanguageClient) -> None:
-        text = Text(client, tmp_path / "a.nsl")
-        (missing,) = await text.write(
-            'nsl 1\ntarget "own.toml"\nframe 8 slots of 1ms\nopen when true'
-        )
-        assert missing.code == "NS0231"
-        (tmp_path / "own.toml").write_text((ROOT / "examples/small_chip.toml").read_text())
-        changed = types.FileEvent((tmp_path / "own.toml").as_uri(), types.FileChangeType.Created)
-        client.workspace_did_change_watched_files(types.DidChangeWatchedFilesParams([changed]))
-        said = await client.wait_for_notification("textDocument/publishDiagnostics")
-        assert list(said.diagnostics) == []
+async def assembly_text_is_checked(client: LanguageClient, tmp_path: Path) -> None:
+    text = Text(client, tmp_path / "a.asm")
+    wrong, *_ = await text.write(".target scamp5\n.kernl k0\n")
+    assert (wrong.code, wrong.range.start) == ("NS0713", types.Position(1, 0))
+    where = types.CompletionParams(text.asked, types.Position(1, 4))
+    items = await client.text_document_completion_async(where)
+    assert ".kernel" in {item.label for item in items}
+    assert not await client.text_document_document_symbol_async(
+        types.DocumentSymbolParams(text.asked)
+    )
 
-    served(scenario)
+
+async def a_file_beside_the_text_changes(client: LanguageClient, tmp_path: Path) -> None:
+    text = Text(client, tmp_path / "a.nsl")
+    (missing,) = await text.write('nsl 1\ntarget "own.toml"\nframe 8 slots of 1ms\nopen when true')
+    assert missing.code == "NS0231"
+    (tmp_path / "own.toml").write_text((ROOT / "examples/small_chip.toml").read_text())
+    changed = types.FileEvent((tmp_path / "own.toml").as_uri(), types.FileChangeType.Created)
+    client.workspace_did_change_watched_files(types.DidChangeWatchedFilesParams([changed]))
+    said = await client.wait_for_notification("textDocument/publishDiagnostics")
+    assert list(said.diagnostics) == []
+
+
+def test_a_session(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One server for all of it: each scenario has texts of its own, and none is a fault."""
+
+    async def session(client: LanguageClient) -> None:
+        for scenario in (
+            messages_come_as_one_types, what_is_asked_is_answered, texts_are_changed,
+            assembly_text_is_checked,
+            a_file_beside_the_text_changes,
+        ):  # fmt: skip
+            (tmp_path / scenario.__name__).mkdir()
+            await scenario(client, tmp_path / scenario.__name__)
+
+    served(session)
+    assert capsys.readouterr().err == ""
 
 
 async def ask_everything(text: Text, choose: Random) -> None:

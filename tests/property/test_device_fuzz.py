@@ -43,7 +43,7 @@ from nscc_runtime.device.packets import REPLY, Kind, Packet, Unpacker
 
 pytestmark = pytest.mark.xdist_group("firmware")
 EXAMPLE = examples()[0]
-HOST_NAME = "nscc-loader 1 (host)"
+HOST_NAME = "nscc-loader 2 (host)"
 ZEROS = bytes(32)
 
 
@@ -87,7 +87,7 @@ entries = st.lists(
 ).map(tuple)
 stream = EXAMPLE.upload.stream
 bodies = st.one_of(
-    st.builds(Hello, st.integers(0, 2), st.integers(0, 2)).map(Hello.pack),
+    st.builds(Hello, st.integers(0, 3), st.integers(0, 3)).map(Hello.pack),
     st.just(EXAMPLE.upload.begin.pack()),
     st.builds(
         Begin,
@@ -105,7 +105,9 @@ bodies = st.one_of(
     st.builds(lambda at, data: DATA.pack(at) + data, numbers32, st.binary(max_size=40)),
     st.just(EXAMPLE.upload.digest),
     st.builds(Capture, st.integers(0, 3), st.integers(0, 5)).map(Capture.pack),
-    st.builds(Read, st.integers(0, 3), numbers32, numbers32, st.integers(0, 1100)).map(Read.pack),
+    st.builds(Read, st.integers(0, 3), numbers32, numbers32, numbers32, st.integers(0, 1100)).map(
+        Read.pack
+    ),
     st.binary(max_size=200),
 )
 KINDS = [kind for kind in Kind if kind < REPLY]
@@ -116,7 +118,7 @@ packets = st.builds(
     st.sampled_from([7, 7, 7, 7, 7, 8, 0]),
     bodies,
 )
-HELLO = Packet(Kind.HELLO, 1, 7, Hello(1, 1).pack()).wire()
+HELLO = Packet(Kind.HELLO, 1, 7, Hello(2, 2).pack()).wire()
 WHOLE_UPLOAD = [
     HELLO,
     Packet(Kind.BEGIN, 2, 7, EXAMPLE.upload.begin.pack()).wire(),
@@ -248,13 +250,12 @@ replies = st.one_of(
         st.integers(0, 9),
         st.integers(0, 2000),
         numbers32,
-        st.just(0),
-        st.just(ZEROS),
+        *[st.integers(0, 2)] * 9,
     ).map(Captured.pack),
     st.builds(Failure, st.integers(0, 255), st.integers(0, 30), numbers32).map(Failure.pack),
     st.just(
         Info(
-            1, 0, 1024, 16384, 3, Capability.EXACT, 1024, 99, 99, 99, 1 << 20, 6, 10,
+            2, 0, 1024, 16384, 3, Capability.EXACT, 1024, 99, 99, 99, 1 << 20, 512, 99, 6, 10,
             target_digest(TARGET), ZEROS, ZEROS, "scamp5", "an enemy",
         ).pack()
     ),

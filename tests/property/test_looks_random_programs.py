@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from itertools import count, product
+from itertools import count as counted
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +20,8 @@ from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
+from nscc_runtime.looking.frames import frames
+from nscc_runtime.looking.ways import Ways
 from nscc_runtime.reference.looks import looking_frames
 from nscc_runtime.sensor import default_sensor
 
@@ -65,7 +68,7 @@ def test_words_of_more_programs_and_better_encodings(chunk: int) -> None:
 
 def run(chunk: int, programs: range, level: int | None = None) -> None:
     """Runs so many programs that are accepted; few are refused, and for what is allowed."""
-    seeds, refused = count(chunk * 100_000), 0
+    seeds, refused = counted(chunk * 100_000), 0
     for _ in programs:
         for seed in seeds:
             text = random_program(seed)
@@ -89,10 +92,14 @@ def check(text: str, container: Container, seed: int) -> None:
     assert container.machine is not None
     assert container.pixel_codes is not None
     kept_names = {state.name for state in container.machine.states if state.kept}
-    taken = looking_frames(
-        container, Light.of_clip(light), sensor, selected("none"), device_seed=seed,
-        count=2 if kept_names else 1,
-    )  # fmt: skip
+    scene, none, count = Light.of_clip(light), selected("none"), 2 if kept_names else 1
+    taken = [*looking_frames(container, scene, sensor, none, device_seed=seed, count=count)]
+    assert not Ways(container, sensor).lacks(none), text
+    for words, ways in zip(taken, frames(container, scene, sensor, none, count=count), strict=True):
+        assert np.array_equal(words.exposure_e, ways.exposure_e), text
+        assert all(np.array_equal(words.told[key], ways.told[key], True) for key in words.told), (
+            text
+        )
     kept: dict[tuple[int, int], dict[str, object]] = {}
     for number, frame in enumerate(taken):
         for y, x in product(range(SIDE), repeat=2):

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from hashlib import sha256
 from itertools import count, pairwise
 from struct import pack
+from zlib import adler32, crc32
 
 import pytest
 from device_lockstep import Lockstep
@@ -81,7 +81,7 @@ class Talk:
         return failure.fault, failure.detail
 
     def hello(self) -> Info:
-        return Info.unpack(self.one(Kind.HELLO, Hello(1, 1).pack()))
+        return Info.unpack(self.one(Kind.HELLO, Hello(2, 2).pack()))
 
     def send(self, objects: Sequence[Object], target: bytes | None = None) -> list[Packet]:
         """Announce, declare and send a program of these objects; the last reply."""
@@ -137,7 +137,7 @@ def test_it_says_that_it_has_started_and_who_it_is(silent: Talk) -> None:
     [booted] = silent.raw(b"")
     assert (booted.kind, booted.session) == (Kind.BOOTED, 0)
     info = silent.hello()
-    assert (info.version, info.state, info.rows, info.cols) == (1, State.EMPTY, 6, 10)
+    assert (info.version, info.state, info.rows, info.cols) == (2, State.EMPTY, 6, 10)
     assert info.target == target_digest(TARGET)
     assert (info.most_words, info.target_name) == (TARGET.store_words, "scamp5")
     assert info.program == info.label == ZEROS
@@ -154,9 +154,9 @@ def test_nothing_goes_without_hello(silent: Talk) -> None:
 
 def test_another_version_is_refused_with_its_own(silent: Talk) -> None:
     silent.raw(b"")
-    assert silent.failure(Kind.HELLO, Hello(2, 9).pack()) == (Fault.VERSION, 1)
-    assert silent.failure(Kind.HELLO, Hello(0, 0).pack()) == (Fault.VERSION, 1)
-    assert Info.unpack(silent.one(Kind.HELLO, Hello(0, 9).pack())).version == 1
+    assert silent.failure(Kind.HELLO, Hello(3, 9).pack()) == (Fault.VERSION, 2)
+    assert silent.failure(Kind.HELLO, Hello(0, 1).pack()) == (Fault.VERSION, 2)
+    assert Info.unpack(silent.one(Kind.HELLO, Hello(0, 9).pack())).version == 2
 
 
 def test_a_program_is_taken_and_a_frame_is_the_emulators(talk: Talk) -> None:
@@ -170,11 +170,12 @@ def test_a_program_is_taken_and_a_frame_is_the_emulators(talk: Talk) -> None:
     captured = Captured.unpack(talk.one(Kind.CAPTURE, asked))
     assert captured.ready
     assert (captured.length, captured.readouts) == (len(EXAMPLE.frame), 1)
-    assert captured.sha256 == sha256(EXAMPLE.frame).digest()
-    pieces = talk(Kind.READ, Read(5, 0, captured.length, 100).pack())
+    assert captured.whole, "it is small enough to be kept at once"
+    assert (captured.crc32, captured.adler32) == (crc32(EXAMPLE.frame), adler32(EXAMPLE.frame))
+    pieces = talk(Kind.READ, Read(5, 0, captured.length, 0, 100).pack())
     assert b"".join(piece.body[12:] for piece in pieces) == EXAMPLE.frame
     assert [len(piece.body) - 12 for piece in pieces] == [100] * 5 + [40]
-    [piece] = talk(Kind.READ, Read(5, 7, 20, 1024).pack())
+    [piece] = talk(Kind.READ, Read(5, 7, 20, 0, 1024).pack())
     assert piece.body == pack("<QI", 5, 7) + EXAMPLE.frame[7:27]
 
 
@@ -182,7 +183,7 @@ def test_saying_everything_twice_changes_nothing(talk: Talk) -> None:
     upload = EXAMPLE.upload
     stream, entries = upload.stream, tuple(each.entry for each in upload.objects)
     script = [
-        (Kind.HELLO, Hello(1, 1).pack()),
+        (Kind.HELLO, Hello(2, 2).pack()),
         (Kind.BEGIN, upload.begin.pack()),
         (Kind.DECLARE, Declare(0, entries[:2]).pack()),
         (Kind.DECLARE, Declare(2, entries[2:]).pack()),
@@ -264,10 +265,11 @@ def kernels(*ops_of: Sequence[Op] | Sequence[tuple[int, ...]]) -> Object:
 
 
 def schedule(
-    slots: int, runs: Sequence[tuple[int, float]], rows: Sequence[tuple[int, int, int]]
-) -> Object:
+    slots: int, runs: Sequence[tuple[int, float]], rows: Sequence[tuple[int, int, int]],
+    grace_ns: int = 0,
+) -> Object:  # fmt: skip
     """A SCHEDULE object, laid out by hand."""
-    data = pack("<II", slots, len(runs)) + b"".join(pack("<Id", *run) for run in runs)
+    data = pack("<4I", slots, grace_ns, 0, len(runs)) + b"".join(pack("<Id", *run) for run in runs)
     data += pack("<I", len(rows)) + b"".join(pack("<IHH", *row) for row in rows)
     return Object(ObjectKind.SCHEDULE, 0, data)
 
@@ -402,7 +404,7 @@ def test_lengths_are_not_believed(talk: Talk) -> None:
         (Kind.DECLARE, pack("<HH", 0, 1) + bytes(37)),
         (Kind.FINISH, bytes(31)),
         (Kind.CAPTURE, bytes(11)),
-        (Kind.READ, bytes(19)),
+        (Kind.READ, bytes(23)),
         (Kind.CANCEL, b"x"),
     ],
 )
@@ -412,20 +414,20 @@ def test_bodies_of_another_length_are_refused(talk: Talk, kind: Kind, body: byte
 
 def test_reads_outside_the_frame_are_refused(talk: Talk) -> None:
     talk.send(EXAMPLE.upload.objects)
-    assert talk.failure(Kind.READ, Read(5, 0, 10, 64).pack())[0] == Fault.NO_FRAME
+    assert talk.failure(Kind.READ, Read(5, 0, 10, 0, 64).pack())[0] == Fault.NO_FRAME
     talk.one(Kind.CAPTURE, Capture(5, 1).pack())
     pixels = TARGET.rows * TARGET.cols
     for read in (
-        Read(5, 0, pixels + 1, 64),
-        Read(5, pixels, 1, 64),
-        Read(5, 0xFFFFFFFF, 2, 64),
-        Read(5, 0, 0xFFFFFFFF, 64),
-        Read(5, 0, 0, 64),
-        Read(5, 0, 10, 0),
-        Read(5, 0, 10, 1025),
+        Read(5, 0, pixels + 1, 0, 64),
+        Read(5, pixels, 1, 0, 64),
+        Read(5, 0xFFFFFFFF, 2, 0, 64),
+        Read(5, 0, 0xFFFFFFFF, 0, 64),
+        Read(5, 0, 0, 0, 64),
+        Read(5, 0, 10, 0, 0),
+        Read(5, 0, 10, 0, 1025),
     ):
         assert talk.failure(Kind.READ, read.pack())[0] == Fault.MALFORMED
-    assert talk.failure(Kind.READ, Read(6, 0, 10, 64).pack())[0] == Fault.NO_FRAME
+    assert talk.failure(Kind.READ, Read(6, 0, 10, 0, 64).pack())[0] == Fault.NO_FRAME
     assert talk.failure(Kind.CAPTURE, Capture(6, 4).pack())[0] == Fault.MALFORMED
     assert talk.failure(Kind.CAPTURE, Capture(6, 0).pack())[0] == Fault.MALFORMED
 
@@ -435,7 +437,7 @@ def test_no_more_reads_wait_than_there_is_room_for(talk: Talk) -> None:
     for _ in range(2):
         talk.one(Kind.CAPTURE, Capture(5, BOTH).pack())
     asked = b"".join(
-        Packet(Kind.READ, n, SESSION, Read(5, 0, 32, 16).pack()).wire() for n in range(9)
+        Packet(Kind.READ, n, SESSION, Read(5, 0, 32, 0, 16).pack()).wire() for n in range(9)
     )
     replies = talk.raw(asked)
     failures = [Failure.unpack(p.body) for p in replies if p.kind == Kind.ERROR]
@@ -469,7 +471,7 @@ def test_starting_anew_forgets_everything(talk: Talk) -> None:
     talk.loader.announce()
     assert [packet.kind for packet in talk.raw(b"")] == [Kind.BOOTED]
     assert talk.failure(Kind.STATUS) == (Fault.NO_SESSION, 0)
-    after = Info.unpack(talk.one(Kind.HELLO, Hello(1, 1).pack(), 123456))
+    after = Info.unpack(talk.one(Kind.HELLO, Hello(2, 2).pack(), 123456))
     assert after.boot != before.boot
     assert (after.state, after.program) == (State.EMPTY, ZEROS)
 
@@ -488,7 +490,7 @@ def test_the_objects_of_a_container_are_those_of_the_protocol() -> None:
     assert [container.slot_us.count(us) for _, us in runs] == [n for n, _ in runs]
     rows = [(1 if launch.instant else 0, launch.kernel, 1) for launch in container.launches]
     assert all(one != other for one, other in pairwise(rows)), "no two rows are one"
-    assert made.objects[2] == schedule(8, runs, rows)
+    assert made.objects[2] == schedule(8, runs, rows, grace_ns=2000)
     for sent, (register, plane_bits) in zip(made.objects[3:], planes, strict=True):
         assert TARGET.digital_registers[sent.register] == register
         bits = [sent.data[i // 8] >> i % 8 & 1 for i in range(plane_bits.size)]

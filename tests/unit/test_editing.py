@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from hashlib import sha256
 from pathlib import Path
 
@@ -15,10 +16,14 @@ from nscc.editing.complete import complete
 from nscc.editing.document import Document
 from nscc.editing.hints import hints
 from nscc.editing.hover import hover
+from nscc.editing.listing import Listing, complete_listing
 from nscc.editing.outline import outline
 from nscc.editing.rename import CannotRename, renamed
+from nscc.lower.resources import time_text
 from nscc.pipeline import Options
 from nscc.source import Source, Span
+from nscc.target.load import builtin_target
+from nscc.words.disassembly import disassemble
 
 ROOT = Path(__file__).parents[2]
 STOPS = """nsl 1
@@ -71,6 +76,7 @@ def told(text: str, piece: str) -> str:
         (SMALL + "next s = |", {"s", "b", "n", "looks"}, {"x"}),
         (SMALL + "sense c when |", {"light", "exposure"}, {"n"}),
         (SMALL + "sense c when light > 45% at |", {"n", "N"}, {"b", "s"}),
+        ("nsl 2 bucket early open when true sense c when exposure |", {"early"}, {"c"}),
         ("nsl 1\nshutters u [ 10 ]\ncode c : row of |", {"u"}, {"c"}),
         ("nsl 1\nopen when n |", {"and", "or"}, {"in"}),
         ("nsl 2\nopen when n |", {"and", "in"}, set()),
@@ -135,6 +141,17 @@ def test_slots_cost_what_the_words_say() -> None:
     assert (most.text, STOPS[: most.offset].endswith("1 + 2")) == ("= 3", True)
 
 
+def test_planes_cost_what_their_rows_take() -> None:
+    """A row after the other, each in the time that the chip's table gives it."""
+    chip = builtin_target("dual-tap")
+    load_us = chip.rows * chip.row_load_us
+    text = "nsl 1\ntarget dual-tap\nframe slots [1ms, 2ms]\nopen when n < 1\n"
+    (hint,) = hints(document(text))
+    assert hint.text == f"2 planes a frame, shortest slot {time_text(load_us)}"
+    assert f"2 planes of {chip.rows} x {chip.cols} bits a frame" in told(text, "slots")
+    assert f"loaded in {time_text(load_us)} or {load_us / 20:.2g} %" in told(text, "2ms")
+
+
 def test_the_outline() -> None:
     found = outline(document(LOOKS))
     assert [(entry.kind, entry.name) for entry in found] == [
@@ -157,6 +174,39 @@ def test_another_name_changes_nothing_else(name: str) -> None:
     old, new = (repr(bare(document(t).parsed[0].statements)) for t in (STOPS, text))
     assert old.replace(f"'{name}'", "'other_1'") == new
     assert not document(text).checked.diagnostics
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted", "unwanted"),
+    [
+        ("|", {".kernel", ".slot", "WHERE", "bus"}, {"R1", "k0"}),
+        ("  .ke|", {".kernel"}, set()),
+        (".target sc|", {"scamp5", "scamp7"}, {".kernel"}),
+        (".kernel k0\n all\n.slot 0 |", {"k0"}, {"R1"}),
+        ("MOV |", {"R0", "R12", "A", "PIX"}, {"R13", "all"}),
+        (".target scamp7\nMOV R1, |", {"R13"}, {"k0"}),
+        ("all ; |", set(), {"R1"}),
+        (".source\n| nsl |".replace("| nsl", "\x00 nsl"), set(), {"R1"}),
+    ],
+)
+def test_what_may_stand_next_in_assembly(text: str, wanted: set[str], unwanted: set[str]) -> None:
+    at = text.index("|")
+    found = Listing("a.asm", text.replace("|", "").replace("\x00", "|"), ROOT)
+    span, offers = complete_listing(found, at)
+    names = {offer.text for offer in offers}
+    assert wanted <= names
+    assert not unwanted & names
+    assert span.end == at
+
+
+def test_assembly_is_checked_as_nscc_asm_does() -> None:
+    compiled = compile_source(Source("a.nsl", STOPS), ROOT, Options(level=1))
+    assert compiled.container is not None
+    text = disassemble(compiled.container)
+    assert Listing("a.asm", text, ROOT).checked.diagnostics == ()
+    wrong, *_ = Listing("a.asm", text.replace(".wait", ".wiat", 1), ROOT).checked.diagnostics
+    assert wrong.label is not None
+    assert wrong.label.span.start == text.index(".wait")
 
 
 def test_names_that_stay() -> None:
@@ -197,6 +247,14 @@ def test_fixes() -> None:
     assert (diagnostic.code, fix.replacement, fix.sure) == ("NS0107", "when", False)
     assert all_mended(found) == text.replace("1 ms", "1ms")
     assert all_mended(document(STOPS)) is None
+
+
+def test_the_page_works(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    (shown,) = re.findall(
+        r"^```python\n(.*?)^```$", (ROOT / "docs/editors.md").read_text(), re.M | re.S
+    )
+    exec(compile(shown, "editors.md", "exec"), {})
 
 
 @pytest.mark.parametrize("text", ["\ud800", "nsl 1\n\0", "\ufeffnsl 1", "x" * (257 << 10), "\r\r"])

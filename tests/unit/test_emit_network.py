@@ -7,12 +7,16 @@ import re
 from pathlib import Path
 
 import networkx as nx
+import numpy as np
 import pytest
+from looks_oracle import Interpreter
 from nscc_command import invoke
 
 from nscc.compiler import compile_source
+from nscc.emit.looking_network import network_of
 from nscc.emit.network import dot_text, gate_network, graphml_bytes, interference
 from nscc.emit.report import report
+from nscc.looks.passes import container_of
 from nscc.pipeline import Options
 from nscc.source import Source
 
@@ -103,6 +107,77 @@ def test_the_file_alone_computes_the_shutters(name, lowering, level):
         assert (facts["boundary"], facts["kernel"]) in lowered.schedule.launches
     registers = len(lowered.schedule.allocation.holders)
     assert network.graph["registers"] <= registers + 1  # FLAG
+
+
+LOOKING = {
+    "float": "frame 8 slots of 1ms\nsense b when light > 45% at n in [1, 2, 4]\n"
+    "state s : 0..3 = 0\nnext s = looks when b and s == 0\nopen when s == 0\nread s",
+    "kept": "frame 4 slots of 1ms\nsense f when exposure > 80% at n == N\n"
+    "sense d when exposure < 30% at n == N\nstate stop : 0..3 = 2 kept\nstate was : 0..3 = 2\n"
+    "next stop = max(stop - 1, 0) if f else min(stop + 1, 3) if d else stop\nnext was = stop\n"
+    "open when n <= stop\nread was, stop",
+    "reset": 'target "scamp5-algorithm1"\nframe 6 slots of 1ms\n'
+    "sense full when light > 70% at n >= 1\nstate count : 0..5 = 0\n"
+    "next count = min(count + 1, 5) when full\nreset when full\nopen when true\nread count",
+}
+
+
+@pytest.mark.parametrize("name", list(LOOKING))
+def test_the_file_alone_computes_what_pixels_do_that_look(name):
+    """Lanes are pixels with answers of their own, drawn; a direct interpreter of the text says what
+    each of them does."""
+    text = f"nsl 2\n{LOOKING[name]}\n"
+    source = Source("test.nsl", text)
+    lowered = compile_source(source, Path(), Options(codes="open", cache=False)).lowered
+    network = nx.read_graphml(io.BytesIO(graphml_bytes(network_of(lowered))))
+    lanes, nodes = range(40), network.nodes
+    draw = np.random.default_rng(3)
+    signal = {(facts["boundary"], facts["signal"]): draw.random(len(lanes)) * 30_000
+              for _, facts in nodes(data=True) if facts["kind"] == "look"}  # fmt: skip
+    values = {}
+    for node in nx.topological_sort(network):
+        facts = nodes[node]
+        some = set().union(*(values[source] for source in network.predecessors(node)))
+        if facts["kind"] == "look":
+            level = facts["steps"] * 30_000 / 127
+            found = signal[facts["boundary"], facts["signal"]]
+            some = {lane for lane in lanes if found[lane] <= level}
+        elif facts["kind"] == "plane":
+            some = set(lanes) if int(facts["bits"], 16) & 1 else set()
+        elif facts.get("function") in ("NOR", "NOT", "SET"):
+            some = set(lanes) - some
+        values[node] = some
+    interpreter = Interpreter(text)
+    for lane in lanes:
+        pixel = interpreter.run(
+            {}, [0.0] * interpreter.slots,
+            answer=lambda _sense, n, _light, level: bool(
+                next(v for (at, _), v in signal.items() if at == n)[lane] > level  # noqa: B023
+            ),
+        )  # fmt: skip
+        [opens] = pixel.opens
+        edges = {
+            (facts["edge"], facts["boundary"])
+            for node, facts in nodes(data=True)
+            if facts["kind"] == "demand" and lane in values[node]
+        }
+        resets = {n for edge, n in edges if edge == "reset"}
+        becomes = [*opens[1:], False]
+        assert {n for edge, n in edges if edge == "fall"} == {
+            n + 1 for n, now in enumerate(opens) if now and (not becomes[n] or n + 1 in resets)
+        }
+        assert {n for edge, n in edges if edge == "rise"} == {
+            n + 1 for n, now in enumerate(opens) if becomes[n] and not now and n + 1 not in resets
+        }
+        for state, planes in lowered_planes(lowered).items():
+            bits = [lane in values[f"z_{state}_{bit}"] for bit in range(planes.bits.shape[1])]
+            [row] = np.flatnonzero((planes.bits == bits).all(axis=1))
+            assert planes.values[row] == pixel.states[state]
+
+
+def lowered_planes(lowered):
+    """How registers hold the states that are read or kept."""
+    return container_of(lowered, 1).state_planes
 
 
 def test_depth_and_registers_of_a_program_done_by_hand():

@@ -125,15 +125,13 @@ def test_every_row_is_stood_for_once(
     height: int, cells: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(module, "_MOST_CELLS", cells)
-    container = case("b edges", 8, rows=height, cols=COLS)
-    program = Program.of(container, sensor_of(container))
     total = np.zeros((height, COLS))
     total[height // 2, 3] = 1.0
-    rows = module._rows(program, total)
+    rows = module.compared_rows(8, total)
     assert height // 2 in rows
     assert rows.tolist() == sorted(set(rows.tolist()))
-    weights = module._weights(rows, height)
+    weights = module.row_weights(rows, height)
     assert weights.sum() == pytest.approx(1.0)
     assert (weights > 0).all()
-    runs = [row for band in module._bands(rows) for row in band]
+    runs = [row for band in module.bands(rows) for row in band]
     assert runs == rows.tolist()

@@ -85,7 +85,7 @@ ONE_ERROR = [
     (FRAME + "let a = 3 << 61 open when n < a", "NS0305", "3 << 61"),
     (FRAME + "code a : 3..1 open when n < a pixels a = 2", "NS0306", "3..1"),
     (FRAME + "code a : bit[0] open when a[n]", "NS0307", "0"),
-    (FRAME + "code a : bit[63] open when a[n]", "NS0307", "63"),
+    (FRAME + "code a : bit[65537] open when a[n]", "NS0307", "65537"),
     ("nsl 1 frame 0 slots of 1ms code s : 0..N open when n < s", "NS0308", "0"),
     ("nsl 1 frame 65537 slots of 1ms open when n < N", "NS0308", "65537"),
     ("nsl 1 frame 2 - 9 slots of 1ms open when n < N", "NS0308", "2 - 9"),
@@ -113,7 +113,7 @@ def test_one_mistake_is_one_error_at_its_place(text: str, code: str, place: str 
 
 def test_all_errors_come_at_once_by_place() -> None:
     found = errors(
-        "nsl 1 let a = b frame 8 slots of 1ms code c : 5..3 code d : bit[99] "
+        "nsl 1 let a = b frame 8 slots of 1ms code c : 5..3 code d : bit[0] "
         "require d open when n < zz pixels c = 4 pixels d = true"
     )
     codes = ["NS0214", "NS0306", "NS0307", "NS0301", "NS0214", "NS0301"]

@@ -84,7 +84,7 @@ def test_the_schema_is_a_configuration(tmp_path: Path) -> None:
     ("changes", "status", "code"),
     [
         (["shutter.class=e", "shutter.slots=16", "shutter.codes=open"], 1, "NS0412"),
-        (["shutter.class=e", "shutter.slots=70"], 1, "NS0307"),
+        (["shutter.class=e", "shutter.slots=70"], 2, "NS0815"),
         (["shutter.slot_us=0.3"], 1, "NS0601"),
         (["shutter.require=stop < 0"], 1, "NS0317"),
         (["shutter.require=stop <"], 1, "NS0107"),

@@ -12,7 +12,7 @@ from typing import Any
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
 
-NAMES = ("hdr-v1", "video-v1", "sci8")
+NAMES = ("hdr-v1", "video-v1", "sci8", "deblur-v1", "two-bucket-v1", "staggered-v1")
 
 
 @dataclass(frozen=True)

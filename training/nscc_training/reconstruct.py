@@ -22,6 +22,7 @@ from nscc.files import reads
 from nscc.pipeline import LEVELS, Options
 from nscc.source import Source
 from nscc.words.file import to_bytes
+from nscc_runtime.effects import selected
 from nscc_runtime.formats import Content
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.looked_light import OPEN
@@ -32,6 +33,9 @@ from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.sensor_model import filled, laid
 
+_OF_MODEL = ("shot", "full_well", "adc_noise", "adc")
+"""Effects that training has without `[sensor] effects`."""
+_DARK_HELPS = ("`--dark FRAME` takes away what words and dark current add",)
 _BLOCK, _MARGIN = 256, 32
 """Pixels a side that are decoded at a time of frames larger than an array, and around them those
 that are seen too: more than decoders reach."""
@@ -108,6 +112,7 @@ def reconstructed(
     messages = tuple(_doubt(name, text, warning=force) for text in doubts)
     if messages and not force:
         raise Rejected(messages, status=2)
+    messages += tuple(_unlearned(folder, read, name))
     size = (folder.parts.target.rows, folder.parts.target.cols)
     if read.frame.shape[1:] != size and "laid" not in read.meta:
         raise _no_frame(name, f"it is of {read.frame[0].shape} pixels, the run's chip has {size}")
@@ -287,6 +292,23 @@ def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
             yield f"its sensor has {name} = {have}, the run's {wanted:g}"
             return
     yield "its sensor has other values than the run's"
+
+
+def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagnostic]:
+    """NS0842, a warning, where a frame has effects that the decoder was not trained under."""
+    learned = folder.parts.settings.sensor.effects
+    known = {each.name for each in selected(learned).effects} if learned else set(_OF_MODEL)
+    plan = read.meta.get("plan") or {}
+    kept = [each["name"] for each in plan.get("effects", ()) if each["decision"] == "kept"]
+    others = [each for each in kept if each not in known]
+    if others:
+        yield Diagnostic(
+            "NS0842",
+            f"the run was not trained under effects that '{name}' has: {', '.join(others)}",
+            severity=Severity.WARNING,
+            notes=("what these do to codes, the decoder takes for light",),
+            helps=('train with `[sensor] effects = "all"`', *_DARK_HELPS),
+        )
 
 
 def _doubt(path: Path | str, reason: str, *, warning: bool) -> Diagnostic:

@@ -53,7 +53,7 @@ class SensorModel:
             full_well_e=sensor.full_well_e,
             electrons_per_lsb=sensor.electrons_per_lsb,
             adc_offset_lsb=sensor.adc_offset_lsb,
-            adc_bits=target.adc_bits,
+            adc_bits=target.code_bits,
             adc_noise_lsb=sensor.adc_noise_lsb,
             shot_noise=True,
         )
@@ -72,8 +72,9 @@ class SensorModel:
 
     def noiseless(self) -> SensorModel:
         """The same sensor without noise."""
-        quiet = {"comparator_noise": 0.0, "comparator_offset": 0.0}
-        return replace(self, adc_noise_lsb=0.0, shot_noise=False, **quiet)
+        return replace(
+            self, adc_noise_lsb=0.0, shot_noise=False, comparator_noise=0.0, comparator_offset=0.0
+        )
 
     def counted(self) -> SensorModel:
         """The same sensor for charge whose photons have been counted."""

@@ -97,6 +97,11 @@ class SensorSettings:
 
     file: str = key(Text(), "a sensor's numbers (nscc effects --toml); empty: the protocol's", "")
     noise: bool = key(Flag(), "photon noise and readout noise", True)
+    effects: str = key(
+        Text(),
+        "all that the emulator does to frames, or auto, or names, as --effects takes them; empty: "
+        "noise, full well and converter", "",
+    )  # fmt: skip
     slope: float = key(Number(0, 1), "stand-in slope of saturated pixels", 0.1)
 
 

@@ -1,8 +1,9 @@
-"""The schedule of a frame: which kernel after what wait, as rows of a table.
+"""The schedule of a frame: which kernel at what moment, with which value of IN, as rows of a table.
 
-The devkit waits in whole microseconds. A wait fills the slot after the time that the target's
-figures give for the words since its start, and is rounded up, so that no slot is shorter than the
-program says; what that adds to a frame is reported.
+Moments are absolute: each launch waits for a clock that runs from the frame's first word on, so
+that no error of a wait, a launch or a word adds up. The exposure begins a whole number of
+microseconds after the first word, and launches come at the microsecond at which their boundary is
+over, never before it.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
-from itertools import accumulate, groupby
+from itertools import accumulate
 from math import ceil
 
 from nscc.emit.cpp.text import part, remarked
@@ -21,21 +22,30 @@ from nscc.words.container import Container, Kernel
 from nscc.words.encoding import decode
 from nscc.words.text import ranges_text
 
-LONGEST_WAIT_US = (1 << 32) - 1
+LONGEST_GAP_US = 1 << 30
+"""A clock of 32 bits tells what is before from what is behind within half of its range."""
 MOST_TIMES = (1 << 16) - 1
+AS_IT_IS = -32768
+"""Stands for a launch that leaves IN alone."""
 _COMMENTED_ROWS = 256
 _ROWS_A_LINE = 6
+_PART = 1 << 32
+_US = 1 << 32
+"""Where the clock goes round."""
 
 
 @dataclass(frozen=True)
 class Row:
-    """`times` times over: a wait, then a launch. `kernel` None only waits.
+    """`times` launches, the first one `at` microseconds after the frame's first word, and `every`
+    microseconds from one to the next. `kernel` None only waits.
 
     `instants` are the boundaries of the launches.
     """
 
-    wait_us: int
+    at: Fraction
+    every: Fraction
     kernel: int | None
+    level: int | None
     instants: tuple[int, ...]
 
     @property
@@ -46,39 +56,43 @@ class Row:
 
 @dataclass(frozen=True)
 class Schedule:
-    """The rows of a frame, and by how much rounding makes it longer than planned."""
+    """The rows of a frame. It exposes from `begin_us` on, and its last slot ends at `end`."""
 
     rows: tuple[Row, ...]
-    excess_us: Fraction
-    frame_us: Fraction
+    begin_us: int
+    end: Fraction
 
     @property
-    def waits_at_end(self) -> bool:
-        """Whether the frame goes on after its last launch."""
+    def waits(self) -> bool:
+        """Whether it has moments at which nothing is launched."""
         return any(row.kernel is None for row in self.rows)
+
+    @property
+    def whole(self) -> bool:
+        """Whether all moments are whole microseconds."""
+        return all(each.denominator == 1 for row in self.rows for each in (row.at, row.every))
+
+    @property
+    def sets_in(self) -> bool:
+        """Whether launches set IN."""
+        return any(row.level is not None for row in self.rows)
 
 
 def schedule_of(container: Container) -> Schedule:
-    """The schedule of a container's launches.
-
-    Time 0 is the end of the last reset of PIX at boundary 0, which begins the exposure.
-    """
-    boundary = [Fraction(0), *accumulate(map(exact, container.slot_us))]
-    busy = [kernel_us(kernel, container.target) for kernel in container.kernels]
-    now = -_setup_us(container, busy)
-    begin, excess = now, Fraction(0)
+    """The schedule of a container's launches."""
+    begin_us = ceil(_setup_us(container))
+    boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
+    before = Fraction(0)
     for launch in container.launches:
-        wait = max(Fraction(0), boundary[launch.instant] - now) if launch.instant else Fraction(0)
-        excess += ceil(wait) - wait
-        rows += _waits(ceil(wait), launch.kernel, launch.instant)
-        now += wait + busy[launch.kernel]
-    rest = boundary[-1] - now
-    if rest > 0:
-        excess += ceil(rest) - rest
-        rows += _waits(ceil(rest), None, container.slots)
-        now += rest
-    return Schedule(tuple(_repeated(rows)), excess, now - begin)
+        at = boundary[launch.instant] if launch.instant else Fraction(0)
+        rows += _rests(before, at, launch.instant)
+        rows.append(Row(at, Fraction(0), launch.kernel, launch.level, (launch.instant,)))
+        before = at
+    rows += _rests(before, boundary[-1], container.slots)
+    if not rows or rows[-1].at < boundary[-1]:
+        rows.append(Row(boundary[-1], Fraction(0), None, None, (container.slots,)))
+    return Schedule(tuple(_repeated(rows)), begin_us, boundary[-1])
 
 
 def exact(value: float) -> Fraction:
@@ -97,7 +111,7 @@ def kernel_us(kernel: Kernel, target: Target) -> Fraction:
     )
 
 
-def _setup_us(container: Container, busy: Sequence[Fraction]) -> Fraction:
+def _setup_us(container: Container) -> Fraction:
     """Time from the first word to the end of the reset that begins the exposure."""
     target = container.target
     elapsed = setup = Fraction(0)
@@ -108,24 +122,34 @@ def _setup_us(container: Container, busy: Sequence[Fraction]) -> Fraction:
         for index, word in enumerate(words):
             if decode(word).operation.effect is Effect.RESET_PIX:
                 setup = elapsed + kernel_us(Kernel("", words[: index + 1]), target)
-        elapsed += busy[launch.kernel]
+        elapsed += kernel_us(container.kernels[launch.kernel], target)
     return setup
 
 
-def _waits(wait_us: int, kernel: int | None, instant: int) -> Iterator[Row]:
-    """The rows of one launch: a wait may be longer than one call of the library allows."""
-    while wait_us > LONGEST_WAIT_US:
-        yield Row(LONGEST_WAIT_US, None, (instant,))
-        wait_us -= LONGEST_WAIT_US
-    yield Row(wait_us, kernel, (instant,))
+def _rests(before: Fraction, at: Fraction, instant: int) -> Iterator[Row]:
+    """The moments in between where the clock could go round unseen."""
+    while at - before > LONGEST_GAP_US:
+        before += LONGEST_GAP_US
+        yield Row(before, Fraction(0), None, None, (instant,))
 
 
 def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
-    """Equal rows in a row as one."""
-    for (wait_us, kernel), alike in groupby(rows, lambda row: (row.wait_us, row.kernel)):
-        instants = tuple(row.instants[0] for row in alike)
-        for start in range(0, len(instants), MOST_TIMES):
-            yield Row(wait_us, kernel, instants[start : start + MOST_TIMES])
+    """Launches of one kernel, with one level, that follow each other in equal steps, as one row."""
+    start = 0
+    while start < len(rows):
+        first, end = rows[start], start + 1
+        every = rows[end].at - first.at if end < len(rows) else Fraction(0)
+        while (
+            end < len(rows)
+            and end - start < MOST_TIMES
+            and (rows[end].kernel, rows[end].level) == (first.kernel, first.level)
+            and rows[end].at - rows[end - 1].at == every
+        ):
+            end += 1
+        instants = tuple(row.instants[0] for row in rows[start:end])
+        every = every if end - start > 1 else Fraction(0)
+        yield Row(first.at, every, first.kernel, first.level, instants)
+        start = end
 
 
 def kernel_name(number: int) -> str:
@@ -136,22 +160,25 @@ def kernel_name(number: int) -> str:
 def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
     """The table of kernels, the schedule and the function that runs a frame."""
     count = len(container.kernels)
-    if schedule.waits_at_end:
-        yield "void rest() {}                      // no kernel: a wait by itself"
+    if schedule.waits:
+        yield "void rest() {}                      // no kernel: a moment to wait for"
         yield ""
-    names = [kernel_name(number) for number in range(count)] + ["rest"] * schedule.waits_at_end
+    names = [kernel_name(number) for number in range(count)] + ["rest"] * schedule.waits
     yield "void (*const kernels[])() = {"
     for start in range(0, len(names), 12):
         yield f"    {', '.join(names[start : start + 12])},"
     yield "};"
     yield ""
-    yield from part("step")
+    settings = {"begin": schedule.begin_us, "end": float(schedule.end)}
+    yield from part("await", **settings)
+    yield ""
+    fields = "step" if schedule.whole else "step_parts"
+    if schedule.sets_in:
+        fields += "_in"
+    yield from part(fields)
     yield ""
     yield "const Step schedule[] = {"
-    texts = [
-        f"{{{row.wait_us}, {count if row.kernel is None else row.kernel}, {row.times}}},"
-        for row in schedule.rows
-    ]
+    texts = [_row_text(row, count, schedule) for row in schedule.rows]
     if len(texts) <= _COMMENTED_ROWS:
         yield from remarked(
             [
@@ -168,14 +195,35 @@ def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
             yield f"{line}  // boundary {first} to {last}"
     yield "};"
     yield ""
-    yield from part("expose")
+    yield from _expose(schedule, container.target)
+
+
+def _row_text(row: Row, rest: int, schedule: Schedule) -> str:
+    """A row as C++: moments in microseconds, and in 2^-32 of one where some are not whole."""
+    numbers: list[int] = []
+    for moment in (row.at, row.every):
+        fixed = ceil(moment * _PART)
+        numbers.append(fixed // _PART % _US)
+        if not schedule.whole:
+            numbers.append(fixed % _PART)
+    numbers += [rest if row.kernel is None else row.kernel, row.times]
+    if schedule.sets_in:
+        numbers.append(AS_IT_IS if row.level is None else row.level)
+    return f"{{{', '.join(map(str, numbers))}}},"
+
+
+def _expose(schedule: Schedule, target: Target) -> Iterator[str]:
+    """The function that runs a frame."""
+    moment = part("moment" if schedule.whole else "moment_parts")
+    after = part("after" if schedule.whole else "after_parts")
+    settle = part("settle", settle=ceil(exact(target.in_settle_us))) if schedule.sets_in else []
+    begin = part("begin_in") if schedule.sets_in else []
+    lines = part("expose")
+    inserted = {"@begin@": begin, "@moment@": moment, "@settle@": settle, "@after@": after}
+    for line in lines:
+        yield from inserted.get(line.strip(), [line])
 
 
 def _shortened(instants: Sequence[int]) -> str:
     text = ranges_text(sorted(set(instants)))
     return text if len(text) <= 50 else text[:46] + " ..."
-
-
-def frame_rate(period_us: Fraction) -> int:
-    """A rate in Hz that frames of `period_us` do not reach, so that the frame loop never waits."""
-    return int(Fraction(1_000_000) / max(period_us, Fraction(1))) + 1

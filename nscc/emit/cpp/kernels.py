@@ -2,6 +2,8 @@
 
 A call is taken only if `nscc.macros` writes it out as just these words and the library has it
 with so many operands; a kernel with one word that no call says is a constant table as a whole.
+Where tables are not known, as in the devkit's simulator, such a word is several calls that do the
+same (`nscc.emit.cpp.narrow`).
 """
 
 from __future__ import annotations
@@ -12,12 +14,15 @@ from itertools import product
 
 from nscc.emit.cpp.text import Call, call_text, remarked
 from nscc.macros import MNEMONICS, OperandError, expand
-from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE, Effect, Op, Phase
+from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Word
-from nscc.words.encoding import decode, word_text
+from nscc.words.encoding import encode, word_text
 
 MOST_SOURCES = {"OR": 4, "NOR": 4, "WHERE": 3}
 """Most sources that the library's calls take; the array itself takes any number."""
+
+TOO_WIDE = "a word has more sources than a call: set or_sources = 4, where_sources = 3 in a target"
+"""What the compiler of such a program says."""
 
 MOST_DESTINATIONS = 4
 """Most registers that one call of SET or CLR takes."""
@@ -31,14 +36,13 @@ _MACROS = (
 _MOST_OPERANDS = 4
 
 
-def calls(words: Sequence[Word]) -> list[tuple[Call, tuple[Op, ...]]] | None:
-    """Library calls that record exactly `words`, each with its words; None if there are none."""
-    ops = tuple(decode(word) for word in words)
+def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
+    """Library calls that record exactly these words, each with its words; None: there are none."""
     found: list[tuple[Call, tuple[Op, ...]]] = []
     at = 0
     while at < len(ops):
         for length in _lengths():
-            window = ops[at : at + length]
+            window = tuple(ops[at : at + length])
             call = _macro(window) if len(window) == length > 1 else None
             if length == 1:
                 call = _single(ops[at])
@@ -56,22 +60,41 @@ def calls_words(made: Sequence[Call]) -> int:
     return sum(len(expand(name, operands)) for name, operands in made)
 
 
-def kernel_lines(name: str, words: Sequence[Word]) -> Iterator[str]:
-    """The definition of a function `name` that launches a kernel of `words`."""
-    said = calls(words)
-    if said is None:
-        rows = [(f"    {{{_integers(word)}}},", str(decode(word))) for word in words]
+def kernel_lines(
+    name: str, ops: Sequence[Op], narrow: Sequence[Op] | None, *, tables: bool
+) -> Iterator[str]:
+    """The definition of a function `name` that launches a kernel of these words.
+
+    `narrow` are words that do the same and have calls, None where there are none: they take the
+    place of what no call says in the simulator, and on every chip whose `tables` are not known.
+    """
+    said = calls(ops)
+    if said is not None:
+        yield from _recorded(name, said)
+        return
+    if tables:
+        yield "#ifdef __LPC43XX__"
+        rows = [(f"    {{{_integers(encode(word))}}},", str(word)) for word in ops]
         yield f"const uint32_t {name}_words[][5] = {{"
         yield from remarked(rows)
         yield "};"
-        yield f"void {name}() {{ scamp5_kernel({name}_words, {len(words)}), Run(); }}"
-        return
-    body = [
-        (f"        {call_text(call)}", "; ".join(str(word) for word in window))
-        for call, window in said
-    ]
+        yield f"void {name}() {{ scamp5_kernel({name}_words, {len(ops)}), Run(); }}"
+        yield "#else"
+    said = None if narrow is None else calls(narrow)
+    if said is None:
+        yield f'#error "{TOO_WIDE}"'
+    else:
+        yield from _recorded(name, said)
+    if tables:
+        yield "#endif"
+
+
+def _recorded(name: str, said: Sequence[tuple[Call, tuple[Op, ...]]]) -> Iterator[str]:
+    body = [(f"        {call_text(call)}", "; ".join(map(str, window))) for call, window in said]
     yield f"void {name}() {{"
     yield "    scamp5_kernel_begin();"
+    if any(word.analog for _, window in said for word in window):
+        yield "        SLOW_CLOCK"
     yield from remarked(body)
     yield "    scamp5_kernel_end();"
     yield "}"
@@ -131,8 +154,3 @@ def _single(operation: Op) -> Call | None:
     ):
         return None
     return operation.name, (*operation.destinations, *operation.sources)
-
-
-DEVKIT_ANALOG = frozenset(ANALOG_WRITE)
-DEVKIT_DIGITAL = frozenset(f"R{i}" for i in range(13)) & frozenset(DIGITAL_WRITE)
-"""The registers that the devkit has names for."""

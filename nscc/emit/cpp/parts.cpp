@@ -10,21 +10,135 @@ auto operator,(Kernel &&kernel, Run) -> decltype(kernel()) {
     return kernel();
 }
 
+//: clock
+#ifdef __LPC43XX__
+#define SLOW_CLOCK allow_highspeed(false);      // analog words do not keep up with the fast one
+#else
+#define SLOW_CLOCK
+#endif
+
+//: await
+#ifdef __LPC43XX__
+const uint32_t late_us = 8;         // a launch that comes later: the clock may tick every 7 us
+uint32_t late;                      // so many did in this frame
+
+// Waits until so many microseconds have passed since the frame's first word.
+void await(const vs_stopwatch &clock, uint32_t us) {
+#ifdef REST_US                      // for instance -DREST_US=1000: longer waits save power
+    if (int32_t(us - clock.get_usec()) > REST_US) {
+        vs_vision_chip_rest();
+    }
+#endif
+    const int32_t left = int32_t(us - clock.get_usec());
+    if (left > 32) {
+        vs_wait(uint32_t(left - 16));
+    }
+    while (int32_t(clock.get_usec() - us) < 0) {
+    }
+    late += int32_t(clock.get_usec() - us) > int32_t(late_us);
+}
+#else
+// In the devkit's simulator light falls when it is told to: the share of the frame that has passed
+// since the moment before. Shares are counted from the frame's beginning, so that none gets lost.
+double passed_us;
+uint32_t last_us;
+uint16_t fallen;
+
+void await(const vs_stopwatch &, uint32_t us) {
+    passed_us += uint32_t(us - last_us);
+    last_us = us;
+    const double share = (passed_us - @begin@) / (@end@ - @begin@);
+    const uint16_t until = uint16_t(65535 * (share < 1 ? share : 1) + 0.5);
+    vs_sim::pix_integrate(uint16_t(until - fallen), 65535);
+    fallen = until;
+}
+#endif
+
 //: step
 struct Step {
-    uint32_t wait_us;               // for the rest of the slots before
-    uint16_t kernel;                // then this one of `kernels` runs,
-    uint16_t times;                 // so many times over
+    uint32_t at_us;                 // this long after the frame's first word
+    uint32_t every_us;              // and again and again after so long,
+    uint16_t kernel;                // this one of `kernels` runs,
+    uint16_t times;                 // so many times in all
 };
+
+//: step_in
+struct Step {
+    uint32_t at_us;                 // this long after the frame's first word
+    uint32_t every_us;              // and again and again after so long,
+    uint16_t kernel;                // this one of `kernels` runs,
+    uint16_t times;                 // so many times in all
+    int16_t in;                     // with IN at so many steps; -32768: as it is
+};
+
+//: step_parts
+struct Step {
+    uint32_t at_us, at_part;        // this long after the frame's first word (parts: 2^-32 us)
+    uint32_t every_us, every_part;  // and again and again after so long,
+    uint16_t kernel;                // this one of `kernels` runs,
+    uint16_t times;                 // so many times in all
+};
+
+//: step_parts_in
+struct Step {
+    uint32_t at_us, at_part;        // this long after the frame's first word (parts: 2^-32 us)
+    uint32_t every_us, every_part;  // and again and again after so long,
+    uint16_t kernel;                // this one of `kernels` runs,
+    uint16_t times;                 // so many times in all
+    int16_t in;                     // with IN at so many steps; -32768: as it is
+};
+
+//: begin_in
+    int16_t in = -32768;
+
+//: moment
+        uint32_t us = step.at_us;
+        for (uint16_t i = 0; i < step.times; ++i) {
+
+//: moment_parts
+        uint32_t at_us = step.at_us, part = step.at_part;
+        for (uint16_t i = 0; i < step.times; ++i) {
+            const uint32_t us = at_us + (part > 0);
+
+//: settle
+            if (step.in != -32768 && step.in != in) {
+                scamp5_load_in(int8_t(step.in));
+                in = step.in;
+#ifdef __LPC43XX__
+                vs_wait(@settle@);
+#endif
+            }
+
+//: after
+            us += step.every_us;
+
+//: after_parts
+            part += step.every_part;
+            at_us += step.every_us + (part < step.every_part);
 
 //: expose
 void expose() {
+    vs_stopwatch clock;
+    clock.reset();
+    uint32_t before = 0;
+#ifdef __LPC43XX__
+    late = 0;
+#else
+    passed_us = 0;
+    last_us = 0;
+    fallen = 0;
+#endif
+@begin@
     for (const Step &step : schedule) {
-        for (uint16_t i = 0; i < step.times; ++i) {
-            if (step.wait_us) {
-                vs_wait(step.wait_us);
+@moment@
+            // What a boundary launches beside its first kernel follows at once.
+            if (us != before) {
+                await(clock, us);
+                before = us;
             }
+@settle@
             kernels[step.kernel]();
+@after@
         }
     }
 }
@@ -115,20 +229,34 @@ void load_image(const char *file, const Plane &plane) {
     }
 
 //: record
+#ifdef __LPC43XX__
     // A kernel is recorded when it first runs, which takes time: here, where none is lost.
     for (void (*kernel)() : kernels) {
         kernel();
     }
+#endif
 
 //: awaiting
     // While images are awaited, codes are refreshed at this rate.
     vs_configure_frame_trigger(VS_FRAME_TRIGGER_CONST_LOOP, @rate@);
 
+//: spread
+        // A converter that is symmetric around 0 has all of its codes for 2 x exposure - full well.
+        scamp5_load_in(@level@);
+#ifdef __LPC43XX__
+        vs_wait(@settle@);
+#endif
+
 //: frames
-    // Faster than frames can be, so that none waits for the next: codes fade meanwhile.
-    vs_configure_frame_trigger(VS_FRAME_TRIGGER_CONST_LOOP, @rate@);
     while (true) {
+        // No frame waits for the next: codes fade meanwhile.
+        vs_disable_frame_trigger();
         vs_frame_loop_control();
         expose();
+#ifdef __LPC43XX__
+        if (late) {
+            vs_post_text("%u launches came late\n", unsigned(late));
+        }
+#endif
         // Pixels that FLAG leaves out would be left out of readout.
 @prepare@

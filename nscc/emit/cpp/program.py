@@ -1,4 +1,4 @@
-"""A compiled program as one C++ file for the SCAMP-5d devkit.
+"""A compiled program as one C++ file for a devkit: the SCAMP-5d's or the SCAMP-7's.
 
 What runs is taken from the container, so from the words that were proved; the program and its
 lowering only supply the comments.
@@ -9,35 +9,43 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from math import ceil
 from pathlib import PurePath
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.emit.cpp.bitmap import bitmap
 from nscc.emit.cpp.codes import Loading, loading_lines, loading_of, loading_rate
+from nscc.emit.cpp.devkit import Devkit, devkit_fault, devkit_of
 from nscc.emit.cpp.frame import (
     Schedule,
     exact,
-    frame_rate,
     kernel_name,
     kernel_us,
     schedule_lines,
     schedule_of,
 )
-from nscc.emit.cpp.kernels import DEVKIT_ANALOG, DEVKIT_DIGITAL, calls, kernel_lines
+from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines
+from nscc.emit.cpp.narrow import narrowed
 from nscc.emit.cpp.patterns import ADDRESS_BITS
-from nscc.emit.cpp.text import Call, comment, entry, literal, part, safe, section
+from nscc.emit.cpp.readout import preparation_of
+from nscc.emit.cpp.text import comment, entry, literal, part, safe, section
 from nscc.lower.lowered import Lowered
+from nscc.operations import Op
 from nscc.program.program import Program
+from nscc.prove.proof import prove
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
 from nscc.target.target import Target
-from nscc.words.container import Container
+from nscc.words.container import Container, Kernel, state_registers
 from nscc.words.encoding import decode
 from nscc.words.text import number_text, ranges_text
 
 _SIDE = 1 << ADDRESS_BITS
+_WORDS = {
+    True: "each launched kernel word for word as it was proved",
+    False: "or of others that its library has calls for, proved like them",
+}
 _DISPLAYS_A_ROW = 2
-_READOUT: list[Call] = [("all", ())]
 
 
 @dataclass(frozen=True)
@@ -49,26 +57,25 @@ class DevkitProgram:
 
 
 def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str) -> DevkitProgram:
-    """The program for the devkit; images are named after `stem`.
+    """The program for the devkit that has the target's registers; images are named after `stem`.
 
-    Raises Rejected (NS0520) where the devkit cannot run it: another chip's registers or array, no
-    pixel data, pixels that look at the light, no room for the kernels that load the codes.
+    Raises Rejected (NS0520) where it cannot run it: another chip's registers or array, no pixel
+    data, no room for the kernels that load the codes; NS0521 for words that its library lacks.
     """
-    program = lowered.program
-    fault = target_fault(container.target)
+    program, target = lowered.program, container.target
+    devkit = devkit_of(target)
+    fault = devkit_fault(container, devkit)
     if fault is not None:
-        raise Rejected(_no_cpp(program, f"{container.target.name} {fault}", _OTHER_CHIP))
-    if container.machine is not None:
-        reason = "its pixels compare light with IN, which no call of the devkit known to nscc sets"
-        raise Rejected(_no_cpp(program, reason, "build the .icw container: it holds the words"))
+        raise Rejected(_no_cpp(program, devkit, f"{target.name} {fault}", _OTHER_CHIP))
     if container.pixel_codes is None:
-        raise Rejected(_no_cpp(program, "without `pixels` no pixel has a code to load", _DATA))
+        reason = "without `pixels` no pixel has a code to load"
+        raise Rejected(_no_cpp(program, devkit, reason, _DATA))
     planes = container.planes()
-    loading = loading_of(planes, container.target, stem)
-    _check_store(program, container, loading)
+    loading = loading_of(planes, target, stem)
+    _check_store(program, container, loading, devkit)
     schedule = schedule_of(container)
     lines = [
-        *_header(lowered, container, schedule, loading),
+        *_header(lowered, container, schedule, loading, devkit),
         "",
         "#include <scamp5.hpp>",
         "",
@@ -76,50 +83,33 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
         "",
         "using namespace SCAMP5_PE;",
         "",
+        *part("clock"),
+        "",
         "namespace {",
         "",
-        *_kernels(tree, program, container),
+        *_kernels(tree, program, container, devkit),
         _statement(program, program.frame.span),
         *schedule_lines(schedule, container),
         "",
     ]
     if loading.loads:
         lines += [*_pixel_statements(tree, program), *loading_lines(loading), ""]
-    lines += ["}  // namespace", "", *_main(container, schedule, loading)]
+    lines += ["}  // namespace", "", *_main(container, loading)]
     images = {load.file: bitmap(planes[load.register]) for load in loading.images}
-    return DevkitProgram("\n".join(lines) + "\n", images)
+    return DevkitProgram("".join(f"{devkit.named(line)}\n" for line in lines), images)
 
 
-_OTHER_CHIP = "choose a target with the devkit's registers, such as `--target scamp5`"
+_OTHER_CHIP = "choose a target with a devkit's registers, such as `--target scamp5`"
 _DATA = "add `pixels FIELD = ...` for every field"
 
 
-def target_fault(target: Target) -> str | None:
-    """Why the devkit's chip cannot stand in for `target`, as half a sentence; None if it can."""
-    known = DEVKIT_ANALOG | DEVKIT_DIGITAL
-    extra = [r for r in (*target.analog_registers, *target.digital_registers) if r not in known]
-    if extra:
-        shown = ", ".join(extra) if len(extra) < 4 else f"{extra[0]} to {extra[-1]}"
-        return f"has registers that the SCAMP-5d devkit does not: {shown}"
-    if "R12" in target.digital_registers and (
-        (target.mask_register, target.masked_register) != ("R0", "R12")
-    ):
-        return "writes R12 in all pixels, and the SCAMP-5d devkit only where R0 is 1"
-    if target.words:
-        names = ", ".join(row.name for row in target.words[:4])
-        return f"has words that the SCAMP-5d devkit does not: {names}"
-    if target.rows > _SIDE or target.cols > _SIDE:
-        return (
-            f"has {target.rows} x {target.cols} pixels, and the SCAMP-5d devkit {_SIDE} x {_SIDE}"
-        )
-    return None
-
-
-def _no_cpp(program: Program, reason: str, way_out: str) -> Diagnostic:
+def _no_cpp(
+    program: Program, devkit: Devkit, reason: str, way_out: str, code: str = "NS0520"
+) -> Diagnostic:
     span = program.target_span
     return Diagnostic(
-        "NS0520",
-        f"C++ for the SCAMP-5d devkit cannot be written: {reason}",
+        code,
+        f"C++ for the {devkit.name} devkit cannot be written: {reason}",
         source=program.source if span else None,
         label=Label(span, "the chip is chosen here") if span else None,
         helps=(way_out,),
@@ -127,34 +117,42 @@ def _no_cpp(program: Program, reason: str, way_out: str) -> Diagnostic:
     )
 
 
-def _check_store(program: Program, container: Container, loading: Loading) -> None:
+def _check_store(program: Program, container: Container, loading: Loading, devkit: Devkit) -> None:
     """Refuses what the frame's kernels leave no room to load."""
     target = container.target
     frame = sum(
         len(kernel.words)
         for kernel in container.kernels
-        if target.tables_count_against_store or calls(kernel.words) is not None
+        if target.tables_count_against_store or calls(ops_of(kernel)) is not None
     )
-    needed = frame + loading.words + len(_READOUT)
+    preparing = preparation_of(container).words
+    needed = frame + loading.words + preparing
     if needed > target.store_words:
         reason = (
             f"its kernels need {needed} words ({frame} of the frame, {loading.words} that load "
-            f"the codes, {len(_READOUT)} before readout), and {target.name} stores "
+            f"the codes, {preparing} before readout), and {target.name} stores "
             f"{target.store_words}"
         )
-        raise Rejected(_no_cpp(program, reason, "use fewer slots, or fewer different kernels"))
+        way_out = "use fewer slots, or fewer different kernels"
+        raise Rejected(_no_cpp(program, devkit, reason, way_out))
+
+
+def ops_of(kernel: Kernel) -> list[Op]:
+    """The words of a kernel, decoded."""
+    return [decode(word) for word in kernel.words]
 
 
 def _header(
-    lowered: Lowered, container: Container, schedule: Schedule, loading: Loading
+    lowered: Lowered, container: Container, schedule: Schedule, loading: Loading, devkit: Devkit
 ) -> Iterator[str]:
     program, allocation = lowered.program, lowered.schedule.allocation
     target = container.target
     stored = sum(len(kernel.words) for kernel in container.kernels)
     executed = sum(len(container.kernels[launch.kernel].words) for launch in container.launches)
+    others = loading.words + preparation_of(container).words
     yield from comment(
-        f"{_name(program)}: per-pixel shutters for the SCAMP-5d devkit. Written by nscc from the "
-        "words of the compiled program, each launched kernel word for word as it was proved."
+        f"{_name(program)}: per-pixel shutters for the {devkit.name} devkit. Written by nscc from "
+        f"the words of the compiled program, {_WORDS[devkit.tables]}."
     )
     yield "//"
     yield from entry("class", f"{program.class_name}: {program.class_reason}")
@@ -170,9 +168,12 @@ def _header(
     yield from entry(
         "words",
         f"{stored} stored in {len(container.kernels)} kernels, {executed} a frame; "
-        f"{loading.words + len(_READOUT)} more load the codes and prepare readout",
+        f"{others} more load the codes and prepare readout",
     )
     yield from entry("time", _time_text(container, schedule))
+    yield from entry("readout", _readout_text(container))
+    for text in _state_texts(container):
+        yield from entry("state", text)
     yield from entry("array", _array_text(target))
     for load in loading.images:
         data = hashlib.sha256(bitmap(container.planes()[load.register])).hexdigest()
@@ -202,13 +203,43 @@ def _slots_text(container: Container) -> str:
 def _time_text(container: Container, schedule: Schedule) -> str:
     target = container.target
     return (
-        "waits fill the slots after the words, at "
-        f"{number_text(target.analog_word_us)} us an analog word, "
-        f"{number_text(target.digital_word_us)} us a digital one and "
-        f"{number_text(target.launch_us)} us a launch; they are whole microseconds, rounded up so "
-        "that no slot is too short, which makes a frame "
-        f"{number_text(float(schedule.excess_us))} us longer"
+        f"the exposure begins {schedule.begin_us} us after the frame's first word and ends "
+        f"{number_text(float(schedule.end))} us after it; a launch waits for its moment on a clock "
+        "that runs on, so that no error adds up; words take, by the target's figures, "
+        f"{number_text(target.analog_word_us)} us (analog) and "
+        f"{number_text(target.digital_word_us)} us (digital), a launch "
+        f"{number_text(target.launch_us)} us"
     )
+
+
+def _readout_text(container: Container) -> str:
+    target = container.target
+    if preparation_of(container).level is not None:
+        return (
+            f"2 x exposure - full well: all codes for 0 to {number_text(target.full_well_e)} e, "
+            f"{number_text(round(target.electrons_per_lsb, 3))} e each"
+        )
+    step_e = 2 * target.full_well_e / ((1 << target.adc_bits) - 1)
+    return (
+        "exposures as they are, in the upper half of a symmetric converter's codes, "
+        f"{number_text(round(step_e, 3))} e each"
+    )
+
+
+_MOST_VALUES = 64
+
+
+def _state_texts(container: Container) -> Iterator[str]:
+    """How a host reads the states from the planes of digital registers."""
+    machine = container.machine
+    for state in machine.states if machine else ():
+        if state.read:
+            planes = container.state_planes[state.name]
+            text = f"{state.name} in {' '.join(planes.registers) or 'no register'}"
+            rows = zip(planes.values, planes.bits.astype(int), strict=True)
+            listed = [f"{value} is {''.join(map(str, bits))}" for value, bits in rows]
+            more = f", and {len(listed) - _MOST_VALUES} more" * (len(listed) > _MOST_VALUES)
+            yield f"{text}: {', '.join(listed[:_MOST_VALUES])}{more}"
 
 
 def _array_text(target: Target) -> str:
@@ -230,9 +261,13 @@ def _pixel_statements(tree: File, program: Program) -> Iterator[str]:
             yield _statement(program, statement.span)
 
 
-def _kernels(tree: File, program: Program, container: Container) -> Iterator[str]:
-    if any(calls(kernel.words) is None for kernel in container.kernels):
-        yield from [*part("run"), ""]
+def _kernels(tree: File, program: Program, container: Container, devkit: Devkit) -> Iterator[str]:
+    kernels = [ops_of(kernel) for kernel in container.kernels]
+    narrow: list[list[Op]] | None = kernels
+    if any(calls(ops) is None for ops in kernels):
+        narrow = _narrow(program, container, devkit)
+        if devkit.tables:
+            yield from ["#ifdef __LPC43XX__", *part("run"), "#endif", ""]
     launched: dict[int, list[int]] = {}
     for launch in container.launches:
         launched.setdefault(launch.kernel, []).append(launch.instant)
@@ -242,43 +277,63 @@ def _kernels(tree: File, program: Program, container: Container) -> Iterator[str
         if isinstance(rule, Open | Bucket)
     }
     bucket_of = {readout.register: readout.bucket for readout in container.readouts}
-    for number, kernel in enumerate(container.kernels):
+    for number, (kernel, ops) in enumerate(zip(container.kernels, kernels, strict=True)):
         instants = ranges_text(sorted(set(launched.get(number, []))))
         us = number_text(float(kernel_us(kernel, container.target)))
-        count = len(kernel.words)
         yield from comment(
-            f"{count} word{'s' * (count != 1)}, {us} us; launched at boundary {instants or '-'}"
+            f"{len(ops)} word{'s' * (len(ops) != 1)}, {us} us; launched at boundary "
+            f"{instants or '-'}"
         )
-        written = {r for word in kernel.words for r in decode(word).destinations}
+        written = {register for each in ops for register in each.destinations}
         for register, bucket in bucket_of.items():
             if register in written and bucket in rules:
                 yield _statement(program, rules[bucket], f"writes {register}: ")
-        yield from kernel_lines(kernel_name(number), kernel.words)
+        others = None if narrow is None else narrow[number]
+        yield from kernel_lines(kernel_name(number), ops, others, tables=devkit.tables)
         yield ""
 
 
-def _main(container: Container, schedule: Schedule, loading: Loading) -> Iterator[str]:
-    target = container.target
-    period_us = schedule.frame_us + schedule.excess_us
-    period_us += len(container.readouts) * exact(target.readout_us)
+def _narrow(program: Program, container: Container, devkit: Devkit) -> list[list[Op]] | None:
+    """The kernels in words that have calls, proved as the container's own are."""
+    found = narrowed(container)
+    if found is None and not devkit.tables:
+        reason = "a word has more sources than a call of its library takes, and no register is free"
+        raise Rejected(_no_cpp(program, devkit, reason, TOO_WIDE, "NS0521"))
+    if found is not None:
+        proof = prove(container, found)
+        if not proof.holds:
+            raise ValueError(f"calls of few sources are another program: {proof.failure}")
+    return found
+
+
+def _main(container: Container, loading: Loading) -> Iterator[str]:
+    shown = [(readout.register, readout.bucket) for readout in container.readouts]
+    shown += [(register, register) for register in state_registers(container)]
     yield "int main() {"
     yield "    vs_init();"
-    for number, readout in enumerate(container.readouts):
+    for number, (_, name) in enumerate(shown):
         row, col = divmod(number, _DISPLAYS_A_ROW)
         yield (
             f"    const auto display_{number} = "
-            f"vs_gui_add_display({literal(readout.bucket)}, {2 * row}, {2 * col}, 2);"
+            f"vs_gui_add_display({literal(name)}, {2 * row}, {2 * col}, 2);"
         )
     yield ""
     yield from part("record")
     if loading.images:
-        yield from ["", *part("awaiting", rate=loading_rate(target))]
+        yield from ["", *part("awaiting", rate=loading_rate(container.target))]
     if loading.loads:
         yield "    load_codes();"
-    prepare = "\n".join(section(_READOUT, " " * 8))
-    yield from ["", *part("frames", rate=frame_rate(period_us), prepare=prepare)]
-    for number, readout in enumerate(container.readouts):
-        remark = "" if readout.gain == 1 else f"  // times {number_text(readout.gain)}"
-        yield f"        scamp5_output_image({readout.register}, display_{number});{remark}"
+    preparing = preparation_of(container)
+    prepare = []
+    if preparing.level is not None:
+        settle = ceil(exact(container.target.in_settle_us))
+        prepare = part("spread", level=preparing.level, settle=settle)
+    prepare += section(preparing.calls, " " * 8)
+    yield from ["", *part("frames", prepare="\n".join(prepare))]
+    gains = {readout.register: readout.gain for readout in container.readouts}
+    for number, (register, _) in enumerate(shown):
+        gain = gains.get(register, 1.0)
+        remark = "" if gain == 1 else f"  // times {number_text(gain)}"
+        yield f"        scamp5_output_image({register}, display_{number});{remark}"
     yield "    }"
     yield "}"

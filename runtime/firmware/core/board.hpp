@@ -8,7 +8,7 @@ namespace nscc {
 
 struct Readout {
     uint8_t reg;                    // place among the target's analog registers
-    double gain;
+    uint64_t gain;                  // the bits of a double
 };
 
 // What a frame holds, in this order: the codes of all readouts, their exposures, then the planes of
@@ -38,16 +38,28 @@ public:
     virtual void forget() = 0;
     // Bits as in a PLANE object. False where the chip cannot be loaded.
     virtual bool load_plane(uint8_t reg, const uint8_t *bits, Refresher &others) = 0;
-    // `runs` as in a SCHEDULE object: how many slots, and the microseconds of each.
-    virtual void begin_frame(const uint8_t *runs, uint32_t count) = 0;
-    // The light of so many slots falls, until `wait_us` after the words before have ended.
-    virtual void pass(uint32_t slots, double wait_us) = 0;
+    // The program's words, which stay where they are: `run` is given parts of them.
+    virtual void take_words(const uint32_t *words, uint32_t count) = 0;
+    // The runs of a SCHEDULE object as they came: how many slots, and the microseconds of each.
+    virtual void take_slots(const uint8_t *runs, uint32_t count) = 0;
+
+    // A clock of limits::ticks_per_us ticks a microsecond, which goes from 2^32 - 1 to 0.
+    virtual uint32_t ticks() = 0;
+    virtual void begin_frame() = 0;
+    // The light of so many slots falls before the next deadline.
+    virtual void pass(uint32_t slots) = 0;
+    // Waits for a deadline: by how many ticks it is past then. Below 0, and without a wait, where
+    // there is time for other things before (more than breath_us, see schedule.hpp).
+    virtual int32_t past(uint32_t deadline) = 0;
     virtual void run(const uint32_t (*words)[5], uint32_t count) = 0;
     // IN is so many steps from here on, and `target::in_settle_us` pass until words may read it.
     virtual void set_in(int16_t steps) = 0;
-    // Ends the frame. `frame` stays as it is until `exposing` says that it has been written.
-    virtual void read_out(const Contents &contents, uint8_t *frame, uint32_t size) = 0;
+    // Ends the frame: these contents are asked for from now on, until another frame begins.
+    virtual void read_out(const Contents &contents) = 0;
     virtual Exposing exposing() = 0;
+    // So many bytes of a frame: at most target::rows, which is a column, and so many times that
+    // from its beginning. False where it cannot.
+    virtual bool convert(uint32_t offset, uint8_t *bytes, uint32_t count) = 0;
 
 protected:
     ~Board() = default;

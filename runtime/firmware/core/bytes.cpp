@@ -1,16 +1,6 @@
 #include "bytes.hpp"
 
-#include <cstring>
-
 namespace nscc {
-
-double get_double(const uint8_t *at) {
-    static_assert(sizeof(double) == 8, "doubles are IEEE 754 binary64");
-    double value;
-    uint64_t bits = get64(at);
-    std::memcpy(&value, &bits, sizeof value);
-    return value;
-}
 
 bool equal(const uint8_t *a, const uint8_t *b, size_t count) {
     for (size_t i = 0; i < count; ++i) {
@@ -33,20 +23,33 @@ void clear(uint8_t *at, size_t count) {
     }
 }
 
-uint32_t crc32(const uint8_t *data, size_t count) {
-    // Four bits at a time: sixteen entries are enough for a slow memory.
-    static const uint32_t table[16] = {
-        0x00000000, 0x1db71064, 0x3b6e20c8, 0x26d930ac, 0x76dc4190, 0x6b6b51f4,
-        0x4db26158, 0x5005713c, 0xedb88320, 0xf00f9344, 0xd6d6a3e8, 0xcb61b38c,
-        0x9b64c2b0, 0x86d3d2d4, 0xa00ae278, 0xbdbdf21c,
-    };
-    uint32_t crc = 0xffffffff;
-    for (size_t i = 0; i < count; ++i) {
-        crc ^= data[i];
-        crc = crc >> 4 ^ table[crc & 15];
-        crc = crc >> 4 ^ table[crc & 15];
+const uint32_t crc_table[16] = {
+    0x00000000, 0x1db71064, 0x3b6e20c8, 0x26d930ac, 0x76dc4190, 0x6b6b51f4,
+    0x4db26158, 0x5005713c, 0xedb88320, 0xf00f9344, 0xd6d6a3e8, 0xcb61b38c,
+    0x9b64c2b0, 0x86d3d2d4, 0xa00ae278, 0xbdbdf21c,
+};
+
+void FrameSum::reset() {
+    crc_ = crc_start;
+    a_ = 1;
+    b_ = 0;
+}
+
+void FrameSum::add(const uint8_t *data, size_t count) {
+    constexpr uint32_t prime = 65521;
+    constexpr size_t most = 5552;       // bytes until b may outgrow 32 bits
+    while (count > 0) {
+        const size_t some = count < most ? count : most;
+        for (size_t i = 0; i < some; ++i) {
+            crc_ = crc_with(crc_, data[i]);
+            a_ += data[i];
+            b_ += a_;
+        }
+        a_ %= prime;
+        b_ %= prime;
+        data += some;
+        count -= some;
     }
-    return ~crc;
 }
 
 namespace {

@@ -4,7 +4,7 @@ namespace nscc {
 
 namespace {
 
-constexpr size_t info_fixed = 136;      // bytes of HELLO's reply before its texts
+constexpr size_t info_fixed = 144;      // bytes of HELLO's reply before its texts
 
 size_t put_text(uint8_t *at, const char *text) {
     size_t length = 0;
@@ -22,7 +22,7 @@ void Loader::start() {
     unpacker_.reset();
     program_.forget();
     state_ = State::EMPTY;
-    announced_ = exposing_ = false;
+    announced_ = false;
     refusal_ = fine;
     session_ = boot_ = packets_ = 0;
     now_us_ = started_us_ = refreshed_us_ = 0;
@@ -47,14 +47,13 @@ void Loader::receive(const uint8_t *data, size_t count, uint64_t now_us) {
 
 size_t Loader::poll(uint8_t *out, size_t room, uint64_t now_us) {
     now_us_ = now_us;
-    watch_exposure();
     const bool fading = now_us - refreshed_us_ > uint64_t(target::retention_us / 4);
-    if (program_.holds_planes() && !exposing_ && fading) {
-        program_.refresh();
-        refreshed_us_ = now_us;
+    if (program_.holds_planes() && frame_.stage != Stage::LAUNCHING && fading) {
+        refresh();
     }
-    while (reads_ > 0 && waiting_ < room && waiting_ + most_wire <= sizeof out_) {
-        send_piece();
+    expose();
+    make_columns();
+    while (reads_ > 0 && waiting_ < room && waiting_ + most_wire <= sizeof out_ && send_piece()) {
     }
     const size_t count = waiting_ < room ? waiting_ : room;
     copy(out, out_, count);
@@ -63,6 +62,11 @@ size_t Loader::poll(uint8_t *out, size_t room, uint64_t now_us) {
         out_[i] = out_[i + count];
     }
     return count;
+}
+
+void Loader::refresh() {
+    program_.refresh();
+    refreshed_us_ = now_us_;
 }
 
 void Loader::handle(const Packet &packet) {
@@ -100,7 +104,9 @@ void Loader::reply(const Packet &packet, const uint8_t *body, size_t size) {
 void Loader::send(uint8_t kind, uint16_t sequence, uint32_t session, const uint8_t *body,
                   size_t size) {
     if (waiting_ + most_wire <= sizeof out_) {
-        waiting_ += packed(out_ + waiting_, kind, sequence, session, body, size);
+        Packer packer(out_ + waiting_, kind, sequence, session);
+        packer.add(body, size);
+        waiting_ += packer.finish();
     }
 }
 
@@ -120,7 +126,7 @@ Verdict Loader::hello(const Packet &packet) {
         limits::window, boot_,
         uint32_t(limits::exact ? 1 : 0) | uint32_t(limits::gains ? 2 : 0) | 4u,
         target::store_words, limits::most_kernels, limits::most_rows, limits::most_runs,
-        limits::most_frame,
+        limits::most_frame, hold, longest_us / 1000,
     };
     uint8_t *at = body + 4;
     for (uint32_t number : numbers) {
@@ -145,12 +151,12 @@ Verdict Loader::status(const Packet &packet) {
     if (packet.size != 0) {
         return refused(MALFORMED);
     }
-    uint8_t body[24] = {shown_state()};
+    uint8_t body[28] = {shown_state()};
     put32(body + 4, boot_);
-    put32(body + 8, uint32_t((now_us_ - started_us_) / 1000));
-    put32(body + 12, announced_ ? position_ : 0);
-    put32(body + 16, packets_);
-    put32(body + 20, unpacker_.damaged());
+    put64(body + 8, now_us_ - started_us_);
+    put32(body + 16, announced_ ? position_ : 0);
+    put32(body + 20, packets_);
+    put32(body + 24, unpacker_.damaged());
     reply(packet, body, sizeof body);
     return fine;
 }
@@ -168,8 +174,7 @@ Verdict Loader::cancel(const Packet &packet) {
     if (packet.size != 0) {
         return refused(MALFORMED);
     }
-    reads_ = 0;
-    frame_ = Frame{};
+    forget_frame();
     if (state_ == State::REFUSED) {
         state_ = State::EMPTY;
         announced_ = false;

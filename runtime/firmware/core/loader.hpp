@@ -11,7 +11,7 @@ enum class State : uint8_t { EMPTY, RECEIVING, COMPLETE, READY, EXPOSING, REFUSE
 
 class Loader {
 public:
-    explicit Loader(Board &board) : board_(board), program_(board) { start(); }
+    explicit Loader(Board &board) : board_(board), program_(board, shared_) { start(); }
 
     // Forget everything, as after power on, and say so to the host.
     void start();
@@ -19,7 +19,7 @@ public:
     // Go on with what is being done. How many bytes to send were written to `out`, at most `room`.
     size_t poll(uint8_t *out, size_t room, uint64_t now_us);
     // Whether poll has something to do without new bytes.
-    bool busy() const { return waiting_ > 0 || reads_ > 0 || exposing_; }
+    bool busy() const { return waiting_ > 0 || reads_ > 0 || exposing(); }
 
 private:
     static constexpr size_t entry_size = 38, most_reads = 8, most_objects = 64;
@@ -27,21 +27,34 @@ private:
     static constexpr size_t begin_size = 104, begin_program = 32, begin_label = 64;
     static constexpr size_t begin_length = 96, begin_objects = 100;
 
+    // Bytes of a frame are made a column at a time, and kept until the host has them. Planes are
+    // gone from that memory before frames come.
+    static constexpr uint32_t column = target::rows;
+    static constexpr uint32_t ring = limits::most_kept / column * column;
+    static constexpr uint32_t hold = ring - column;
+    static_assert(ring >= 2 * column, "a column is kept while the next one is made");
+    static constexpr uint32_t shared_bytes =
+        ring > Program::plane_bytes ? ring : Program::plane_bytes;
+
+    enum class Stage : uint8_t { NONE, LAUNCHING, READING_OUT, READY, FAILED };
     struct Frame {
-        bool there, ready, broken;
+        Stage stage;
+        Fault fault;
         uint64_t number;
         uint8_t channels;
-        uint32_t length;
+        uint32_t length, made, released;    // bytes: of all, made so far, needed no more
         uint64_t started_us;
-        uint8_t digest[Sha256::size];
+        uint32_t readout_ticks;
+        FrameSum sum;
     };
     struct Reading {
         uint16_t sequence;
         uint64_t number;
-        uint32_t offset, length;
+        uint32_t offset, length, kept;
         uint16_t chunk;
     };
 
+    void refresh();
     void handle(const Packet &packet);
     Verdict answer(const Packet &packet);
     Verdict hello(const Packet &packet);
@@ -60,19 +73,24 @@ private:
     Verdict declared_all();
     Verdict take(const uint8_t *data, size_t size);
     Verdict commit(bool &again);
-    Verdict commit_empty();
     Verdict refuse(Verdict verdict);
-    uint8_t shown_state() const { return uint8_t(exposing_ ? State::EXPOSING : state_); }
+    bool exposing() const {
+        return frame_.stage == Stage::LAUNCHING || frame_.stage == Stage::READING_OUT;
+    }
+    uint8_t shown_state() const { return uint8_t(exposing() ? State::EXPOSING : state_); }
     const uint8_t *entry(size_t number) const { return entries_ + entry_size * number; }
     uint32_t entry_length(size_t number) const { return get32(entry(number) + 2); }
-    void watch_exposure();
-    void send_piece();
+    void forget_frame();
+    void expose();
+    void make_columns();
+    bool send_piece();
+    void end_reading();
 
     Board &board_;
     Program program_;
     Unpacker unpacker_;
     State state_;
-    bool announced_, exposing_;
+    bool announced_;
     Verdict refusal_;
     uint32_t session_, boot_, packets_;
     uint64_t now_us_, started_us_, refreshed_us_;
@@ -85,7 +103,7 @@ private:
     Reading reading_[most_reads];
     size_t reads_, waiting_;
     uint8_t out_[limits::most_out];
-    uint8_t pixels_[limits::most_frame];
+    uint8_t shared_[shared_bytes];
 };
 
 }  // namespace nscc

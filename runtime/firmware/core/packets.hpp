@@ -6,7 +6,7 @@
 
 namespace nscc {
 
-constexpr uint8_t protocol_version = 1;
+constexpr uint8_t protocol_version = 2;
 constexpr size_t most_data = 1024;
 constexpr size_t header_size = 8, crc_size = 4;
 constexpr size_t most_body = most_data + 16;
@@ -37,18 +37,33 @@ public:
     uint32_t damaged() const { return damaged_; }
 
 private:
+    void begin();
+    bool keep(uint8_t byte);
     bool finish(Packet &packet);
 
     uint8_t data_[most_packet];
     size_t size_ = 0;
+    uint32_t crc_ = crc_start;
     uint8_t code_ = 0, left_ = 0;   // of the run that is being read: its first byte, and what is left
     bool started_ = false, broken_ = false;
     uint32_t damaged_ = 0;
 };
 
-// Writes a packet; `out` has room for most_wire bytes. How many bytes it is.
-size_t packed(uint8_t *out, uint8_t kind, uint16_t sequence, uint32_t session,
-              const uint8_t *body, size_t size);
+// Writes a packet as its body comes; `out` has room for most_wire bytes.
+class Packer {
+public:
+    Packer(uint8_t *out, uint8_t kind, uint16_t sequence, uint32_t session);
+    void add(const uint8_t *body, size_t count);
+    // How many bytes it is.
+    size_t finish();
+
+private:
+    void stuff(uint8_t byte);
+
+    uint8_t *out_;
+    size_t run_ = 1, size_ = 2;         // where the run began, and what is written
+    uint32_t crc_ = crc_start;
+};
 
 }  // namespace nscc
 

@@ -13,7 +13,7 @@ Verdict Loader::begin(const Packet &packet) {
     if (announced_ && equal(packet.body, begin_, begin_size - 2)) {
         return refusal_.good() ? progress(packet) : refusal_;
     }
-    if (exposing_) {
+    if (exposing()) {
         return refused(BUSY_NOW);
     }
     if (!equal(packet.body, target::digest, 32)) {
@@ -27,8 +27,7 @@ Verdict Loader::begin(const Packet &packet) {
     state_ = State::RECEIVING;
     announced_ = true;
     refusal_ = fine;
-    frame_ = Frame{};
-    reads_ = 0;
+    forget_frame();
     declared_ = object_ = 0;
     position_ = part_ = failures_ = 0;
     digest_.reset();
@@ -96,7 +95,8 @@ Verdict Loader::declared_all() {
     if (!equal(digest, begin_ + begin_program, 32) || total != get32(begin_ + begin_length)) {
         return refuse(refused(DIGEST));
     }
-    return commit_empty();
+    bool again = false;
+    return entry_length(0) == 0 ? commit(again) : fine;
 }
 
 Verdict Loader::refuse(Verdict verdict) {
@@ -153,44 +153,35 @@ Verdict Loader::take(const uint8_t *data, size_t size) {
     return fine;
 }
 
-// Accepts the object that is whole now; `again` where its bytes have to come again.
+// Accepts the object that is whole now, and those behind it that have no bytes; `again` where its
+// bytes have to come again.
 Verdict Loader::commit(bool &again) {
-    const uint8_t *at = entry(object_);
-    uint8_t digest[Sha256::size];
-    digest_.finish(digest);
-    digest_.reset();
-    part_ = 0;
-    if (!equal(digest, at + 6, Sha256::size)) {
-        position_ -= entry_length(object_);
-        ++failures_;
-        again = true;
-        return fine;
-    }
-    const Verdict verdict = program_.accept(at[0], at[1], entry_length(object_));
-    if (!verdict.good()) {
-        return refuse(verdict);
-    }
-    program_.refresh();
-    refreshed_us_ = now_us_;
-    ++object_;
+    do {
+        const uint8_t *at = entry(object_);
+        const uint32_t length = entry_length(object_);
+        uint8_t digest[Sha256::size];
+        digest_.finish(digest);
+        digest_.reset();
+        part_ = 0;
+        if (!equal(digest, at + 6, Sha256::size)) {
+            position_ -= length;
+            ++failures_;
+            again = true;
+            return length > 0 ? fine : refuse(refused(DIGEST));
+        }
+        const Verdict verdict = program_.accept(at[0], at[1], length);
+        if (!verdict.good()) {
+            return refuse(verdict);
+        }
+        refresh();
+        ++object_;
+    } while (object_ < declared_ && entry_length(object_) == 0);
     if (object_ < declared_) {
-        return commit_empty();
-    }
-    if (!program_.whole()) {
-        return refuse(refused(NO_PROGRAM));
-    }
-    state_ = State::COMPLETE;
-    return fine;
-}
-
-// Objects without bytes are whole as soon as they are declared.
-Verdict Loader::commit_empty() {
-    if (object_ == declared_ || entry_length(object_) > 0) {
         return fine;
     }
-    bool again = false;
-    const Verdict verdict = commit(again);
-    return again ? refuse(refused(DIGEST)) : verdict;
+    const Verdict whole = program_.complete();
+    state_ = State::COMPLETE;
+    return whole.good() ? fine : refuse(whole);
 }
 
 Verdict Loader::finish(const Packet &packet) {

@@ -44,13 +44,14 @@ struct Attempt {
     const Word &word;
     const Operation &row;
 
-    bool matches(bool &allowed) const {
+    bool matches(bool &allowed, uint32_t &registers) const {
         const bool analog = row.clock == 0;
         const bool settles = row.effect == BUS || row.effect == RESET_PIX;
         Word made = row.fixed;
         unsigned destinations = 0, sources = 0;
         bool overlap = false, reads_flag = false;
         allowed = true;
+        registers = 0;
         for (const Register &reg : target::registers) {
             if (reg.analog != analog) {
                 continue;
@@ -63,6 +64,7 @@ struct Attempt {
             if (written) {
                 ++destinations;
                 raise(made, reg.written);
+                registers |= reg.bit;
             }
             if (read) {
                 ++sources;
@@ -97,11 +99,12 @@ Meaning meaning_of(const Word &word) {
             continue;
         }
         bool allowed = false;
-        if (Attempt{word, row}.matches(allowed)) {
-            return {allowed, row.effect, row.phase, row.pair, row.clock == 0};
+        uint32_t written = 0;
+        if (Attempt{word, row}.matches(allowed, written)) {
+            return {allowed, row.effect, row.phase, row.pair, row.clock == 0, written};
         }
     }
-    return {false, NOTHING, WHOLE, 0, false};
+    return {false, NOTHING, WHOLE, 0, false, 0};
 }
 
 }  // namespace nscc

@@ -22,20 +22,26 @@ struct Operation {
 };
 
 // What a register's control lines are. `write` alone tells that it is a destination, `written` is
-// all that is raised then; a word of zeros: it cannot be read, or written.
+// all that is raised then; a word of zeros: it cannot be read, or written. `bit`: its own among the
+// target's digital registers.
 struct Register {
     Word read, write, written;
     bool analog, known, flag;
+    uint32_t bit;
 };
 
 struct Meaning {
     bool legal;
     uint8_t effect, phase, pair;
     bool analog;
+    uint32_t written;               // digital registers, a bit each
 };
 
 // What a word does on this target; not legal where it is no word of it.
 Meaning meaning_of(const Word &word);
+
+// Whether a word of the target's runs on the analog clock.
+inline bool is_analog(const uint32_t (&word)[5]) { return (word[0] >> 19 & 7) == 0; }
 
 }  // namespace nscc
 

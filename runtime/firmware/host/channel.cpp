@@ -11,11 +11,32 @@ namespace nscc {
 
 namespace {
 
+constexpr int channel_out = 1;
 constexpr size_t head = 5;
 constexpr size_t most_read = 1 << 16;
 constexpr size_t most_record = 1 << 25;
+constexpr size_t most_waiting = 1 << 16;
 
-void put_all(const uint8_t *data, size_t size) {
+std::vector<uint8_t> waiting;
+
+}  // namespace
+
+void begin_record(uint8_t type, size_t size) {
+    uint8_t start[head] = {type};
+    put32(start + 1, uint32_t(size));
+    put_bytes(start, head);
+}
+
+void put_bytes(const uint8_t *data, size_t size) {
+    waiting.insert(waiting.end(), data, data + size);
+    if (waiting.size() > most_waiting) {
+        flush_records();
+    }
+}
+
+void flush_records() {
+    const uint8_t *data = waiting.data();
+    size_t size = waiting.size();
     while (size > 0) {
         const ssize_t some = write(channel_out, data, size);
         if (some < 0 && errno == EINTR) {
@@ -27,15 +48,7 @@ void put_all(const uint8_t *data, size_t size) {
         data += some;
         size -= size_t(some);
     }
-}
-
-}  // namespace
-
-void put_record(uint8_t type, const uint8_t *data, size_t size) {
-    uint8_t start[head] = {type};
-    put32(start + 1, uint32_t(size));
-    put_all(start, head);
-    put_all(data, size);
+    waiting.clear();
 }
 
 bool Records::fill() {

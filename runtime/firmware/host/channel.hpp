@@ -1,25 +1,22 @@
-// Records to and from the process that emulates the chip: a type, a length, bytes.
+// The channel to the process that emulates the chip, over standard input and output.
 #ifndef NSCC_CHANNEL_HPP
 #define NSCC_CHANNEL_HPP
 
-#include <cstddef>
-#include <cstdint>
 #include <vector>
+
+#include "records.hpp"
 
 namespace nscc {
 
-enum Record : uint8_t {
-    PORT = 'P',         // to the emulator: the name of our pseudo-terminal
-    JOB = 'J',          // a frame to expose
-    OUTPUT = 'O',       // whether there is more to do, then bytes for the line
-    RESULT = 'R',       // from the emulator: 1 and a frame, or 0
-    INPUT = 'I',        // u64 microseconds, u32 room, then bytes from the line
-    RESTART = 'B',
-};
+constexpr int channel_in = 0;
 
-constexpr int channel_in = 0, channel_out = 1;
+inline void put_record(uint8_t type, const uint8_t *data, size_t size) {
+    begin_record(type, size);
+    put_bytes(data, size);
+}
 
-void put_record(uint8_t type, const uint8_t *data, size_t size);
+// Sends what was put; it waits until then.
+void flush_records();
 
 // Collects records from bytes as they come.
 class Records {

@@ -21,7 +21,38 @@ namespace {
 
 using namespace nscc;
 
-EmulatedBoard board;
+// A chip whose words take no time, and whose frames come whole.
+class Chip final : public EmulatedBoard {
+public:
+    uint32_t ticks() override { return now_; }
+    int32_t past(uint32_t deadline) override {
+        now_ = deadline;
+        return 0;
+    }
+    bool convert(uint32_t offset, uint8_t *bytes, uint32_t count) override {
+        if (offset + count > frame_.size()) {
+            return false;
+        }
+        copy(bytes, frame_.data() + offset, count);
+        return true;
+    }
+
+    void take_result(const std::vector<uint8_t> &data) {
+        if (data.size() < 5) {
+            std::exit(1);
+        }
+        if (get32(data.data()) == job_) {
+            frame_.assign(data.begin() + 5, data.end());
+        }
+        answered(get32(data.data()), data[4] != 0);
+    }
+
+private:
+    uint32_t now_ = 0;
+    std::vector<uint8_t> frame_;
+};
+
+Chip board;
 Loader loader(board);
 Records records;
 
@@ -46,6 +77,7 @@ void step(const std::vector<uint8_t> &data) {
     const size_t count = loader.poll(out.data() + 1, out.size() - 1, now);
     out[0] = loader.busy();
     put_record(OUTPUT, out.data(), 1 + count);
+    flush_records();
 }
 
 void obey() {
@@ -53,7 +85,7 @@ void obey() {
     std::vector<uint8_t> data;
     while (records.next(type, data)) {
         if (type == RESULT) {
-            board.answered(data);
+            board.take_result(data);
         } else if (type == RESTART) {
             loader.start();
         } else if (type == INPUT) {
@@ -78,6 +110,7 @@ int open_terminal() {
     cfmakeraw(&mode);
     tcsetattr(slave, TCSANOW, &mode);
     put_record(PORT, reinterpret_cast<const uint8_t *>(name), std::strlen(name));
+    flush_records();
     close(slave);
     return master;
 }
@@ -90,6 +123,7 @@ int serve() {
     uint8_t in[most_bytes], out[most_bytes];
     size_t waiting = 0;
     while (true) {
+        flush_records();
         const short wanted = short(POLLIN | (waiting > 0 ? POLLOUT : 0));
         pollfd watched[] = {{channel_in, POLLIN, 0}, {master, wanted, 0}};
         poll(watched, 2, waiting > 0 ? idle_ms : loader.busy() ? busy_ms : idle_ms);

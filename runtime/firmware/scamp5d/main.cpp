@@ -2,8 +2,8 @@
 
 #include <scamp5.hpp>
 
-#include "loader.hpp"
-#include "port.hpp"
+#include "scan.hpp"
+#include "turn.hpp"
 
 namespace nscc {
 
@@ -27,7 +27,6 @@ const areg_t *const analog[] = {&A, &B, &C, &D, &E, &F, &NEWS};
 const dreg_t *const digital[] = {&R0, &R1, &R2, &R3, &R4, &R5, &R6, &R7, &R8, &R9, &R10, &R11, &R12};
 
 constexpr int rows_between_refreshes = 16;
-constexpr double longest_wait_us = 4e9;
 
 class Chip : public Board {
 public:
@@ -52,9 +51,23 @@ public:
         return true;
     }
 
-    void begin_frame(const uint8_t *, uint32_t) override {}
+    void take_words(const uint32_t *, uint32_t) override {}
+    void take_slots(const uint8_t *, uint32_t) override {}
+    void begin_frame() override {}
+    void pass(uint32_t) override {}
 
-    void pass(uint32_t, double wait_us) override { wait(wait_us); }
+    uint32_t ticks() override { return uint32_t(port_micros()); }
+
+    int32_t past(uint32_t deadline) override {
+        int32_t late = int32_t(ticks() - deadline);
+        if (late < -int32_t(breath_us)) {
+            return late;
+        }
+        while (late < 0) {
+            late = int32_t(ticks() - deadline);
+        }
+        return late;
+    }
 
     void run(const uint32_t (*words)[5], uint32_t count) override {
         if (count > 0) {
@@ -63,70 +76,92 @@ public:
     }
 
     void set_in(int16_t steps) override {
+        constexpr uint32_t settle_us = uint32_t(target::in_settle_us) + 1;
         scamp5_load_in(int8_t(steps));
-        wait(target::in_settle_us);
-    }
-
-    void read_out(const Contents &contents, uint8_t *frame, uint32_t) override {
-        // Pixels that FLAG leaves out would be left out of readout.
-        run(target::flag_all, 1);
-        done_ = true;
-        if (contents.channels & codes_channel) {
-            for (uint32_t i = 0; i < contents.readout_count; ++i, frame += pixels) {
-                done_ = port_scan(*analog[contents.readouts[i].reg], frame) && done_;
-            }
-        }
-        if (contents.channels & states_channel) {
-            for (uint32_t i = 0; i < contents.state_count; ++i, frame += plane_bytes) {
-                done_ = port_scan_bits(*digital[contents.states[i]], frame) && done_;
-            }
+        const uint32_t begin = ticks();
+        while (ticks() - begin <= settle_us) {
         }
     }
 
-    Exposing exposing() override { return done_ ? Exposing::DONE : Exposing::BROKEN; }
+    void read_out(const Contents &contents) override {
+        contents_ = contents;
+        if (target::spreads && (contents.channels & codes_channel) != 0) {
+            spread();
+        }
+    }
+
+    Exposing exposing() override { return Exposing::DONE; }
+
+    bool convert(uint32_t offset, uint8_t *bytes, uint32_t) override {
+        const bool has_codes = (contents_.channels & codes_channel) != 0;
+        const uint32_t codes = has_codes ? contents_.readout_count * pixels : 0;
+        if (offset < codes) {
+            // Pixels that FLAG leaves out would be left out of readout.
+            run(target::flag_all, 1);
+            const uint8_t reg = contents_.readouts[offset / pixels].reg;
+            const bool done = port_scan(*analog[reg], offset % pixels / target::rows, bytes);
+            for (uint32_t row = 0; target::code_of_nothing > 0 && row < target::rows; ++row) {
+                const int code = bytes[row] - target::code_of_nothing;
+                bytes[row] = uint8_t(code > 0 ? code : 0);
+            }
+            return done;
+        }
+        const uint32_t at = offset - codes;
+        const uint8_t reg = contents_.states[at / plane_bytes];
+        return port_scan_bits(*digital[reg], at % plane_bytes / row_bytes, piece_rows, bytes);
+    }
 
 private:
     static constexpr uint32_t pixels = uint32_t(target::rows) * target::cols;
-    static constexpr uint32_t plane_bytes = (pixels + 7) / 8;
+    static constexpr uint32_t plane_bytes = (pixels + 7) / 8, row_bytes = target::cols / 8;
+    static constexpr uint32_t piece_rows = target::rows / row_bytes;
+    static_assert(target::cols % 8 == 0 && target::rows % row_bytes == 0, "pieces are whole rows");
 
-    static void wait(double wait_us) {
-        while (wait_us > longest_wait_us) {
-            vs_wait(uint32_t(longest_wait_us));
-            wait_us -= longest_wait_us;
+    // Makes every register 2 x exposure - full well: a converter that is symmetric around 0 has all
+    // of its codes for that. Needs a register that is not read out.
+    void spread() {
+        uint32_t copy = target::analog_count;
+        for (uint32_t reg = 0; reg < target::analog_count; ++reg) {
+            copy = reg == target::analog_scratch || is_read(reg) ? copy : reg;
         }
-        const uint32_t whole = uint32_t(wait_us);
-        const uint32_t rounded_up = whole + (double(whole) < wait_us);
-        if (rounded_up > 0) {
-            vs_wait(rounded_up);
+        if (copy == target::analog_count) {
+            return;
+        }
+        run(target::flag_all, 1);
+        set_in(int16_t(target::spread_level));
+        for (uint32_t i = 0; i < contents_.readout_count; ++i) {
+            const uint32_t reg = contents_.readouts[i].reg;
+            run(target::to_scratch[reg], 1);
+            run(target::from_scratch[copy], 1);
+            run(target::doubled[reg * target::analog_count + copy], 1);
+            run(target::from_scratch[reg], 1);
         }
     }
 
-    bool done_ = false;
+    bool is_read(uint32_t reg) const {
+        for (uint32_t i = 0; i < contents_.readout_count; ++i) {
+            if (contents_.readouts[i].reg == reg) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    Contents contents_ = {};
 };
 
-static_assert(sizeof(Loader) <= 120 * 1024, "it has to leave room in the memory");
+static_assert(limits::ticks_per_us == 1, "the port's clock counts microseconds");
 
 Chip chip;
-Loader loader(chip);
+NSCC_SHARED_RAM Loader loader(chip);
 
 }  // namespace
 
 void serve() {
-    uint8_t in[256], out[256];
-    size_t waiting = 0, sent = 0;
+    static Turns turns(loader);
     while (true) {
         vs_frame_loop_control();
-        for (size_t count; (count = port_read(in, sizeof in)) > 0;) {
-            loader.receive(in, count, port_micros());
-        }
-        do {
-            if (sent == waiting) {
-                waiting = loader.poll(out, sizeof out, port_micros());
-                sent = 0;
-            }
-            const size_t some = port_write(out + sent, waiting - sent);
-            sent += some;
-        } while (sent == waiting && waiting > 0);
+        turns.take();
     }
 }
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field
 from threading import Thread
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,16 +52,18 @@ class EmulatedChip:
     _light: tuple[tuple[float, ...], Light] | None = field(default=None, init=False)
 
     def execute(self, container: Container, channels: int) -> Executed:
-        """One frame of a container: all codes, then all exposures, then all planes of states."""
+        """One frame of a container: all codes, then all exposures, readout by readout, column by
+        column; then all planes of states.
+        """
         from nscc_runtime.frame_file import read_out
 
         if self._light is None or self._light[0] != container.slot_us:
             self._light = (container.slot_us, self.scene(container.slot_us))
         exact, planes = self._executed(container, self._light[1])
         frame = read_out(exact, self.target, self.sensor)
-        parts = [frame.frame.tobytes()] if channels & Channel.CODES else []
+        parts = [in_columns(frame.frame)] if channels & Channel.CODES else []
         if channels & Channel.EXPOSURE:
-            parts.append(frame.exposure_e.astype("<f8").tobytes())
+            parts.append(in_columns(frame.exposure_e.astype("<f8")))
         packed = {name: packed_plane(plane) for name, plane in planes.items()}
         if channels & Channel.STATES:
             parts += [packed[name] for name in container.state_planes]
@@ -83,6 +85,11 @@ class EmulatedChip:
         from nscc_runtime.emulator import expose
 
         return expose(container, light, device_seed=self.device_seed), container.planes()
+
+
+def in_columns(frame: NDArray[Any]) -> bytes:
+    """The bytes of (readouts, rows, cols) values in the order in which a loader sends them."""
+    return np.ascontiguousarray(frame.transpose(0, 2, 1)).tobytes()
 
 
 def looks(container: Container) -> bool:

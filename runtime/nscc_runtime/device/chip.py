@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.words.container import state_registers
 from nscc.words.file import to_bytes
 from nscc_runtime.device import tasks
 from nscc_runtime.device.host import Task
@@ -24,7 +25,7 @@ from nscc_runtime.device.messages import (
     frame_bytes,
     plane_bytes,
 )
-from nscc_runtime.device.objects import Upload, state_registers, unpacked_plane, upload_of
+from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
 from nscc_runtime.device.trouble import check_fits, no_program, rejected, states_lost
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
@@ -144,16 +145,16 @@ class Chip:
     def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
         host = self.link.host
         self._number += 1
-        number, channels, lost = self._number, 0, False
+        wanted, lost = tasks.Wanted(self._number, 0), False
 
         def work() -> Task[tasks.Taken]:
-            nonlocal channels, lost
+            nonlocal lost
             assert host.info is not None
-            channels = channels_of(host.info, program)
+            wanted.channels = channels_of(host.info, program)
             if program is not None:
                 there = yield from tasks.upload(host, program)
                 lost = lost or not there
-            return (yield from tasks.capture(host, number, channels))
+            return (yield from tasks.capture(host, wanted))
 
         taken = self.link.run(work)
         if lost and container is not None and _keeps(container):
@@ -162,7 +163,7 @@ class Chip:
         wrong = container is not None and captured.readouts != len(container.readouts)
         states = program.states if program else 0
         pixels = target.rows * target.cols
-        expected = frame_bytes(channels, pixels, captured.readouts, states)
+        expected = frame_bytes(wanted.channels, pixels, captured.readouts, states)
         if wrong or not captured.readouts or len(taken.data) != expected:
             raise rejected(
                 "NS0767",
@@ -172,7 +173,7 @@ class Chip:
             )
         shape = (captured.readouts, target.rows, target.cols)
         sensor = self.sensor or default_sensor(target)
-        frame = frame_of(taken.data, channels, shape, sensor, target, container)
+        frame = frame_of(taken.data, wanted.channels, shape, sensor, target, container)
         return Shot(frame, captured)
 
 
@@ -193,12 +194,14 @@ def frame_of(
     well or register reads. A loader with EXPOSURE stands in for a chip without either. What pixels
     that looked say of their light comes from the planes of STATES, with the program.
     """
-    pixels = int(np.prod(shape))
-    codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(shape)
+    readouts, rows, cols = shape
+    pixels, columns = readouts * rows * cols, (readouts, cols, rows)
+    codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(columns)
+    codes = np.ascontiguousarray(codes.transpose(0, 2, 1))
     saturated_by = last_codes(codes, target)
     if channels & Channel.EXPOSURE:
         exposure = np.frombuffer(data, "<f8", pixels, offset=pixels).astype(np.float64)
-        exposure = exposure.reshape(shape)
+        exposure = np.ascontiguousarray(exposure.reshape(columns).transpose(0, 2, 1))
     else:
         exposure = (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb
         if container is not None and container.machine is None:

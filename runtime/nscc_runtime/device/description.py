@@ -22,7 +22,7 @@ def info_text(info: Info, status: Status) -> str:
             f"{info.most_rows} rows of schedule, {info.most_frame} bytes of frame",
             f"line       {info.window} bytes ahead, {info.most_data} a packet; "
             f"{status.packets} packets received, {status.damaged} damaged",
-            f"up         {status.uptime_ms / 1000:.1f} s",
+            f"up         {status.uptime_us / 1e6:.1f} s",
             "",
         ]
     )

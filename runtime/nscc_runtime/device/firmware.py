@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import tempfile
 from atexit import register
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from contextlib import suppress
 from functools import partial
@@ -19,14 +19,13 @@ from hashlib import sha256
 from pathlib import Path
 from select import select
 from struct import Struct
-from typing import TYPE_CHECKING, Any, NamedTuple, Self
+from typing import TYPE_CHECKING, NamedTuple, Self
 
 from nscc.cache.store import cache_folder
 from nscc.words.container import Launch
 from nscc_runtime.device.board import in_background
-from nscc_runtime.device.messages import Fault
 from nscc_runtime.device.objects import RUN, WORD
-from nscc_runtime.device.parsing import Reader, container_of
+from nscc_runtime.device.parsing import container_of
 from nscc_runtime.device.target_header import target_header
 
 if TYPE_CHECKING:
@@ -34,14 +33,16 @@ if TYPE_CHECKING:
     from nscc.words.container import Container
     from nscc_runtime.device.board import EmulatedChip, Executed
 
-PYTHON_NAME = "nscc-loader 1 (Python)"
+PYTHON_NAME = "nscc-loader 2 (Python)"
 SOURCES = Path(__file__).resolve().parents[2] / "firmware"
 WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic")
 CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
 
 _RECORD = Struct("<BI")
+_JOB = Struct("<IIII")
 _READOUT = Struct("<Id")
 _EVENT = Struct("<Ii")
+_RESULT = Struct("<IB")
 _LIGHT_FALLS = 0xFFFF_FFFF
 _IN_IS_SET = 0xFFFF_FFFE
 _MOST_READ = 1 << 16
@@ -75,20 +76,31 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
     found = compiler()
     if found is None:
         raise NotBuilt("there is no C++ compiler")
-    sources = sorted(SOURCES.glob("core/*.cpp")) + sorted(SOURCES.glob("host/*.cpp"))
+    command = [found, *CORE_FLAGS, *WARNINGS, *extra]
+    return Built(compiled(command, ("core", "emulated", "host"), target, folder), found, target)
+
+
+def compiled(
+    command: Sequence[str], parts: Sequence[str], target: Target, folder: Path | None = None
+) -> Path:
+    """What a compiler makes of these parts of the firmware for a target, now or before.
+
+    Raises NotBuilt.
+    """
+    sources = [path for part in parts for path in sorted(SOURCES.glob(f"{part}/*.cpp"))]
     if not sources:
         raise NotBuilt("its sources are not part of this installation")
     try:
         header = target_header(target)
     except ValueError as reason:
         raise NotBuilt(str(reason)) from None
-    flags = [*CORE_FLAGS, *WARNINGS, *extra]
-    texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[ch]pp"))]
-    key = sha256(b"\0".join([header.encode(), " ".join([found, *flags]).encode(), *texts]))
+    texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[chl][pd]*"))]
+    key = sha256(b"\0".join([header.encode(), " ".join(command).encode(), *texts]))
     place = (folder or _kept()) / f"loader-{key.hexdigest()[:32]}"
     if not place.exists():
-        _compile([found, *flags], sources, header, place)
-    return Built(place, found, target)
+        includes = [f"-I{SOURCES / part}" for part in parts]
+        _compile([*command, *includes, *map(str, sources)], header, place)
+    return place
 
 
 def _kept() -> Path:
@@ -104,16 +116,16 @@ def _kept() -> Path:
     return Path(passing)
 
 
-def _compile(command: list[str], sources: list[Path], header: str, place: Path) -> None:
+def _compile(command: list[str], header: str, place: Path) -> None:
     with tempfile.TemporaryDirectory(prefix="nscc-firmware-") as name:
         folder = Path(name)
         (folder / "target.hpp").write_text(header)
         out = folder / "loader"
-        includes = [f"-I{SOURCES / 'core'}", f"-I{SOURCES / 'host'}", f"-I{folder}"]
-        line = [*command, *includes, *map(str, sources), "-o", str(out)]
+        line = [*command, f"-I{folder}", "-o", str(out)]
         done = subprocess.run(line, capture_output=True, text=True)
         if done.returncode:
-            raise NotBuilt(done.stderr.strip().splitlines()[0] if done.stderr else command[0])
+            lines = done.stderr.strip().splitlines() or [command[0]]
+            raise NotBuilt(next((line for line in lines if "error" in line), lines[0]))
         beside = place.with_name(f".{place.name}.{os.getpid()}")
         try:
             shutil.copy2(out, beside)
@@ -122,18 +134,102 @@ def _compile(command: list[str], sources: list[Path], header: str, place: Path) 
             raise NotBuilt(f"cannot write '{place}': {error.strerror}") from None
 
 
+class Recording:
+    """What a loader does with its board, told record by record (`emulated/records.hpp`)."""
+
+    def __init__(self, target: Target) -> None:
+        self.target = target
+        self._forget()
+
+    def _forget(self) -> None:
+        self._planes: dict[int, bytes] = {}
+        self._latest: Job | None = None
+        self._words = self._runs = b""
+        self._events: list[tuple[int, int]] = []
+
+    def take(self, kind: bytes, data: bytes) -> Job | None:
+        """Follow the loader; a job where a frame is to be exposed."""
+        match kind:
+            case b"F":
+                self._forget()
+            case b"D":
+                self._planes[data[0]] = data[1:]
+            case b"W":
+                self._words = data
+            case b"S":
+                self._runs = data
+            case b"N":
+                self._events = []
+            case b"E":
+                self._events.append(_EVENT.unpack(data))
+            case b"J":
+                number, channels, readouts, states = _JOB.unpack_from(data)
+                split = _JOB.size + readouts * _READOUT.size
+                self._latest = Job(
+                    number,
+                    channels,
+                    self._container(
+                        list(_READOUT.iter_unpack(data[_JOB.size : split])),
+                        list(data[split : split + states]),
+                    ),
+                )
+                return self._latest
+            case _:
+                raise ValueError(f"a record of kind {kind!r}")
+        return None
+
+    def keep(self, job: Job, planes: Mapping[str, bytes]) -> None:
+        """What a frame left in code registers: the next one of the same program begins with it."""
+        if job is self._latest:
+            names = self.target.digital_registers
+            self._planes = {names.index(name): plane for name, plane in planes.items()}
+
+    def _container(self, readouts: Sequence[tuple[int, float]], states: Sequence[int]) -> Container:
+        numbers: dict[tuple[int, int], int] = {}
+        launches: list[Launch] = []
+        boundary, level = 0, None
+        for what, count in self._events:
+            if what == _LIGHT_FALLS:
+                boundary += count
+            elif what == _IN_IS_SET:
+                level = count
+            else:
+                kernel = numbers.setdefault((what, count), len(numbers))
+                launches.append(Launch(boundary, kernel, level))
+                level = None
+        return container_of(
+            self.target,
+            readouts=readouts,
+            kernels=[
+                tuple(WORD.iter_unpack(self._words[first : first + count * WORD.size]))
+                for first, count in numbers
+            ],
+            launches=launches,
+            runs=list(RUN.iter_unpack(self._runs)),
+            states=states,
+            planes=self._planes,
+        )
+
+
+class Job(NamedTuple):
+    """A frame that a loader wants of its board."""
+
+    number: int
+    channels: int
+    container: Container
+
+
 class Firmware:
     """The loader's process; its jobs, which come as records like all else, run on `chip`."""
 
-    def __init__(self, loader: Built, chip: EmulatedChip, mode: str) -> None:
-        self.chip, self.target = chip, loader.target
-        self._process = subprocess.Popen(
-            [str(loader.path), mode], stdin=subprocess.PIPE, stdout=subprocess.PIPE
-        )
+    def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
+        self.chip, self.target = chip, target
+        self._process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         self._in, self._out = self._process.stdin, self._process.stdout
         self._held = bytearray()
+        self._recording = Recording(target)
 
     def __enter__(self) -> Self:
         return self
@@ -172,21 +268,26 @@ class Firmware:
 
     def announce(self) -> None:
         """Start the loader anew."""
-        self.put(b"B")
+        self.put(b"X")
 
-    def exposure(self, job: bytes) -> Executed:
+    def execute(self, job: Job) -> Executed:
         """What becomes of what the loader's board was told to do."""
-        return self.chip.execute(*container_of_job(job, self.target))
+        return self.chip.execute(job.container, job.channels)
 
-    def answer(self, exposed: Callable[[], Executed]) -> None:
+    def answer(self, job: Job, exposed: Callable[[], Executed]) -> None:
         """Tell the loader of its frame, or that there is none, whatever the reason."""
         try:
             executed = exposed()
         except Exception as error:
             self.chip.report(error)
-            self.put(b"R", b"\0")
+            self.put(b"R", _RESULT.pack(job.number, 0))
         else:
-            self.put(b"R", b"\1" + executed.frame + b"".join(executed.planes.values()))
+            self._recording.keep(job, executed.planes)
+            self.put(b"R", _RESULT.pack(job.number, 1) + self.sent(job, executed.frame))
+
+    def sent(self, job: Job, frame: bytes) -> bytes:
+        """What of a frame is sent with the news that it is there: all of it."""
+        return frame
 
     def close(self) -> int:
         """End the process; its exit status, which a sanitizer makes other than 0."""
@@ -201,22 +302,19 @@ class Firmware:
         return self._process.returncode
 
 
-class Process(Firmware):
-    """The loader behind its own pseudo-terminal, in real time."""
+class Running(Firmware):
+    """A loader in real time, behind a line of its own: a file descriptor that does not wait."""
 
-    def __init__(self, loader: Built, chip: EmulatedChip) -> None:
-        super().__init__(loader, chip, "--pty")
-        while (found := self.next()) is None:
-            self.fill()
-        self.port = found[1].decode()
-        self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+    def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
+        super().__init__(command, target, chip)
+        self._line = -1
         self._unsent = b""
-        self._exposing: Future[Executed] | None = None
+        self._exposing: list[tuple[Job, Future[Executed]]] = []
 
     @property
     def busy(self) -> bool:
         """Whether bytes wait for the loader to take them, or a frame is being exposed."""
-        return bool(self._unsent) or self._exposing is not None
+        return bool(self._unsent) or bool(self._exposing)
 
     def watched(self) -> list[int]:
         """The line, and the pipe on which jobs come."""
@@ -234,50 +332,34 @@ class Process(Firmware):
         while select([self.fileno()], [], [], 0)[0]:
             self.fill()
         while (found := self.next()) is not None:
-            if found[0] == b"J":
-                self._exposing = in_background(partial(self.exposure, found[1]))
-        if self._exposing is not None and self._exposing.done():
-            self.answer(self._exposing.result)
-            self._exposing = None
+            self.follow(*found)
+        for each in [each for each in self._exposing if each[1].done()]:
+            self._exposing.remove(each)
+            self.answer(each[0], each[1].result)
         try:
             return os.read(self._line, room)
         except BlockingIOError:
             return b""
 
+    def follow(self, kind: bytes, data: bytes) -> None:
+        """Do what a record of the loader's asks for."""
+        job = self._recording.take(kind, data)
+        if job is not None:
+            self._exposing.append((job, in_background(partial(self.execute, job))))
+
     def close(self) -> int:
         """End the process."""
-        os.close(self._line)
+        if self._line >= 0:
+            os.close(self._line)
         return super().close()
 
 
-def container_of_job(job: bytes, target: Target) -> tuple[Container, int]:
-    """What a loader's board was told to do, as a program for the emulator; and the channels."""
-    reader = Reader(job, Fault.MALFORMED)
-    channels = reader.count()
+class Process(Running):
+    """The loader compiled for this machine, behind its own pseudo-terminal."""
 
-    def rows(layout: Struct) -> list[Any]:
-        return list(reader.rows(layout, reader.count()))
-
-    readouts, states = rows(_READOUT), [reader.count() for _ in range(reader.count())]
-    runs = rows(RUN)
-    kernels = [tuple(rows(WORD)) for _ in range(reader.count())]
-    launches: list[Launch] = []
-    boundary, level = 0, None
-    for what, number in rows(_EVENT):
-        if what == _LIGHT_FALLS:
-            boundary += number
-        elif what == _IN_IS_SET:
-            level = number
-        else:
-            launches.append(Launch(boundary, what, level))
-            level = None
-    plane_bytes = (target.rows * target.cols + 7) // 8
-    return container_of(
-        target,
-        readouts=readouts,
-        kernels=kernels,
-        launches=launches,
-        runs=runs,
-        states=states,
-        planes={reader.count(): reader.take(plane_bytes) for _ in range(reader.count())},
-    ), channels
+    def __init__(self, loader: Built, chip: EmulatedChip) -> None:
+        super().__init__([str(loader.path), "--pty"], loader.target, chip)
+        while (found := self.next()) is None:
+            self.fill()
+        self.port = found[1].decode()
+        self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)

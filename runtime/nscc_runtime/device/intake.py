@@ -134,8 +134,10 @@ class Intake:
             self._refuse(refusal)
         program.object += 1
         if program.object == len(program.entries):
-            if not program.held.whole:
-                self._refuse(Refusal(Fault.NO_PROGRAM))
+            try:
+                program.held.check_whole(self.target)
+            except Refusal as refusal:
+                self._refuse(refusal)
             self.state = State.COMPLETE
         else:
             self._commit_empty(program)

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass
-from hashlib import sha256
+from dataclasses import dataclass, replace
 from typing import Protocol
+from zlib import adler32, crc32
 
 from nscc.target.target import Target
 from nscc_runtime.device import messages, packets
@@ -17,10 +17,12 @@ from nscc_runtime.device.intake import Intake
 from nscc_runtime.device.messages import FRAME, Capability, Channel, Fault, State
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet
 from nscc_runtime.device.parsing import Held, Limits, Refusal
+from nscc_runtime.device.timing import LONGEST_US
 
 MOST_OUT = 8192
 """Bytes that may wait to be sent; a reply that finds no room is not sent: the host asks again."""
 MOST_READS = 8
+_KEPT = 1 << 17
 _SMALLEST_CHUNK = 16
 _ZEROS = bytes(32)
 
@@ -40,13 +42,14 @@ class Board(Protocol):
 
 @dataclass
 class Frame:
-    """The last capture: `data` is None until it is exposed."""
+    """The last capture: `data` is None until it is exposed, and gone before `released`."""
 
     number: int
     channels: int
     started_us: int
     data: bytes | None = None
-    digest: bytes = _ZEROS
+    sums: tuple[int, int] = (0, 0)
+    released: int = 0
     failed: bool = False
 
 
@@ -160,6 +163,8 @@ class Loader:
             most_rows=self.limits.rows,
             most_runs=self.limits.runs,
             most_frame=self.limits.frame_bytes,
+            hold=self._hold,
+            longest_ms=LONGEST_US // 1000,
             rows=self.target.rows,
             cols=self.target.cols,
             target=self.intake.digest,
@@ -178,7 +183,7 @@ class Loader:
         return messages.Status(
             self._shown_state,
             self.boot,
-            (self._now_us - self._started_us) // 1000 & 0xFFFFFFFF,
+            self._now_us - self._started_us,
             self.intake.program.position if self.intake.program else 0,
             self.packets & 0xFFFFFFFF,
             self._unpacker.damaged & 0xFFFFFFFF,
@@ -234,18 +239,39 @@ class Loader:
         return self._captured(frame, program.held)
 
     def _captured(self, frame: Frame, held: Held) -> bytes:
-        us = sum(count * us for count, us in held.runs or ())
-        us += len(held.readouts or ()) * self.target.readout_us
+        readouts, length = len(held.readouts or ()), held.frame_bytes(frame.channels, self.target)
+        readout_ms = int(min(self.target.readout_us, LONGEST_US)) // 1000 + 1
+        whole = frame.data is not None and self._made(frame) == length
+        crc, adler = frame.sums if whole else (0, 0)
         return messages.Captured(
             number=frame.number,
             ready=frame.data is not None,
             channels=frame.channels,
-            readouts=len(held.readouts or ()),
-            estimate_ms=min(int(us / 1000) + 1, 0xFFFFFFFF),
-            length=held.frame_bytes(frame.channels, self.target),
+            readouts=readouts,
+            estimate_ms=held.frame_us // 1000 + readouts * readout_ms + 1,
+            length=length,
+            released=frame.released,
             started_us=frame.started_us,
-            sha256=frame.digest,
+            lasted_us=0,
+            readout_us=0,
+            late=0,
+            latest_us=0,
+            whole=whole,
+            crc32=crc,
+            adler32=adler,
         ).pack()
+
+    @property
+    def _hold(self) -> int:
+        """How many bytes of a frame are kept behind those that the host has."""
+        return (_KEPT // self.target.rows - 1) * self.target.rows
+
+    def _made(self, frame: Frame) -> int:
+        """How many bytes of a frame a chip would have made by now, column by column."""
+        if frame.data is None:
+            return 0
+        columns = -(-(frame.released + self._hold) // self.target.rows)
+        return min(columns * self.target.rows, len(frame.data))
 
     def _watch_exposure(self) -> None:
         if not self.exposing:
@@ -258,8 +284,9 @@ class Loader:
         self.exposing = data is None and not failed
         if self.frame is not None:
             self.frame.failed = failed
+            self.frame.data = data
             if data is not None:
-                self.frame.data, self.frame.digest = data, sha256(data).digest()
+                self.frame.sums = crc32(data), adler32(data)
 
     def _read(self, packet: Packet) -> None:
         read = messages.Read.unpack(packet.body)
@@ -267,30 +294,37 @@ class Loader:
         if frame is None or frame.data is None or frame.number != read.number:
             raise Refusal(Fault.NO_FRAME)
         inside = read.length > 0 and read.offset + read.length <= len(frame.data)
-        if not inside or not _SMALLEST_CHUNK <= read.chunk <= MOST_DATA:
+        known = read.kept <= min(self._made(frame), read.offset)
+        if not inside or not known or not _SMALLEST_CHUNK <= read.chunk <= MOST_DATA:
             raise Refusal(Fault.MALFORMED)
+        released = max(read.kept, frame.released)
+        if read.offset < released:
+            raise Refusal(Fault.NO_FRAME, released)
+        if read.offset + read.length - released > self._hold:
+            raise Refusal(Fault.TOO_LARGE, released)
         if len(self._reads) == MOST_READS:
             raise Refusal(Fault.BUSY)
+        frame.released = released
         self._reads.append((packet.sequence, read))
 
     def _send_piece(self) -> None:
         sequence, read = self._reads.popleft()
         frame = self.frame
-        if frame is None or frame.data is None or frame.number != read.number:
+        if frame is None or frame.data is None or read.offset < frame.released:
             return
         size = min(read.chunk, read.length)
         data = frame.data[read.offset : read.offset + size]
         body = FRAME.pack(read.number, read.offset) + data
         self._send(Packet(Kind.READ | REPLY, sequence, self.session, body))
         if size < read.length:
-            rest = messages.Read(read.number, read.offset + size, read.length - size, read.chunk)
+            rest = replace(read, offset=read.offset + size, length=read.length - size)
             self._reads.appendleft((sequence, rest))
 
     def _cancel(self, packet: Packet) -> bytes:
         """Back to where a new program or a new frame can begin; what was uploaded stays."""
         _need_length(packet.body, 0)
         self._reads.clear()
-        self.frame = None
+        self.frame, self.exposing = None, False
         if self.intake.state == State.REFUSED:
             self.intake.forget()
         return self._progress()

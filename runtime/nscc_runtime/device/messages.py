@@ -42,6 +42,7 @@ class Fault(IntEnum):
     NO_FRAME = 14
     UNKNOWN = 15
     BUSY = 16
+    LATE = 17
 
 
 class Capability(IntFlag):
@@ -113,8 +114,10 @@ class Info(_Body):
 
     `boot` names the life of the loader since it started: another number means that everything
     uploaded is gone. `window` is how many bytes on the wire may await their acknowledgement.
-    The limits are numbers of words, kernels, rows of the schedule, runs of equal slots, and bytes
-    of all channels of a frame. `program` and `label` are zeros while there is no program.
+    The limits are numbers of words, kernels, rows of the schedule, runs of equal slots, bytes of
+    all channels of a frame, and milliseconds from its first word to its last. `hold` is how many
+    bytes of a frame are kept behind those that the host says it has. `program` and `label` are
+    zeros while there is no program.
     """
 
     version: int
@@ -128,6 +131,8 @@ class Info(_Body):
     most_rows: int
     most_runs: int
     most_frame: int
+    hold: int
+    longest_ms: int
     rows: int
     cols: int
     target: bytes
@@ -135,7 +140,7 @@ class Info(_Body):
     label: bytes
     target_name: str
     firmware: str
-    layout = Struct("<BBHIIIIIIIIHH32s32s32s")
+    layout = Struct("<BBHIIIIIIIIIIHH32s32s32s")
 
     def pack(self) -> bytes:
         """The body's bytes; its texts follow, each behind its length."""
@@ -230,8 +235,14 @@ class Capture(_Body):
 
 @dataclass(frozen=True)
 class Captured(_Body):
-    """What became of a capture. `ready`: whether length and digest of its frame are known;
-    `estimate_ms` is how long an exposure takes; `started_us` the loader's clock when it began."""
+    """What became of a capture.
+
+    `ready`: whether its frame can be read; `estimate_ms` is how long exposure and readout take, and
+    `started_us` the loader's clock when it began. The bytes before `released` are gone. The frame
+    took `lasted_us` from its first word to its last, and `readout_us` to read out so far; `late`
+    launches came later than the program allows a launch to, the latest one by `latest_us`. The
+    sums are those of all `length` bytes, 0 until the loader has made them all (`whole`).
+    """
 
     number: int
     ready: int
@@ -239,20 +250,28 @@ class Captured(_Body):
     readouts: int
     estimate_ms: int
     length: int
+    released: int
     started_us: int
-    sha256: bytes
-    layout = Struct("<QBBHIIQ32s")
+    lasted_us: int
+    readout_us: int
+    late: int
+    latest_us: int
+    whole: int
+    crc32: int
+    adler32: int
+    layout = Struct("<QBBHIIIQIIIIIII")
 
 
 @dataclass(frozen=True)
 class Read(_Body):
-    """Send bytes of a frame, at most `chunk` of them a packet."""
+    """Send bytes of a frame, at most `chunk` of them a packet; the host has all before `kept`."""
 
     number: int
     offset: int
     length: int
+    kept: int
     chunk: int
-    layout = Struct("<QIIHxx")
+    layout = Struct("<QIIIHxx")
 
 
 @dataclass(frozen=True)
@@ -261,11 +280,11 @@ class Status(_Body):
 
     state: int
     boot: int
-    uptime_ms: int
+    uptime_us: int
     position: int
     packets: int
     damaged: int
-    layout = Struct("<BxxxIIIII")
+    layout = Struct("<BxxxIQIII")
 
 
 @dataclass(frozen=True)

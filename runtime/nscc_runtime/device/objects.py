@@ -2,7 +2,8 @@
 
     READOUTS   u32 count; each: u8 analog register, 7 free, f64 gain
     KERNELS    u32 count, u32 words of each kernel, then the words, five u32 each
-    SCHEDULE   u32 slots; u32 runs, each: u32 slots, f64 microseconds of each of them;
+    SCHEDULE   u32 slots; u32 grace in nanoseconds; u32 most late launches;
+               u32 runs, each: u32 slots, f64 microseconds of each of them;
                u32 rows, each: u32 advance, u16 kernel, u16 times
     PLANE      one bit a pixel, row by row from the top left, the first in the lowest bit
     LEVELS     u32 count; each: i16 steps of IN, for the rows of the SCHEDULE that follows
@@ -10,7 +11,8 @@
 
 Registers go by their place in the target table. A row of the schedule is done `times` times: the
 light of `advance` slots falls, then IN is set to the row's level, but for AS_IT_IS, and the kernel
-runs. Slots left after the last row follow it. LEVELS and STATES are those of programs that look.
+runs. Slots left after the last row follow it. A launch that comes later than `grace` after its
+boundary is late. LEVELS and STATES are those of programs that look.
 """
 
 from __future__ import annotations
@@ -22,6 +24,7 @@ from enum import IntEnum
 from functools import cached_property
 from hashlib import sha256
 from itertools import groupby
+from math import ceil
 from struct import Struct
 
 import numpy as np
@@ -30,7 +33,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.target.load import target_dict
 from nscc.target.target import Target
-from nscc.words.container import Container
+from nscc.words.container import Container, state_registers
 from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, Entry
 
@@ -38,6 +41,7 @@ MOST_TIMES = (1 << 16) - 1
 MOST_LAUNCHES = 1 << 20
 """Most launches of a frame, whatever its rows."""
 READOUT = Struct("<B7xd")
+SCHEDULE_HEAD = Struct("<III")
 RUN = Struct("<Id")
 ROW = Struct("<IHH")
 COUNT = Struct("<I")
@@ -76,8 +80,8 @@ class Object:
 @dataclass(frozen=True)
 class Upload:
     """A program ready to be sent: `words`, `kernels`, `rows`, `runs` are what it takes of a
-    loader's room; `readouts`, `states` how many registers come with a frame; `levels`: IN is
-    set."""
+    loader's room, and `frame_ms` of its time; `readouts`, `states` how many registers come with a
+    frame; `levels`: IN is set."""
 
     target: bytes
     label: bytes
@@ -86,6 +90,7 @@ class Upload:
     kernels: int
     rows: int
     runs: int
+    frame_ms: int
     readouts: int
     states: int
     gains: bool
@@ -143,8 +148,8 @@ def upload_of(container: Container, label: bytes) -> Upload:
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
     levels = [(AS_IT_IS if level is None else level,) for *_, level in rows]
     sets_in = any(level != (AS_IT_IS,) for level in levels)
-    schedule = COUNT.pack(container.slots) + _counted(RUN, runs)
-    schedule += _counted(ROW, [row[:3] for row in rows])
+    schedule = SCHEDULE_HEAD.pack(container.slots, grace_ns(target), 0)
+    schedule += _counted(RUN, runs) + _counted(ROW, [row[:3] for row in rows])
     states = [(target.digital_registers.index(name),) for name in state_registers(container)]
     objects = [Object(ObjectKind.READOUTS, 0, _readouts(container))]
     if states:
@@ -166,6 +171,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
         kernels=len(container.kernels),
         rows=len(rows),
         runs=len(runs),
+        frame_ms=ceil(sum(container.slot_us) / 1000),
         readouts=len(container.readouts),
         states=len(states),
         gains=any(readout.gain != 1 for readout in container.readouts),
@@ -185,12 +191,10 @@ def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
     return flat.view(np.bool_).reshape(shape)
 
 
-def state_registers(container: Container) -> tuple[str, ...]:
-    """The digital registers of which a host makes the states that are read, in their order."""
-    machine = container.machine
-    read = [state.name for state in machine.states if state.read] if machine else []
-    held = (r for name in read for r in container.state_planes[name].registers)
-    return tuple(dict.fromkeys(held))
+def grace_ns(target: Target) -> int:
+    """How late a launch may be, in nanoseconds: by what the loop takes, whose clock may be one of
+    whole microseconds."""
+    return min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
 
 
 def _readouts(container: Container) -> bytes:

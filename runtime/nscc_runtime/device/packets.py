@@ -11,7 +11,7 @@ from enum import IntEnum
 from struct import Struct
 from zlib import crc32
 
-VERSION = 1
+VERSION = 2
 MOST_DATA = 1024
 """Most bytes of an object or a frame in one packet."""
 MOST_BODY = MOST_DATA + 16

@@ -31,12 +31,12 @@ from nscc_runtime.device.objects import (
     READOUT,
     ROW,
     RUN,
+    SCHEDULE_HEAD,
     WORD,
     ObjectKind,
     unpacked_plane,
 )
-
-_LONGEST_SLOT_US = 1e15
+from nscc_runtime.device.timing import LONGEST, LONGEST_SLOT_US, TOO_LONG, fixed_point, frame_time
 
 
 @dataclass(eq=False)
@@ -70,6 +70,8 @@ class Held:
     levels: tuple[int, ...] = ()
     states: tuple[int, ...] = ()
     planes: dict[int, bytes] | None = None
+    frame_us: int = 0
+    """From a frame's first word to its last, once the program is whole."""
 
     def accept(self, kind: int, register: int, data: bytes, target: Target, most: Limits) -> None:
         """Check an object and keep it; raises Refusal."""
@@ -99,7 +101,7 @@ class Held:
         rooms = {
             ObjectKind.READOUTS: COUNT.size + len(target.analog_registers) * READOUT.size,
             ObjectKind.KERNELS: COUNT.size * (1 + most.kernels) + most.words * WORD.size,
-            ObjectKind.SCHEDULE: 3 * COUNT.size + most.runs * RUN.size + most.rows * ROW.size,
+            ObjectKind.SCHEDULE: 5 * COUNT.size + most.runs * RUN.size + most.rows * ROW.size,
             ObjectKind.PLANE: plane_bytes(target.rows * target.cols),
             ObjectKind.LEVELS: COUNT.size + most.rows * LEVEL.size,
             ObjectKind.STATES: COUNT.size + len(target.digital_registers),
@@ -109,23 +111,31 @@ class Held:
         if length > rooms[ObjectKind(kind)]:
             raise Refusal(Fault.TOO_LARGE, length)
 
-    @property
-    def whole(self) -> bool:
-        """Whether nothing is missing that a frame needs."""
-        return None not in (self.readouts, self.kernels, self.runs)
+    def check_whole(self, target: Target) -> None:
+        """Refuse a program of which something is missing, or whose frames take too long."""
+        if self.readouts is None or self.kernels is None or self.runs is None:
+            raise Refusal(Fault.NO_PROGRAM)
+        held = set(self.planes or ())
+        self.frame_us, fault = frame_time(
+            self.kernels, self.runs, self.rows, self.levels, held, target
+        )
+        if fault:
+            raise Refusal(Fault.SCHEDULE, fault)
 
     def _schedule(self, data: bytes, most: Limits) -> None:
         if self.kernels is None:
             raise Refusal(Fault.SCHEDULE, 0)
         reader = Reader(data, Fault.SCHEDULE)
-        slots = reader.count()
+        slots, _, _ = next(reader.rows(SCHEDULE_HEAD, 1))
         if not 1 <= slots <= MOST_SLOTS:
             raise Refusal(Fault.SCHEDULE, 1)
         lengths = tuple(reader.rows(RUN, reader.count(most.runs)))
         if sum(count for count, _ in lengths) != slots or any(not n for n, _ in lengths):
             raise Refusal(Fault.SCHEDULE, 2)
-        if not all(isfinite(us) and 0 < us <= _LONGEST_SLOT_US for _, us in lengths):
+        if not all(0 < us < LONGEST_SLOT_US for _, us in lengths):
             raise Refusal(Fault.SCHEDULE, 3)
+        if sum(count * fixed_point(us) for count, us in lengths) > LONGEST:
+            raise Refusal(Fault.SCHEDULE, TOO_LONG)
         rows = tuple(ROW.iter_unpack(reader.take(reader.count(most.rows) * ROW.size)))
         reader.end()
         at = launches = 0

@@ -10,7 +10,7 @@ from typing import Literal
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.target.target import Target
-from nscc_runtime.device import firmware
+from nscc_runtime.device import firmware, qemu
 from nscc_runtime.device.board import BackgroundChip, EmulatedChip
 from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.loader import Loader
@@ -18,7 +18,7 @@ from nscc_runtime.device.serving import Loaded, Server
 from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import Sensor
 
-LoaderName = Literal["auto", "firmware", "python"]
+LoaderName = Literal["auto", "firmware", "python", "qemu", "qemu-m0"]
 
 
 def emulated_chip(
@@ -70,9 +70,27 @@ def loaded(
 ) -> Iterator[Loaded]:
     """The loader that was chosen: the firmware in a process of its own, or its Python twin.
 
-    `auto` is the firmware where there is a C++ compiler; `say` is told what became of it.
+    `auto` is the firmware where there is a C++ compiler; `qemu` and `qemu-m0` are the firmware on
+    an emulated Cortex-M4 and Cortex-M0. `say` is told what became of it.
     NS0772 (status 2) where the firmware is asked for and cannot be compiled.
     """
+    if choice in ("qemu", "qemu-m0"):
+        core: qemu.Core = "m0" if choice == "qemu-m0" else "m4"
+        try:
+            with qemu.Emulated(qemu.built(target, core), chip, core) as board:
+                say(f"loader: the firmware on a Cortex-{core.upper()}, emulated by {qemu.EMULATOR}")
+                yield board
+        except firmware.NotBuilt as reason:
+            raise rejected(
+                "NS0772",
+                f"the firmware cannot be run on an emulated microcontroller: {reason}",
+                helps=(
+                    "install both programs, on Debian and Ubuntu with `apt-get install "
+                    "gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm`",
+                    "or serve the firmware on this machine: leave --on out",
+                ),
+            ) from None
+        return
     why = "as asked for"
     if choice != "python":
         try:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
-from hashlib import sha256
+from zlib import adler32, crc32
 
 from nscc_runtime.device import messages
 from nscc_runtime.device.host import LONGEST_WAIT_S, Host, Refused, Task, checked, raise_failure
@@ -30,7 +30,7 @@ Watch = Callable[[int], None]
 
 @dataclass(frozen=True)
 class Taken:
-    """A frame as it came: what the loader said of it, and its bytes, whose digest holds."""
+    """A frame as it came: what the loader said of it, and its bytes, whose sums hold."""
 
     captured: Captured
     data: bytes
@@ -195,9 +195,61 @@ class _Sender:
         self.watch(self.acknowledged)
 
 
-def capture(host: Host, number: int, channels: int) -> Task[Taken]:
-    """Expose a frame and fetch it. The same `number` never exposes twice."""
-    body = messages.Capture(number, channels).pack()
+@dataclass(eq=False)
+class Wanted:
+    """A frame to be exposed, by its number: no other has it. `part` is what came of it so far."""
+
+    number: int
+    channels: int
+    part: _Part | None = None
+
+
+class _Part:
+    """The bytes of a frame that are here. A loader does not keep those that a host says it has, so
+    they outlast a line that goes away. `origin` is what tells this exposure from another."""
+
+    def __init__(self, length: int, origin: tuple[int, int]) -> None:
+        self.origin = origin
+        self.data = bytearray(length)
+        self.missing = bytearray(b"\1" * -(-length // _SMALLEST_CHUNK))
+        self.left = len(self.missing)
+
+    @property
+    def kept(self) -> int:
+        """All bytes before this one are here."""
+        first = self.missing.find(1)
+        return len(self.data) if first < 0 else first * _SMALLEST_CHUNK
+
+    def put(self, offset: int, data: bytes) -> bool:
+        """Keep bytes of whole chunks; whether any of them were missing."""
+        first, last = offset // _SMALLEST_CHUNK, -(-(offset + len(data)) // _SMALLEST_CHUNK)
+        fresh = self.missing.count(1, first, last)
+        if fresh:
+            self.data[offset : offset + len(data)] = data
+            self.missing[first:last] = bytes(last - first)
+            self.left -= fresh
+        return bool(fresh)
+
+
+def capture(host: Host, wanted: Wanted) -> Task[Taken]:
+    """Expose a frame and fetch it; one that is there already is not exposed again."""
+    captured = yield from _captured(host, wanted)
+    assert host.info is not None
+    origin = host.info.boot, captured.started_us
+    if wanted.part is None or wanted.part.origin != origin:
+        wanted.part = _Part(captured.length, origin)
+    yield from _Fetcher(host, wanted.number, wanted.part).run()
+    captured = yield from _captured(host, wanted)
+    data = bytes(wanted.part.data)
+    sums = captured.crc32, captured.adler32
+    if not captured.whole or sums != (crc32(data), adler32(data)):
+        raise Refused(Failure(Kind.READ, Fault.DIGEST, 0))
+    return Taken(captured, data)
+
+
+def _captured(host: Host, wanted: Wanted) -> Task[Captured]:
+    """What the loader says of a frame that is exposed."""
+    body = messages.Capture(wanted.number, wanted.channels).pack()
     poll, extra = _POLL_S, 0.0
     while True:
         try:
@@ -208,24 +260,16 @@ def capture(host: Host, number: int, channels: int) -> Task[Taken]:
             yield from pause(host, _BUSY_WAIT_S)
             continue
         captured = checked(Captured.unpack, reply)
-        wrong = captured.number != number or captured.channels != channels
+        wrong = captured.number != wanted.number or captured.channels != wanted.channels
         if wrong or not 0 < captured.length <= MOST_FRAME:
             raise Refused(Failure(Kind.CAPTURE, Fault.MALFORMED, 0))
         if captured.ready:
             host.moved()
-            return Taken(captured, (yield from _fetched(host, captured)))
+            return captured
         extra = 2 * captured.estimate_ms / 1000
         host.check_patience(extra)
         yield from pause(host, poll)
         poll = min(2 * poll, _LONGEST_POLL_S)
-
-
-def _fetched(host: Host, captured: Captured) -> Task[bytes]:
-    for _ in range(_MOST_DIGEST_FAILURES):
-        data = yield from _Fetcher(host, captured).run()
-        if sha256(data).digest() == captured.sha256:
-            return data
-    raise Refused(Failure(Kind.READ, Fault.DIGEST, 0))
 
 
 @dataclass(frozen=True)
@@ -241,24 +285,22 @@ class _Range:
 
 class _Fetcher:
     """Asks for ranges of a frame, some ahead, and again for what did not come. A loader serves
-    them in order: a packet of one says that nothing more comes of those before it."""
+    them in order: a packet of one says that nothing more comes of those before it. It keeps only
+    so many bytes behind those that the host has."""
 
-    def __init__(self, host: Host, captured: Captured) -> None:
+    def __init__(self, host: Host, number: int, part: _Part) -> None:
         assert host.info is not None
-        self.host, self.number = host, captured.number
-        self.data = bytearray(captured.length)
-        units = -(-captured.length // _SMALLEST_CHUNK)
-        self.missing = bytearray(b"\1" * units)
-        self.left = units
-        self.chunk = _Chunk(host.info.most_data)
+        self.host, self.number, self.part = host, number, part
+        self.hold = max(host.info.hold, _SMALLEST_CHUNK)
+        self.chunk = _Chunk(min(host.info.most_data, self.hold // 2))
         self.asked: dict[int, _Range] = {}
         self.given_up: dict[int, _Range] = {}
         self.heard = host.now
         self.wait = host.wait_s
 
-    def run(self) -> Task[bytes]:
+    def run(self) -> Task[None]:
         host = self.host
-        while self.left:
+        while self.part.left:
             self._ask()
             until = max(self.heard, min(each.since for each in self.asked.values())) + self.wait
             packet = yield until
@@ -277,25 +319,27 @@ class _Fetcher:
                 if number == self.number:
                     self._take(packet.sequence, offset, packet.body[FRAME.size :])
         host.moved()
-        return bytes(self.data)
 
     def _ask(self) -> None:
         if len(self.asked) > _READ_AHEAD // 2:
             return
-        pending = bytearray(self.missing)
+        part, kept = self.part, self.part.kept
+        pending = bytearray(part.missing)
         for each in self.asked.values():
             first, last = each.start // _SMALLEST_CHUNK, -(-each.stop // _SMALLEST_CHUNK)
             pending[first:last] = bytes(last - first)
+        most = min(_READ_CHUNKS * self.chunk.size, max(self.hold // 4, _SMALLEST_CHUNK))
+        room = (kept + self.hold) // _SMALLEST_CHUNK
         end = 0
         while len(self.asked) < _READ_AHEAD:
             begin = pending.find(1, end)
-            if begin < 0:
+            if begin < 0 or begin >= room:
                 return
             end = pending.find(0, begin)
             end = len(pending) if end < 0 else end
-            end = min(end, begin + _READ_CHUNKS * self.chunk.size // _SMALLEST_CHUNK)
-            start, stop = begin * _SMALLEST_CHUNK, min(end * _SMALLEST_CHUNK, len(self.data))
-            read = messages.Read(self.number, start, stop - start, self.chunk.size)
+            end = min(end, room, begin + most // _SMALLEST_CHUNK)
+            start, stop = begin * _SMALLEST_CHUNK, min(end * _SMALLEST_CHUNK, len(part.data))
+            read = messages.Read(self.number, start, stop - start, kept, self.chunk.size)
             request = _Range(start, stop, self.host.now, alone=not self.asked)
             self.asked[self.host.send(Kind.READ, read.pack())] = request
 
@@ -308,15 +352,11 @@ class _Fetcher:
 
     def _take(self, sequence: int, offset: int, data: bytes) -> None:
         end = offset + len(data)
-        whole = end % _SMALLEST_CHUNK == 0 or end == len(self.data)
-        if offset % _SMALLEST_CHUNK or end > len(self.data) or not whole:
+        length = len(self.part.data)
+        whole = end % _SMALLEST_CHUNK == 0 or end == length
+        if offset % _SMALLEST_CHUNK or end > length or not whole:
             return
-        first, last = offset // _SMALLEST_CHUNK, -(-end // _SMALLEST_CHUNK)
-        fresh = self.missing.count(1, first, last)
-        if fresh:
-            self.data[offset:end] = data
-            self.missing[first:last] = bytes(last - first)
-            self.left -= fresh
+        if self.part.put(offset, data):
             self.chunk.arrived()
             self.host.moved()
         request = self.asked.get(sequence) or self.given_up.get(sequence)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import ctypes
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -15,40 +15,44 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.noise import key
 from nscc_runtime.noise.keys import base
 
-Record = type[ctypes.Structure]
+Record = type[Any]
 """As `nscc_runtime.loop.record` makes it."""
 
 
 def switches(record: Record, effects: Selection) -> dict[str, int]:
     """Whether each effect that has a switch there is on."""
+    names = _names(record)
     return {
-        loop.switch: int(effect in effects) for effect, loop in _in_loops()
-        if loop.switch in _names(record)
-    }  # fmt: skip
+        loop.switch: int(effect in effects)
+        for effect, loop in _in_loops()
+        if loop.switch is not None and loop.switch in names
+    }
 
 
 def figures(record: Record, sensor: Sensor, effects: Selection) -> dict[str, float]:
     """The figures of the effects; 0 of those that are off."""
+    names = _names(record)
     return {
         name: figure(sensor) if effect in effects else 0.0
         for effect, loop in _in_loops()
         for name, figure in loop.numbers.items()
-        if name in _names(record)
+        if name in names
     }
 
 
 def device_keys(record: Record, device_seed: int) -> dict[str, np.uint64]:
     """The keys of what is fixed on a chip."""
+    names = _names(record)
     return {
         loop.device_key: key(device_seed, effect.stream) for effect, loop in _in_loops()
-        if loop.device_key in _names(record)
+        if loop.device_key is not None and loop.device_key in names
     }  # fmt: skip
 
 
 def draws_keys(record: Record, seed: int, source: int) -> dict[str, np.uint64]:
     """The keys from which those of draws at words follow: of small errors by where they are made,
     and of what else is drawn there."""
-    found = {
+    found: dict[str, np.uint64] = {
         part.at: base(seed, effect.stream, source)
         for effect in registered()
         for part in effect.parts(Errors)
@@ -59,7 +63,7 @@ def draws_keys(record: Record, seed: int, source: int) -> dict[str, np.uint64]:
     return {name: each for name, each in found.items() if name in _names(record)}
 
 
-def _names(record: Record) -> set[str | None]:
+def _names(record: Record) -> set[str]:
     return {name for name, *_ in record._fields_}
 
 

@@ -205,7 +205,7 @@ def _alive(
     for segment in reversed(range(walk.segments)):
         no, yes = (leads_to[n] if n >= 0 else n for n in following[segment].tolist())
         alive = last if no < 0 else live[no]
-        chosen = []
+        chosen: list[int] = []
         for number, acts in reversed(passed[segment]):
             if words[number].compares:
                 if no == yes:

@@ -26,7 +26,8 @@ class Registers:
         lanes = len(next(iter(loaded.values()))) if loaded else 1
         self.place = {name: i for i, name in enumerate(names)}
         self.bits = np.full((len(names), lanes), UNKNOWN, np.int8)
-        for name, values in {"SELECT": 0, "bus": 0, **loaded}.items():
+        nothing = np.zeros(lanes, np.int8)
+        for name, values in {"SELECT": nothing, "bus": nothing, **loaded}.items():
             self.bits[self.place[name]] = values
         self.mask, self.masked = target.mask_register, target.masked_register
         self.written_us = dict.fromkeys(names, 0.0)
@@ -41,7 +42,7 @@ class Registers:
         """A register (lanes,), 0 where it has decayed."""
         if self.now_us - self.written_us[name] > self.retention_us:
             return np.zeros(self.lanes, np.int8)
-        return self.bits[self.place[name]].copy()
+        return np.array(self.bits[self.place[name]])
 
     def write(self, name: str, value: Bits) -> None:
         """A register (lanes,) is set."""

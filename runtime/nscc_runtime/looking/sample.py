@@ -27,7 +27,7 @@ from nscc_runtime.remembered import remembered
 
 Bits = NDArray[np.bool_]
 
-_TILES, _SIDE = 64, 4
+_TILES, _SIDE = 256, 2
 """How many tiles, and how many of their pixels in each direction have all their neighbours."""
 _WHOLE = 2048
 """Arrays of so few pixels are taken whole."""
@@ -144,7 +144,7 @@ class Sample:
         fallen = self._fallen(before, effects.noiseless)
         return self.ways.run(
             self._scene, self.loaded, effects, _SEEDS, 0, rows,
-            lambda part: Fallen(*(each[..., part.start : part.stop, :] for each in fallen)),
+            lambda part: fallen.rows(slice(part.start, part.stop)), among=self.weight > 0,
         )  # fmt: skip
 
     @cached_property
@@ -166,7 +166,7 @@ def _corners(light: Light) -> tuple[list[tuple[int, int]], list[float]]:
     """The upper left corners of the tiles, and how many pixels each of a tile's stands for."""
     rows, cols = light.shape
     some = np.unique(np.linspace(0, light.slots - 1, min(_SLOTS, light.slots)).astype(int))
-    score = chances(sum((light.slot(n) for n in some.tolist()), np.zeros((rows, cols))))
+    score = chances(np.sum([light.slot(n) for n in some.tolist()], axis=0, dtype=np.float64))
     down, right = -(-rows // _SIDE), -(-cols // _SIDE)
     padded = np.pad(score, ((0, down * _SIDE - rows), (0, right * _SIDE - cols)))
     chance = padded.reshape(down, _SIDE, right, _SIDE).sum(axis=(1, 3)).reshape(-1)

@@ -1,8 +1,8 @@
 """The picture of a program's gates: registers as staves, time from left to right, line by line.
 
 A value is a bar on its register's stave from where it is written to where it is read for the last
-time. A gate is a box on the stave that it writes, with a dot on every stave that it reads. Where
-FLAG answers a demand, a triangle hangs below its stave.
+time. A gate is a box on the stave that it writes, with a dot on every stave that it reads; so is a
+comparison of light. Where FLAG answers a demand, a triangle hangs below its stave.
 """
 
 from __future__ import annotations
@@ -30,7 +30,8 @@ _COLUMN, _STAVE = 0.32, 0.21
 _ABOVE, _BELOW = 0.42, 0.42
 _HOLDER = 40
 """Letters of what a register holds."""
-_SERIES = {"NOR": 0, "NOT": 0, "OR": 1, "MOV": 1, "WHERE": 2}
+_WRITING = ("gate", "look")
+_SERIES = {"NOR": 0, "NOT": 0, "OR": 1, "MOV": 1, "WHERE": 2, "where": 3}
 """The look's colour for each kind of gate."""
 
 
@@ -64,7 +65,7 @@ def gate_sheet(network: DiGraph, title: str) -> Figure:
 
 def _score(network: DiGraph) -> _Score:
     nodes = network.nodes
-    events = [node for node in nodes if nodes[node]["kind"] in ("gate", "demand")]
+    events = [node for node in nodes if nodes[node]["kind"] in (*_WRITING, "demand")]
     column: dict[str, int] = {}
     at = 0
     for _, group in groupby(events, key=lambda node: nodes[node]["boundary"]):
@@ -78,7 +79,7 @@ def _score(network: DiGraph) -> _Score:
         at += len(whole)
     values = [
         node for node in nodes
-        if nodes[node]["kind"] == "plane" or (nodes[node]["kind"] == "gate" and node in column)
+        if nodes[node]["kind"] == "plane" or (nodes[node]["kind"] in _WRITING and node in column)
     ]  # fmt: skip
     names = {nodes[node]["register"] for node in values}
     order = sorted(names, key=lambda name: (name == "FLAG", len(name), name))
@@ -126,7 +127,7 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
         if left < right:
             bars.append((row, left - first, right - first))
     axes.hlines(*zip(*bars, strict=True), color=look().bar, linewidth=4, zorder=2)
-    _draw_gates(axes, score, [node for node in shown if nodes[node]["kind"] == "gate"], first)
+    _draw_gates(axes, score, [node for node in shown if nodes[node]["kind"] in _WRITING], first)
     _draw_demands(axes, score, [n for n in shown if nodes[n]["kind"] == "demand"], first)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import MISSING, asdict, dataclass, fields, is_dataclass
+from dataclasses import asdict, dataclass, is_dataclass
 from functools import cached_property
 from types import UnionType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
@@ -203,10 +203,7 @@ def _read(kind: Any, value: Any) -> Any:
     """A value of JSON as what an annotation names. Numbers are finite: JSON's own have no end."""
     origin, parts = get_origin(kind), get_args(kind)
     if isinstance(kind, type) and is_dataclass(kind):
-        hints = get_type_hints(kind)
-        # What a version before this one did not say has its default.
-        said = [each.name for each in fields(kind) if each.name in value or each.default is MISSING]
-        return kind(**{name: _read(hints[name], value[name]) for name in said})
+        return kind(**{name: _read(of, value[name]) for name, of in get_type_hints(kind).items()})
     if origin is tuple and isinstance(value, list):
         return tuple(_read(parts[0], each) for each in value)
     if origin is UnionType:

@@ -64,7 +64,7 @@ def drawn_by(chance: NDArray[np.float64], wanted: int) -> NDArray[np.intp]:
     steps = np.cumsum(chance)
     # An additive recurrence inside equal strata: in step with no tile of codes.
     points = (np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0) * (steps[-1] / wanted)
-    return np.minimum(np.searchsorted(steps, points, side="right"), len(chance) - 1)
+    return np.asarray(np.minimum(np.searchsorted(steps, points, side="right"), len(chance) - 1))
 
 
 def chances(total_e: NDArray[np.float64]) -> NDArray[np.float64]:

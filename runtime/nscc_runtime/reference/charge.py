@@ -42,6 +42,10 @@ class Fallen(NamedTuple):
     light: Charge
     valid: NDArray[np.bool_]
 
+    def rows(self, rows: slice) -> Fallen:
+        """On some of the rows."""
+        return Fallen(self.charge[:, rows], self.light[:, rows], self.valid[rows])
+
 
 def charge_of_rows(
     scene: Scene,

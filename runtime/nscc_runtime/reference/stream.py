@@ -147,8 +147,8 @@ class _Taps(Pixels):
         target = self.container.target
         if target.pipelined:
             return 1.0
-        times = [ends(_Step(slot, target.plane_load_us)) for ends in self.effects.at("time")]
-        return 1.0 - sum(times) / slot_us
+        waits_us = [ends(_Step(slot, target.plane_load_us)) for ends in self.effects.at("time")]
+        return 1.0 - float(sum(waits_us)) / slot_us
 
     def _kept(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
         """What a tap holds, and the bits of what it has lost to."""

@@ -7,10 +7,11 @@
 // digital    R1 fall at boundary 1; R2 fall at boundary 3
 // analog     A exposure of early; B exposure of late; C reset level of PIX; NEWS scratch of analog
 //            words
-// words      26 stored in 4 kernels, 26 a frame; 7 more load the codes and prepare readout
-// time       waits fill the slots after the words, at 0.2 us an analog word, 0.1 us a digital one
-//            and 1 us a launch; they are whole microseconds, rounded up so that no slot is too
-//            short, which makes a frame 2.4 us longer
+// words      26 stored in 4 kernels, 26 a frame; 15 more load the codes and prepare readout
+// time       the exposure begins 3 us after the frame's first word and ends 1503 us after it; a
+//            launch waits for its moment on a clock that runs on, so that no error adds up; words
+//            take, by the target's figures, 0.2 us (analog) and 0.1 us (digital), a launch 1 us
+// readout    2 x exposure - full well: all codes for 0 to 30000 e, 117.647 e each
 // array      256 x 256 pixels; the devkit's (0, 0) is the top right one
 // image      disc.R1.bmp, in the host application's folder: the code in R1, SHA-256
 //            1a845b442ba76f43a33ca9cc5399d826f1125fcdc86311b61164799765d1cf8f
@@ -24,6 +25,12 @@
 
 using namespace SCAMP5_PE;
 
+#ifdef __LPC43XX__
+#define SLOW_CLOCK allow_highspeed(false);      // analog words do not keep up with the fast one
+#else
+#define SLOW_CLOCK
+#endif
+
 namespace {
 
 // 9 words, 2.8 us; launched at boundary 0
@@ -31,6 +38,7 @@ namespace {
 // writes B: disc.nsl:5: bucket late open when n >= split
 void k0() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         all();                              // all
         res(A, B);                          // bus NEWS; bus A, NEWS; bus B, NEWS
         respix(C);                          // rpix; rpix; nop; bus NEWS, PIX; bus C, NEWS
@@ -42,6 +50,7 @@ void k0() {
 // writes B: disc.nsl:5: bucket late open when n >= split
 void k1() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         WHERE(R1);                          // WHERE R1
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, C, NEWS);                    // bus A, C, NEWS
@@ -55,6 +64,7 @@ void k1() {
 // writes B: disc.nsl:5: bucket late open when n >= split
 void k2() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         WHERE(R2);                          // WHERE R2
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, C, NEWS);                    // bus A, C, NEWS
@@ -67,6 +77,7 @@ void k2() {
 // writes B: disc.nsl:5: bucket late open when n >= split
 void k3() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         all();                              // all
         bus(NEWS, B, PIX);                  // bus NEWS, B, PIX
         bus(B, C, NEWS);                    // bus B, C, NEWS
@@ -80,26 +91,77 @@ void (*const kernels[])() = {
     k0, k1, k2, k3,
 };
 
+#ifdef __LPC43XX__
+const uint32_t late_us = 8;         // a launch that comes later: the clock may tick every 7 us
+uint32_t late;                      // so many did in this frame
+
+// Waits until so many microseconds have passed since the frame's first word.
+void await(const vs_stopwatch &clock, uint32_t us) {
+#ifdef REST_US                      // for instance -DREST_US=1000: longer waits save power
+    if (int32_t(us - clock.get_usec()) > REST_US) {
+        vs_vision_chip_rest();
+    }
+#endif
+    const int32_t left = int32_t(us - clock.get_usec());
+    if (left > 32) {
+        vs_wait(uint32_t(left - 16));
+    }
+    while (int32_t(clock.get_usec() - us) < 0) {
+    }
+    late += int32_t(clock.get_usec() - us) > int32_t(late_us);
+}
+#else
+// In the devkit's simulator light falls when it is told to: the share of the frame that has passed
+// since the moment before. Shares are counted from the frame's beginning, so that none gets lost.
+double passed_us;
+uint32_t last_us;
+uint16_t fallen;
+
+void await(const vs_stopwatch &, uint32_t us) {
+    passed_us += uint32_t(us - last_us);
+    last_us = us;
+    const double share = (passed_us - 3) / (1503.0 - 3);
+    const uint16_t until = uint16_t(65535 * (share < 1 ? share : 1) + 0.5);
+    vs_sim::pix_integrate(uint16_t(until - fallen), 65535);
+    fallen = until;
+}
+#endif
+
 struct Step {
-    uint32_t wait_us;               // for the rest of the slots before
-    uint16_t kernel;                // then this one of `kernels` runs,
-    uint16_t times;                 // so many times over
+    uint32_t at_us;                 // this long after the frame's first word
+    uint32_t every_us;              // and again and again after so long,
+    uint16_t kernel;                // this one of `kernels` runs,
+    uint16_t times;                 // so many times in all
 };
 
 const Step schedule[] = {
-    {0, 0, 1},                      // boundary 0
-    {100, 1, 1},                    // boundary 1
-    {599, 2, 1},                    // boundary 3
-    {799, 3, 1},                    // boundary 4
+    {0, 0, 0, 1},                   // boundary 0
+    {103, 0, 1, 1},                 // boundary 1
+    {703, 0, 2, 1},                 // boundary 3
+    {1503, 0, 3, 1},                // boundary 4
 };
 
 void expose() {
+    vs_stopwatch clock;
+    clock.reset();
+    uint32_t before = 0;
+#ifdef __LPC43XX__
+    late = 0;
+#else
+    passed_us = 0;
+    last_us = 0;
+    fallen = 0;
+#endif
     for (const Step &step : schedule) {
+        uint32_t us = step.at_us;
         for (uint16_t i = 0; i < step.times; ++i) {
-            if (step.wait_us) {
-                vs_wait(step.wait_us);
+            // What a boundary launches beside its first kernel follows at once.
+            if (us != before) {
+                await(clock, us);
+                before = us;
             }
             kernels[step.kernel]();
+            us += step.every_us;
         }
     }
 }
@@ -185,23 +247,43 @@ int main() {
     const auto display_0 = vs_gui_add_display("early", 0, 0, 2);
     const auto display_1 = vs_gui_add_display("late", 0, 2, 2);
 
+#ifdef __LPC43XX__
     // A kernel is recorded when it first runs, which takes time: here, where none is lost.
     for (void (*kernel)() : kernels) {
         kernel();
     }
+#endif
 
     // While images are awaited, codes are refreshed at this rate.
     vs_configure_frame_trigger(VS_FRAME_TRIGGER_CONST_LOOP, 3);
     load_codes();
 
-    // Faster than frames can be, so that none waits for the next: codes fade meanwhile.
-    vs_configure_frame_trigger(VS_FRAME_TRIGGER_CONST_LOOP, 29);
     while (true) {
+        // No frame waits for the next: codes fade meanwhile.
+        vs_disable_frame_trigger();
         vs_frame_loop_control();
         expose();
+#ifdef __LPC43XX__
+        if (late) {
+            vs_post_text("%u launches came late\n", unsigned(late));
+        }
+#endif
         // Pixels that FLAG leaves out would be left out of readout.
+        // A converter that is symmetric around 0 has all of its codes for 2 x exposure - full well.
+        scamp5_load_in(-127);
+#ifdef __LPC43XX__
+        vs_wait(5);
+#endif
         scamp5_kernel_begin();
             all();
+            bus(NEWS, A);
+            bus(F, NEWS);
+            bus(NEWS, A, F, IN);
+            bus(A, NEWS);
+            bus(NEWS, B);
+            bus(F, NEWS);
+            bus(NEWS, B, F, IN);
+            bus(B, NEWS);
         scamp5_kernel_end();
         scamp5_output_image(A, display_0);
         scamp5_output_image(B, display_1);

@@ -11,10 +11,11 @@
 //            13; R9 fall at boundary 14; R10 fall at boundary 15; R11 fall at boundary 16; R12 fall
 //            time, digit 1 is not 0
 // analog     A exposure of frame; B reset level of PIX; NEWS scratch of analog words
-// words      93 stored in 17 kernels, 93 a frame; 67 more load the codes and prepare readout
-// time       waits fill the slots after the words, at 0.2 us an analog word, 0.1 us a digital one
-//            and 1 us a launch; they are whole microseconds, rounded up so that no slot is too
-//            short, which makes a frame 9.3 us longer
+// words      93 stored in 17 kernels, 93 a frame; 71 more load the codes and prepare readout
+// time       the exposure begins 2 us after the frame's first word and ends 2002 us after it; a
+//            launch waits for its moment on a clock that runs on, so that no error adds up; words
+//            take, by the target's figures, 0.2 us (analog) and 0.1 us (digital), a launch 1 us
+// readout    2 x exposure - full well: all codes for 0 to 30000 e, 117.647 e each
 // array      256 x 256 pixels; the devkit's (0, 0) is the top right one
 // source     SHA-256 cd259a6c4288e26103fef310f636ff119a46e34e165ead89360ece9fa9cb243e
 
@@ -24,12 +25,19 @@
 
 using namespace SCAMP5_PE;
 
+#ifdef __LPC43XX__
+#define SLOW_CLOCK allow_highspeed(false);      // analog words do not keep up with the fast one
+#else
+#define SLOW_CLOCK
+#endif
+
 namespace {
 
 // 8 words, 2.6 us; launched at boundary 0
 // writes A: stops.nsl:4: open when n < stop
 void k0() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         all();                              // all
         res(A);                             // bus NEWS; bus A, NEWS
         respix(B);                          // rpix; rpix; nop; bus NEWS, PIX; bus B, NEWS
@@ -40,6 +48,7 @@ void k0() {
 // writes A: stops.nsl:4: open when n < stop
 void k1() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R4, R12);                   // NOR R0, R4, R12
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -51,6 +60,7 @@ void k1() {
 // writes A: stops.nsl:4: open when n < stop
 void k2() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R5, R12);                   // NOR R0, R5, R12
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -62,6 +72,7 @@ void k2() {
 // writes A: stops.nsl:4: open when n < stop
 void k3() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R6, R12);                   // NOR R0, R6, R12
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -73,6 +84,7 @@ void k3() {
 // writes A: stops.nsl:4: open when n < stop
 void k4() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R7, R12);                   // NOR R0, R7, R12
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -84,6 +96,7 @@ void k4() {
 // writes A: stops.nsl:4: open when n < stop
 void k5() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R1, R4);                    // NOR R0, R1, R4
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -95,6 +108,7 @@ void k5() {
 // writes A: stops.nsl:4: open when n < stop
 void k6() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R1, R5);                    // NOR R0, R1, R5
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -106,6 +120,7 @@ void k6() {
 // writes A: stops.nsl:4: open when n < stop
 void k7() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R1, R6);                    // NOR R0, R1, R6
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -117,6 +132,7 @@ void k7() {
 // writes A: stops.nsl:4: open when n < stop
 void k8() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R1, R7);                    // NOR R0, R1, R7
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -128,6 +144,7 @@ void k8() {
 // writes A: stops.nsl:4: open when n < stop
 void k9() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R2, R4);                    // NOR R0, R2, R4
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -139,6 +156,7 @@ void k9() {
 // writes A: stops.nsl:4: open when n < stop
 void k10() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R2, R5);                    // NOR R0, R2, R5
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -150,6 +168,7 @@ void k10() {
 // writes A: stops.nsl:4: open when n < stop
 void k11() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R2, R6);                    // NOR R0, R2, R6
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -161,6 +180,7 @@ void k11() {
 // writes A: stops.nsl:4: open when n < stop
 void k12() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         NOR(R0, R2, R7);                    // NOR R0, R2, R7
         WHERE(R0);                          // WHERE R0
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
@@ -172,6 +192,7 @@ void k12() {
 // writes A: stops.nsl:4: open when n < stop
 void k13() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         WHERE(R8);                          // WHERE R8
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -182,6 +203,7 @@ void k13() {
 // writes A: stops.nsl:4: open when n < stop
 void k14() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         WHERE(R9);                          // WHERE R9
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -192,6 +214,7 @@ void k14() {
 // writes A: stops.nsl:4: open when n < stop
 void k15() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         WHERE(R10);                         // WHERE R10
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -202,6 +225,7 @@ void k15() {
 // writes A: stops.nsl:4: open when n < stop
 void k16() {
     scamp5_kernel_begin();
+        SLOW_CLOCK
         WHERE(R11);                         // WHERE R11
         bus(NEWS, A, PIX);                  // bus NEWS, A, PIX
         bus(A, B, NEWS);                    // bus A, B, NEWS
@@ -227,39 +251,90 @@ void (*const kernels[])() = {
     k12, k13, k14, k15, k16,
 };
 
+#ifdef __LPC43XX__
+const uint32_t late_us = 8;         // a launch that comes later: the clock may tick every 7 us
+uint32_t late;                      // so many did in this frame
+
+// Waits until so many microseconds have passed since the frame's first word.
+void await(const vs_stopwatch &clock, uint32_t us) {
+#ifdef REST_US                      // for instance -DREST_US=1000: longer waits save power
+    if (int32_t(us - clock.get_usec()) > REST_US) {
+        vs_vision_chip_rest();
+    }
+#endif
+    const int32_t left = int32_t(us - clock.get_usec());
+    if (left > 32) {
+        vs_wait(uint32_t(left - 16));
+    }
+    while (int32_t(clock.get_usec() - us) < 0) {
+    }
+    late += int32_t(clock.get_usec() - us) > int32_t(late_us);
+}
+#else
+// In the devkit's simulator light falls when it is told to: the share of the frame that has passed
+// since the moment before. Shares are counted from the frame's beginning, so that none gets lost.
+double passed_us;
+uint32_t last_us;
+uint16_t fallen;
+
+void await(const vs_stopwatch &, uint32_t us) {
+    passed_us += uint32_t(us - last_us);
+    last_us = us;
+    const double share = (passed_us - 2) / (2002.0 - 2);
+    const uint16_t until = uint16_t(65535 * (share < 1 ? share : 1) + 0.5);
+    vs_sim::pix_integrate(uint16_t(until - fallen), 65535);
+    fallen = until;
+}
+#endif
+
 struct Step {
-    uint32_t wait_us;               // for the rest of the slots before
-    uint16_t kernel;                // then this one of `kernels` runs,
-    uint16_t times;                 // so many times over
+    uint32_t at_us;                 // this long after the frame's first word
+    uint32_t every_us;              // and again and again after so long,
+    uint16_t kernel;                // this one of `kernels` runs,
+    uint16_t times;                 // so many times in all
 };
 
 const Step schedule[] = {
-    {0, 0, 1},                      // boundary 0
-    {125, 1, 1},                    // boundary 1
-    {124, 2, 1},                    // boundary 2
-    {124, 3, 1},                    // boundary 3
-    {124, 4, 1},                    // boundary 4
-    {124, 5, 1},                    // boundary 5
-    {124, 6, 1},                    // boundary 6
-    {124, 7, 1},                    // boundary 7
-    {124, 8, 1},                    // boundary 8
-    {124, 9, 1},                    // boundary 9
-    {124, 10, 1},                   // boundary 10
-    {124, 11, 1},                   // boundary 11
-    {124, 12, 1},                   // boundary 12
-    {124, 13, 1},                   // boundary 13
-    {124, 14, 1},                   // boundary 14
-    {124, 15, 1},                   // boundary 15
-    {124, 16, 1},                   // boundary 16
+    {0, 0, 0, 1},                   // boundary 0
+    {127, 0, 1, 1},                 // boundary 1
+    {252, 0, 2, 1},                 // boundary 2
+    {377, 0, 3, 1},                 // boundary 3
+    {502, 0, 4, 1},                 // boundary 4
+    {627, 0, 5, 1},                 // boundary 5
+    {752, 0, 6, 1},                 // boundary 6
+    {877, 0, 7, 1},                 // boundary 7
+    {1002, 0, 8, 1},                // boundary 8
+    {1127, 0, 9, 1},                // boundary 9
+    {1252, 0, 10, 1},               // boundary 10
+    {1377, 0, 11, 1},               // boundary 11
+    {1502, 0, 12, 1},               // boundary 12
+    {1627, 0, 13, 1},               // boundary 13
+    {1752, 0, 14, 1},               // boundary 14
+    {1877, 0, 15, 1},               // boundary 15
+    {2002, 0, 16, 1},               // boundary 16
 };
 
 void expose() {
+    vs_stopwatch clock;
+    clock.reset();
+    uint32_t before = 0;
+#ifdef __LPC43XX__
+    late = 0;
+#else
+    passed_us = 0;
+    last_us = 0;
+    fallen = 0;
+#endif
     for (const Step &step : schedule) {
+        uint32_t us = step.at_us;
         for (uint16_t i = 0; i < step.times; ++i) {
-            if (step.wait_us) {
-                vs_wait(step.wait_us);
+            // What a boundary launches beside its first kernel follows at once.
+            if (us != before) {
+                await(clock, us);
+                before = us;
             }
             kernels[step.kernel]();
+            us += step.every_us;
         }
     }
 }
@@ -502,20 +577,36 @@ int main() {
     vs_init();
     const auto display_0 = vs_gui_add_display("frame", 0, 0, 2);
 
+#ifdef __LPC43XX__
     // A kernel is recorded when it first runs, which takes time: here, where none is lost.
     for (void (*kernel)() : kernels) {
         kernel();
     }
+#endif
     load_codes();
 
-    // Faster than frames can be, so that none waits for the next: codes fade meanwhile.
-    vs_configure_frame_trigger(VS_FRAME_TRIGGER_CONST_LOOP, 54);
     while (true) {
+        // No frame waits for the next: codes fade meanwhile.
+        vs_disable_frame_trigger();
         vs_frame_loop_control();
         expose();
+#ifdef __LPC43XX__
+        if (late) {
+            vs_post_text("%u launches came late\n", unsigned(late));
+        }
+#endif
         // Pixels that FLAG leaves out would be left out of readout.
+        // A converter that is symmetric around 0 has all of its codes for 2 x exposure - full well.
+        scamp5_load_in(-127);
+#ifdef __LPC43XX__
+        vs_wait(5);
+#endif
         scamp5_kernel_begin();
             all();
+            bus(NEWS, A);
+            bus(F, NEWS);
+            bus(NEWS, A, F, IN);
+            bus(A, NEWS);
         scamp5_kernel_end();
         scamp5_output_image(A, display_0);
     }

@@ -1,9 +1,8 @@
 """How the weights beside this file were made; `python -m nscc_training.any_code --help`.
 
-Three parts, one after the other: noise is taken from clips (the plug-and-play form is ready then);
-the denoiser learns what a stage leaves, with a step at every stage and new masks for every clip;
-all stages learn together, with gradients through the last few. A checkpoint is written often, and
-an interrupted training goes on from it.
+Parts, one after the other: noise is taken from clips (the plug-and-play form is ready then), and
+all stages learn together, with new masks for every clip and gradients through a few of them. A
+checkpoint is written often, and an interrupted training goes on from it.
 """
 
 from __future__ import annotations
@@ -32,8 +31,8 @@ from nscc_training.any_code.stills import (
 from nscc_training.data.moving import Picture, lights_in, pictures_in
 
 CHECKPOINT = "checkpoint.pt"
-_KEEP_EVERY = 50
-_WARM_UP = 50
+_KEEP_EVERY = 20
+_WARM_UP = 20
 
 
 @dataclass(frozen=True)
@@ -52,8 +51,8 @@ class Part:
 PARTS: Mapping[str, tuple[Part, ...]] = {
     "clip": (
         Part("noise", 1800, 4, 64, 1e-3),
-        Part("stages", 200, 2, 80, 4e-4, 1),
-        Part("together", 700, 2, 80, 3e-4, 4),
+        Part("together", 240, 2, 80, 1e-4, 4),
+        Part("again", 360, 2, 80, 2e-4, 4),
     ),
     "still": (Part("stills", 3000, 6, 96, 8e-4, 3),),
 }
@@ -154,7 +153,7 @@ class Trainer:
         for optimizer in self.optimizers:
             optimizer.step()
         self.updates += 1
-        keep = min(0.998, self.updates / (9 + self.updates))
+        keep = min(0.99, self.updates / (9 + self.updates))
         with torch.no_grad():
             for mean, new in zip(self.average.parameters(), self.network.parameters(), strict=True):
                 mean.lerp_(new, 1 - keep)

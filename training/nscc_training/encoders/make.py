@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from nscc_training.encoders.base import Encoder, ShutterSpec
-from nscc_training.encoders.bumps import AlwaysOpen, Start, StartStop, Stop
+from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
 from nscc_training.encoders.looks import LOOKS, Looks
 from nscc_training.encoders.patterns import Bits, Codebook
+from nscc_training.encoders.scattered import SCATTERED, scattered
 
 CLASSES: dict[str, type[Encoder]] = {
     "a": AlwaysOpen,
@@ -19,13 +20,15 @@ CLASSES: dict[str, type[Encoder]] = {
     LOOKS: Looks,
 }
 
-STARTS = ("random", "uniform", "quad")
+STARTS = ("random", "uniform", "quad", *SCATTERED)
+_MOST_LEVELS = 16
+"""Exposures that are scattered one by one: of more, those that double."""
 
 
 def make_encoder(
     spec: ShutterSpec, start: str = "random", seed: int = 0, relaxation: str = "straight-through"
 ) -> Encoder:
-    """An encoder of that class, at one of `STARTS`; the seed is for `random`.
+    """An encoder of that class, at one of `STARTS`; the seed is for what is drawn.
 
     ValueError for what the class cannot be.
     """
@@ -38,8 +41,22 @@ def make_encoder(
         raise ValueError("class a is always open: there is nothing to try")
     if start not in STARTS:
         raise ValueError(f"{start!r} is none of {', '.join(STARTS)}")
-    if start == "random":
+    if start in SCATTERED:
+        _scatter(encoder, start, np.random.default_rng(seed))
+    elif start == "random":
         encoder.start_random(np.random.default_rng(seed))
     else:
         (encoder.start_quad if start == "quad" else encoder.start_uniform)()
     return encoder
+
+
+def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> None:
+    """Give the tile exposures that keep away from their like; ValueError for other classes."""
+    if not isinstance(encoder, Bump) or len(encoder.limits) != 1:
+        raise ValueError(f"{start} is for codes of one field, classes b and c")
+    ((name, (low, high)),) = encoder.limits.items()
+    levels = np.arange(low, high + 1)
+    if len(levels) > _MOST_LEVELS:
+        doubling = low + 2 ** np.arange(int(np.log2(high - low + 1)) + 1) - 1
+        levels = np.unique(np.minimum(doubling, high))
+    encoder.load_codes({name: scattered(start, levels, encoder.spec.tile, generator)})

@@ -16,7 +16,7 @@ from nscc_training.encoders.trial import Over, Trial, decided
 from nscc_training.gradients import replaced, signed
 
 MOST_BITS = 62
-"""Class e's code is one number of so many bits at most, as in the language."""
+"""Class e's code is learned as one number: the language's longer bit fields are several."""
 _LEAST_TRIED = 0.25
 """The least noise of trials: with less of it digits that are half-way certain never change."""
 _REACH = 1

@@ -7,7 +7,11 @@ from nscc_training.encoders import ShutterSpec
 from nscc_training.encoders.make import STARTS
 from nscc_training.protocols import Protocol
 
-_CLASSES = {"hdr-v1": ("b",), "video-v1": ("c", "d", "e")}
+_CLASSES = {
+    "hdr-v1": ("b",),
+    "video-v1": ("c", "d", "e"),
+    "deblur-v1": ("b", "c", "d", "e"),
+}
 _TILE = (8, 8)
 
 

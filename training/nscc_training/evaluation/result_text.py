@@ -34,6 +34,9 @@ def arrays_in(folder: Path, arrays: Mapping[str, NDArray[Any]]) -> dict[Path, Pr
 def result_text(found: dict[str, Any]) -> str:
     """A result of `nscc_training.evaluation.results` as a few lines."""
     lines = [f"{found['method']}, protocol {found['protocol']} ({found['protocol_sha256'][:12]})"]
+    if effects := found["settings"].get("effects"):
+        trained = found["settings"]["trained_effects"] or "noise and full well alone"
+        lines.append(f"  on a chip with effects {effects}; trained with {trained}")
     if found["sees"] == "truth":
         lines.append("  a yardstick: it sees the truth, not the capture")
     for file in dict.fromkeys(item["file"] for item in found["items"]):

@@ -53,6 +53,11 @@ class Scene(ABC):
 
     light_e: Array
 
+    @property
+    def truth_e(self) -> Array:
+        """What a perfect decoder would make of it, in electrons: by default the light itself."""
+        return self.light_e
+
     @abstractmethod
     def scores(self, result_e: Array) -> dict[str, Any]:
         """The protocol's metrics of what was made of it, as JSON values."""
@@ -89,7 +94,7 @@ def scored(
             left_out.append(scene.as_json())
             continue
         made, seconds = decode(scene, index)
-        truth = scene.light_e.astype(np.float32)
+        truth = scene.truth_e.astype(np.float32)
         yield Scored(scene.item(made), made.astype(np.float32), truth, seconds)
 
 
@@ -165,7 +170,7 @@ def with_arrays(
     for item, made, truth, _ in every:
         place = [item.frame] if item.crop is None else item.crop
         label = "_".join([called[item.file], *map(str, place)])
-        kind = "image" if protocol.name == "hdr-v1" else "video"
+        kind = "image" if truth.ndim == 2 else "video"
         arrays[f"{label}_{kind}"], arrays[f"{label}_truth"] = made, truth
     return found, arrays
 

@@ -16,16 +16,22 @@ from torch import Tensor
 
 from nscc.diagnostics.rejection import rejected
 from nscc.program.problems import counted
+from nscc.words.container import Container
+from nscc_runtime.light import Light
+from nscc_runtime.looked_light import OPEN
+from nscc_runtime.simulate import Request, simulate
+from nscc_training import programs
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.encoders.looks import LOOKS
-from nscc_training.evaluation import hdr, video
+from nscc_training.evaluation import deblur, hdr, several_frames, video
 from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
 from nscc_training.evaluation.sci8 import read_sci_clip, sci_clips
 from nscc_training.looking_model import looked
 from nscc_training.measures import frame_scores
 from nscc_training.problems import listed
 from nscc_training.protocols import Protocol
+from nscc_training.reconstruct import decoded_frame
 from nscc_training.run_folder import RunFolder
 from nscc_training.sensor_model import frame_of, laid
 from nscc_training.settings import Settings
@@ -50,18 +56,31 @@ def key_of(settings: Settings) -> Key:
 
 
 def evaluate_run(
-    folder: RunFolder, data: Path, protocol: Protocol, seed: int, *, skip_seen: bool = False
+    folder: RunFolder,
+    data: Path,
+    protocol: Protocol,
+    seed: int,
+    *,
+    skip_seen: bool = False,
+    effects: str = "",
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """The result of a run, with its hard shutters, and the arrays it made, by name.
 
-    With `skip_seen`, files that the run has seen are left out, and the result says so. Raises
-    Rejected: NS0820 where it has seen a file of `data`, or with `skip_seen` all of them, NS0821
-    where it was trained for something else than the protocol exposes, NS0811 for a folder without
-    data.
+    With `skip_seen`, files that the run has seen are left out, and the result says so. With
+    `effects`, as `nscc run --effects` takes them, scenes are exposed by the emulated chip, another
+    one for each `seed`, instead of the sensor that the protocol fixes. Raises Rejected: NS0756 for
+    effects that there are not, NS0841 under sci8, whose measurements no chip made, NS0820 where the
+    run has seen a file of `data`, or with `skip_seen` all of them, NS0821 where it was trained for
+    something else than the protocol exposes, NS0811 for a folder without data.
     """
     parts = folder.parts
     _check_kind(folder, protocol)
-    find = {"hdr-v1": hdr.panoramas, "video-v1": video.clips_of, "sci8": sci_clips}
+    find = {
+        "hdr-v1": hdr.panoramas,
+        "video-v1": video.clips_of,
+        "sci8": sci_clips,
+        "deblur-v1": deblur.panoramas,
+    }
     files = find[protocol.name](data)
     seen = seen_of(folder, files)
     if not (skip_seen and len(seen) < len(files)):
@@ -72,6 +91,13 @@ def evaluate_run(
     ]
     more: dict[str, Any] = {}
     decode = partial(_made, folder, seed)
+    if effects:
+        if protocol.name == "sci8":
+            raise rejected(
+                "NS0841", "sci8 brings its own measurements, which no chip has made",
+                helps=("leave --effects out, or take video-v1",),
+            )  # fmt: skip
+        decode = partial(_made_by_chip, folder, seed, _container(folder), effects)
     if protocol.name == "hdr-v1":
         crops, unusable = hdr.parted(files, protocol)
         left_out += [crop.as_json() for crop in unusable]
@@ -81,6 +107,8 @@ def evaluate_run(
         )
     elif protocol.name == "video-v1":
         every = list(scored(video.windows(files, protocol), decode, left_out))
+    elif protocol.name == "deblur-v1":
+        every = list(scored(deblur.moments(files, protocol), decode, left_out))
     else:
         every = list(_sci(folder, files, protocol))
     size, settings = (256, 256), parts.settings
@@ -96,6 +124,8 @@ def evaluate_run(
             "moved": folder.result.get("codes", {}).get("moved"),
             "program_sha256": sha256(folder.program.encode()).hexdigest(),
             "config_sha256": folder.result.get("config_sha256"),
+            "effects": effects,
+            "trained_effects": settings.sensor.effects,
             "seed": seed,
         },
         decoder_ms=1e3 * float(np.median([each.seconds for each in every])) if every else None,
@@ -109,6 +139,12 @@ def evaluate_run(
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
     parts = folder.parts
+    if protocol.name in several_frames.ROWS:
+        raise rejected(
+            "NS0821",
+            f"'{folder.path}' was trained for one frame; protocol {protocol.name} gives several",
+            helps=(f"its rows are {', '.join(several_frames.ROWS[protocol.name])}",),
+        )
     kind = parts.encoder.spec.kind
     have = f"{'stills' if parts.still else 'clips'} of {parts.slots} slots, class {kind}"
     if protocol.name == "hdr-v1":
@@ -176,6 +212,35 @@ def _made(folder: RunFolder, seed: int, scene: Scene, index: int) -> tuple[NDArr
     codes = frame_of(scene.light_e, tile, parts.model, 1000 * seed + index)
     made, seconds = _decoded(folder, parts.model.relative(codes), laid(tile, *codes.shape))
     return made * (parts.model.full_e / (1 if parts.still else parts.slots)), seconds
+
+
+def _container(folder: RunFolder) -> Container:
+    chip = folder.parts.chip
+    found = programs.compiled(programs.program_of(folder.parts.encoder, chip), chip).container
+    assert found is not None
+    return found
+
+
+def _made_by_chip(
+    folder: RunFolder, seed: int, container: Container, effects: str, scene: Scene, index: int
+) -> tuple[NDArray[Any], float]:
+    """The same from a frame of the emulated chip, as `nscc run` and `nscc reconstruct` make it."""
+    size, array = scene.light_e.shape[-2:], (container.target.rows, container.target.cols)
+    margins = [(0, 0)] * (scene.light_e.ndim - 2) + [
+        (0, most - side) for most, side in zip(array, size, strict=True)
+    ]
+    light_e = np.pad(scene.light_e.astype(np.float32), margins, mode="edge")
+    slots = folder.parts.slots
+    still = folder.parts.still
+    light = Light.of_still(light_e, np.full(slots, 1 / slots)) if still else Light.of_clip(light_e)
+    chosen = Request.of(effects=effects, seed=1000 * seed + index, device_seed=seed)
+    frame = simulate(container, light, folder.parts.sensor, chosen).frame
+    begin = perf_counter()
+    opened = frame.told.get(OPEN)
+    share = None if opened is None else (opened[0] / slots).astype(np.float32)
+    made = decoded_frame(folder, frame.frame[0], frame.saturated[0], share)
+    seconds = perf_counter() - begin
+    return made[..., : size[0], : size[1]].astype(np.float64), seconds
 
 
 def _looked(folder: RunFolder, scene: Scene, seed: int) -> tuple[NDArray[Any], float]:

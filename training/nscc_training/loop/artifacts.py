@@ -128,6 +128,7 @@ def capture_toml(parts: Parts) -> str:
         "adc_bits": model.adc_bits,
         "slots": parts.slots,
         "slot_us": parts.chip.slot_us,
+        "effects": parts.settings.sensor.effects,
         "scenes": "stills" if parts.still else "clips",
         "transfer": parts.settings.data.transfer,
         "exposure": "30 % of the pixels saturate when always open" if parts.still

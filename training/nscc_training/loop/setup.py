@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -13,15 +14,18 @@ from torch import Tensor, nn
 from nscc.diagnostics.rejection import rejected
 from nscc.target.load import load_target, parse_target, read_target
 from nscc.target.target import Target
+from nscc_runtime.effects import selected
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training import programs
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import Task
 from nscc_training.decoders.make import make_decoder
 from nscc_training.design.chip import most_steps
+from nscc_training.emulated import EmulatedSensor, emulated_sensor
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.looks import LOOKS
+from nscc_training.encoders.make import STARTS
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
@@ -30,7 +34,7 @@ from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel
 from nscc_training.settings import Settings, ShutterSettings
 
-_STARTS = ("random", "uniform", "quad", "learned")
+_STARTS = (*STARTS, "learned")
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,6 +63,19 @@ class Parts:
         """N."""
         return self.encoder.spec.slots
 
+    @cached_property
+    def emulated(self) -> EmulatedSensor | None:
+        """What the emulator makes of the shutters that the run began with, where `[sensor] effects`
+        asks for it; places keep it while their codes learn. Takes seconds, once."""
+        if not self.settings.sensor.effects:
+            return None
+        seed = self.settings.train.seed
+        start = started_encoder(self.settings.shutter, self.chip, self.target, seed)
+        found = programs.compiled(programs.program_of(start, self.chip), self.chip)
+        assert found.container is not None
+        tile = start.spec.tile
+        return emulated_sensor(found.container, tile, self.sensor, self.settings.sensor.effects)
+
 
 def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     """The parts of a configuration, at their start.
@@ -80,9 +97,8 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     still = protocol.name == "hdr-v1"
     encoder = started_encoder(chosen, chip, target, seed)
     if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
-        # Codes of so many bits cannot be: the compiler says why.
-        one = np.zeros(encoder.spec.tile, np.int64)
-        programs.compiled(programs.program(encoder.spec, {"bits": one}, chip), chip)
+        most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
+        raise _wrong("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     if chosen.kind == LOOKS:
         _check_looks(settings, still)
@@ -110,8 +126,11 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     if wanted == "cuda" and not there:
         raise _wrong("train.device", "there is no CUDA device here")
     device = torch.device("cuda" if wanted != "cpu" and there else "cpu")
-    # The sensor's own numbers where a file is named, else the protocol's where it has some.
-    fixed = not settings.sensor.file and "full_well_e" in protocol.values
+    _check_effects(settings, encoder)
+    # The sensor's own numbers where a file is named or its effects are wanted, else the protocol's
+    # where it has some.
+    own = settings.sensor.file or settings.sensor.effects
+    fixed = not own and "full_well_e" in protocol.values
     model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
     model = replace(
         model, comparator_noise=sensor.comparator_noise_fraction,
@@ -163,10 +182,24 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
     return encoder
 
 
+def _check_effects(settings: Settings, encoder: Encoder) -> None:
+    """NS0756 for effects that there are not, NS0815 where they go with nothing else."""
+    if not settings.sensor.effects:
+        return
+    selected(settings.sensor.effects)
+    if settings.shutter.free:
+        reason = "a code for every pixel has no tile to be exposed at all levels: leave out `free`"
+        raise _wrong("sensor.effects", reason)
+    if not settings.sensor.noise:
+        raise _wrong("sensor.effects", "effects are noise, too, and `sensor.noise` is false")
+
+
 def _check_looks(settings: Settings, still: bool) -> None:
     """Rejected (NS0815) for what pixels that look do not have in training."""
     if not still:
         raise _wrong("shutter.class", "looks are learned from stills: [data] protocol is hdr-v1")
+    if settings.sensor.effects:
+        raise _wrong("sensor.effects", "pixels that look are learned under noise alone")
     if settings.shutter.words_weight:
         raise _wrong("shutter.words_weight", "every look takes as many words: there is nothing to "
                      "weigh")  # fmt: skip

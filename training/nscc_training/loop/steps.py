@@ -48,12 +48,17 @@ def decoded(
     parts: Parts, light: Tensor, shutters: Tensor, model: SensorModel,
     generator: torch.Generator | None,
 ) -> Tensor:  # fmt: skip
-    """What the decoder makes of a capture of `light` with `shutters`, a tile that repeats."""
+    """What the decoder makes of a capture of `light` with `shutters`, a tile that repeats; a model
+    without noise has no other effects either."""
     if parts.encoder.spec.kind == LOOKS:
         return _decoded_looks(parts, light, shutters, model, generator)
     with torch.autocast(parts.device.type, enabled=False):
-        exposure = exposed(light, shutters)
-        codes = read_out(exposure, model, generator) - model.adc_offset_lsb
+        if parts.emulated is None or not model.shot_noise:
+            codes = read_out(exposed(light, shutters), model, generator) - model.adc_offset_lsb
+        else:
+            exposure = exposed(parts.emulated.smeared(light), shutters)
+            share = shutters.detach().mean(dim=0)
+            codes = parts.emulated.read_out(exposure, share, model, generator)
         # What a frame means is the run's to say, under another sensor too.
         frame = parts.model.relative(codes)
     mixed = parts.settings.train.dtype == "bf16"

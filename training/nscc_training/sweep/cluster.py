@@ -54,7 +54,7 @@ def at(scheduler: str) -> Iterator[Executor]:
     from distributed import Client
 
     try:
-        client = Client(scheduler, timeout=_PATIENCE_S, set_as_default=False)
+        client = Client(scheduler, timeout=_PATIENCE_S)
     except (OSError, ValueError, TimeoutError) as error:
         said = " ".join(str(error).split())[:200]
         raise rejected(
@@ -81,7 +81,8 @@ def _computed(client: Client, tasks: Iterable[Task]) -> Iterator[Done]:
         running[future] = task
         return future
 
-    queue = as_completed([start(task) for task in tasks])
+    futures = [start(task) for task in tasks]
+    queue = as_completed(futures, loop=client.loop)
     for future in queue:
         task = running.pop(future)
         done = _done(future, task)
@@ -93,10 +94,13 @@ def _computed(client: Client, tasks: Iterable[Task]) -> Iterator[Done]:
 
 
 def _done(future: Future, task: Task) -> Done:
-    """What came of a task; a failure where its worker did not live to say it."""
+    """What came of a task; a failure where its worker did not live to say it. ModuleNotFoundError
+    where a package is missing: no other point of its kind would fare better."""
     if future.status == "finished":
         found: Done = future.result()
         return found
     error = future.exception()
+    if isinstance(error, ModuleNotFoundError):
+        raise error
     why = f"its worker ended while it was computed ({type(error).__name__})"
     return Done(task, failure(task, why), 0.0, "", failed=True)

@@ -50,7 +50,7 @@ def _compile(values: Values, _place: Place) -> Figures:
 
 COMPILE = PointKind(
     "compile", "words, registers and times of a program, as its report has them", program_keys,
-    _compile, "words_a_slot", program_files, fault=program_fault,
+    _compile, ("words_a_slot",), program_files, fault=program_fault,
 )  # fmt: skip
 
 
@@ -99,5 +99,5 @@ def _limit(values: Values, _place: Place) -> Figures:
 
 LIMITS = PointKind(
     "limits", "how large a class may be on a chip: `nscc targets --limits` point by point",
-    _limit_keys, _limit, "built_up_to", program_files, fault=_limit_fault,
+    _limit_keys, _limit, ("built_up_to",), program_files, fault=_limit_fault,
 )  # fmt: skip

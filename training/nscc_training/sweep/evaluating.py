@@ -86,7 +86,7 @@ def _result(values: Values, place: Place) -> dict[str, Any]:
 
 EVALUATE = PointKind(
     "evaluate", "scores under a protocol; the whole result under results", _keys, _evaluate,
-    "psnr_db", _reads, fault=_fault, packages=("nscc", "nscc_runtime", "nscc_training"),
+    ("psnr_db",), _reads, fault=_fault, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves=".json",
 )  # fmt: skip

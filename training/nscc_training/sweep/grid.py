@@ -21,13 +21,14 @@ from pathlib import Path
 from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.suggest import meant
 from nscc.source import Source
 from nscc.toml.files import file_bytes, file_table, file_text
 from nscc.toml.kinds import Axis, Several, Text
 from nscc.toml.schema import Codes, Key, Schema
 from nscc_training.sweep.evaluating import RUN
 from nscc_training.sweep.kinds import KINDS
-from nscc_training.sweep.point import Point
+from nscc_training.sweep.point import Fault, Point, Values
 
 MOST_POINTS = 100_000
 
@@ -37,11 +38,18 @@ _KIND = Key(
     "", "kind", Text(tuple(KINDS)), "; ".join(f"{k.name}: {k.what}" for k in KINDS.values()), ""
 )
 _NAME, _NAME_SAID = r"[A-Za-z0-9_-]{1,60}", "take letters, digits, `-` and `_`"
+_VALUE = re.compile(r"\{([^{}]+)\}")
 _PLOT = "plot"
+_CALLED = Key(
+    "", "name", Text(pattern=r"([A-Za-z0-9_.+-]|\{[^{}]+\})+", said='a name, "{KEY}" in it for a '
+    'value'), "what its points are called, instead of part and axes", "",
+)  # fmt: skip
+_OF_PART = (_KIND.name, _CALLED.name)
+"""Keys of every part that are no axes."""
 _PLOT_KEYS = (
     Key(_PLOT, "x", Text(), "the axis drawn across; by default the first of numbers", ""),
     Key(_PLOT, "y", Several(Text(), said="a list of figures"), "the figures drawn upwards", ()),
-    Key(_PLOT, "line", Text(), "the axis of which each value has a line", ""),
+    Key(_PLOT, "line", Several(Text(), said="a list of axes"), "those whose values have lines", ()),
     Key(_PLOT, "panel", Text(), "the axis of which each value has a panel", ""),
 )
 
@@ -52,7 +60,7 @@ class Plot:
 
     x: str = ""
     y: tuple[str, ...] = ()
-    line: str = ""
+    line: tuple[str, ...] = ()
     panel: str = ""
 
 
@@ -90,9 +98,10 @@ def read_grid(path: Path) -> Grid:
         problems.append(schema.problem(_CODES.missing, message, "", "", source, _START))
     if problems:
         raise Rejected(problems, status=2)
-    given = {part: {name: found[f"{part}.{name}"] for name in keys if name != _KIND.name}
+    given = {part: {name: found[f"{part}.{name}"] for name in keys if name not in _OF_PART}
              for part, keys in parts.items()}  # fmt: skip
-    points = _points(given, kinds, schema, source)
+    called = {part: found.get(f"{part}.{_CALLED.name}", "") for part in parts}
+    points = _points(given, kinds, called, schema, source)
     columns = tuple(dict.fromkeys(name for keys in given.values() for name in keys))
     axes = tuple(n for n in columns if any(len(keys.get(n, ())) > 1 for keys in given.values()))
     plot = Plot(**{key.name: found[key.path] for key in _PLOT_KEYS if key.path in found})
@@ -116,7 +125,8 @@ def part_text(kind: str) -> str:
         *(f"  {key.name}: {remark(key)}" for key in keys if key.default is MISSING),
     )
 
-    return file_text(schema, {key.path: key.default for key in schema.keys}, remark, head)
+    text = file_text(schema, {key.path: key.default for key in schema.keys}, remark, head)
+    return text if known else f"{text}\n[{kind}]\n"
 
 
 def _is_part(name: str, value: Any) -> bool:
@@ -166,7 +176,7 @@ def _schema(kinds: Mapping[str, str]) -> Schema[Key]:
     keys = [
         replace(key, section=part, heading=part)
         for part, kind in kinds.items()
-        for key in (_KIND, *KINDS[kind].takes())
+        for key in (_KIND, _CALLED, *KINDS[kind].takes())
     ]
     headings = dict.fromkeys(("", _PLOT, *kinds), "")
     return Schema("grid", (_KIND, *_PLOT_KEYS, *keys), headings, _CODES, _START)
@@ -174,7 +184,7 @@ def _schema(kinds: Mapping[str, str]) -> Schema[Key]:
 
 def _points(
     given: Mapping[str, Mapping[str, tuple[Any, ...]]], kinds: Mapping[str, str],
-    schema: Schema[Key], source: Source,
+    called: Mapping[str, str], schema: Schema[Key], source: Source,
 ) -> tuple[Point, ...]:  # fmt: skip
     """All combinations of all parts, runs before what needs them."""
     count = sum(prod(map(len, keys.values())) for keys in given.values())
@@ -186,8 +196,8 @@ def _points(
     made: dict[str, list[Point]] = {}
     for part in sorted(given, key=lambda part: RUN in given[part]):
         made[part] = []
-        for point in _of_part(part, kinds[part], given[part]):
-            fault = KINDS[point.kind].fault(point.values)
+        for point in _of_part(part, kinds[part], given[part], called[part]):
+            fault = KINDS[point.kind].fault(point.values) or _name_fault(called[part], point)
             if fault is not None:
                 wrong.setdefault(
                     (part, fault.key, fault.message),
@@ -206,26 +216,44 @@ def _points(
                 wrong[part, RUN, message] = schema.problem(
                     _CODES.wrong, message, part, RUN, source, help_text
                 )
-            made[part] += (_about(point, run, given[part]) for run in runs)
+            made[part] += (_about(point, run, given[part], called[part]) for run in runs)
     if wrong:
         raise Rejected([*wrong.values()], status=2)
     return tuple(point for part in given for point in made[part])
 
 
-def _of_part(part: str, kind: str, given: Mapping[str, tuple[Any, ...]]) -> Iterator[Point]:
+def _of_part(
+    part: str, kind: str, given: Mapping[str, tuple[Any, ...]], called: str
+) -> Iterator[Point]:
     """A part's combinations, the key that is named first changing last."""
     defaults = {
         key.name: key.default[0] for key in KINDS[kind].takes() if key.default is not MISSING
     }
     several = [name for name, values in given.items() if len(values) > 1]
     for values in product(*given.values()):
-        chosen = dict(zip(given, values, strict=True))
+        chosen = {**defaults, **dict(zip(given, values, strict=True))}
         name = "_".join([part, *(_spelled(chosen[axis]) for axis in several)])
-        yield Point(part, kind, name, {**defaults, **chosen})
+        yield Point(part, kind, _called(called, chosen) or name, chosen)
 
 
-def _about(point: Point, run: Point, given: Mapping[str, tuple[Any, ...]]) -> Point:
+def _called(called: str, values: Values) -> str:
+    """A name with values in the place of their keys."""
+    return _VALUE.sub(lambda found: _spelled(values.get(found[1])), called)
+
+
+def _name_fault(called: str, point: Point) -> Fault | None:
+    """What is wrong with the name that a part gives its points."""
+    wrong = next((key for key in _VALUE.findall(called) if key not in point.values), None)
+    if wrong is None:
+        return None
+    near = meant(wrong, point.values, "name a key of this part")
+    return Fault(_CALLED.name, f"a point has no value of {wrong[:60]!a} to be called by", near[0])
+
+
+def _about(point: Point, run: Point, given: Mapping[str, tuple[Any, ...]], called: str) -> Point:
     """The evaluation of a run: known by its run's name, and by its own axes."""
+    if called:
+        return replace(point, after=run)
     own = [name for name, values in given.items() if len(values) > 1 and name != RUN]
     name = "_".join([run.name, *(_spelled(point.values[axis]) for axis in own)])
     return replace(point, name=name, after=run)
@@ -235,5 +263,6 @@ def _spelled(value: Any) -> str:
     """A value as a part of a file's name."""
     parts: Sequence[Any] = value if isinstance(value, tuple) else (value,)
     text = "x".join(f"{part:g}" if isinstance(part, float) else str(part) for part in parts)
+    text = text.lower() if isinstance(value, bool) else text
     text = Path(text).stem if text.endswith((".nsl", ".toml")) else text
     return "".join(c if c.isalnum() or c in "+-." else "-" for c in text)[:40]

@@ -44,15 +44,15 @@ class PointKind:
     `takes()` are the keys of a part of a grid, in no section. `fault` looks at one point's values
     together. `reads` names the files and folders whose content decides the result; `packages` and
     `distributions` compute it. `compute` gives the figures; Rejected says why there are none.
-    `figure` is the one that is drawn unless a grid asks for others; `leaves` is the ending of what
-    a point leaves in `Place.files`, None where that is nothing.
+    Of the figures `drawn` a table's first is, unless a grid asks for others. `leaves` is the ending
+    of what a point leaves in `Place.files`, None where that is nothing.
     """
 
     name: str
     what: str
     takes: Callable[[], tuple[Key, ...]]
     compute: Callable[[Values, Place], Figures]
-    figure: str
+    drawn: tuple[str, ...]
     reads: Callable[[Values], Sequence[Path]]
     packages: tuple[str, ...] = ("nscc",)
     distributions: tuple[str, ...] = ("lark", "networkx")

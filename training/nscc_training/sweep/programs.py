@@ -56,7 +56,12 @@ def program_keys() -> tuple[Key, ...]:
         axis("slot_us", Number(1e-3, 1e9), "their length in microseconds", 1000.0),
         axis("tile", Several(Integer(1, 4096), 2), "rows and columns of a class's tile", (8, 8)),
         axis("init", Text(STARTS), "the codes of a class", "random"),
-        axis("length", Integer(1, 65536), "slots of a bump of class c", 4),
+        axis(
+            "length",
+            Integer(1, 65536, automatic=True),
+            "slots of a bump of class c; auto: a quarter of the frame",
+            None,
+        ),
         axis("rows", Integer(1, 4096), "shapes of a codebook", 64),
         axis("seed", Integer(0, 2**31 - 1), "of everything random", 0),
         axis("codes", Text(("fixed", "open")), "those in use, or every legal one", "fixed"),
@@ -133,7 +138,7 @@ def _source(values: Values) -> tuple[Source, Path]:
     kind = values["class"]
     spec = ShutterSpec(
         kind, values["slots"], values["tile"],
-        length=values["length"] if kind == "c" else None,
+        length=(values["length"] or max(1, values["slots"] // 4)) if kind == "c" else None,
         rows=values["rows"] if kind == "codebook" else None,
     )  # fmt: skip
     encoder = make_encoder(spec, values["init"], values["seed"])

@@ -16,7 +16,7 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_training.sweep.grid import Grid
 from nscc_training.sweep.keys import key_of
 from nscc_training.sweep.kinds import KINDS
-from nscc_training.sweep.point import Point
+from nscc_training.sweep.point import Point, Row
 from nscc_training.sweep.store import Store
 from nscc_training.sweep.table import Table, csv_text, parquet_bytes, table_of
 from nscc_training.sweep.work import FAILED, Done, Task, serially
@@ -24,7 +24,7 @@ from nscc_training.sweep.work import FAILED, Done, Task, serially
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
 _POINTS = "points"
 _MOST_REASONS = 5
-_NAMED = {"train": "runs", "evaluate": "results"}
+_NAMED = {"train": "runs", "evaluate": "results", "design": "programs"}
 """Folders in which what points leave has their names."""
 
 
@@ -60,7 +60,8 @@ def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
     if not out.is_dir():
         return len(keys), 0
     with Store(out) as store:
-        return len(keys), sum(_is_known(store, key, how) for key in keys.values())
+        found = (_is_known(store, key, how, _left(out, p, key)) for p, key in keys.items())
+        return len(keys), sum(found)
 
 
 def sweep(
@@ -76,11 +77,15 @@ def sweep(
     """
     keys = _keys(grid, how.threads)
     with Store(out) as store:
-        todo = {key: point for point, key in keys.items() if not _is_known(store, key, how)}
+        todo = {
+            key: point
+            for point, key in keys.items()
+            if not _is_known(store, key, how, _left(out, point, key))
+        }
         report(f"{len(keys)} points: {len(keys) - len(todo)} known, {len(todo)} to compute")
         tasks = [_task(point, keys, grid, out, how) for point in todo.values()]
         if tasks:
-            _compute(tasks, store, how, track)
+            _compute(tasks, keys, store, how, track)
         rows = [(point, store.rows[key]) for point, key in keys.items()]
     table = table_of(grid, rows)
     files = _write(grid, table, out, parquet=parquet)
@@ -111,25 +116,31 @@ def _keys(grid: Grid, threads: int) -> dict[Point, str]:
         return {point: key_of(point, threads) for point in grid.points}
 
 
-def _is_known(store: Store, key: str, how: How) -> bool:
+def _is_known(store: Store, key: str, how: How, left: Path | None) -> bool:
+    """Whether a point has a row, and what it `left` is still there."""
     row = store.rows.get(key)
-    return row is not None and not (how.again and row.code == FAILED)
+    if row is None or (row.code == FAILED and how.again):
+        return False
+    return bool(row.code) or left is None or left.exists()
 
 
 def _task(point: Point, keys: Mapping[Point, str], grid: Grid, out: Path, how: How) -> Task:
-    run = None if point.after is None else _left(out, point.after, keys[point.after])
-    return Task(
-        point, keys[point], grid.folder.resolve(), _left(out, point, keys[point]), how.threads, run
-    )
+    after, key = point.after, keys[point]
+    run = None if after is None else _left(out, after, keys[after])
+    files = _left(out, point, key) or out.resolve() / _POINTS / key
+    return Task(point, key, grid.folder.resolve(), files, how.threads, run)
 
 
-def _left(out: Path, point: Point, key: str) -> Path:
-    """Where the files of a point are."""
-    return out.resolve() / _POINTS / (key[:16] + (KINDS[point.kind].leaves or ""))
+def _left(out: Path, point: Point, key: str) -> Path | None:
+    """The file or folder that a point leaves; None where its kind leaves none."""
+    ending = KINDS[point.kind].leaves
+    return None if ending is None else out.resolve() / _POINTS / (key[:16] + ending)
 
 
-def _compute(tasks: Sequence[Task], store: Store, how: How, track: Progress) -> None:
-    """Runs first, then what is about them: a run that failed is no more to be evaluated."""
+def _compute(
+    tasks: Sequence[Task], keys: Mapping[Point, str], store: Store, how: How, track: Progress
+) -> None:
+    """Runs first, then what is about them: a run that came to nothing is not to be evaluated."""
     out = tasks[0].files.parent
     if any(KINDS[task.point.kind].leaves is not None for task in tasks):
         out.mkdir(exist_ok=True)
@@ -137,12 +148,30 @@ def _compute(tasks: Sequence[Task], store: Store, how: How, track: Progress) -> 
 
         def every() -> Iterator[Done]:
             yield from execute([task for task in tasks if task.run is None])
-            yield from execute([task for task in tasks if task.run is not None])
+            ready = []
+            for task in (task for task in tasks if task.run is not None):
+                without = _without_run(task, keys, store)
+                if without is None:
+                    ready.append(task)
+                else:
+                    yield without
+            yield from execute(ready)
 
         for done in track(every(), "computing points", len(tasks)):
             if done.other_key:
                 raise _differs(done)
             store.add(done.row, done.task.point.name, done.seconds, done.worker)
+
+
+def _without_run(task: Task, keys: Mapping[Point, str], store: Store) -> Done | None:
+    """What comes of a task whose run came to nothing; None where there is a run."""
+    after = task.point.after
+    assert after is not None
+    row = store.rows[keys[after]]
+    if not row.code:
+        return None
+    error = f"its run {after.name} has none: {row.error}"
+    return Done(task, Row(task.key, code=row.code, error=error), 0.0, "")
 
 
 def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iterator[Done]]]:
@@ -194,12 +223,12 @@ def _name(out: Path, keys: Mapping[Point, str]) -> None:
     taken: set[Path] = set()
     for point, key in keys.items():
         left = _left(out, point, key)
-        if point.kind not in _NAMED or not left.exists():
+        if left is None or not left.exists():
             continue
-        folder, ending = out / _NAMED[point.kind], KINDS[point.kind].leaves or ""
+        folder = out / _NAMED[point.kind]
         folder.mkdir(exist_ok=True)
-        link = folder / (point.name + ending)
+        link = folder / (point.name + left.suffix)
         if link in taken:
-            link = folder / f"{point.name}_{key[:8]}{ending}"
+            link = folder / f"{point.name}_{key[:8]}{left.suffix}"
         taken.add(link)
         os.symlink(Path("..") / _POINTS / left.name, link)

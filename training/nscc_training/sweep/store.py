@@ -1,7 +1,7 @@
 """Where results are kept: a line for each, whole or not there, whatever kills the process.
 
-`rows.jsonl` holds what was found, `times.csv` how long it took: the first is the same wherever and
-in whatever order points are computed, but for the order of its lines.
+`rows.jsonl` holds what was found: the same lines wherever points are computed, in whatever order.
+`times.csv` holds how long that took whom, and when it ended, in seconds since the sweep began.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ import fcntl
 import json
 import os
 from pathlib import Path
+from time import monotonic
 from types import TracebackType
 from typing import Any, Self
 
@@ -17,7 +18,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_training.sweep.point import Row
 
 ROWS, TIMES = "rows.jsonl", "times.csv"
-_TIMES_HEAD = "key,name,seconds,worker\n"
+_TIMES_HEAD = "key,name,seconds,ended_s,worker\n"
 
 
 class Store:
@@ -47,6 +48,7 @@ class Store:
             ) from error
         if not self._times.lines:
             self._times.add(_TIMES_HEAD)
+        self._begin = monotonic()
         self.rows: dict[str, Row] = {}
         for line in self._rows.lines:
             row = _row(line)
@@ -54,9 +56,10 @@ class Store:
                 self.rows[row.key] = row
 
     def add(self, row: Row, name: str, seconds: float, worker: str) -> None:
-        """Keeps a row; it is on the disk when this returns."""
+        """Keeps a row, which took a worker so many seconds; it is on the disk when this returns."""
         values = {"key": row.key, "figures": row.figures, "code": row.code, "error": row.error}
-        self._times.add(f"{row.key[:12]},{name},{seconds:.3f},{worker}\n")
+        ended_s = monotonic() - self._begin
+        self._times.add(f"{row.key[:12]},{name},{seconds:.3f},{ended_s:.3f},{worker}\n")
         self._rows.add(json.dumps(values, allow_nan=False) + "\n", sync=True)
         self.rows[row.key] = row
 

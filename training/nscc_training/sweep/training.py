@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import MISSING
 from functools import cache
 from pathlib import Path
 
@@ -16,11 +17,12 @@ from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
 from nscc_training.sweep.programs import axis
 
 _CONFIG = "config"
+_STAGES = ("soft", "hard", "compiled", "emulated")
 
 
 @cache
 def _keys() -> tuple[Key, ...]:
-    settings = (Key("", key.path, Axis(key.kind), key.meaning) for key in SCHEMA.keys)
+    settings = (Key("", key.path, Axis(key.kind), key.meaning, MISSING) for key in SCHEMA.keys)
     return (axis(_CONFIG, Text(), "a configuration of nscc train"), *settings)
 
 
@@ -69,7 +71,7 @@ def _train(values: Values, place: Place) -> Figures:
     return {
         "psnr_db": as_trained["psnr_db"],
         "ssim": as_trained["ssim"],
-        **{f"{stage}_db": value for stage, value in result["stages"].items() if stage != "note"},
+        **{f"{stage}_db": result["stages"][stage] for stage in _STAGES},
         "words_a_slot": result["words_per_slot"],
         "parameters": result["parameters"],
     }
@@ -77,7 +79,7 @@ def _train(values: Values, place: Place) -> Figures:
 
 TRAIN = PointKind(
     "train", "a run of nscc train; its validation, and its folder under runs", _keys, _train,
-    "psnr_db", _reads, fault=_fault, packages=("nscc", "nscc_runtime", "nscc_training"),
+    ("psnr_db",), _reads, fault=_fault, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves="",
 )  # fmt: skip

@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 from contextlib import chdir
 from dataclasses import dataclass
 from pathlib import Path
+from threading import Lock
 from time import perf_counter
 
 from nscc.diagnostics.diagnostic import Rejected, Severity
@@ -19,6 +20,11 @@ from nscc_training.sweep.point import Figures, Place, Point, Row
 
 FAILED = "NS0833"
 """The code of a point that failed, which says nothing of its values."""
+
+
+_ONE = Lock()
+"""Folder, warnings and torch's threads are the process's: a worker of several threads computes one
+point at a time."""
 
 
 @dataclass(frozen=True)
@@ -55,8 +61,9 @@ def serially(tasks: Iterable[Task]) -> Iterator[Done]:
 
 
 def work(task: Task) -> Done:
-    """One of them, in this process. What goes wrong is in the row, whatever it is."""
-    with chdir(task.folder), warnings.catch_warnings():
+    """One of them, in this process. What goes wrong is in the row, whatever it is but a package
+    that is missing (ModuleNotFoundError)."""
+    with _ONE, chdir(task.folder), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # what compilers and scenes say of a point
         here = key_of(task.point, task.threads)
         begin = perf_counter()
@@ -68,7 +75,7 @@ def work(task: Task) -> Done:
 
 def failure(task: Task, why: str) -> Row:
     """The row of a point that failed."""
-    return Row(task.key, code=FAILED, error=" ".join(why.split())[:400])
+    return Row(task.key, code=FAILED, error=_anywhere(" ".join(why.split())[:400], task))
 
 
 def _row(task: Task) -> tuple[Row, bool]:
@@ -79,10 +86,19 @@ def _row(task: Task) -> tuple[Row, bool]:
     except Rejected as rejected:
         errors = [d for d in rejected.diagnostics if d.severity is Severity.ERROR]
         first = next((d for d in errors if d.data.get("proved")), errors[0])
-        return Row(task.key, code=first.code, error=first.message), False
+        return Row(task.key, code=first.code, error=_anywhere(first.message, task)), False
+    except ModuleNotFoundError:
+        raise
     except Exception as error:  # a point must not end the others, whatever it raises
         return failure(task, f"{type(error).__name__}: {error}"), True
     return Row(task.key, {name: _stored(found[name]) for name in found}), False
+
+
+def _anywhere(text: str, task: Task) -> str:
+    """A message without the folders that only this machine has."""
+    for folder in (task.files.parents[1], task.folder):
+        text = text.replace(f"{folder}{os.sep}", "")
+    return text
 
 
 def _stored(value: Figures) -> object:

@@ -61,7 +61,9 @@ class Settings:
 
     A clip has `frames`, a multiple of all `slots`; None: the most of them. `slot_us` is what
     captures are made at, None for the shortest slot of each configuration. `sensor` is a file, by
-    default that of every default, and `changes` are NAME=VALUE on top of it.
+    default that of every default, and `changes` are NAME=VALUE on top of it. Codes begin as `init`
+    on a `tile`; None: random ones for clips, 2 x 2 stops for stills. Class c is open for `length`
+    slots, None: a quarter of the frame; a codebook has `rows`.
     """
 
     classes: tuple[str, ...]
@@ -80,11 +82,15 @@ class Settings:
     frames: int | None = None
     sensor: Path | None = None
     changes: tuple[str, ...] = ()
+    tile: tuple[int, int] | None = None
+    init: str | None = None
+    length: int | None = None
+    rows: int = ROWS
 
 
 @dataclass(frozen=True)
 class Configuration:
-    """One shutter, one way to compile it. Class c is open for a quarter of the frame.
+    """One shutter, one way to compile it.
 
     `exposures` are those of a pixel that looks, None of one that does not; such programs have one
     code and one lowering.
@@ -204,7 +210,7 @@ class _Shutters(NamedTuple):
 
 def _shutters(each: Configuration, bench: _Bench, settings: Settings) -> _Shutters:
     if each.exposures is None:
-        encoder = _encoder(each, settings.seed)
+        encoder = _encoder(each, settings)
         return _Shutters(
             lambda chip: program_of(encoder, chip).text,
             lambda container: bench.psnr_db(container, encoder, settings),
@@ -221,14 +227,16 @@ def _shutters(each: Configuration, bench: _Bench, settings: Settings) -> _Shutte
     )
 
 
-def _encoder(each: Configuration, seed: int) -> Encoder:
-    """Random codes, the 2 x 2 pattern for stills."""
+def _encoder(each: Configuration, settings: Settings) -> Encoder:
+    """The codes that a configuration is captured with."""
+    tile, start = ((2, 2), "quad") if each.kind == "stills" else (TILE, "random")
+    length = settings.length or max(1, each.slots // 4)
     spec = ShutterSpec(
-        each.shutters, each.slots, (2, 2) if each.kind == "stills" else TILE,
-        length=max(1, each.slots // 4) if each.shutters == "c" else None,
-        rows=ROWS if each.shutters == "codebook" else None,
+        each.shutters, each.slots, settings.tile or tile,
+        length=length if each.shutters == "c" else None,
+        rows=settings.rows if each.shutters == "codebook" else None,
     )  # fmt: skip
-    return make_encoder(spec, "quad" if each.kind == "stills" else "random", seed)
+    return make_encoder(spec, settings.init or start, settings.seed)
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,0 +1,78 @@
+"""The devkits that programs are written for, by what their libraries call things in public."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from nscc.emit.cpp.patterns import ADDRESS_BITS
+from nscc.operations import ANALOG_WRITE
+from nscc.target.target import Target
+from nscc.words.container import Container
+
+_SIDE = 1 << ADDRESS_BITS
+_IN_LOW, _IN_HIGH = -128, 127
+_NAMES = re.compile(r"\bscamp5(_\w+(?=\()|\.hpp)")
+
+
+@dataclass(frozen=True)
+class Devkit:
+    """A chip's library: `library` begins its names. It has `digital` registers R0, R1, ..; with
+    `tables` kernels may be constant tables of words, whose layout is then public."""
+
+    name: str
+    library: str
+    digital: int
+    tables: bool
+
+    @property
+    def registers(self) -> frozenset[str]:
+        """The registers that it has names for."""
+        return frozenset(ANALOG_WRITE) | {f"R{i}" for i in range(self.digital)}
+
+    def named(self, line: str) -> str:
+        """A line of C++, written for the SCAMP-5d's library, for this one's."""
+        return _NAMES.sub(lambda found: f"{self.library}{found[1]}", line).replace(
+            "SCAMP5_PE", f"{self.library.upper()}_PE"
+        )
+
+
+DEVKITS = (
+    Devkit("SCAMP-5d", "scamp5", 13, tables=True),
+    Devkit("SCAMP-7", "scamp7", 23, tables=False),
+)
+
+
+def devkit_of(target: Target) -> Devkit:
+    """The first devkit that has the target's registers; the last one where none has."""
+    own = {*target.analog_registers, *target.digital_registers}
+    return next((each for each in DEVKITS if own <= each.registers), DEVKITS[-1])
+
+
+def devkit_fault(container: Container, devkit: Devkit) -> str | None:
+    """Why a devkit's chip cannot stand in for the container's, as half a sentence."""
+    target = container.target
+    names = (*target.analog_registers, *target.digital_registers)
+    extra = [name for name in names if name not in devkit.registers]
+    if extra:
+        shown = ", ".join(extra) if len(extra) < 4 else f"{extra[0]} to {extra[-1]}"
+        return f"has registers that no devkit has: {shown}"
+    if "R12" in target.digital_registers and (
+        (target.mask_register, target.masked_register) != ("R0", "R12")
+    ):
+        return f"writes R12 in all pixels, and the {devkit.name} devkit only where R0 is 1"
+    if target.words:
+        shown = ", ".join(row.name for row in target.words[:4])
+        return f"has words that the {devkit.name} devkit does not: {shown}"
+    if target.rows > _SIDE or target.cols > _SIDE:
+        return (
+            f"has {target.rows} x {target.cols} pixels, and the {devkit.name} devkit "
+            f"{_SIDE} x {_SIDE}"
+        )
+    levels = [each.level for each in container.launches if each.level is not None]
+    if levels and not _IN_LOW <= min(levels) <= max(levels) <= _IN_HIGH:
+        return (
+            f"sets IN to {min(levels)} to {max(levels)} steps, and the {devkit.name} devkit to "
+            f"{_IN_LOW} to {_IN_HIGH}"
+        )
+    return None

@@ -1,0 +1,84 @@
+"""Words with more sources than a call takes, as several words that do the same.
+
+A result gathers in the register that it goes to, for no native word reads that; FLAG can gather
+nothing, so that a WHERE of many sources goes through a register that the program does not use.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from nscc.emit.cpp.kernels import MOST_DESTINATIONS, MOST_SOURCES
+from nscc.operations import Op, Phase, op, pair
+from nscc.words.container import Container
+from nscc.words.encoding import decode
+
+
+def narrowed(container: Container) -> list[list[Op]] | None:
+    """The kernels in words that all have calls; None where a WHERE lacks a register."""
+    kernels = [[decode(word) for word in kernel.words] for kernel in container.kernels]
+    scratch = _unused(container, kernels)
+    try:
+        return [list(_kernel(kernel, scratch)) for kernel in kernels]
+    except _NoRegister:
+        return None
+
+
+class _NoRegister(Exception):
+    """No register is left."""
+
+
+def _unused(container: Container, kernels: Sequence[Sequence[Op]]) -> str | None:
+    target = container.target
+    used = {r for kernel in kernels for each in kernel for r in (*each.destinations, *each.sources)}
+    used |= {*container.code_registers, target.mask_register, target.masked_register}
+    return next((r for r in target.digital_registers if r not in used), None)
+
+
+def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
+    read: Op | None = None
+    for each in kernel:
+        if each.operation.phase is Phase.READ:
+            read = each
+        elif each.operation.phase is Phase.WRITE:
+            assert read is not None
+            yield from _in_place(read, each)
+        elif each.name == "WHERE" and len(each.sources) > MOST_SOURCES["WHERE"]:
+            if scratch is None:
+                raise _NoRegister
+            yield from _gathered("OR", scratch, each.sources)
+            yield op("WHERE", (), (scratch,))
+        elif each.name in ("OR", "NOR") and len(each.sources) > MOST_SOURCES[each.name]:
+            yield from _gathered(each.name, each.destinations[0], each.sources)
+        elif each.name in ("SET", "CLR") and len(each.destinations) > MOST_DESTINATIONS:
+            for at in range(0, len(each.destinations), MOST_DESTINATIONS):
+                yield op(each.name, each.destinations[at : at + MOST_DESTINATIONS])
+        else:
+            yield each
+
+
+def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
+    """`register` := `kind` of many sources, none of which it is."""
+    most = MOST_SOURCES["OR"]
+    if len(sources) <= most:
+        yield op(kind, (register,), sources)
+    else:
+        yield op("OR", (register,), sources[:most])
+        yield from _more(kind, register, sources[most:])
+
+
+def _in_place(read: Op, write: Op) -> Iterator[Op]:
+    """A pair that reads its own register and at most one more has a call."""
+    (register,) = write.destinations
+    others = tuple(name for name in read.sources if name != register)
+    if len(others) < 2 or register not in read.sources:
+        yield from (read, write)
+    else:
+        yield from _more(read.name.partition(".")[0], register, others)
+
+
+def _more(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
+    """`register` := `kind` of itself and the sources, one at a time."""
+    for source in sources[:-1]:
+        yield from pair("OR", register, (register, source))
+    yield from pair(kind, register, (register, sources[-1]))

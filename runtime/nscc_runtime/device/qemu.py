@@ -1,0 +1,115 @@
+"""The firmware on a Cortex-M that QEMU emulates: compiled for the chip, and run bit by bit.
+
+Its first serial port is the line; behind the second one runs the emulator of the pixels.
+"""
+
+from __future__ import annotations
+
+import shutil
+import socket
+import tempfile
+from pathlib import Path
+from struct import Struct
+from typing import TYPE_CHECKING, Literal
+
+from nscc_runtime.device.firmware import (
+    CORE_FLAGS,
+    SOURCES,
+    WARNINGS,
+    Built,
+    Job,
+    NotBuilt,
+    Running,
+    compiled,
+)
+
+if TYPE_CHECKING:
+    from nscc.target.target import Target
+    from nscc_runtime.device.board import EmulatedChip
+
+Core = Literal["m0", "m4"]
+COMPILER, EMULATOR = "arm-none-eabi-g++", "qemu-system-arm"
+_MACHINES: dict[Core, str] = {"m0": "mps2-an385", "m4": "mps2-an386"}
+"""What runs the code of a core. A Cortex-M3 runs a Cortex-M0's, here with its traps."""
+_PARTS = ("core", "port", "emulated", "qemu")
+CHIP_FLAGS = (
+    *CORE_FLAGS, *WARNINGS, "-O2", "-mthumb", "-fno-threadsafe-statics", "-ffunction-sections",
+    "-fdata-sections", "-nostartfiles", "--specs=nosys.specs", "-Wl,--gc-sections",
+)  # fmt: skip
+_TIME = "shift=2,sleep=off"
+"""An instruction takes 4 ns, about what it takes on the SCAMP-5d: how busy this machine is does not
+make launches late."""
+_WANTED = Struct("<III")
+_START_S = 20.0
+
+
+def missing() -> str | None:
+    """Which of the two programs that this needs is not installed; None where both are."""
+    return next((name for name in (COMPILER, EMULATOR) if shutil.which(name) is None), None)
+
+
+def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Built:
+    """The loader for a target, compiled for a core; raises NotBuilt."""
+    absent = missing()
+    if absent is not None:
+        raise NotBuilt(f"{absent} is not installed")
+    command = [
+        COMPILER, *CHIP_FLAGS, f"-mcpu=cortex-{core}", f"-L{SOURCES / 'port'}",
+        f"-T{SOURCES / 'qemu/mps2.ld'}",
+    ]  # fmt: skip
+    return Built(compiled(command, _PARTS, target, folder), COMPILER, target)
+
+
+def command(core: Core, image: Path, time: str) -> list[str]:
+    """What runs an image, without its serial ports; `time` as QEMU's -icount takes it."""
+    return [
+        EMULATOR, "-M", _MACHINES[core], "-kernel", str(image), "-icount", time,
+        "-display", "none", "-monitor", "none",
+    ]  # fmt: skip
+
+
+class Emulated(Running):
+    """A loader on an emulated board."""
+
+    def __init__(self, loader: Built, chip: EmulatedChip, core: Core = "m4") -> None:
+        self._frame: tuple[int, bytes] = 0, b""
+        with tempfile.TemporaryDirectory(prefix="nscc-qemu-") as name:
+            path = f"{name}/line"
+            with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as listening:
+                listening.bind(path)
+                listening.listen(1)
+                listening.settimeout(_START_S)
+                super().__init__(
+                    [
+                        *command(core, loader.path, _TIME),
+                        "-chardev", f"socket,id=line,path={path}", "-serial", "chardev:line",
+                        "-chardev", "stdio,id=records,signal=off", "-serial", "chardev:records",
+                    ],
+                    loader.target, chip,
+                )  # fmt: skip
+                try:
+                    line, _ = listening.accept()
+                except TimeoutError:
+                    self.close()
+                    raise NotBuilt(f"{EMULATOR} does not start") from None
+            line.setblocking(False)
+            self._line = line.detach()
+
+    def sent(self, job: Job, frame: bytes) -> bytes:
+        """Nothing: the board asks for the bytes of a frame, a column at a time."""
+        self._frame = job.number, frame
+        return b""
+
+    def follow(self, kind: bytes, data: bytes) -> None:
+        """Do what a record of the loader's asks for."""
+        if kind != b"C":
+            super().follow(kind, data)
+            return
+        number, offset, count = _WANTED.unpack(data)
+        there, frame = self._frame
+        self.put(b"B", frame[offset : offset + count] if number == there else b"")
+
+    def close(self) -> int:
+        """End the emulator, which does not end by itself."""
+        self._process.kill()
+        return super().close()

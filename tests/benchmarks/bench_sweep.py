@@ -1,0 +1,85 @@
+"""A sweep of 200 programs on two workers: at least 1.6 times as fast as one after the other, and at
+most 50 ms a point that is not its own work.
+
+    python tests/benchmarks/bench_sweep.py [POINTS]
+
+Both are whole commands, the cluster's start included. The work of a point is what `times.csv` says
+of it, at least 0.3 s of it; what is left of the workers' time between the first point and the last
+is overhead.
+"""
+
+from __future__ import annotations
+
+import csv
+import subprocess
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from time import perf_counter
+
+POINTS = 200
+WORKERS = 2
+LEAST_RATIO = 1.6
+MOST_OVERHEAD_MS = 50.0
+LEAST_WORK_S = 0.3
+GRID = """
+kind = "compile"
+
+[bumps]
+rule = '''
+code start : 0..N - 4
+open when start <= n < start + 4'''
+slots = {slots}
+codes = "open"
+level = 1
+target = "scamp5"
+lowering = ["accumulate", "latch"]
+"""
+FEWEST_SLOTS = 160
+
+
+def main() -> int:
+    """Measure and print; 1 if a goal is missed."""
+    points = int(sys.argv[1]) if len(sys.argv) > 1 else POINTS
+    with TemporaryDirectory() as folder:
+        grid = Path(folder) / "grid.toml"
+        slots = [*range(FEWEST_SLOTS, FEWEST_SLOTS + points // 2)]
+        grid.write_text(GRID.format(slots=slots))
+        serial_s, _ = swept(grid, 0)
+        two_s, between_s = swept(grid, WORKERS)
+        work_s = [float(row["seconds"]) for row in times(grid.with_name(str(WORKERS)))]
+        tables = {(grid.with_name(out) / "table.csv").read_bytes() for out in ("0", str(WORKERS))}
+    ratio = serial_s / two_s
+    overhead_ms = (between_s * WORKERS - sum(work_s)) / len(work_s) * 1e3
+    print(f"{len(work_s)} points, of {min(work_s):.2f} to {max(work_s):.2f} s each")
+    print(f"serial {serial_s:.1f} s, {WORKERS} workers {two_s:.1f} s: x {ratio:.2f} "
+          f"(goal: {LEAST_RATIO})")  # fmt: skip
+    print(f"overhead {overhead_ms:.1f} ms a point (goal: at most {MOST_OVERHEAD_MS:g})")
+    print(f"the same table: {'yes' if len(tables) == 1 else 'NO'}")
+    met = ratio >= LEAST_RATIO and overhead_ms <= MOST_OVERHEAD_MS and len(tables) == 1
+    if min(work_s) < LEAST_WORK_S:
+        print(f"points of less than {LEAST_WORK_S} s say little of what the goals are about")
+    return 0 if met else 1
+
+
+def swept(grid: Path, workers: int) -> tuple[float, float]:
+    """Seconds of the whole command, and from the first begin of a point to the last end."""
+    out = grid.with_name(str(workers))
+    arguments = ["sweep", str(grid), "--out", str(out), "--workers", str(workers)]
+    begin = perf_counter()
+    subprocess.run([sys.executable, "-m", "nscc_cli", *arguments], check=True, capture_output=True)
+    whole_s = perf_counter() - begin
+    ended_s = [float(row["ended_s"]) for row in times(out)]
+    return whole_s, max(ended_s) - min(
+        end_s - float(row["seconds"]) for end_s, row in zip(ended_s, times(out), strict=True)
+    )
+
+
+def times(out: Path) -> list[dict[str, str]]:
+    """What a sweep wrote about its points."""
+    with open(out / "times.csv", newline="") as file:
+        return [*csv.DictReader(file)]
+
+
+if __name__ == "__main__":
+    sys.exit(main())

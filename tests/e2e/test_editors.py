@@ -1,0 +1,131 @@
+"""The extension for VS Code, as far as a machine without a screen can try it."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+import zipfile
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import pytest
+from textmate_colours import Token, colours
+
+import nscc
+from nscc.source import Source
+from nscc.syntax.lexer import lex
+
+ROOT = Path(__file__).parents[2]
+EXTENSION = ROOT / "editors" / "vscode"
+EXAMPLES = sorted((ROOT / "examples").glob("*.nsl"))
+SOURCE = (EXTENSION / "src" / "extension.js").read_text()
+
+SCOPES = {
+    "TEXT": "string.", "INTEGER": "constant.numeric.", "TIME": "constant.numeric.time.",
+    "GROUPED": "constant.numeric.digits.", "LEVEL": "constant.numeric.level.", "NAME": "variable.",
+    "TARGET_NAME": "entity.name.type.", "COMPARISON": "keyword.operator.", "[": "punctuation.",
+    "]": "punctuation.", "(": "punctuation.", ")": "punctuation.", ",": "punctuation.",
+    "true": "constant.language.", "false": "constant.language.", "min": "support.function.",
+    "max": "support.function.",
+}  # fmt: skip
+"""What tokens of the compiler's lexer are coloured as; other words and signs are keywords."""
+
+
+def package() -> Any:
+    return json.loads((EXTENSION / "package.json").read_text())
+
+
+def assert_coloured(text: str, found: Iterable[Token]) -> None:
+    """Every token and comment of a program has the scope of its kind."""
+    at = {(row, start): (end, scope) for row, start, end, scope in found}
+    tokens = lex(Source("a.nsl", text))
+    wanted = [(tokens.span(k), SCOPES.get(kind, "keyword.")) for k, kind in enumerate(tokens.kinds)]
+    for span, scope in wanted:
+        row = text.count("\n", 0, span.start)
+        start = span.start - (text.rfind("\n", 0, span.start) + 1)
+        end, given = at[row, start]
+        assert (text[span.start : span.end], end - start) == (
+            text[span.start : span.end], span.end - span.start,
+        )  # fmt: skip
+        assert given.startswith(scope), (text[span.start : span.end], given)
+    lines = text.split("\n")
+    assert all(scope == "comment.line.number-sign.nsl" or "#" not in lines[row][start:end]
+               for (row, start), (end, scope) in at.items())  # fmt: skip
+
+
+def test_the_grammar_is_what_the_generator_makes() -> None:
+    made = subprocess.run([sys.executable, str(ROOT / "editors/textmate.py"), "--check"])
+    assert made.returncode == 0
+
+
+@pytest.mark.parametrize("path", EXAMPLES, ids=lambda path: path.stem)
+def test_colours(path: Path) -> None:
+    grammar = json.loads((EXTENSION / "syntaxes/nsl.tmLanguage.json").read_text())
+    text = path.read_text(encoding="utf-8")
+    assert_coloured(text, colours(grammar, text))
+
+
+def test_words_of_version_2_have_no_colour_in_version_1() -> None:
+    grammar = json.loads((EXTENSION / "syntaxes/nsl.tmLanguage.json").read_text())
+    for version, scope in ((1, "variable.other.nsl"), (2, "keyword.control.nsl")):
+        found = colours(grammar, f"# nsl 2 and nsl 1\nnsl {version}\nlet a = 1 + sense")
+        assert found[-1] == (2, 12, 17, scope)
+
+
+def test_what_is_declared_is_there() -> None:
+    about = package()
+    assert about["version"] == nscc.__version__
+    contributed = about["contributes"]
+    files = [contributed["grammars"][0]["path"], contributed["languages"][0]["configuration"]]
+    assert all(isinstance(json.loads((EXTENSION / name).read_text()), dict) for name in files)
+    commands = {each["command"] for each in contributed["commands"]}
+    assert commands == set(re.findall(r'"(nscc\.\w+)"', SOURCE))
+    for menu in contributed["menus"].values():
+        assert {item["command"] for item in menu} <= commands
+    settings = {name.removeprefix("nscc.") for name in contributed["configuration"]["properties"]}
+    assert settings == set(re.findall(r'\.get\("(\w+)"\)', SOURCE))
+    assert "node_modules" not in {path.name for path in EXTENSION.iterdir()}
+
+
+@pytest.mark.slow
+def test_the_packed_extension(tmp_path: Path) -> None:
+    """Packed by `make vsix`; its colours by VS Code's own library; it talks to `nscc lsp`."""
+    if not shutil.which("npm"):
+        pytest.skip("npm is not there")
+    subprocess.run(["make", "vsix", f"OUT={tmp_path}"], cwd=ROOT, check=True, timeout=600)
+    built = tmp_path / "vscode"
+    for path in EXAMPLES:
+        found = said_by("colours.js", built, path)
+        assert_coloured(path.read_text(encoding="utf-8"), [tuple(each) for each in found])
+    with zipfile.ZipFile(tmp_path / "nscc.vsix") as packed:
+        packed.extractall(tmp_path / "packed")
+    unpacked = tmp_path / "packed" / "extension"
+    names = {path.relative_to(unpacked).as_posix() for path in unpacked.rglob("*.js*")}
+    assert names == {"package.json", "language-configuration.json", "dist/extension.js",
+                     "syntaxes/nsl.tmLanguage.json"}  # fmt: skip
+    program = tmp_path / "a.nsl"
+    program.write_text("nsl 1\nframe 8 slots of 1ms\nopen when n <= 7\n")
+    command = json.dumps([sys.executable, "-m", "nscc_cli"])
+    seen = said_by("host.js", unpacked, program, command)
+    assert seen["diagnostics"][0] == []
+    assert seen["drawn"] == [True, True]
+    assert seen["messages"] == ["built a.icw"]
+    program.write_text("nsl 1\nframe 8 slots of 1ms\nopen when m < 7\n")
+    failed = subprocess.run(
+        ["node", str(ROOT / "tests/editors/host.js"), str(unpacked), str(program), command],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    assert '[["NS0214",2]]' in failed.stdout + failed.stderr
+
+
+def said_by(script: str, *arguments: object) -> Any:
+    found = subprocess.run(
+        ["node", str(ROOT / "tests/editors" / script), *map(str, arguments)],
+        capture_output=True, text=True, timeout=300,
+    )  # fmt: skip
+    assert found.returncode == 0, found.stderr
+    return json.loads(found.stdout)

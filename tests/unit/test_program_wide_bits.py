@@ -1,0 +1,79 @@
+"""Bit fields of any length: more bits than a number has are kept as several numbers."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nscc
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.target.load import load_target
+
+ROWS, COLS = 5, 9
+STREAM = replace(load_target("dual-tap", Path()), rows=ROWS, cols=COLS, name="small")
+SCAMP = replace(load_target("scamp5", Path()), rows=ROWS, cols=COLS, name="scamp")
+
+
+def text(count: int, rule: str = "bits[n]", pixels: str = 'pixels from "bits.npz"') -> str:
+    return (
+        f"nsl 1\nframe {count} slots of 1ms\ncode bits : bit[{count}]\nopen when {rule}\n{pixels}\n"
+    )
+
+
+@pytest.mark.parametrize("count", [1, 61, 62, 63, 100, 124, 125, 300])
+def test_every_bit_of_every_pixel_is_a_slot(count: int, tmp_path: Path) -> None:
+    bits = np.random.default_rng(count).integers(0, 2, (ROWS, COLS, count)).astype(np.uint8)
+    np.savez(tmp_path / "bits.npz", bits=bits)
+    for rule, wanted in (("bits[n]", bits), ("bits[N - 1 - n]", bits[:, :, ::-1])):
+        program = nscc.compile(text(count, rule), target=STREAM, folder=tmp_path)
+        found = program.shutters(pixels=True)[0].transpose(1, 2, 0)
+        assert np.array_equal(found, wanted == 1)
+    program.save(tmp_path / "p.icw")
+    again = nscc.load(tmp_path / "p.icw")
+    turned = bits[::-1, ::-1]
+    if count > 62:
+        moved = again.with_pixels(bits=turned).shutters(pixels=True)[0]
+        assert np.array_equal(moved.transpose(1, 2, 0), turned[:, :, ::-1] == 1)
+
+
+def test_registers_hold_what_is_in_use(tmp_path: Path) -> None:
+    few = np.random.default_rng(0).integers(0, 2, (4, 100))
+    np.savez(tmp_path / "bits.npz", bits=few[np.arange(ROWS * COLS).reshape(ROWS, COLS) % 4])
+    program = nscc.compile(text(100), target=SCAMP, folder=tmp_path)
+    assert np.array_equal(np.unique(program.shutters()[0], axis=0), np.unique(few == 1, axis=0))
+
+
+def test_numbers_give_the_lowest_bits() -> None:
+    program = nscc.compile(text(70, pixels="pixels bits = 5 + 8 * (x % 2)"), target=STREAM)
+    found = program.shutters(pixels=True)[0]
+    assert np.flatnonzero(found[:, 0, 0]).tolist() == [0, 2]
+    assert np.flatnonzero(found[:, 0, 1]).tolist() == [0, 2, 3]
+
+
+@pytest.mark.parametrize(
+    ("program", "code"),
+    [
+        (text(70, "bits > 3", "pixels bits = 5"), "NS0513"),
+        (text(70, "bits[70]", "pixels bits = 5"), "NS0303"),
+        (text(70, pixels="pixels bits = -1"), "NS0311"),
+        (text(70, pixels=""), "NS0450"),
+        (text(20000, pixels=""), "NS0450"),
+        (text(70, pixels='pixels from "bits.npz"'), "NS0314"),
+    ],
+)
+def test_what_cannot_be_is_told(program: str, code: str, tmp_path: Path) -> None:
+    np.savez(tmp_path / "bits.npz", bits=np.zeros((ROWS, COLS, 69), np.uint8))
+    with pytest.raises(Rejected) as caught:
+        nscc.compile(program, target=STREAM, folder=tmp_path)
+    (wrong,) = caught.value.diagnostics
+    assert wrong.code == code
+    assert len(wrong.message) < 250
+
+
+def test_bits_are_0_and_1(tmp_path: Path) -> None:
+    np.savez(tmp_path / "bits.npz", bits=np.full((ROWS, COLS, 70), 2))
+    with pytest.raises(Rejected, match="other than 0 and 1"):
+        nscc.compile(text(70), target=STREAM, folder=tmp_path)

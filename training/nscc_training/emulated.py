@@ -1,0 +1,160 @@
+"""The sensor that the user has: what the emulator makes of light, as a table that gradients pass.
+
+A program is exposed once, by the emulator, to steady light of many levels. From these frames come,
+for every place of its tile, the mean code and the deviation from it, over noise and over chips:
+gains and offsets of words, the curve of registers, dark current, noise by code, the end of the
+readout. Crosstalk, which needs edges, is applied to the light as the emulator does it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection, selected
+from nscc_runtime.effects.crosstalk import CROSSTALK, FRACTION
+from nscc_runtime.light import Light
+from nscc_runtime.sensor import Sensor
+from nscc_runtime.simulate import Request, simulate
+from nscc_training.draws import normal
+from nscc_training.gradients import rounded, saturated
+from nscc_training.sensor_model import SensorModel, laid
+
+_DARK_LEVELS = 16
+_DARKEST = 1 / 64
+"""Full wells that the longest shutter gets of the weakest light that is not 0."""
+_BENT = (0.85, 1.15)
+"""Full wells between which registers and PIX bend what they hold: levels are dense there."""
+_DENSE = 1.03
+_CHIPS, _FRAMES = 8, 2
+"""Chips whose pixels differ, and frames of each."""
+
+
+@dataclass(frozen=True, eq=False)
+class EmulatedSensor:
+    """What steady light becomes at the places (r, c) of a tile.
+
+    `light_e` (K,) ascending from 0, electrons that fall over the frame; `code` and `spread`
+    (K, r, c): mean and standard deviation of codes above the ADC's offset, before they are rounded;
+    `crosstalk`: the part of its charge that each of a pixel's four neighbours gets.
+    """
+
+    light_e: Tensor
+    code: Tensor
+    spread: Tensor
+    crosstalk: float
+
+    def smeared(self, light: Tensor) -> Tensor:
+        """Light (.., rows, cols) as neighbours exchange it; the border reflects."""
+        down = light[..., 1:, :] - light[..., :-1, :]
+        right = light[..., :, 1:] - light[..., :, :-1]
+        pad = torch.nn.functional.pad
+        flow = pad(down, (0, 0, 0, 1)) - pad(down, (0, 0, 1, 0))
+        flow = flow + pad(right, (0, 1)) - pad(right, (1, 0))
+        return light + self.crosstalk * flow
+
+    def read_out(
+        self, exposure_e: Tensor, share: Tensor, model: SensorModel,
+        generator: torch.Generator | None,
+    ) -> Tensor:  # fmt: skip
+        """Codes above the ADC's offset, float32 (batch, rows, cols).
+
+        `exposure_e` float64, electrons of the open slots; `share` (r, c) of the tile, the part of
+        the frame in which each place is open. Without a generator there is no noise, nor any
+        difference between pixels of a place. `model` says where codes end.
+        """
+        rows, cols = exposure_e.shape[-2:]
+        open_share = laid(share, rows, cols).to(exposure_e)
+        steady = exposure_e / open_share.clamp(min=1e-9)
+        known = self.light_e.to(exposure_e)
+        after = torch.searchsorted(known, steady.detach().contiguous(), right=True)
+        after = after.clamp(1, len(known) - 1)
+        part = (steady - known[after - 1]) / (known[after] - known[after - 1])
+        codes = self._between(self.code, after, part.clamp(max=1))
+        if generator is not None:
+            sigma = self._between(self.spread, after, part.detach().clamp(max=1))
+            codes = codes + model.noise_factor * sigma * normal(codes, generator, torch.float32)
+        codes = rounded(codes) + model.adc_offset_lsb
+        codes = saturated(codes, 0.0, float(model.top_code), model.slope)
+        return codes.float() - model.adc_offset_lsb
+
+    def _between(self, table: Tensor, after: Tensor, part: Tensor) -> Tensor:
+        """Values (batch, rows, cols) of a table (K, r, c) between entries `after` - 1 and that."""
+        rows, cols = after.shape[-2:]
+        down = torch.arange(rows, device=after.device).reshape(-1, 1) % table.shape[1]
+        across = torch.arange(cols, device=after.device) % table.shape[2]
+        table = table.to(part)
+        low, high = table[after - 1, down, across], table[after, down, across]
+        return low + part * (high - low)
+
+
+def emulated_sensor(
+    container: Container, tile: tuple[int, int], sensor: Sensor, effects: str
+) -> EmulatedSensor:
+    """What the emulator makes of a program with pixels of a tile (rows, cols) and one bucket.
+
+    `effects` as `--effects` takes them; Rejected as there. Takes a few seconds.
+    """
+    chosen = selected(effects)
+    assert container.pixel_codes is not None
+    slot_s = np.asarray(container.slot_us)
+    lanes = container.table.shutter_of_code[container.pixel_codes[: tile[0], : tile[1]]]
+    share = (container.table.shutters[:, 0] @ slot_s / slot_s.sum())[lanes]
+    opened = share[share > 0]
+    full_e = float(sensor.full_well_e)
+    first, last = _BENT[0] * full_e / opened.max(), _BENT[1] * full_e / opened.min()
+    weak = np.geomspace(_DARKEST * full_e / opened.max(), first, _DARK_LEVELS, endpoint=False)
+    dense = np.geomspace(first, last, 2 + int(np.log(last / first) / np.log(_DENSE)))
+    light_e = np.concatenate([[0.0], weak, dense])
+    code, spread = _measured(container, tile, light_e, sensor, chosen)
+    crosstalk = FRACTION(sensor) if CROSSTALK in chosen.effects else 0.0
+    arrays = (torch.from_numpy(each) for each in (light_e, code, spread))
+    return EmulatedSensor(*arrays, crosstalk)
+
+
+def emulated_codes(
+    container: Container, light: Light, sensor: Sensor, effects: Selection | str,
+    seed: int = 0, device_seed: int = 0, repeat: int | None = None,
+) -> NDArray[np.float32]:  # fmt: skip
+    """Codes above the ADC's offset (rows, cols), with `repeat` an axis in front, as `nscc run
+    --effects` gives them; of a program with one bucket."""
+    request = Request.of(effects=effects, seed=seed, device_seed=device_seed, repeat=repeat)
+    frame = simulate(container, light, sensor, request).frame.frame
+    return np.asarray(frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32)
+
+
+def _measured(
+    container: Container, tile: tuple[int, int], light_e: NDArray[np.float64], sensor: Sensor,
+    effects: Selection,
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:  # fmt: skip
+    """Mean and standard deviation of codes (K, r, c). Levels stand side by side on the array, each
+    on columns of whole tiles; as many scenes as that takes."""
+    rows, cols = container.target.rows, container.target.cols
+    down, across = rows // tile[0], cols // tile[1]
+    times = max(1, across // len(light_e))
+    held = across // times
+    slot_s = np.asarray(container.slot_us)
+    sums, squares = np.zeros((2, len(light_e), *tile))
+    for first in range(0, len(light_e), held):
+        levels = light_e[first : first + held]
+        # What is left over at the right has the last level, and is not looked at.
+        row = np.full(cols, levels[-1])
+        width = times * tile[1]
+        row[: len(levels) * width] = np.repeat(levels, width)
+        still = np.broadcast_to(row, (rows, cols)).astype(np.float32)
+        light = Light.of_still(np.ascontiguousarray(still), slot_s / slot_s.sum())
+        for chip in range(_CHIPS):
+            codes = emulated_codes(container, light, sensor, effects, chip, chip, _FRAMES)
+            part = codes[:, : down * tile[0], : len(levels) * width].astype(np.float64)
+            part = part.reshape(_FRAMES, down, tile[0], len(levels), times, tile[1])
+            each = slice(first, first + len(levels))
+            sums[each] += part.mean(axis=(0, 1, 4)).transpose(1, 0, 2) / _CHIPS
+            squares[each] += np.square(part).mean(axis=(0, 1, 4)).transpose(1, 0, 2) / _CHIPS
+    # Rounding adds a twelfth, which codes get again when the table is used.
+    variance = np.maximum(squares - np.square(sums) - 1 / 12, 0)
+    return sums, np.sqrt(variance)
