@@ -21,7 +21,7 @@ from hypothesis import strategies as st
 from nscc.operations import OPERATIONS
 from nscc.words.encoding import encode, matching
 from nscc.words.legality import target_fault
-from nscc_runtime.device.host import Host, Refused, SessionLost, Silent, Stalled
+from nscc_runtime.device.host import Contested, Host, Refused, SessionLost, Silent, Stalled
 from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.messages import (
     DATA,
@@ -40,6 +40,7 @@ from nscc_runtime.device.messages import (
 )
 from nscc_runtime.device.objects import Object, ObjectKind, program_digest, target_digest
 from nscc_runtime.device.packets import REPLY, Kind, Packet, Unpacker
+from nscc_runtime.device.tasks import Implausible
 
 pytestmark = pytest.mark.xdist_group("firmware")
 EXAMPLE = examples()[0]
@@ -270,7 +271,7 @@ def test_a_host_ends_whatever_a_loader_says(
     host = new_host(1)
     now, unpacker, latest = 0.0, Unpacker(), None
     waiting = list(answers)
-    with pytest.raises((Silent, Stalled, Refused)):  # noqa: PT012
+    with pytest.raises((Silent, Stalled, Refused, Contested, Implausible)):  # noqa: PT012
         work = uploaded_and_captured(host, EXAMPLE.upload, 1)
         host.start(host.lasting(work), now)
         for _ in range(3000):
