@@ -11,14 +11,11 @@ from pathlib import Path
 
 import pytest
 
-from nscc_runtime.device.firmware import CORE_FLAGS, SOURCES, WARNINGS
+from nscc_runtime.device import qemu
+from nscc_runtime.device.firmware import SOURCES
 
 PREFIX = "arm-none-eabi-"
-CHIP_FLAGS = (
-    *CORE_FLAGS, *WARNINGS, "-Werror", "-Os", "-mthumb", "-fno-threadsafe-statics",
-    "-ffunction-sections", "-fdata-sections", "-fcallgraph-info=su", "-nostartfiles",
-    "--specs=nosys.specs", "-Wl,--gc-sections",
-)  # fmt: skip
+CHIP_FLAGS = (*qemu.CHIP_FLAGS, "-Werror", "-fcallgraph-info=su")
 _INDIRECT = "__indirect_call"
 
 

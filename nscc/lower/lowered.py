@@ -55,14 +55,16 @@ class Lowered:
 
     @cached_property
     def busy_us(self) -> list[float]:
-        """Time that each boundary's words take, launches and the settling of IN included; at
-        boundary 0 of those that run after the exposure has started."""
+        """Time of each boundary's words, with launches, the settling of IN, and the loop that
+        waited for it; at boundary 0 of those that run after the exposure has started."""
         each_us = [kernel_us(kernel, self.program.target) for kernel in self.schedule.kernels]
         busy = [0.0] * (self.plan.slots + 1)
         for boundary, kernel in self.schedule.launches:
             busy[boundary] += each_us[kernel]
         for boundary in self.schedule.settles():
             busy[boundary] += self.program.target.in_settle_us
+        for boundary in {boundary for boundary, _ in self.schedule.launches} - {0}:
+            busy[boundary] += self.program.target.wait_us
         busy[0] -= self.schedule.setup_us
         return busy
 

@@ -42,7 +42,7 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
     if certain:
         worst = _too_short(lowered)[0]
         needed_us = _least_us(lowered, worst)
-        why = f"its analog words and one launch take {time_text(needed_us)}"
+        why = f"its analog words, one launch and the loop take {time_text(needed_us)}"
     else:
         worst = max(lowered.late, key=lambda n: lowered.busy_us[n] - slots_us[n])
         needed_us = lowered.busy_us[worst]
@@ -122,7 +122,7 @@ def _where_they_go(lowered: Lowered, boundary: int) -> str:
 def _times(target: Target) -> str:
     return (
         f"{target.digital_word_us:g} us a digital word, {target.analog_word_us:g} us an analog "
-        f"one, {target.launch_us:g} us a launch"
+        f"one, {target.launch_us:g} us a launch, {target.wait_us:g} us the loop at a boundary"
     )
 
 
@@ -139,10 +139,11 @@ def _too_short(lowered: Lowered) -> list[int]:
 
 
 def _least_us(lowered: Lowered, boundary: int) -> float:
-    """Time that no program can do without at a boundary: its analog words and one launch."""
+    """Time that no program can do without at a boundary: its analog words, one launch, the loop."""
     target = lowered.program.target
     analog = _analog_words(lowered, boundary)
-    return target.launch_us + analog * target.analog_word_us if analog else 0.0
+    loop_us = target.launch_us + (target.wait_us if boundary else 0.0)
+    return loop_us + analog * target.analog_word_us if analog else 0.0
 
 
 def _analog_words(lowered: Lowered, boundary: int) -> int:

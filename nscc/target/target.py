@@ -100,6 +100,10 @@ class Target:
     analog_word_us: float = _ours(_WORD_US, "one analog word", section="time")
     digital_word_us: float = _ours(_WORD_US, "one digital word", section="time")
     launch_us: float = _ours(Number(0, 1e9), "overhead of one kernel launch", section="time")
+    wait_us: float = _ours(
+        Number(0, 1e9), "the frame loop's own time at a boundary", section="time", later=True,
+        default=1.0,
+    )  # fmt: skip
     readout_us: float = _ours(
         Number(0, 1e12),
         "reading one analog register, or all taps, of the whole array out",

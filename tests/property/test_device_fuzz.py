@@ -21,7 +21,15 @@ from hypothesis import strategies as st
 from nscc.operations import OPERATIONS
 from nscc.words.encoding import encode, matching
 from nscc.words.legality import target_fault
-from nscc_runtime.device.host import Contested, Host, Refused, SessionLost, Silent, Stalled
+from nscc_runtime.device.host import (
+    Contested,
+    Host,
+    Implausible,
+    Refused,
+    SessionLost,
+    Silent,
+    Stalled,
+)
 from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.messages import (
     DATA,
@@ -40,7 +48,6 @@ from nscc_runtime.device.messages import (
 )
 from nscc_runtime.device.objects import Object, ObjectKind, program_digest, target_digest
 from nscc_runtime.device.packets import REPLY, Kind, Packet, Unpacker
-from nscc_runtime.device.tasks import Implausible
 
 pytestmark = pytest.mark.xdist_group("firmware")
 EXAMPLE = examples()[0]

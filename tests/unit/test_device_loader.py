@@ -31,7 +31,6 @@ from nscc_runtime.device.messages import (
     Status,
 )
 from nscc_runtime.device.objects import (
-    GRACE_NS,
     MOST_LAUNCHES,
     Object,
     ObjectKind,
@@ -491,7 +490,7 @@ def test_the_objects_of_a_container_are_those_of_the_protocol() -> None:
     assert [container.slot_us.count(us) for _, us in runs] == [n for n, _ in runs]
     rows = [(1 if launch.instant else 0, launch.kernel, 1) for launch in container.launches]
     assert all(one != other for one, other in pairwise(rows)), "no two rows are one"
-    assert made.objects[2] == schedule(8, runs, rows, GRACE_NS)
+    assert made.objects[2] == schedule(8, runs, rows, grace_ns=2000)
     for sent, (register, plane_bits) in zip(made.objects[3:], planes, strict=True):
         assert TARGET.digital_registers[sent.register] == register
         bits = [sent.data[i // 8] >> i % 8 & 1 for i in range(plane_bits.size)]

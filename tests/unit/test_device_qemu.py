@@ -9,6 +9,7 @@ from device_real_time import RealTime
 from device_sessions import TARGET, Example, chip_of, examples, session
 
 from nscc_runtime.device import qemu
+from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.serving import Loaded
 
 pytestmark = pytest.mark.skipif(
@@ -37,7 +38,7 @@ def test_faulty_sessions_end_with_the_right_frame(
     started: Callable[[Example], Loaded],
 ) -> None:
     for seed in range(4):
-        right, line = session(seed, started, RealTime, SLOT_US)
+        right, line = session(seed, started, RealTime, SLOT_US, Channel.CODES)
         assert right, line.faults
 
 
@@ -46,5 +47,5 @@ def test_a_hundred_faulty_sessions_end_with_the_right_frame(
     started: Callable[[Example], Loaded],
 ) -> None:
     for seed in range(4, 104):
-        right, line = session(seed, started, RealTime, SLOT_US)
+        right, line = session(seed, started, RealTime, SLOT_US, Channel.CODES)
         assert right, line.faults

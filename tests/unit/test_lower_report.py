@@ -93,7 +93,9 @@ def test_counts(name, chip):
     assert json.loads(json.dumps(values)) == values
     starts = Counter(launch.instant for launch in container.launches)
     busy = [
-        sum(word_us(name, target) for name, _, _ in here) + starts[n] * target.launch_us
+        sum(word_us(name, target) for name, _, _ in here)
+        + starts[n] * target.launch_us
+        + (target.wait_us if n and starts[n] else 0.0)
         for n, here in enumerate(words)
     ]
     exposed = max(i for i, word in enumerate(words[0]) if word[0] == "rpix")

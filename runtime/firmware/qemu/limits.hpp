@@ -13,12 +13,12 @@ constexpr char firmware[] = "nscc-loader 2 (QEMU)";
 constexpr uint32_t most_kernels = 256;
 constexpr uint32_t most_rows = 1024;
 constexpr uint32_t most_runs = 64;
-constexpr uint32_t most_frame = 1u << 23;
+constexpr uint32_t most_frame = 1u << 20;
 constexpr uint32_t most_kept = 8192;
 constexpr uint32_t window = 4096;
 constexpr size_t most_out = 2304;
 constexpr uint32_t ticks_per_us = 25;
-constexpr bool exact = true;
+constexpr bool exact = false;
 constexpr bool gains = true;
 
 }  // namespace nscc::limits

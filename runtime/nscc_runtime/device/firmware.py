@@ -124,7 +124,8 @@ def _compile(command: list[str], header: str, place: Path) -> None:
         line = [*command, f"-I{folder}", "-o", str(out)]
         done = subprocess.run(line, capture_output=True, text=True)
         if done.returncode:
-            raise NotBuilt(done.stderr.strip().splitlines()[0] if done.stderr else command[0])
+            lines = done.stderr.strip().splitlines() or [command[0]]
+            raise NotBuilt(next((line for line in lines if "error" in line), lines[0]))
         beside = place.with_name(f".{place.name}.{os.getpid()}")
         try:
             shutil.copy2(out, beside)

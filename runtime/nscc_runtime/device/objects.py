@@ -24,6 +24,7 @@ from enum import IntEnum
 from functools import cached_property
 from hashlib import sha256
 from itertools import groupby
+from math import ceil
 from struct import Struct
 
 import numpy as np
@@ -39,8 +40,6 @@ from nscc_runtime.device.messages import Begin, Entry
 MOST_TIMES = (1 << 16) - 1
 MOST_LAUNCHES = 1 << 20
 """Most launches of a frame, whatever its rows."""
-GRACE_NS = 2000
-"""How late a launch may be: what comes between two looks at the clock, with room to spare."""
 READOUT = Struct("<B7xd")
 SCHEDULE_HEAD = Struct("<III")
 RUN = Struct("<Id")
@@ -81,8 +80,8 @@ class Object:
 @dataclass(frozen=True)
 class Upload:
     """A program ready to be sent: `words`, `kernels`, `rows`, `runs` are what it takes of a
-    loader's room; `readouts`, `states` how many registers come with a frame, of so many `pixels`;
-    `levels`: IN is set; `frame_s` is how long exposure and readout take."""
+    loader's room, `frame_ms` and `readout_ms` of its time; `readouts`, `states` how many registers
+    come with a frame, of so many `pixels`; `levels`: IN is set."""
 
     target: bytes
     label: bytes
@@ -91,12 +90,13 @@ class Upload:
     kernels: int
     rows: int
     runs: int
+    frame_ms: int
+    readout_ms: int
     readouts: int
     states: int
     gains: bool
     levels: bool
     pixels: int
-    frame_s: float
 
     @cached_property
     def digest(self) -> bytes:
@@ -150,7 +150,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
     runs = [(len(list(same)), us) for us, same in groupby(container.slot_us)]
     levels = [(AS_IT_IS if level is None else level,) for *_, level in rows]
     sets_in = any(level != (AS_IT_IS,) for level in levels)
-    schedule = SCHEDULE_HEAD.pack(container.slots, GRACE_NS, 0)
+    schedule = SCHEDULE_HEAD.pack(container.slots, grace_ns(target), 0)
     schedule += _counted(RUN, runs) + _counted(ROW, [row[:3] for row in rows])
     states = [(target.digital_registers.index(name),) for name in state_registers(container)]
     objects = [Object(ObjectKind.READOUTS, 0, _readouts(container))]
@@ -173,12 +173,13 @@ def upload_of(container: Container, label: bytes) -> Upload:
         kernels=len(container.kernels),
         rows=len(rows),
         runs=len(runs),
+        frame_ms=ceil(sum(container.slot_us) / 1000),
+        readout_ms=ceil(len(container.readouts) * target.readout_us / 1000),
         readouts=len(container.readouts),
         states=len(states),
         gains=any(readout.gain != 1 for readout in container.readouts),
         levels=sets_in,
         pixels=target.rows * target.cols,
-        frame_s=1e-6 * (sum(container.slot_us) + len(container.readouts) * target.readout_us),
     )
 
 
@@ -192,6 +193,12 @@ def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
     bits = np.frombuffer(data, np.uint8)
     flat = np.unpackbits(bits, count=shape[0] * shape[1], bitorder="little")
     return flat.view(np.bool_).reshape(shape)
+
+
+def grace_ns(target: Target) -> int:
+    """How late a launch may be, in nanoseconds: by what the loop takes, whose clock may be one of
+    whole microseconds."""
+    return min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
 
 
 def _readouts(container: Container) -> bytes:

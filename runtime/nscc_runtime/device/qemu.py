@@ -33,7 +33,7 @@ _MACHINES: dict[Core, str] = {"m0": "mps2-an385", "m4": "mps2-an386"}
 """What runs the code of a core. A Cortex-M3 runs a Cortex-M0's, here with its traps."""
 _PARTS = ("core", "port", "emulated", "qemu")
 CHIP_FLAGS = (
-    *CORE_FLAGS, *WARNINGS, "-Os", "-mthumb", "-fno-threadsafe-statics", "-ffunction-sections",
+    *CORE_FLAGS, *WARNINGS, "-O2", "-mthumb", "-fno-threadsafe-statics", "-ffunction-sections",
     "-fdata-sections", "-nostartfiles", "--specs=nosys.specs", "-Wl,--gc-sections",
 )  # fmt: skip
 _TIME = "shift=2,sleep=off"
@@ -60,6 +60,14 @@ def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Buil
     return Built(compiled(command, _PARTS, target, folder), COMPILER, target)
 
 
+def command(core: Core, image: Path, time: str) -> list[str]:
+    """What runs an image, without its serial ports; `time` as QEMU's -icount takes it."""
+    return [
+        EMULATOR, "-M", _MACHINES[core], "-kernel", str(image), "-icount", time,
+        "-display", "none", "-monitor", "none",
+    ]  # fmt: skip
+
+
 class Emulated(Running):
     """A loader on an emulated board."""
 
@@ -73,8 +81,7 @@ class Emulated(Running):
                 listening.settimeout(_START_S)
                 super().__init__(
                     [
-                        EMULATOR, "-M", _MACHINES[core], "-kernel", str(loader.path),
-                        "-icount", _TIME, "-display", "none", "-monitor", "none",
+                        *command(core, loader.path, _TIME),
                         "-chardev", f"socket,id=line,path={path}", "-serial", "chardev:line",
                         "-chardev", "stdio,id=records,signal=off", "-serial", "chardev:records",
                     ],

@@ -9,14 +9,19 @@ from typing import Any
 from nscc.diagnostics import rejection
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.target import Target
-from nscc_runtime.device.host import Contested, Refused, Silent, Stalled
+from nscc_runtime.device.host import Contested, Implausible, Refused, Silent, Stalled
 from nscc_runtime.device.messages import Capability, Fault, Info, frame_bytes
 from nscc_runtime.device.objects import Upload, target_digest
 from nscc_runtime.device.packets import VERSION, Kind
 from nscc_runtime.device.port import PortTrouble
-from nscc_runtime.device.tasks import Implausible
+from nscc_runtime.device.timing import FADES, NO_BREATH, TOO_LONG
 
 FAILED = 3
+_UNTIMED = {
+    TOO_LONG: "they last longer than its clock counts",
+    NO_BREATH: "they keep it from its other work for more than two seconds",
+    FADES: "a register that holds a code is not written often enough",
+}
 _LIST = "`nscc doctor` lists the serial ports of this machine"
 _STAND_IN = "`nscc device serve --scene SCENE` gives a stand-in and prints its port"
 
@@ -126,6 +131,21 @@ def _refused(port: str, refused: Refused) -> Rejected:
             )
         case Fault.NO_PROGRAM:
             return no_program(port)
+        case Fault.LATE:
+            return rejected(
+                "NS0721",
+                f"{at} began {failure.detail} launch{'' if failure.detail == 1 else 'es'} of the "
+                "frame later than the program allows",
+                "measure the device's times and build the program with them: `nscc device "
+                "calibrate PORT`",
+            )
+        case Fault.SCHEDULE if failure.detail in _UNTIMED:
+            return rejected(
+                "NS0722",
+                f"{at} cannot time the program's frames: {_UNTIMED[failure.detail]}",
+                "use fewer slots, or longer ones: one of more than 200 us in every two seconds is "
+                "enough",
+            )
     name = {fault.value: fault.name for fault in Fault}.get(failure.fault, str(failure.fault))
     asked = {kind.value: kind.name for kind in Kind}.get(failure.request, str(failure.request))
     return rejected(
@@ -189,6 +209,7 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
         ("rows of its schedule", upload.rows, info.most_rows),
         ("runs of equal slots", upload.runs, info.most_runs),
         ("bytes of a frame", length, info.most_frame),
+        ("milliseconds of exposure", upload.frame_ms, info.longest_ms),
     ):
         if required > available:
             raise rejected(
