@@ -121,7 +121,7 @@ def test_every_chip_runs_a_program(tmp_path: Path) -> None:
     )
     target = load_target("chip.toml", tmp_path)
     stop = np.random.default_rng(2).integers(1, 7, (5, 7))
-    container = bumps(target, None, stop, 6, "latch")
+    container = replace(bumps(target, None, stop, 6, "latch"), slot_us=(50.0,) * 6)
     light = Light.of_clip(np.random.default_rng(4).random((6, 5, 7), np.float32) * 900)
     chip = EmulatedChip(lambda _: light, target)
     with Lockstep(firmware.built(target, ("-O1",), tmp_path), chip) as loader:
