@@ -85,7 +85,7 @@ def linked(core: str, root: Path, folder: Path) -> Image:
     layer = SOURCES / "scamp5d"
     sources = [
         *sorted((SOURCES / "core").glob("*.cpp")),
-        layer / "main.cpp",
+        *sorted(layer.glob("*.cpp")),
         root / "tests/firmware_chip/vendor.cpp",
     ]
     includes = [

@@ -141,7 +141,7 @@ def uploaded_and_captured(
     host: Host, upload: Upload, number: int, channels: int = BOTH
 ) -> Callable[[], Task[tasks.Taken]]:
     """The work of a session."""
-    wanted = tasks.Wanted(number, channels)
+    wanted = tasks.Wanted(number, channels, upload)
 
     def work() -> Task[tasks.Taken]:
         yield from tasks.upload(host, upload)

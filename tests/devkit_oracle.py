@@ -187,12 +187,38 @@ def exposures(recording: Recording, container: Container) -> list[list[Event]]:
         outputs = [values for name, values in events if name == "output"]
         assert outputs == [[register, str(i)] for i, register in enumerate(shown)]
         exposure = [event for event in events if event[0] not in ("output", "post")]
-        # Before readout FLAG is set everywhere, and nothing else happens.
-        last_name, last_values = exposure.pop()
-        assert last_name == "launch"
-        assert [str(decode(w)) for w in recording.kernels[int(last_values[0])]] == ["all"]
+        check_readout(exposure, recording, container)
         found.append(exposure)
     return found
+
+
+def check_readout(exposure: list[Event], recording: Recording, container: Container) -> None:
+    """What comes last, and is taken away here: FLAG is set everywhere, and registers are made what
+    the converter turns into the codes that the target promises; its own zero is code 128."""
+    target = container.target
+    name, values = exposure.pop()
+    assert name == "launch"
+    level = 0
+    if target.readout == "spread":
+        if exposure[-1][0] == "wait":
+            exposure.pop()
+        name, settings = exposure.pop()
+        assert name == "in"
+        level = int(settings[0])
+    own = [readout.register for readout in container.readouts]
+    for electrons, wanted in ((0.0, 0), (target.full_well_e / 2, 128), (target.full_well_e, 255)):
+        held = dict.fromkeys((*target.analog_registers, "IN"), 12345.0)
+        held |= {**dict.fromkeys(own, electrons), "IN": level * target.register_max_e / 127}
+        words = [decode(word) for word in recording.kernels[int(values[0])]]
+        assert str(words[0]) == "all"
+        for word in words[1:]:
+            assert word.name == "bus"
+            held[word.destinations[0]] = -sum(held[source] for source in word.sources)
+        for register in own:
+            code = 128 + round(held[register] / (2 * target.full_well_e / 255))
+            if target.readout != "spread":
+                wanted = 128 + round(electrons / (2 * target.full_well_e / 255))
+            assert min(code, 255) == min(wanted, 255), register
 
 
 def check_levels(events: list[Event], container: Container) -> None:

@@ -123,8 +123,14 @@ class Target:
     )
     adc_bits: int = key(Integer(1, 16), "bits of the readout", section="range")
     adc_offset_lsb: float = _ours(
-        Number(-65536, 65536), "code of a register or tap that holds nothing", section="range"
+        Number(-65536, 65536), "codes on top of what the readout makes of nothing", section="range"
     )
+    readout: Literal["spread", "full", "half"] = key(
+        Text(("spread", "full", "half")),
+        "codes of 0 .. full_well_e: spread, all of them (2 x exposure - full well is converted); "
+        "full, the upper half, for the converter is symmetric around 0; half, 0 to the middle",
+        section="range", default="spread", later=True, source="not public",
+    )  # fmt: skip
 
     in_low: int = _in(Integer(-32767, 0), "least value of IN, in steps", default=-127)
     in_high: int = _in(Integer(1, 32767), "largest value of IN, in steps", default=126)
@@ -177,7 +183,37 @@ class Target:
     @property
     def electrons_per_lsb(self) -> float:
         """Electrons a code of the readout ADC."""
-        return self.full_well_e / ((1 << self.adc_bits) - 1)
+        return self.full_well_e * self.wells_read / ((1 << self.adc_bits) - 1)
+
+    @property
+    def wells_read(self) -> int:
+        """How many full wells all codes of the converter span: 2 where it is symmetric around 0."""
+        return 1 if self.readout == "spread" else 2
+
+    @property
+    def spread_level(self) -> int | None:
+        """Steps of IN that are a full well less than nothing, which spread exposures over all
+        codes; None where they are not to be spread, or IN does not reach so far."""
+        level = round(-self.full_well_e / self.electrons_per_step)
+        off_e = abs(level * self.electrons_per_step + self.full_well_e)
+        reached = self.in_low <= level <= self.in_high and off_e <= self.electrons_per_lsb
+        return level if self.readout == "spread" and reached else None
+
+    @property
+    def code_bits(self) -> int:
+        """Bits of the largest code that is read out."""
+        return self.adc_bits - (self.readout == "half")
+
+    @property
+    def top_code(self) -> int:
+        """The largest code that is read out."""
+        return (1 << self.code_bits) - 1
+
+    @property
+    def zero_lsb(self) -> float:
+        """The code of a register that holds nothing."""
+        symmetric = 1 << (self.adc_bits - 1) if self.readout == "full" else 0
+        return symmetric + self.adc_offset_lsb
 
     @property
     def analog_available(self) -> tuple[str, ...]:

@@ -101,7 +101,7 @@ def read_out(
     known = ~np.isnan(exposure.exposure_e)
     (codes,) = everything().at("codes")
     electrons = np.where(known, exposure.exposure_e, 0.0)
-    found = codes(sensor, electrons, noise_lsb, 2**target.adc_bits - 1)
+    found = codes(sensor, electrons, noise_lsb, target.top_code)
     frame = np.where(known, found, 0.0).astype(np.uint8)
     saturated_by = last_codes(frame, target)
     if exposure.saturated_by is not None:
@@ -112,7 +112,7 @@ def read_out(
 def last_codes(frame: NDArray[np.uint8], target: Target) -> NDArray[np.uint8]:
     """The bits of `saturated_by` that codes tell by themselves: which is the last of the scale."""
     bit = marks()["codes"].bit
-    return np.asarray((frame == 2**target.adc_bits - 1).view(np.uint8) * np.uint8(bit))
+    return np.asarray((frame == target.top_code).view(np.uint8) * np.uint8(bit))
 
 
 def converted(

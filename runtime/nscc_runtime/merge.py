@@ -47,7 +47,7 @@ def readouts(container: Container, frame: Frame, response: Response) -> list[Rea
     """The buckets of one frame of a container with pixels."""
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no frame")
-    most_e = response.electrons(np.full_like(frame.frame, 2**container.target.adc_bits - 1))
+    most_e = response.electrons(np.full_like(frame.frame, container.target.top_code))
     if container.machine is not None:
         # Pixels that looked know how long they were open, and ask no neighbour.
         window = (1, 1)

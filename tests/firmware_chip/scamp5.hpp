@@ -25,5 +25,27 @@ void scamp5_load_in(int8_t value);
 void scamp5_draw_begin(const dreg_t &reg);
 void scamp5_draw_pixel(uint8_t row, uint8_t col);
 void scamp5_draw_end();
+void scamp5_scan_areg(const areg_t &reg, uint8_t *buffer, uint8_t r0, uint8_t c0, uint8_t r1,
+                      uint8_t c1, uint8_t rs, uint8_t cs);
+void scamp5_scan_dreg(const dreg_t &reg, uint8_t *mem, uint8_t r0 = 0, uint8_t r1 = 255);
+
+class vs_io_agent_api {
+public:
+    void send(const void *data, size_t bytes);
+    bool send_done();
+    void receive(void *buffer, size_t buffer_size, size_t min_size = 1);
+    bool receive_done(size_t *length);
+};
+extern vs_io_agent_api *vs_uart;
+
+class vs_stopwatch {
+public:
+    vs_stopwatch();
+    ~vs_stopwatch();
+    uint32_t get_usec() const;
+
+private:
+    uint32_t start;
+};
 
 #endif

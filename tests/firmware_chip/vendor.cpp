@@ -1,8 +1,7 @@
 // Stands for the devkit's library where the loader is linked for the chip: the memory of its store
 // of instruction words, a start, and functions that do nothing.
 
-#include "port.hpp"
-#include "scan.hpp"
+#include <scamp5.hpp>
 
 // 1024 instruction words.
 volatile uint32_t icw_store[1024][5];
@@ -48,15 +47,18 @@ void scamp5_draw_begin(const dreg_t &) {}
 void scamp5_draw_pixel(uint8_t, uint8_t) {}
 void scamp5_draw_end() {}
 
-namespace nscc {
+void scamp5_scan_areg(const areg_t &, uint8_t *, uint8_t, uint8_t, uint8_t, uint8_t, uint8_t,
+                      uint8_t) {}
+void scamp5_scan_dreg(const dreg_t &, uint8_t *, uint8_t, uint8_t) {}
 
+vs_io_agent_api agent;
+vs_io_agent_api *vs_uart = &agent;
 volatile uint32_t microseconds;
 
-size_t port_read(uint8_t *, size_t) { return 0; }
-size_t port_write(const uint8_t *, size_t count) { return count; }
-uint64_t port_micros() { return microseconds; }
-void port_feed_watchdog() {}
-bool port_scan(const areg_t &, uint32_t, uint8_t *) { return true; }
-bool port_scan_bits(const dreg_t &, uint32_t, uint32_t, uint8_t *) { return true; }
-
-}  // namespace nscc
+void vs_io_agent_api::send(const void *, size_t) {}
+bool vs_io_agent_api::send_done() { return true; }
+void vs_io_agent_api::receive(void *, size_t, size_t) {}
+bool vs_io_agent_api::receive_done(size_t *) { return false; }
+vs_stopwatch::vs_stopwatch() : start(microseconds) {}
+vs_stopwatch::~vs_stopwatch() {}
+uint32_t vs_stopwatch::get_usec() const { return microseconds - start; }

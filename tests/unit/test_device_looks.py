@@ -88,7 +88,8 @@ def film(host: Host, container: Container, count: int, line: Simulation) -> list
     shape = (len(container.readouts), TARGET.rows, TARGET.cols)
     for number in range(1, count + 1):
         first = 100 * len(line.events) + number
-        taken = line.run(host.lasting(lambda n=first: tasks.capture(host, n, channels)))
+        wanted = tasks.Wanted(first, channels, program)
+        taken = line.run(host.lasting(lambda one=wanted: tasks.capture(host, one)))
         assert isinstance(taken, tasks.Taken)
         sensor = default_sensor(TARGET)
         frames.append(frame_of(taken.data, channels, shape, sensor, TARGET, container))

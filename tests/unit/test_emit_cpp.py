@@ -112,6 +112,7 @@ def test_tables_run_where_the_library_has_a_function_for_them(tmp_path: Path) ->
     check(record(file, "-std=c++11", CHIP, "-DDEVKIT_STUB_TABLE_FUNCTION"), container)
 
 
+A = "nsl 1\nframe 4 slots of 1ms\nopen when true\n"
 B = "nsl 1\nframe 64 slots of 250us\ncode stop : 1..64\nopen when n < stop\n"
 E13 = "nsl 1\nframe 13 slots of 1ms\ncode bits : bit[13]\nopen when bits[n]\n"
 
@@ -296,6 +297,16 @@ def test_a_word_that_no_call_says_on_the_scamp7(tmp_path: Path) -> None:
     numbers = [int(values[0]) for name, values in events if name == "launch"]
     found = expose(ran(container, recording, numbers), light).exposure_e
     np.testing.assert_array_equal(found, expose(container, light).exposure_e)
+
+
+@needs_compiler
+@pytest.mark.parametrize("readout", ["full", "half"])
+def test_codes_of_a_converter_as_it_is(readout: str, tmp_path: Path) -> None:
+    """`check_readout` looks at black, half and full."""
+    chip = chip_file(tmp_path, 256, 256, readout=f'"{readout}"')
+    recording, _, written = checked(tmp_path, A, "--target", chip)
+    assert "scamp5_load_in" not in written
+    assert not [name for name, _ in recording.events if name == "in"]
 
 
 @needs_compiler

@@ -49,7 +49,7 @@ class SensorModel:
             full_well_e=sensor.full_well_e,
             electrons_per_lsb=sensor.electrons_per_lsb,
             adc_offset_lsb=sensor.adc_offset_lsb,
-            adc_bits=target.adc_bits,
+            adc_bits=target.code_bits,
             adc_noise_lsb=sensor.adc_noise_lsb,
             shot_noise=True,
         )

@@ -240,6 +240,13 @@ void load_image(const char *file, const Plane &plane) {
     // While images are awaited, codes are refreshed at this rate.
     vs_configure_frame_trigger(VS_FRAME_TRIGGER_CONST_LOOP, @rate@);
 
+//: spread
+        // A converter that is symmetric around 0 has all of its codes for 2 x exposure - full well.
+        scamp5_load_in(@level@);
+#ifdef __LPC43XX__
+        vs_wait(@settle@);
+#endif
+
 //: frames
     while (true) {
         // No frame waits for the next: codes fade meanwhile.

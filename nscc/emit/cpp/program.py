@@ -9,6 +9,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from math import ceil
 from pathlib import PurePath
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
@@ -26,7 +27,8 @@ from nscc.emit.cpp.frame import (
 from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines
 from nscc.emit.cpp.narrow import narrowed
 from nscc.emit.cpp.patterns import ADDRESS_BITS
-from nscc.emit.cpp.text import Call, comment, entry, literal, part, safe, section
+from nscc.emit.cpp.readout import preparation_of
+from nscc.emit.cpp.text import comment, entry, literal, part, safe, section
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 from nscc.program.program import Program
@@ -44,7 +46,6 @@ _WORDS = {
     False: "or of others that its library has calls for, proved like them",
 }
 _DISPLAYS_A_ROW = 2
-_READOUT: list[Call] = [("all", ())]
 
 
 @dataclass(frozen=True)
@@ -124,11 +125,12 @@ def _check_store(program: Program, container: Container, loading: Loading, devki
         for kernel in container.kernels
         if target.tables_count_against_store or calls(ops_of(kernel)) is not None
     )
-    needed = frame + loading.words + len(_READOUT)
+    preparing = preparation_of(container).words
+    needed = frame + loading.words + preparing
     if needed > target.store_words:
         reason = (
             f"its kernels need {needed} words ({frame} of the frame, {loading.words} that load "
-            f"the codes, {len(_READOUT)} before readout), and {target.name} stores "
+            f"the codes, {preparing} before readout), and {target.name} stores "
             f"{target.store_words}"
         )
         way_out = "use fewer slots, or fewer different kernels"
@@ -147,6 +149,7 @@ def _header(
     target = container.target
     stored = sum(len(kernel.words) for kernel in container.kernels)
     executed = sum(len(container.kernels[launch.kernel].words) for launch in container.launches)
+    others = loading.words + preparation_of(container).words
     yield from comment(
         f"{_name(program)}: per-pixel shutters for the {devkit.name} devkit. Written by nscc from "
         f"the words of the compiled program, {_WORDS[devkit.tables]}."
@@ -165,9 +168,10 @@ def _header(
     yield from entry(
         "words",
         f"{stored} stored in {len(container.kernels)} kernels, {executed} a frame; "
-        f"{loading.words + len(_READOUT)} more load the codes and prepare readout",
+        f"{others} more load the codes and prepare readout",
     )
     yield from entry("time", _time_text(container, schedule))
+    yield from entry("readout", _readout_text(container))
     for text in _state_texts(container):
         yield from entry("state", text)
     yield from entry("array", _array_text(target))
@@ -205,6 +209,20 @@ def _time_text(container: Container, schedule: Schedule) -> str:
         f"{number_text(target.analog_word_us)} us (analog) and "
         f"{number_text(target.digital_word_us)} us (digital), a launch "
         f"{number_text(target.launch_us)} us"
+    )
+
+
+def _readout_text(container: Container) -> str:
+    target = container.target
+    if preparation_of(container).level is not None:
+        return (
+            f"2 x exposure - full well: all codes for 0 to {number_text(target.full_well_e)} e, "
+            f"{number_text(round(target.electrons_per_lsb, 3))} e each"
+        )
+    step_e = 2 * target.full_well_e / ((1 << target.adc_bits) - 1)
+    return (
+        "exposures as they are, in the upper half of a symmetric converter's codes, "
+        f"{number_text(round(step_e, 3))} e each"
     )
 
 
@@ -305,8 +323,13 @@ def _main(container: Container, loading: Loading) -> Iterator[str]:
         yield from ["", *part("awaiting", rate=loading_rate(container.target))]
     if loading.loads:
         yield "    load_codes();"
-    prepare = "\n".join(section(_READOUT, " " * 8))
-    yield from ["", *part("frames", prepare=prepare)]
+    preparing = preparation_of(container)
+    prepare = []
+    if preparing.level is not None:
+        settle = ceil(exact(container.target.in_settle_us))
+        prepare = part("spread", level=preparing.level, settle=settle)
+    prepare += section(preparing.calls, " " * 8)
+    yield from ["", *part("frames", prepare="\n".join(prepare))]
     gains = {readout.register: readout.gain for readout in container.readouts}
     for number, (register, _) in enumerate(shown):
         gain = gains.get(register, 1.0)

@@ -83,7 +83,12 @@ public:
         }
     }
 
-    void read_out(const Contents &contents) override { contents_ = contents; }
+    void read_out(const Contents &contents) override {
+        contents_ = contents;
+        if (target::spreads && (contents.channels & codes_channel) != 0) {
+            spread();
+        }
+    }
 
     Exposing exposing() override { return Exposing::DONE; }
 
@@ -94,7 +99,12 @@ public:
             // Pixels that FLAG leaves out would be left out of readout.
             run(target::flag_all, 1);
             const uint8_t reg = contents_.readouts[offset / pixels].reg;
-            return port_scan(*analog[reg], offset % pixels / target::rows, bytes);
+            const bool done = port_scan(*analog[reg], offset % pixels / target::rows, bytes);
+            for (uint32_t row = 0; target::code_of_nothing > 0 && row < target::rows; ++row) {
+                const int code = bytes[row] - target::code_of_nothing;
+                bytes[row] = uint8_t(code > 0 ? code : 0);
+            }
+            return done;
         }
         const uint32_t at = offset - codes;
         const uint8_t reg = contents_.states[at / plane_bytes];
@@ -106,6 +116,36 @@ private:
     static constexpr uint32_t plane_bytes = (pixels + 7) / 8, row_bytes = target::cols / 8;
     static constexpr uint32_t piece_rows = target::rows / row_bytes;
     static_assert(target::cols % 8 == 0 && target::rows % row_bytes == 0, "pieces are whole rows");
+
+    // Makes every register 2 x exposure - full well: a converter that is symmetric around 0 has all
+    // of its codes for that. Needs a register that is not read out.
+    void spread() {
+        uint32_t copy = target::analog_count;
+        for (uint32_t reg = 0; reg < target::analog_count; ++reg) {
+            copy = reg == target::analog_scratch || is_read(reg) ? copy : reg;
+        }
+        if (copy == target::analog_count) {
+            return;
+        }
+        run(target::flag_all, 1);
+        set_in(int16_t(target::spread_level));
+        for (uint32_t i = 0; i < contents_.readout_count; ++i) {
+            const uint32_t reg = contents_.readouts[i].reg;
+            run(target::to_scratch[reg], 1);
+            run(target::from_scratch[copy], 1);
+            run(target::doubled[reg * target::analog_count + copy], 1);
+            run(target::from_scratch[reg], 1);
+        }
+    }
+
+    bool is_read(uint32_t reg) const {
+        for (uint32_t i = 0; i < contents_.readout_count; ++i) {
+            if (contents_.readouts[i].reg == reg) {
+                return true;
+            }
+        }
+        return false;
+    }
 
     Contents contents_ = {};
 };

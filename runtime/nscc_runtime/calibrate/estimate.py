@@ -105,7 +105,7 @@ def calibrate_files(
 
     `crosstalk` None: it is measured. Raises Rejected for frames that cannot be read or do not do.
     """
-    top = (1 << target.adc_bits) - 1
+    top = target.top_code
     named = [*flats, *darks]
     stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]
     split = len(flats)

@@ -36,6 +36,8 @@ LAUNCHES = 2001
 WORDS = 100
 _NO_LIMIT = (1 << 32) - 1
 _NO_TIME_US = 1e-3
+_LONGEST_MEASURED_US = 10e6
+"""More than all words of a frame take on any device that is worth measuring."""
 
 
 @dataclass(frozen=True)
@@ -96,7 +98,7 @@ def measured(link: Link, target: Target) -> Times:
 
 def _captured(link: Link, program: Upload) -> Captured:
     """What the loader says of a frame of a program, once all of it has been fetched."""
-    wanted = tasks.Wanted(SystemRandom().randrange(1 << 63), Channel.CODES)
+    wanted = tasks.Wanted(SystemRandom().randrange(1 << 63), Channel.CODES, program)
 
     def work() -> Task[tasks.Taken]:
         yield from tasks.upload(link.host, program)
@@ -126,4 +128,6 @@ def _program(target: Target, kernel: Sequence[Op], launches: int, waits: bool) -
     return Upload(
         target_digest(target), bytes(32), objects, words=len(words), kernels=2, rows=2, runs=1,
         frame_ms=1, readouts=1, states=0, gains=False, levels=False,
+        pixels=target.rows * target.cols,
+        frame_s=1e-6 * (_LONGEST_MEASURED_US + target.readout_us),
     )  # fmt: skip

@@ -81,7 +81,8 @@ class Object:
 class Upload:
     """A program ready to be sent: `words`, `kernels`, `rows`, `runs` are what it takes of a
     loader's room, and `frame_ms` of its time; `readouts`, `states` how many registers come with a
-    frame; `levels`: IN is set."""
+    frame, of so many `pixels`; `levels`: IN is set; `frame_s` is how long exposure and readout
+    take."""
 
     target: bytes
     label: bytes
@@ -95,6 +96,8 @@ class Upload:
     states: int
     gains: bool
     levels: bool
+    pixels: int
+    frame_s: float
 
     @cached_property
     def digest(self) -> bytes:
@@ -176,6 +179,8 @@ def upload_of(container: Container, label: bytes) -> Upload:
         states=len(states),
         gains=any(readout.gain != 1 for readout in container.readouts),
         levels=sets_in,
+        pixels=target.rows * target.cols,
+        frame_s=1e-6 * (sum(container.slot_us) + len(container.readouts) * target.readout_us),
     )
 
 

@@ -27,11 +27,11 @@ _LONGEST_REFRESH = 5
 def target_header(target: Target) -> str:
     """`target.hpp` for a target: what the loader believes of words, and of nothing else.
 
-    Raises ValueError for a target without words, and for one with words of its own, which the
-    loader does not know.
+    Raises ValueError for a target with words of its own, which the loader does not know, and for
+    one whose pixels have no logic.
     """
-    if target.kind != "scamp":
-        raise ValueError(f"the pixels of {target.name} run no words, and the loader runs words")
+    if target.streamed:
+        raise ValueError(f"the loader's firmware runs words, and the pixels of {target.name} none")
     if target.words:
         names = ", ".join(row.name for row in target.words)
         raise ValueError(f"the loader's firmware knows no words of {target.name}'s own: {names}")
@@ -141,9 +141,37 @@ def _sequences(target: Target) -> Iterator[str]:
         yield f"    {{{_table([op('CLR', [name])])}}},  // {name}"
     yield "};\n"
     yield f"constexpr uint32_t flag_all[1][5] = {{{_table([op('all')])}}};"
+    yield from _spreading(target)
     ops = [op("SET", [target.mask_register])] if target.mask_register else [op("nop")]
     yield "// Before the masked register is loaded."
     yield f"constexpr uint32_t set_mask[1][5] = {{{_table(ops)}}};"
+
+
+def _spreading(target: Target) -> Iterator[str]:
+    """The words that make a register 2 x exposure - full well before it is converted, and what a
+    code of the converter's, which is symmetric around 0, is in the frame."""
+    names, scratch = target.analog_registers, target.analog_scratch
+    level = target.spread_level
+    yield "\n// What readout makes of exposures, so that they take all codes of the converter."
+    yield f"constexpr bool spreads = {str(level is not None).lower()};"
+    yield f"constexpr int spread_level = {level or 0};"
+    yield f"constexpr int code_of_nothing = {128 if target.readout == 'half' else 0};"
+    yield f"constexpr uint32_t analog_scratch = {names.index(scratch)};"
+
+    def table(name: str, words: Sequence[Op], sides: str) -> Iterator[str]:
+        yield f"constexpr uint32_t {name}{sides}[1][5] = {{"
+        yield from (f"    {{{_table([word])}}}," for word in words)
+        yield "};"
+
+    def moved(to: str, *sources: str) -> Op:
+        free = to not in sources and len({*sources}) == len(sources)
+        return op("bus", [to], sources) if free else op("nop")
+
+    yield from table("to_scratch", [moved(scratch, name) for name in names], "[]")
+    yield from table("from_scratch", [moved(name, scratch) for name in names], "[]")
+    pairs = [moved(scratch, name, copy, "IN") for name in names for copy in names]
+    yield "// Of a register and its copy, in the order of both."
+    yield from table("doubled", pairs, "[]")
 
 
 def refresh_words(target: Target, register: str) -> list[Op]:

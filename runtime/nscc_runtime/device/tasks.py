@@ -9,13 +9,22 @@ from zlib import adler32, crc32
 
 from nscc_runtime.device import messages
 from nscc_runtime.device.host import LONGEST_WAIT_S, Host, Refused, Task, checked, raise_failure
-from nscc_runtime.device.messages import DATA, FRAME, Captured, Failure, Fault, Progress, State
+from nscc_runtime.device.messages import (
+    DATA,
+    FRAME,
+    Captured,
+    Failure,
+    Fault,
+    Progress,
+    State,
+    frame_bytes,
+)
 from nscc_runtime.device.objects import Upload
 from nscc_runtime.device.packets import OVERHEAD, REPLY, Kind
+from nscc_runtime.device.timing import LONGEST_US
 
-MOST_FRAME = 1 << 28
-"""Bytes of a frame that a host is willing to keep, whatever a loader announces."""
 _SMALLEST_CHUNK = 64
+_SMALLEST_WINDOW = 2 * (_SMALLEST_CHUNK + 64)
 _MOST_DIGEST_FAILURES = 8
 _GROW_AFTER = 8
 _READ_AHEAD = 6
@@ -23,6 +32,10 @@ _READ_CHUNKS = 8
 _POLL_S = 0.02
 _LONGEST_POLL_S = 0.25
 _BUSY_WAIT_S = 0.1
+_BESIDE_S = 10.0
+_FIRST_WINDOW = 2048
+"""Bytes that are sent ahead before anything is known of the line: more follow while nothing is
+lost, and half as many after a loss, so that a slow line is not drowned."""
 
 Watch = Callable[[int], None]
 """Told how many bytes are there."""
@@ -106,7 +119,8 @@ class _Sender:
     def __init__(self, host: Host, stream: bytes, progress: Progress, watch: Watch) -> None:
         assert host.info is not None
         self.host, self.stream, self.watch = host, stream, watch
-        self.window = max(host.info.window, 2 * (_SMALLEST_CHUNK + 64))
+        self.most = max(host.info.window, _SMALLEST_WINDOW)
+        self.window = min(self.most, _FIRST_WINDOW)
         self.chunk = _Chunk(min(host.info.most_data, self.window // 2))
         self.acknowledged = self.next = progress.position
         self.failures = progress.failures
@@ -149,6 +163,7 @@ class _Sender:
         self.host.check_patience()
         self.host.resent += len(self.sent)
         self.chunk.lost()
+        self.window = max(self.window // 2, _SMALLEST_WINDOW)
         self.given_up = {number: since for number, _, _, since in self.sent}
         self.sent.clear()
         self.flying = 0
@@ -175,6 +190,8 @@ class _Sender:
             self.host.timed(self.host.now - since)
             self.wait = self.host.wait_s
             self.chunk.arrived()
+            # One more packet ahead for each that arrived: twice as many after a round.
+            self.window = min(self.window + cost, self.most)
             self._advance(progress.position)
 
     def _acknowledge_late(self, sequence: int, progress: Progress) -> None:
@@ -197,11 +214,39 @@ class _Sender:
 
 @dataclass(eq=False)
 class Wanted:
-    """A frame to be exposed, by its number: no other has it. `part` is what came of it so far."""
+    """A frame to be exposed, by its number: no other has it. `part` is what came of it so far.
+
+    Of what program it is, None where only the device knows: then of so many `pixels`.
+    """
 
     number: int
     channels: int
+    program: Upload | None = None
+    pixels: int = 0
     part: _Part | None = None
+
+    def bytes(self, readouts: int) -> int:
+        """What the frame has to have; 0 where it cannot have so many readouts."""
+        program = self.program
+        if program is None:
+            return frame_bytes(self.channels, self.pixels, readouts, 0)
+        own = readouts == program.readouts
+        return own * frame_bytes(self.channels, program.pixels, readouts, program.states)
+
+    @property
+    def longest_s(self) -> float:
+        """What a loader may take for it, whatever it says: twice what the host makes it, and what
+        is beside the frame; of an unknown program what no loader exceeds."""
+        program = self.program
+        return 2 * LONGEST_US * 1e-6 if program is None else 2 * program.frame_s + _BESIDE_S
+
+
+class Implausible(Exception):
+    """A loader says of a frame what no frame of this program can be."""
+
+    def __init__(self, captured: Captured) -> None:
+        super().__init__()
+        self.captured = captured
 
 
 class _Part:
@@ -260,13 +305,14 @@ def _captured(host: Host, wanted: Wanted) -> Task[Captured]:
             yield from pause(host, _BUSY_WAIT_S)
             continue
         captured = checked(Captured.unpack, reply)
-        wrong = captured.number != wanted.number or captured.channels != wanted.channels
-        if wrong or not 0 < captured.length <= MOST_FRAME:
+        if captured.number != wanted.number or captured.channels != wanted.channels:
             raise Refused(Failure(Kind.CAPTURE, Fault.MALFORMED, 0))
+        if captured.length != wanted.bytes(captured.readouts) or not captured.length:
+            raise Implausible(captured)
         if captured.ready:
             host.moved()
             return captured
-        extra = 2 * captured.estimate_ms / 1000
+        extra = min(2 * captured.estimate_ms / 1000, wanted.longest_s)
         host.check_patience(extra)
         yield from pause(host, poll)
         poll = min(2 * poll, _LONGEST_POLL_S)

@@ -15,16 +15,20 @@ from nscc_runtime.effects.parts import Codes
 from nscc_runtime.effects.sensor import Sensor
 
 
-def _top_code_is_full_well(target: Target, values: Mapping[str, float]) -> float:
-    return values["full_well_e"] / ((1 << target.adc_bits) - 1)
+def _of_all_codes(target: Target, values: Mapping[str, float]) -> float:
+    return values["full_well_e"] * target.wells_read / ((1 << target.adc_bits) - 1)
+
+
+def _zero(target: Target, _values: Mapping[str, float]) -> float:
+    return target.zero_lsb
 
 
 ELECTRONS_PER_LSB = parameter(
-    "electrons_per_lsb", "readout", _top_code_is_full_well, "e/lsb", 0, MOST_E,
+    "electrons_per_lsb", "readout", _of_all_codes, "e/lsb", 0, MOST_E,
     "electrons a code of the ADC", "full_well_e over the top code", low_excluded=True,
 )  # fmt: skip
 OFFSET = parameter(
-    "adc_offset_lsb", "readout", None, "lsb", -65536, 65536,
+    "adc_offset_lsb", "readout", _zero, "lsb", -65536, 65536,
     "code of a register that holds nothing", TARGET,
 )  # fmt: skip
 

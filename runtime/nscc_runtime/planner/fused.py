@@ -87,7 +87,7 @@ class Fused:
             "rate_cap": RATE_CAP,
             "electrons_per_code": codes.electrons(sensor) if codes else 1.0,
             "offset": codes.offset(sensor) if codes else 0.0,
-            "top": 2.0**target.adc_bits - 1,
+            "top": float(target.top_code),
             "readout_noise": sum(part.sigma_lsb(sensor) for _, part in converters),
             "count": len(frames),
             "lane_count": shape[1],

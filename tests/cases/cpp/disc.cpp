@@ -7,10 +7,11 @@
 // digital    R1 fall at boundary 1; R2 fall at boundary 3
 // analog     A exposure of early; B exposure of late; C reset level of PIX; NEWS scratch of analog
 //            words
-// words      26 stored in 4 kernels, 26 a frame; 7 more load the codes and prepare readout
+// words      26 stored in 4 kernels, 26 a frame; 15 more load the codes and prepare readout
 // time       the exposure begins 3 us after the frame's first word and ends 1503 us after it; a
 //            launch waits for its moment on a clock that runs on, so that no error adds up; words
 //            take, by the target's figures, 0.2 us (analog) and 0.1 us (digital), a launch 1 us
+// readout    2 x exposure - full well: all codes for 0 to 30000 e, 117.647 e each
 // array      256 x 256 pixels; the devkit's (0, 0) is the top right one
 // image      disc.R1.bmp, in the host application's folder: the code in R1, SHA-256
 //            1a845b442ba76f43a33ca9cc5399d826f1125fcdc86311b61164799765d1cf8f
@@ -268,8 +269,21 @@ int main() {
         }
 #endif
         // Pixels that FLAG leaves out would be left out of readout.
+        // A converter that is symmetric around 0 has all of its codes for 2 x exposure - full well.
+        scamp5_load_in(-127);
+#ifdef __LPC43XX__
+        vs_wait(5);
+#endif
         scamp5_kernel_begin();
             all();
+            bus(NEWS, A);
+            bus(F, NEWS);
+            bus(NEWS, A, F, IN);
+            bus(A, NEWS);
+            bus(NEWS, B);
+            bus(F, NEWS);
+            bus(NEWS, B, F, IN);
+            bus(B, NEWS);
         scamp5_kernel_end();
         scamp5_output_image(A, display_0);
         scamp5_output_image(B, display_1);

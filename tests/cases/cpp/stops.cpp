@@ -11,10 +11,11 @@
 //            13; R9 fall at boundary 14; R10 fall at boundary 15; R11 fall at boundary 16; R12 fall
 //            time, digit 1 is not 0
 // analog     A exposure of frame; B reset level of PIX; NEWS scratch of analog words
-// words      93 stored in 17 kernels, 93 a frame; 67 more load the codes and prepare readout
+// words      93 stored in 17 kernels, 93 a frame; 71 more load the codes and prepare readout
 // time       the exposure begins 2 us after the frame's first word and ends 2002 us after it; a
 //            launch waits for its moment on a clock that runs on, so that no error adds up; words
 //            take, by the target's figures, 0.2 us (analog) and 0.1 us (digital), a launch 1 us
+// readout    2 x exposure - full well: all codes for 0 to 30000 e, 117.647 e each
 // array      256 x 256 pixels; the devkit's (0, 0) is the top right one
 // source     SHA-256 cd259a6c4288e26103fef310f636ff119a46e34e165ead89360ece9fa9cb243e
 
@@ -595,8 +596,17 @@ int main() {
         }
 #endif
         // Pixels that FLAG leaves out would be left out of readout.
+        // A converter that is symmetric around 0 has all of its codes for 2 x exposure - full well.
+        scamp5_load_in(-127);
+#ifdef __LPC43XX__
+        vs_wait(5);
+#endif
         scamp5_kernel_begin();
             all();
+            bus(NEWS, A);
+            bus(F, NEWS);
+            bus(NEWS, A, F, IN);
+            bus(A, NEWS);
         scamp5_kernel_end();
         scamp5_output_image(A, display_0);
     }

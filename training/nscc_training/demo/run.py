@@ -101,7 +101,7 @@ def _shown(
         title=name if name.startswith("builtin:") else Path(name).name, still=made.still,
         display=display, truth=made.truth(), light=light, frame=made.codes(made.taken),
         usual=made.codes(made.usual), dark=dark_codes(made.usual_dark),
-        top=2**container.target.adc_bits - 1, lsb_e=made.sensor.electrons_per_lsb,
+        top=container.target.top_code, lsb_e=made.sensor.electrons_per_lsb,
         white_e=made.white_e() if display else None, tone=settings.tone,
         shutters=container.table.shutters[:, 0][corner], slot_us=container.slot_us,
         how=how, expose_s=made.seconds, decode_s=decode_s, looked=made.looked,

@@ -60,7 +60,7 @@ class Chip:
     def full_e(self) -> float:
         """The most electrons that an exposure tells: of a well, of the converter's codes, or of a
         register that is still linear."""
-        codes = 2**self.target.adc_bits - 1 - self.sensor.adc_offset_lsb
+        codes = self.target.top_code - self.sensor.adc_offset_lsb
         most = min(float(self.sensor.full_well_e), codes * self.code_e / self.gain)
         soft = self.effects.part(Soft)
         return most if soft is None else min(most, soft.linear_e(self.sensor) / self.gain)
