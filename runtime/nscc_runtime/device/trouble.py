@@ -8,7 +8,6 @@ from typing import Any
 
 from nscc.diagnostics import rejection
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.program.problems import counted
 from nscc.target.target import Target
 from nscc_runtime.device.host import Contested, Refused, Silent, Stalled
 from nscc_runtime.device.messages import Capability, Fault, Info, frame_bytes
@@ -136,8 +135,7 @@ def _refused(port: str, refused: Refused) -> Rejected:
         case Fault.LATE:
             return rejected(
                 "NS0721",
-                f"{at} began {counted(failure.detail, 'launch', 'launches')} of the frame later "
-                "than the program allows",
+                f"{at} began launches later than the program allows (so many: {failure.detail})",
                 "measure the device's times and build the program with them: `nscc device "
                 "calibrate PORT`",
             )
