@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 import shlex
 import warnings
+from dataclasses import replace
 from typing import Any, NoReturn, get_args
 
 from nscc.diagnostics.diagnostic import Rejected
@@ -75,8 +76,10 @@ def load_ipython_extension(shell: Any) -> None:
                 program = compile(cell, **options)
         except Rejected as rejected:
             raise Refused(rejected.diagnostics, rejected.status) from None
-        if name is not None:
-            shell.push({name: program})
+        if name is None:
+            return program
+        program = replace(program, name=name)
+        shell.push({name: program})
         return program
 
     shell.register_magic_function(nsl, "cell", "nsl")

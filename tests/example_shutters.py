@@ -93,11 +93,36 @@ def two_buckets(n: Grid, y: Grid, x: Grid) -> tuple[Shutter, ...]:
     return (early, ~early)
 
 
+_DIGITS = (
+    "1100111101101000", "1001101100101011", "0010100100001001", "0111010101011000",
+    "0101000000111110", "1110001001010000", "0111100110101101", "1111000000000111",
+)  # fmt: skip
+
+
+def coded_two_buckets(n: Grid, y: Grid, x: Grid) -> tuple[Shutter, ...]:
+    digits = np.array([[digit == "1" for digit in row] for row in _DIGITS])
+    ones = digits[(x + 3 * y) % 8, n]
+    return (ones, ~ones)
+
+
+_EXPOSURES = "51753863 23621457 85437214 12615672 47382483 35643127 41817465 47352534"
+
+
+def deblur(n: Grid, y: Grid, x: Grid) -> tuple[Shutter, ...]:
+    return (n < _picked([[int(digit) for digit in row] for row in _EXPOSURES.split()], y, x),)
+
+
+def staggered(n: Grid, y: Grid, x: Grid) -> tuple[Shutter, ...]:
+    phase = 5 * (x % 4 + 4 * (y % 4)) % 8
+    return (((n >= phase) & (n < phase + 4)) | (n < phase - 4),)
+
+
 RULES: dict[str, Rule] = {
     rule.__name__: rule
     for rule in (
         *(class_a, class_b, class_b_4096, class_c, class_d, class_e),
-        *(codebook, flutter, foveated, hdr_2x2, hdr_doubling, modulated, skip_one, two_buckets),
+        *(codebook, coded_two_buckets, deblur, flutter, foveated, hdr_2x2, hdr_doubling, modulated),
+        *(skip_one, staggered, two_buckets),
     )
 }
 """By the example's name."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.files import Product, write_together
-from nscc_cli.completion import PROTOCOL, RUN_OR_ANY
+from nscc_cli.completion import EFFECTS, PROTOCOL, RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, together, trust_code_option
 from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say_compiling
 
@@ -88,7 +88,7 @@ def sci8(
 @click.option("--shutter", default="", metavar="CLASS[:START]",
               help="The codes of a baseline: c, c:quad, d:random, ... for clips, b:quad, b:random "
               "for stills; a class alone starts at random.")  # fmt: skip
-@click.option("--effects", default="", metavar="E",
+@click.option("--effects", type=EFFECTS, default="", metavar="E",
               help="Expose with an emulated chip instead of the protocol's sensor: auto, all, or "
               "names, as nscc run takes them. For runs.")  # fmt: skip
 @trust_code_option

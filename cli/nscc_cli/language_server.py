@@ -7,7 +7,8 @@ that the server hears what is typed meanwhile; a text that a newer one has repla
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Awaitable, Callable
+import logging
+from collections.abc import Awaitable, Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import TypeVar
@@ -24,6 +25,7 @@ from nscc.editing.complete import complete
 from nscc.editing.document import Document
 from nscc.editing.hints import hints
 from nscc.editing.hover import hover
+from nscc.editing.listing import Listing, Text, complete_listing
 from nscc.editing.mentions import alike, declaration, mention_at
 from nscc.editing.outline import outline
 from nscc.editing.rename import CannotRename, renameable, renamed
@@ -33,7 +35,7 @@ from nscc_cli import protocol_values as values
 from nscc_cli.positions import Positions
 
 Answer = TypeVar("Answer")
-At = types.TextDocumentPositionParams
+AnyText = TypeVar("AnyText", bound=Text)
 
 _REQUEST_FAILED = -32803
 """LSPErrorCodes.RequestFailed: what was asked cannot be done, and nobody is at fault."""
@@ -47,7 +49,7 @@ class Server(LanguageServer):
         super().__init__(
             "nscc", __version__, text_document_sync_kind=types.TextDocumentSyncKind.Full
         )
-        self.documents: dict[str, Document] = {}
+        self.documents: dict[str, Text] = {}
         self.versions: dict[str, int] = {}
         self.worker = ThreadPoolExecutor(1)
 
@@ -55,7 +57,8 @@ class Server(LanguageServer):
         """Has this text from now on, and will say what is wrong with it."""
         self.versions[uri] = version
         path = Path(uris.to_fs_path(uri) or uri.rpartition(":")[2])
-        self.documents[uri] = Document(path.as_posix(), text.removeprefix("\ufeff"), path.parent)
+        kind = Listing if path.suffix.lower() == ".asm" else Document
+        self.documents[uri] = kind(path.as_posix(), text.removeprefix("\ufeff"), path.parent)
         self.check(uri)
 
     def check(self, uri: str) -> None:
@@ -78,17 +81,17 @@ class Server(LanguageServer):
     async def ask(
         self, uri: str, question: Callable[[Document, Positions], Answer]
     ) -> Answer | None:
-        """What the working thread answers about the text as it is now; None for no open text."""
+        """What the working thread answers about a program as it is now; None if none is open."""
         document = self.documents.get(uri)
-        if document is None:
-            return None
+        return await self.work(document, question) if isinstance(document, Document) else None
+
+    async def work(self, text: AnyText, question: Callable[[AnyText, Positions], Answer]) -> Answer:
+        """What the working thread answers about a text."""
         loop = asyncio.get_running_loop()
-        return await loop.run_in_executor(
-            self.worker, lambda: question(document, Positions(document.text))
-        )
+        return await loop.run_in_executor(self.worker, lambda: question(text, Positions(text.text)))
 
 
-def _checked(document: Document) -> tuple[Diagnostic, ...]:
+def _checked(document: Text) -> tuple[Diagnostic, ...]:
     """What `nscc check` says; that nscc failed, where it does, with no end to the server."""
     try:
         return document.checked.diagnostics
@@ -104,10 +107,16 @@ def _checked(document: Document) -> tuple[Diagnostic, ...]:
 
 def make_server() -> Server:
     """A server that has heard of no text yet."""
+    logging.getLogger("pygls.protocol.json_rpc").addFilter(_is_no_refusal)
     server = Server()
     for add in (_texts, _answers, _changes):
         add(server)
     return server
+
+
+def _is_no_refusal(record: logging.LogRecord) -> bool:
+    """That a request was refused is the editor's to show; in the log it would be a traceback."""
+    return record.exc_info is None or not isinstance(record.exc_info[1], JsonRpcException)
 
 
 def _texts(server: Server) -> None:
@@ -121,7 +130,8 @@ def _texts(server: Server) -> None:
     @server.feature(types.TEXT_DOCUMENT_DID_CHANGE)
     def did_change(params: types.DidChangeTextDocumentParams) -> None:
         changed = params.text_document
-        server.take(changed.uri, params.content_changes[-1].text, changed.version)
+        for whole in params.content_changes[-1:]:
+            server.take(changed.uri, whole.text, changed.version)
 
     @server.feature(types.TEXT_DOCUMENT_DID_CLOSE)
     def did_close(params: types.DidCloseTextDocumentParams) -> None:
@@ -154,12 +164,19 @@ def _answers(server: Server) -> None:
         types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=['"', "/"])
     )
     async def completed(params: types.CompletionParams) -> list[types.CompletionItem] | None:
-        def offered(document: Document, positions: Positions) -> list[types.CompletionItem]:
-            span, offers = complete(document, positions.offset(params.position))
+        def offered(text: Text, positions: Positions) -> list[types.CompletionItem]:
+            offset = positions.offset(params.position)
+            found = (
+                complete_listing(text, offset)
+                if isinstance(text, Listing)
+                else complete(text, offset)
+            )
+            span, offers = found
             at = positions.range(span)
             return [values.completion(offer, at) for offer in offers]
 
-        return await server.ask(params.text_document.uri, offered)
+        text = server.documents.get(params.text_document.uri)
+        return None if text is None else await server.work(text, offered)
 
     @server.feature(types.TEXT_DOCUMENT_DOCUMENT_SYMBOL)
     async def symbols(params: types.DocumentSymbolParams) -> list[types.DocumentSymbol] | None:
@@ -219,7 +236,7 @@ def _changes(server: Server) -> None:
             if better is not None:
                 edit = values.edits(uri, [(_whole(document), better)], positions)
                 found.append(types.CodeAction("Make every sure fix", _FIX_ALL, edit=edit))
-            return [each for each in found if only is None or each.kind in only]
+            return [each for each in found if only is None or _is_of(each.kind, only)]
 
         return await server.ask(params.text_document.uri, offered)
 
@@ -251,6 +268,11 @@ def _changes(server: Server) -> None:
             return values.edits(params.text_document.uri, changes, positions)
 
         return await _or_refused(server.ask(params.text_document.uri, edit))
+
+
+def _is_of(kind: str | None, wanted: Sequence[str]) -> bool:
+    """Whether a kind of action is one of those wanted: `source` stands for `source.fixAll`."""
+    return kind is not None and any((kind + ".").startswith(each + ".") for each in wanted)
 
 
 def _whole(document: Document) -> Span:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 
 import click
@@ -22,4 +23,5 @@ def command(stdio: bool) -> None:
 
     if sys.stdin.isatty():
         done("waiting for an editor, which speaks over standard input: Ctrl-C ends it")
-    make_server().start_io()
+    with os.fdopen(os.dup(sys.stdout.fileno()), "wb") as out:  # the server closes what it is given
+        make_server().start_io(stdout=out)

@@ -12,6 +12,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Fix, Severity
 from nscc.diagnostics.reports import full_text
 from nscc.editing.complete import Offer
 from nscc.editing.document import Document
+from nscc.editing.listing import Text
 from nscc.editing.outline import Entry
 from nscc.source import Source, Span
 from nscc_cli.positions import Positions
@@ -41,7 +42,7 @@ _DECLARED = {
 """By the word that begins the statement."""
 
 
-def diagnostic(found: Diagnostic, document: Document, uri: str) -> types.Diagnostic:
+def diagnostic(found: Diagnostic, document: Text, uri: str) -> types.Diagnostic:
     """A message at its place in the document; one about another file or none at the first line."""
     source, label = found.source, found.label
     own = source is not None and source.name == document.name
@@ -69,7 +70,7 @@ def diagnostic(found: Diagnostic, document: Document, uri: str) -> types.Diagnos
     )
 
 
-def _uri(source: Source, document: Document) -> str:
+def _uri(source: Source, document: Text) -> str:
     """That of another file, whose name is relative to the document's folder."""
     path = Path(document.folder / source.name)
     return uris.from_fs_path(path.absolute().as_posix()) or path.as_posix()

@@ -24,6 +24,7 @@ from nscc.syntax.grammar import END
 from nscc.syntax.lexer import Tokens, lex
 from nscc.syntax.parse import statement_starts
 from nscc.syntax.statement import Stuck, read
+from nscc.syntax.tree import Bucket
 from nscc.syntax.words import FORMS, reserved, statement_words
 from nscc.target.load import target_names
 
@@ -51,7 +52,7 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
     before = document.text[:offset]
     tokens = lex(Source(document.name, before))
     end = tokens.span(len(tokens.kinds) - 1).end if tokens.kinds else 0
-    if "#" in before[end:].rpartition("\n")[2]:
+    if "#" in re.split(r"[\r\n]", before[end:])[-1]:  # in a comment
         return Span(offset, offset), []
     starts = statement_starts(tokens)
     if tokens.kinds[-1:] == ["UNCLOSED"]:
@@ -104,7 +105,7 @@ class _Place:
         kinds, declared = self.tokens.kinds[begin:], self.document.declared
         last, first = kinds[-1], len(kinds) == 1
         if last == "exposure":
-            buckets = (rule.name.text for rule in declared.rules if hasattr(rule, "name"))
+            buckets = (rule.name.text for rule in declared.rules if isinstance(rule, Bucket))
             yield from (Offer(name, "name", "a bucket") for name in buckets)
         elif statement == "code" and last == "of":
             yield from (Offer(name, "name", "a codebook") for name in declared.books)

@@ -32,9 +32,8 @@ _MOST_CLEARED = 4
 def lay_out_looks(
     plan: LookingPlan, solution: LookingSolution, time: Timeline, most_words: int | None
 ) -> Lowered | None:
-    """The words of a solution over the frame's boundaries; None where its registers are too many.
-
-    `most_words` as in Lowered.
+    """The words of a solution over the frame's boundaries; None where its registers are too many,
+    or where the mask would lose what it holds. `most_words` as in Lowered.
     """
     target = plan.program.target
     general = _general(solution, plan)
@@ -46,6 +45,8 @@ def lay_out_looks(
     if count > room:
         return None
     allocation = allocate(general, target)
+    if _mask_is_lost(solution, allocation):
+        return None
     named = dict(zip((f"s{i}" for i in range(general.states)), solution.states, strict=True))
     by_place = {allocation.places[name]: f"state {held}" for name, held in named.items()}
     allocation = replace(allocation, holders={**allocation.holders, **by_place})
@@ -54,6 +55,24 @@ def lay_out_looks(
         schedule = _schedule(plan, solution, allocation, time, target, apart=True)
     decoding = Decoding(_exposure_plan(plan), _problem(plan), (), general)
     return Lowered(plan.program, decoding, schedule, time, most_words)
+
+
+def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
+    """Whether a write to the masked register, which sets its mask first, would lose a value that
+    the mask's register holds for later: kept states are written, and scratch waits meanwhile."""
+    held_by = {place: name for name, place in allocation.places.items()}
+    mask, masked = held_by.get(allocation.mask or ""), held_by.get(allocation.masked or "")
+    if mask is None or masked is None:
+        return False
+    for items in solution.items.values():
+        lost = False
+        for gate in (item for item in items if isinstance(item, Gate)):
+            lost |= gate.destination == masked
+            if lost and (mask in gate.sources or not mask.startswith("t")):
+                return True
+            if gate.destination == mask:
+                lost = False
+    return False
 
 
 def _general(solution: LookingSolution, plan: LookingPlan) -> Solution:

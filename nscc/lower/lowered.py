@@ -55,8 +55,8 @@ class Lowered:
 
     @cached_property
     def busy_us(self) -> list[float]:
-        """Time that each boundary's words take, with launches, the settling of IN, and the loop
-        that waited for it; at boundary 0 of those that run after the exposure has started."""
+        """Time of each boundary's words, with launches, the settling of IN, and the loop that
+        waited for it; at boundary 0 of those that run after the exposure has started."""
         each_us = [kernel_us(kernel, self.program.target) for kernel in self.schedule.kernels]
         busy = [0.0] * (self.plan.slots + 1)
         for boundary, kernel in self.schedule.launches:

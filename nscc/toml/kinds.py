@@ -11,6 +11,8 @@ from functools import partial
 from math import isfinite
 from typing import Any, Protocol
 
+from nscc.toml.text import shown
+
 LEAST = 1e-9
 """The least that "above 0" takes. Quotients and squares of what is next to 0 leave the range of
 floats, and no time, charge or current that nscc knows is as small."""
@@ -179,10 +181,18 @@ class Axis(Kind):
             many = not value or isinstance(value[0], list | tuple)
         if many and not value:
             raise ValueError("an empty list leaves no point: name a value, or leave the key out")
-        found = tuple(self.each.read(part) for part in (value if many else (value,)))
+        if not many:
+            return (self.each.read(value),)
+        found = tuple(map(self._read_one, value))
         if len(set(found)) < len(found):
             raise ValueError("a value of a list stands there once")
         return found
+
+    def _read_one(self, value: Any) -> Any:
+        try:
+            return self.each.read(value)
+        except ValueError as reason:
+            raise ValueError(str(reason) or f"{shown(value)} is not allowed") from None
 
     def plain(self, value: Any) -> Any:
         found = [self.each.plain(part) for part in value]

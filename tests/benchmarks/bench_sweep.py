@@ -63,7 +63,7 @@ def main() -> int:
 
 
 def swept(grid: Path, workers: int) -> tuple[float, float]:
-    """Seconds of the whole command, and those between its first point's begin and its last's end."""
+    """Seconds of the whole command, and from the first begin of a point to the last end."""
     out = grid.with_name(str(workers))
     arguments = ["sweep", str(grid), "--out", str(out), "--workers", str(workers)]
     begin = perf_counter()

@@ -92,7 +92,7 @@ def offers(shell: str, typed: str, monkeypatch: pytest.MonkeyPatch,
         ("nscc reconstruct a", ["dir: a", "any"]),
         ("nscc run --like my", ["dir: my", "my_run"]),
         ("nscc run --like deep/", ["dir: deep/", "deep/other"]),
-        ("nscc evaluate of x --protocol s", ["sci8"]),
+        ("nscc evaluate of x --protocol sc", ["sci8"]),
     ],
 )
 def test_what_is_offered(

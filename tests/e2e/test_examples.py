@@ -19,7 +19,15 @@ LONG = {"class_b_4096"}
 
 # Thirteen free bits leave no register to make edges with.
 NO_EDGES = {"class_e"}
-LATCH_SERVES = {"class_a", "class_b", "class_b_4096", "foveated", "hdr_2x2", "hdr_doubling"}
+LATCH_SERVES = {
+    "class_a",
+    "class_b",
+    "class_b_4096",
+    "deblur",
+    "foveated",
+    "hdr_2x2",
+    "hdr_doubling",
+}
 REFUSALS = {"latch": "NS0414", "edges": "NS0502"}
 
 examples = pytest.mark.parametrize("path", [pytest.param(p, id=p.stem) for p in EXAMPLES])

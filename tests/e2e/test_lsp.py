@@ -92,6 +92,12 @@ async def messages_come_as_one_types(client: LanguageClient, tmp_path: Path) -> 
     (edit,) = fix.edit.changes[text.uri]
     assert (edit.range, edit.new_text) == (wrong.range, "stop")
     assert not fix.is_preferred
+    mended = "nsl 1\nframe 8 slots of 1ms\nopen when true\n"
+    await text.write(mended.replace("1ms", "1 ms"))
+    only = types.CodeActionContext([], only=["source"])
+    everything = types.CodeActionParams(text.asked, text.whole(), only)
+    (mend,) = await client.text_document_code_action_async(everything)
+    assert [edit.new_text for edit in mend.edit.changes[text.uri]] == [mended]
     client.text_document_did_close(types.DidCloseTextDocumentParams(text.asked))
     said = await client.wait_for_notification("textDocument/publishDiagnostics")
     assert (said.uri, list(said.diagnostics)) == (text.uri, [])
@@ -148,6 +154,18 @@ async def texts_are_changed(client: LanguageClient, tmp_path: Path) -> None:
     assert not await client.text_document_formatting_async(formatted)
 
 
+async def assembly_text_is_checked(client: LanguageClient, tmp_path: Path) -> None:
+    text = Text(client, tmp_path / "a.asm")
+    wrong, *_ = await text.write(".target scamp5\n.kernl k0\n")
+    assert (wrong.code, wrong.range.start) == ("NS0713", types.Position(1, 0))
+    where = types.CompletionParams(text.asked, types.Position(1, 4))
+    items = await client.text_document_completion_async(where)
+    assert ".kernel" in {item.label for item in items}
+    assert not await client.text_document_document_symbol_async(
+        types.DocumentSymbolParams(text.asked)
+    )
+
+
 async def a_file_beside_the_text_changes(client: LanguageClient, tmp_path: Path) -> None:
     text = Text(client, tmp_path / "a.nsl")
     (missing,) = await text.write('nsl 1\ntarget "own.toml"\nframe 8 slots of 1ms\nopen when true')
@@ -159,18 +177,20 @@ async def a_file_beside_the_text_changes(client: LanguageClient, tmp_path: Path)
     assert list(said.diagnostics) == []
 
 
-def test_a_session(tmp_path: Path) -> None:
-    """One server for all of it: each scenario has texts of its own."""
+def test_a_session(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """One server for all of it: each scenario has texts of its own, and none is a fault."""
 
     async def session(client: LanguageClient) -> None:
         for scenario in (
             messages_come_as_one_types, what_is_asked_is_answered, texts_are_changed,
+            assembly_text_is_checked,
             a_file_beside_the_text_changes,
         ):  # fmt: skip
             (tmp_path / scenario.__name__).mkdir()
             await scenario(client, tmp_path / scenario.__name__)
 
     served(session)
+    assert capsys.readouterr().err == ""
 
 
 async def ask_everything(text: Text, choose: Random) -> None:

@@ -108,7 +108,7 @@ Module._load = (name, ...rest) => (name === "vscode" ? vscode : load(name, ...re
 
 async function until(holds) {
   for (const begin = Date.now(); !holds(); ) {
-    if (Date.now() - begin > 60_000) throw new Error(`waited in vain: ${JSON.stringify(seen)}`);
+    if (Date.now() - begin > 180_000) throw new Error(`waited in vain: ${JSON.stringify(seen)}`);
     await new Promise((resolve) => setTimeout(resolve, 20));
   }
 }

@@ -112,6 +112,21 @@ def test_no_stage_of_stills_ends_below_its_start(seed: int) -> None:
     assert reached[1] < reached[0]
 
 
+@pytest.mark.parametrize("count", [2, 4, 8])
+@pytest.mark.parametrize("seed", range(2))
+def test_clips_do_not_end_below_their_start(seed: int, count: int) -> None:
+    """However many stages, behind random bits and behind the 2 x 2 pattern."""
+    clip, mask = scene(10 + seed, 8, 64)
+    if seed:
+        first = np.tile(np.array([[0, 2], [4, 6]]), (32, 32))
+        slot = np.arange(8)[:, None, None]
+        mask = ((slot >= first) & (slot < first + 2)).astype(np.float32)
+    frame = (clip * mask).sum(axis=0)
+    measured = Measured.exact(*(torch.from_numpy(part)[None] for part in (frame, mask)))
+    begun = psnr_db(started(measured)[0][0].numpy(), clip)
+    assert psnr_db(any_clip(frame, mask, count), clip) > begun
+
+
 @pytest.mark.parametrize(("frames", "rows", "cols"), [(1, 9, 16), (4, 37, 41), (30, 24, 20)])
 def test_clips_of_any_length_and_size(frames: int, rows: int, cols: int) -> None:
     generator = np.random.default_rng(frames)

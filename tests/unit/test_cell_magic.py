@@ -31,6 +31,7 @@ def test_a_cell_is_shown_and_named(shell: InteractiveShell) -> None:
     assert isinstance(program, nscc.ShutterProgram)
     assert program.target.name == "scamp7"
     assert shell.user_ns["stops"] is program
+    assert program.name == "stops"
     page = checked(program)
     assert {"class", "words", "stop 1", "stop 8"} <= {*page.words}
     assert shell.run_cell(f"%%nsl\n{CELL}").result.options.level == 2

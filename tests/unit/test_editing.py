@@ -16,12 +16,14 @@ from nscc.editing.complete import complete
 from nscc.editing.document import Document
 from nscc.editing.hints import hints
 from nscc.editing.hover import hover
+from nscc.editing.listing import Listing, complete_listing
 from nscc.editing.outline import outline
 from nscc.editing.rename import CannotRename, renamed
 from nscc.lower.resources import time_text
 from nscc.pipeline import Options
 from nscc.source import Source, Span
 from nscc.target.load import builtin_target
+from nscc.words.disassembly import disassemble
 
 ROOT = Path(__file__).parents[2]
 STOPS = """nsl 1
@@ -74,6 +76,7 @@ def told(text: str, piece: str) -> str:
         (SMALL + "next s = |", {"s", "b", "n", "looks"}, {"x"}),
         (SMALL + "sense c when |", {"light", "exposure"}, {"n"}),
         (SMALL + "sense c when light > 45% at |", {"n", "N"}, {"b", "s"}),
+        ("nsl 2 bucket early open when true sense c when exposure |", {"early"}, {"c"}),
         ("nsl 1\nshutters u [ 10 ]\ncode c : row of |", {"u"}, {"c"}),
         ("nsl 1\nopen when n |", {"and", "or"}, {"in"}),
         ("nsl 2\nopen when n |", {"and", "in"}, set()),
@@ -171,6 +174,39 @@ def test_another_name_changes_nothing_else(name: str) -> None:
     old, new = (repr(bare(document(t).parsed[0].statements)) for t in (STOPS, text))
     assert old.replace(f"'{name}'", "'other_1'") == new
     assert not document(text).checked.diagnostics
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted", "unwanted"),
+    [
+        ("|", {".kernel", ".slot", "WHERE", "bus"}, {"R1", "k0"}),
+        ("  .ke|", {".kernel"}, set()),
+        (".target sc|", {"scamp5", "scamp7"}, {".kernel"}),
+        (".kernel k0\n all\n.slot 0 |", {"k0"}, {"R1"}),
+        ("MOV |", {"R0", "R12", "A", "PIX"}, {"R13", "all"}),
+        (".target scamp7\nMOV R1, |", {"R13"}, {"k0"}),
+        ("all ; |", set(), {"R1"}),
+        (".source\n| nsl |".replace("| nsl", "\x00 nsl"), set(), {"R1"}),
+    ],
+)
+def test_what_may_stand_next_in_assembly(text: str, wanted: set[str], unwanted: set[str]) -> None:
+    at = text.index("|")
+    found = Listing("a.asm", text.replace("|", "").replace("\x00", "|"), ROOT)
+    span, offers = complete_listing(found, at)
+    names = {offer.text for offer in offers}
+    assert wanted <= names
+    assert not unwanted & names
+    assert span.end == at
+
+
+def test_assembly_is_checked_as_nscc_asm_does() -> None:
+    compiled = compile_source(Source("a.nsl", STOPS), ROOT, Options(level=1))
+    assert compiled.container is not None
+    text = disassemble(compiled.container)
+    assert Listing("a.asm", text, ROOT).checked.diagnostics == ()
+    wrong, *_ = Listing("a.asm", text.replace(".wait", ".wiat", 1), ROOT).checked.diagnostics
+    assert wrong.label is not None
+    assert wrong.label.span.start == text.index(".wait")
 
 
 def test_names_that_stay() -> None:

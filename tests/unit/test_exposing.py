@@ -246,7 +246,7 @@ def test_a_program_without_data_has_no_frame() -> None:
         nscc_runtime.capture(empty, LIGHT)
 
 
-def test_pixels_that_look_have_frames_and_neither_shutters_nor_plans(root: Path) -> None:
+def test_pixels_that_look_have_frames_and_plans_but_no_shutters(root: Path) -> None:
     p = nscc.compile(root / "examples" / "float_pixel.nsl", target=TARGET)
     light = np.full((ROWS, COLS), 2e6)  # electrons a second
     taken = nscc_runtime.capture(p, light)
@@ -254,8 +254,11 @@ def test_pixels_that_look_have_frames_and_neither_shutters_nor_plans(root: Path)
     assert taken.told["open_slots"].shape == (1, ROWS, COLS)
     with pytest.raises(nscc.Rejected, match="depend on the light"):
         p.shutters()
-    with pytest.raises(nscc.Rejected, match="has no plan"):
-        nscc_runtime.plan(p, light)
+    made = nscc_runtime.plan(p, light)
+    assert made.other_states is not None
+    planned = nscc_runtime.capture(p, light, plan=made, audit=True)
+    assert planned.audit is not None
+    assert planned.audit.holds
     assert "<svg" not in p._repr_html_()
 
 

@@ -77,6 +77,40 @@ def test_what_does_not_fit_is_a_row(tmp_path: Path) -> None:
     assert "data:image/png" in page
 
 
+def test_nothing_fits(tmp_path: Path) -> None:
+    written(tmp_path, f'kind = "compile"\n{BITS}[plot]\ny = ["words_total"]\n')
+    assert [row["code"] for row in swept(tmp_path)] == ["NS0412"]
+    assert not (tmp_path / "out/diagram.png").exists()
+
+
+def test_what_is_drawn_is_there(tmp_path: Path) -> None:
+    written(tmp_path, GRID + '[plot]\ny = ["word_total"]\n')
+    done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
+    assert (done.status, done.codes) == (2, ["NS0832"])
+    assert "did you mean `words_total`?" in done.err
+    assert len(kept(tmp_path)) == 4
+
+
+def test_panels_that_show_the_same_have_the_same_scales() -> None:
+    from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
+
+    wide = {"one": [(1, 2.0), (100, 300.0)], "two": [(5, 9.0)]}
+    panels = [
+        Lines("a", "slots", "words", wide),
+        Lines("b", "slots", "words", {"two": [(7, 7.0), (8, 8.0)]}),
+        Lines("c", "class", "psnr", {"one": [("b", 30.0), ("d", 31.0)]}),
+    ]
+    figure = sweep_diagram(panels, "t", "")
+    first, second, third = figure.axes
+    assert (first.get_xlim(), first.get_ylim()) == (second.get_xlim(), second.get_ylim())
+    assert second.get_xscale() == second.get_yscale() == "log"
+    assert [label.get_text() for label in third.get_xticklabels()] == ["b", "d"]
+    assert [list(line.get_xdata()) for line in third.lines] == [[0, 1]]
+    assert first.lines[1].get_color() == second.lines[0].get_color() != first.lines[0].get_color()
+    with pytest.raises(ValueError, match="no points"):
+        sweep_diagram([Lines("", "x", "y", {"one": []})], "t", "")
+
+
 def test_it_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Ended in the middle, with a line cut short: nothing that is known is computed again."""
     written(tmp_path, GRID)
@@ -177,6 +211,41 @@ sensor.read_noise_e = [1, 2.5]
     assert {float(row["mean_e"]) for row in rows} == {625.0}  # 10 of 16 slots
 
 
+@pytest.mark.slow
+def test_what_a_bench_takes_changes_it(tmp_path: Path) -> None:
+    """The table of `nscc tradeoff sensor` at its own values, other numbers at others."""
+    pytest.importorskip("torch")
+    written(
+        tmp_path,
+        """
+[clips]
+kind = "emulate"
+bench = "clips"
+class = "d"
+slots = 4
+frames = 4
+tile = [[8, 8], [2, 2]]
+sensor.read_noise_e = [1, 500]
+lowering = "edges"
+target = "scamp5"
+level = 0
+effects = "read"
+""",
+    )
+    same, noisy, tiled, _ = (float(row["psnr_db"]) for row in swept(tmp_path))
+    done = invoke(
+        ["tradeoff", "sensor", "--classes", "d", "--slots", "4", "--stop-slots", "2", "--looks",
+         "none", "--codes", "fixed", "--lowerings", "edges", "-O", "0", "--effects", "none",
+         "--csv", "sensor.csv"], tmp_path,
+    )  # fmt: skip
+    assert done.status == 0, done.err
+    with open(tmp_path / "sensor.csv", newline="") as file:
+        [clip, _] = csv.DictReader(file)
+    assert same == pytest.approx(float(clip["error"]), abs=0.1)  # an electron of noise
+    assert noisy < same - 0.5
+    assert abs(tiled - same) > 0.05
+
+
 @pytest.mark.parametrize(
     ("text", "code", "said"),
     [
@@ -189,6 +258,7 @@ sensor.read_noise_e = [1, 2.5]
         (GRID + "max_words = []", "NS0832", "an empty list leaves no point"),
         (GRID + "max_words = [9, 9]", "NS0832", "a value of a list stands there once"),
         (GRID + "seed = [0, -1]", "NS0832", "stops.seed must be a whole number"),
+        (GRID + "seed = [0, -1]", "NS0832", "-1 is not allowed"),
         (GRID + 'class = ["b", "d"]', "NS0832", "and here is rule and class"),
         (GRID + "chip.launch_us = 2", "NS0832", "changes a chip, and none is named"),
         (GRID.replace("[stops]", "['a/b']"), "NS0832", "cannot be called 'a/b'"),
@@ -207,6 +277,20 @@ def test_a_wrong_grid(tmp_path: Path, text: str, code: str, said: str) -> None:
     assert not (tmp_path / "out").exists()
 
 
+def test_points_have_the_names_that_are_asked_for(tmp_path: Path) -> None:
+    text = GRID + "[two]\n" + GRID.partition("[stops]\n")[2] + 'name = "s{slots}-{lowering}"\n'
+    names = [point.name for point in read_grid(written(tmp_path, text)).points]
+    assert names[:2] == ["stops_4_accumulate", "stops_4_edges"]
+    assert names[4:] == ["s4-accumulate", "s4-edges", "s8-accumulate", "s8-edges"]
+    with pytest.raises(Rejected, match="did you mean `slots`"):
+        read_grid(written(tmp_path, GRID + 'name = "x{slot}"'))
+
+
+def test_the_page_shows_the_example(root: Path) -> None:
+    example = (root / "examples/sweep.toml").read_text().partition("\n")[2]
+    assert f"```toml\n{example}```" in (root / "docs/sweep.md").read_text()
+
+
 def test_too_many_points(tmp_path: Path) -> None:
     keys = "".join(f"{key} = {[*range(1, 61)]}\n" for key in ("seed", "slot_us", "length"))
     text = GRID + keys
@@ -221,7 +305,7 @@ def test_one_sweep_at_a_time(tmp_path: Path) -> None:
     assert (done.status, done.codes) == (2, ["NS0834"])
 
 
-@pytest.mark.parametrize("kind", ["compile", "limits", "emulate", "train", "evaluate"])
+@pytest.mark.parametrize("kind", ["compile", "limits", "emulate", "train", "evaluate", "design"])
 def test_a_complete_part_can_be_read(tmp_path: Path, kind: str) -> None:
     text = invoke(["sweep", "--schema", kind], tmp_path).out
     assert f"[{kind}]" in text

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.compiler import compile_source
+from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.pipeline import Compiled, Options
 from nscc.program.analyse import analyse
@@ -20,6 +20,8 @@ from nscc.syntax.parse import parse
 from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc_training.codes_files import Codes, codes_bytes
+from nscc_training.design.looking import Schedule
+from nscc_training.design.text import looking_text
 
 if TYPE_CHECKING:
     from nscc_training.encoders import Encoder, ShutterSpec
@@ -66,6 +68,13 @@ class ProgramFiles:
 def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
     """The program of the shutters that an encoder has now."""
     codes: dict[str, NDArray[np.int64]] = encoder.codes()
+    if encoder.spec.kind == "looks":
+        target = chip.table or load_target(chip.target, Path())
+        schedule = Schedule(*(tuple(codes[name][0].tolist()) for name in ("at", "level")))
+        named = chip.target if chip.file is None else None
+        slots, slot_us = encoder.spec.slots, chip.slot_us
+        text = looking_text(schedule, slots, slot_us, target, named, remark)
+        return ProgramFiles(text, codes_bytes(codes))
     book = getattr(encoder, "book", None)
     if book is not None:
         codes["book"] = book()
@@ -112,6 +121,30 @@ def compiled(
         target = chip.table or chip.file
         options = Options(level=level, codes="open" if every_code else "fixed", target=target)
         return compile_source(Source("shutter.nsl", files.text), Path(folder), options)
+
+
+def codes_in(path: Path, spec: ShutterSpec, chip: Chip) -> dict[str, NDArray[np.int64]]:
+    """The codes of a program's pixels on the tile's places, or of pixels that look the moments and
+    levels: what a run begins with. ValueError for a program of other slots, fields or levels, and
+    Rejected as the compiler."""
+    target = chip.table or load_target(chip.target, Path())
+    found = compile_file(path, Options(level=0, target=target)).container
+    assert found is not None
+    if found.slots != spec.slots:
+        raise ValueError(f"the program has {found.slots} slots, and the run {spec.slots}")
+    if spec.kind == "looks":
+        asked = () if found.machine is None else found.machine.comparisons
+        if len(asked) != spec.tile[1]:
+            raise ValueError(f"it looks {len(asked)} times, and the run {spec.tile[1]}")
+        return {
+            "at": np.array([[each.boundary for each in asked]]),
+            "level": np.array([[each.level for each in asked]]),
+        }
+    if found.pixel_codes is None:
+        raise ValueError("the program has no pixels")
+    rows, cols = spec.tile
+    values = found.table.codes[found.pixel_codes[:rows, :cols]]
+    return {name: values[..., k] for k, name in enumerate(found.table.fields)}
 
 
 def words_per_slot(found: Compiled) -> float:

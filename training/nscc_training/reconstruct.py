@@ -25,8 +25,10 @@ from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.formats import Content
 from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.looked_light import OPEN
 from nscc_runtime.pieces import COLOURS
 from nscc_runtime.sensor import sensor_sha256
+from nscc_training.encoders.looks import LOOKS
 from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.sensor_model import filled, laid
@@ -42,12 +44,14 @@ that are seen too: more than decoders reach."""
 @dataclass(frozen=True, eq=False)
 class FrameRead:
     """What reconstruction needs of a frame file: codes (colours, rows, cols), one colour or red,
-    green and blue, whether they are saturated, meta, shutters (N, rows, cols) if kept."""
+    green and blue, whether they are saturated, meta, shutters (N, rows, cols) if kept; of pixels
+    that looked, for how many slots each was open (colours, rows, cols)."""
 
     frame: NDArray[np.uint8]
     saturated: NDArray[np.bool_]
     meta: dict[str, Any]
     shutter: NDArray[Any] | None
+    opened: NDArray[np.int64] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -114,9 +118,16 @@ def reconstructed(
         raise _no_frame(name, f"it is of {read.frame[0].shape} pixels, the run's chip has {size}")
     if offset is not None and offset.shape != size:
         raise _no_frame(name, f"without light it is of {offset.shape} pixels, not {size}")
+    shares: list[NDArray[np.float32] | None] = [None] * len(read.frame)
+    if folder.parts.encoder.spec.kind == LOOKS:
+        if read.opened is None or read.opened.shape != read.frame.shape:
+            raise _no_frame(name, "it does not say how long its pixels were open")
+        shares = list((read.opened / folder.parts.slots).astype(np.float32))
     made = [
-        decoded_frame(folder, codes if offset is None else undarkened(codes, offset), saturated)
-        for codes, saturated in zip(read.frame, read.saturated, strict=True)
+        decoded_frame(
+            folder, codes if offset is None else undarkened(codes, offset), saturated, share
+        )
+        for codes, saturated, share in zip(read.frame, read.saturated, shares, strict=True)
     ]
     return np.stack(made, axis=-1) if len(made) > 1 else made[0], messages
 
@@ -141,10 +152,12 @@ def read_dark(path: Path) -> NDArray[np.float64]:
 
 
 def decoded_frame(
-    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32], saturated: NDArray[np.bool_]
-) -> NDArray[np.float32]:
+    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32],
+    saturated: NDArray[np.bool_], share: NDArray[np.float32] | None = None,
+) -> NDArray[np.float32]:  # fmt: skip
     """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes.
 
+    `share` (rows, cols) is the part of the frame that each pixel was open, where pixels looked.
     Frames larger than the array are decoded block by block.
     """
     rows, cols = frame.shape
@@ -159,7 +172,11 @@ def decoded_frame(
             )
             codes, full = frame[down, across], saturated[down, across]
             corner = (down.start % array[0], across.start % array[1])
-            made = _decoded(folder, codes, full, shutters(codes.shape, corner))
+            if share is None:
+                opened = shutters(codes.shape, corner)
+            else:
+                opened = torch.from_numpy(share[None, down, across].copy())
+            made = _decoded(folder, codes, full, opened)
             inside = made[..., top - down.start :, left - across.start :][..., :_BLOCK, :_BLOCK]
             if found is None:
                 found = np.empty((*made.shape[:-2], rows, cols), np.float32)
@@ -180,7 +197,8 @@ def _decoded(
     relative = parts.model.relative(codes - parts.model.adc_offset_lsb)
     # The knee of registers, and light that eats the reset level, make full pixels read less.
     full = torch.from_numpy(np.ascontiguousarray(saturated)).to(parts.device)
-    relative = filled(relative, full, shutters)
+    if parts.encoder.spec.kind != LOOKS:
+        relative = filled(relative, full, shutters)
     found = parts.decoder(relative[None], shutters)[0].float().cpu().numpy()
     slots = 1 if parts.still else parts.slots
     return np.asarray(found * (parts.model.full_e / slots), np.float32)
@@ -206,13 +224,14 @@ def read_frame(path: Path) -> FrameRead:
     if saturated.shape != found.shape or saturated.dtype != np.bool_:
         raise _no_frame(path, f"`saturated` is {saturated.dtype} {saturated.shape}, no bool of it")
     if "colours" in file.meta and found.ndim == 4 and found.shape[:2] == (len(COLOURS), 1):
-        return FrameRead(found[:, 0], saturated[:, 0], file.meta, None)
+        opened = None if file.opened is None else file.opened[:, 0]
+        return FrameRead(found[:, 0], saturated[:, 0], file.meta, None, opened)
     if found.ndim != 3 or found.shape[0] != 1 or 0 in found.shape:
         raise _no_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
     if kept is not None and kept.shape[:-1] != found.shape:
         raise _no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
     shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
-    return FrameRead(found, saturated, file.meta, shutter)
+    return FrameRead(found, saturated, file.meta, shutter, file.opened)
 
 
 def _frame_arrays(path: Path) -> FrameRead:
@@ -224,6 +243,7 @@ def _frame_arrays(path: Path) -> FrameRead:
             found, meta = file["frame"], json.loads(str(file["meta"]))
             named = "saturated" in file.files  # without, the codes that say so are
             saturated = file["saturated"] if named else np.zeros(found.shape, np.bool_)
+            opened = file[OPEN] if OPEN in file.files else None
             kept = None
             if "shutter" in file.files:
                 count = int(file["shutter_shape"][3])
@@ -233,7 +253,9 @@ def _frame_arrays(path: Path) -> FrameRead:
         raise _no_frame(path, reason) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA or found.dtype != np.uint8:
         raise _no_frame(path, f"its schema is not {SCHEMA}")
-    return FrameRead(found, saturated, meta, kept)
+    if opened is not None and (opened.shape != found.shape or opened.dtype.kind not in "iu"):
+        raise _no_frame(path, f"`{OPEN}` is {opened.dtype} {opened.shape}, no integers of it")
+    return FrameRead(found, saturated, meta, kept, opened)
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:

@@ -25,6 +25,7 @@ from nscc_runtime.scenes.scene import Scene
 from nscc_training import run_folder
 from nscc_training.curve_chart import curve_chart
 from nscc_training.encoders import Encoder
+from nscc_training.encoders.looks import LOOKS
 from nscc_training.reconstruct import FrameRead, decoded_frame, read_dark, read_frame, reconstructed
 from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder
@@ -162,6 +163,8 @@ class Run:
     def _shutters(self) -> html.Html:
         """The chart of the distinct shutters of the tile, with the first code of each."""
         spec, codes = self.encoder.spec, self.encoder.codes()
+        if spec.kind == LOOKS:
+            return html.Html()  # when a pixel is open hangs on the light
         opened = self.encoder.hard().cpu().numpy().astype(bool).reshape(spec.slots, -1).T
         rows, first = np.unique(opened, axis=0, return_index=True)
         flat = {name: values.reshape(-1) for name, values in codes.items()}

@@ -31,6 +31,8 @@ class SensorModel:
 
     `shot_noise` is Gaussian with the variance of photons; `noise_factor` makes it and the noise
     of the readout so many times larger; `slope` stands in for the gradient 0 of saturated pixels.
+    `comparator_noise` and `comparator_offset` are standard deviations in full wells, for pixels
+    that look.
     """
 
     full_well_e: float
@@ -41,6 +43,8 @@ class SensorModel:
     shot_noise: bool = False
     noise_factor: float = 1.0
     slope: float = 0.1
+    comparator_noise: float = 0.0
+    comparator_offset: float = 0.0
 
     @classmethod
     def of(cls, sensor: Sensor, target: Target) -> SensorModel:
@@ -68,7 +72,12 @@ class SensorModel:
 
     def noiseless(self) -> SensorModel:
         """The same sensor without noise."""
-        return replace(self, adc_noise_lsb=0.0, shot_noise=False)
+        quiet = {"comparator_noise": 0.0, "comparator_offset": 0.0}
+        return replace(self, adc_noise_lsb=0.0, shot_noise=False, **quiet)
+
+    def counted(self) -> SensorModel:
+        """The same sensor for charge whose photons have been counted."""
+        return replace(self, shot_noise=False)
 
     @property
     def top_code(self) -> int:

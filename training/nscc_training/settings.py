@@ -17,7 +17,10 @@ class ShutterSettings:
     """[shutter]: what is learned on the sensor's side."""
 
     kind: str = key(
-        Text(("a", "b", "c", "d", "e", "codebook")), "the class of shutters", "b", name="class"
+        Text(("a", "b", "c", "d", "e", "codebook", "looks")),
+        "the class of shutters; looks: pixels that close at the first look above a level",
+        "b",
+        name="class",
     )
     slots: int = key(Integer(1, 65536), "slots in a frame", 256)
     slot_us: float = key(Number(1e-3, 1e9), "length of a slot in microseconds", 125.0)
@@ -27,10 +30,11 @@ class ShutterSettings:
     free: bool = key(Flag(), "a code for every pixel of the array instead of a tile", False)
     length: int = key(Integer(1, 65536), "slots of a bump of class c", 4)
     rows: int = key(Integer(1, 4096), "shapes of a codebook", 64)
+    exposures: int = key(Integer(2, 32), "of a pixel that looks: one more than it has looks", 5)
     init: str = key(
         Text(),
-        "random, uniform, quad (2 x 2 geometric), learned (as quad), or a file of codes, .npz "
-        "or .mat", "quad",
+        "random, uniform, quad (2 x 2 geometric), learned (as quad), or a file: codes, .npz or "
+        ".mat, or a program of the class, .nsl", "quad",
     )  # fmt: skip
     learn: bool = key(Flag(), "false keeps the codes as they start", True)
     relaxation: str = key(

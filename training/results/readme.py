@@ -17,6 +17,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from nscc_training.evaluation.hdr_looks import LOOKING, rows_text
 from nscc_training.evaluation.results import compare, mean_of, read_result
 
 HERE = Path(__file__).resolve().parent
@@ -117,10 +118,16 @@ def windows(name: str) -> str:
     return f"{len(files)} windows, {max(map(files.count, files))} of them of one film"
 
 
+def looks() -> str:
+    """The table of pixels that look, as `nscc evaluate looks` prints it."""
+    return rows_text([result(name) for name in LOOKING]).rstrip()
+
+
 FUNCTIONS: dict[str, Callable[..., str]] = {
     call.__name__: call
     for call in (
-        mean, source, gain, gain_by_source, stop, words, moved, steps, validation, cost, windows
+        mean, source, gain, gain_by_source, stop, words, moved, steps, validation, cost, windows,
+        looks,
     )
 }  # fmt: skip
 

@@ -51,7 +51,7 @@ async function start(context, output) {
     "nscc",
     { command, args: [...before, "lsp"] },
     {
-      documentSelector: [{ language: "nsl" }],
+      documentSelector: [{ language: "nsl" }, { language: "nscc-asm" }],
       outputChannel: output,
       synchronize: { fileEvents: watcher },
     },

@@ -9,12 +9,11 @@ from typing import Any
 from nscc.diagnostics import rejection
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.target import Target
-from nscc_runtime.device.host import Contested, Refused, Silent, Stalled
+from nscc_runtime.device.host import Refused, Silent, Stalled
 from nscc_runtime.device.messages import Capability, Fault, Info, frame_bytes
 from nscc_runtime.device.objects import Upload, target_digest
 from nscc_runtime.device.packets import VERSION, Kind
 from nscc_runtime.device.port import PortTrouble
-from nscc_runtime.device.tasks import Implausible
 from nscc_runtime.device.timing import FADES, NO_BREATH, TOO_LONG
 
 FAILED = 3
@@ -87,21 +86,6 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
             "the line is too bad, or the device keeps starting anew: check cable, speed (--baud) "
             "and power",
         ) from None
-    except Contested:
-        raise rejected(
-            "NS0775",
-            f"another program speaks to the device at '{port[:200]}'",
-            "end it, or wait until it is done: a device has one host at a time",
-            notes=("the device did not start anew, and yet began other conversations than ours",),
-        ) from None
-    except Implausible as implausible:
-        captured = implausible.captured
-        raise rejected(
-            "NS0767",
-            f"the device at '{port[:200]}' has a frame of {captured.length} bytes in "
-            f"{captured.readouts} buckets, which is not the program's",
-            "put the loader that came with this nscc on the device",
-        ) from None
     except Refused as refused:
         raise _refused(port, refused) from None
 
@@ -135,7 +119,8 @@ def _refused(port: str, refused: Refused) -> Rejected:
         case Fault.LATE:
             return rejected(
                 "NS0721",
-                f"{at} began launches later than the program allows (so many: {failure.detail})",
+                f"{at} began {failure.detail} launch{'' if failure.detail == 1 else 'es'} of the "
+                "frame later than the program allows",
                 "measure the device's times and build the program with them: `nscc device "
                 "calibrate PORT`",
             )

@@ -21,7 +21,8 @@ def _seen(pixels: Pixels, total: Values, word: Word) -> Values:
 
 
 def _field(sample: Sampled) -> Field:
-    """nothing in programs without looks, which alone have plans"""
+    """the part of the pixels that end in other states, of tiles that run through their words with
+    the noise and without; nothing in programs that do not look"""
     return Field()
 
 
@@ -32,7 +33,7 @@ COMPARATOR_NOISE = Effect(
     title="noise of the comparators",
     model="Each `where` compares the sum of its sources and s F z with 0: F the full well, z a "
     "standard normal number of its own for each pixel and word.",
-    cost="one normal number a comparison, in the reference",
+    cost="one normal number a comparison that a pixel depends on",
     applied="to every `where`",
     absent=NO_LOOK,
     parameters=(SIGMA, FULL),

@@ -16,7 +16,7 @@ SPREAD = parameter(
     "comparator_offset_fraction", "comparator", 0.01, "1", 0, 1,
     "standard deviation over the pixels of a comparator's offset, in full wells",
 )  # fmt: skip
-ONLY_LOOKS = "programs whose pixels look at the light run word by word in the reference"
+ONLY_LOOKS = "programs whose pixels look at the light have no sums over slots"
 NO_LOOK = "no word of this program compares the light"
 
 
@@ -31,7 +31,8 @@ def _seen(pixels: Pixels, total: Values, word: Word) -> Values:
 
 
 def _field(sample: Sampled) -> Field:
-    """nothing in programs without looks, which alone have plans"""
+    """the part of the pixels that end in other states, of tiles that run through their words with
+    the offset and without; nothing in programs that do not look"""
     return Field()
 
 
@@ -42,7 +43,7 @@ COMPARATOR_OFFSET = Effect(
     title="offset of the comparators",
     model="`where` compares the sum of its sources and an offset o F z with 0: F the full well, z "
     "a standard normal number of the device for each pixel.",
-    cost="one sum a comparison, in the reference",
+    cost="one normal number a pixel and a sum a comparison",
     applied="to every `where`",
     absent=NO_LOOK,
     parameters=(SPREAD, FULL),

@@ -107,7 +107,8 @@ class Effect:
     does, `absent` why it does nothing where its field is nothing. `parameters`: the sensor's that
     it depends on. `reference`: its functions by stage. `field`: what it does to exposures, for the
     planner and, by its docstring, for people. `sums`: its parts in sums over slots; `fused`: in the
-    loop that does a simple plan in one go; `words`: in the loop over the words of single pixels.
+    loop that does a simple plan in one go; `words`: in the loops over the words of single pixels
+    and of pixels that look.
     `cost_ns`: nanoseconds a pixel that leaving it out saves, measured, to a factor of about two.
     `always` effects cannot be left out. `marks`: how a frame tells where it cut values off, by what
     is marked (`nscc_runtime.effects.marks`).

@@ -27,7 +27,7 @@ from nscc_runtime.remembered import remembered
 
 Bits = NDArray[np.bool_]
 
-_TILES, _SIDE = 64, 4
+_TILES, _SIDE = 256, 2
 """How many tiles, and how many of their pixels in each direction have all their neighbours."""
 _WHOLE = 2048
 """Arrays of so few pixels are taken whole."""
@@ -144,7 +144,7 @@ class Sample:
         fallen = self._fallen(before, effects.noiseless)
         return self.ways.run(
             self._scene, self.loaded, effects, _SEEDS, 0, rows,
-            lambda part: fallen.rows(slice(part.start, part.stop)),
+            lambda part: fallen.rows(slice(part.start, part.stop)), among=self.weight > 0,
         )  # fmt: skip
 
     @cached_property

@@ -224,6 +224,66 @@ def _hand_on(segment: int, first: int, i: int, head: Ints, behind: Ints, ends: I
         head[segment] = i
 
 
+@compiled
+def _name(
+    sizes: Sizes, keys: Keys, read_keys: Words, reset_keys: Words, ask_keys: Words,
+    write_keys: Words,
+) -> None:  # fmt: skip
+    """The keys of this frame's draws, word by word."""
+    for w in range(sizes.steps):
+        number = np.uint64(w)
+        read_keys[w] = bits(keys.reads, sizes.frame, number)
+        reset_keys[w] = bits(keys.resets, sizes.frame, number)
+        ask_keys[w] = bits(keys.compares, sizes.frame, number)
+        for d in range(w * sizes.numbered, (w + 1) * sizes.numbered):
+            write_keys[d] = bits(keys.words, sizes.frame, np.uint64(d))
+
+
+@compiled
+def _along(
+    sizes: Sizes, numbers: Numbers, segment: int, first: int, words: OfWords, operands: Ints,
+    start: Ints, acting: Ints, following: Ints, signs: Floats, charge: Floats, pace: Floats,
+    read_keys: Words, reset_keys: Words, ask_keys: Words, write_keys: Words, head: Ints,
+    behind: Ints, some: Ints, reached: Ints, marks: Ints, full: Ints, pattern: Floats,
+    leak: Floats, offset: Floats, pix: Floats, level: Floats, part: Floats, much: Floats,
+    z: Floats, total: Floats, value: Floats, stamp: Floats, lost: Floats, ends: Ints32,
+) -> None:  # fmt: skip
+    """The pixels of a block that wait before a segment run its words, and are handed on."""
+    count, i, place = 0, head[segment], sizes.first_place + first
+    head[segment] = -1
+    while i >= 0:
+        some[count] = i
+        count += 1
+        i = behind[i]
+    asks = False
+    for e in range(start[segment], start[segment + 1]):
+        w = acting[e]
+        word = words[w]
+        if word.touches_pix:
+            _fallen(
+                sizes, numbers, word, first, some, count, charge, pace, pix, full, reached, part
+            )
+        if word.resets:
+            _reset(sizes, numbers, reset_keys[w], place, some, count, pix, level, full, z)
+            continue
+        _total(
+            sizes, numbers, word, read_keys[w], place, some, count, operands, leak, pix, level,
+            value, stamp, z, total,
+        )  # fmt: skip
+        if word.compares:
+            asks = True
+            _asked(sizes, numbers, ask_keys[w], place, some, count, offset, z, total)
+            continue
+        _gathered(sizes, word, some, count, operands, lost, full, much, marks)
+        _written(
+            sizes, numbers, word, w, write_keys, place, some, count, operands, signs, pattern,
+            much, marks, value, stamp, lost, full, z, total,
+        )  # fmt: skip
+    for j in range(count):
+        answer = 1 if asks and total[j] > 0.0 else 0
+        _hand_on(following[2 * segment + answer], first, some[j], head, behind, ends)
+
+
 @loop
 def run_ways(
     sizes: Sizes,
@@ -275,67 +335,27 @@ def run_ways(
     filled with -1, those without a shape of `BLOCK` pixels, the last four for each register and two
     more; `write_keys` for each word and number of a draw.
     """
-    registers, numbered = sizes.registers, sizes.numbered
-    for w in range(sizes.steps):
-        number = np.uint64(w)
-        read_keys[w] = bits(keys.reads, sizes.frame, number)
-        reset_keys[w] = bits(keys.resets, sizes.frame, number)
-        ask_keys[w] = bits(keys.compares, sizes.frame, number)
-        for d in range(numbered):
-            write_keys[w * numbered + d] = bits(
-                keys.words, sizes.frame, np.uint64(w * numbered + d)
-            )
+    _name(sizes, keys, read_keys, reset_keys, ask_keys, write_keys)
     for first in range(0, sizes.pixels, BLOCK):
         count = min(BLOCK, sizes.pixels - first)
-        place = sizes.first_place + first
         for i in range(count):
             some[i] = i
         _device(sizes, numbers, keys, first, count, some, pattern, leak, offset)
         for i in range(count):
             pix[i], level[i], part[i], reached[i] = 0.0, 0.0, 0.0, 0
-            for register in range(registers + 2):
-                value[register * BLOCK + i], stamp[register * BLOCK + i] = 0.0, 0.0
-                lost[register * BLOCK + i], full[register * BLOCK + i] = 0.0, 0
+            for register in range(sizes.registers + 2):
+                at = register * BLOCK + i
+                value[at], stamp[at], lost[at], full[at] = 0.0, 0.0, 0.0, 0
             _hand_on(begins[first + i], first, i, head, behind, ends)
         for segment in range(sizes.segments):
-            if head[segment] < 0:
-                continue
-            count = 0
-            i = head[segment]
-            head[segment] = -1
-            while i >= 0:
-                some[count] = i
-                count += 1
-                i = behind[i]
-            asks = False
-            for e in range(start[segment], start[segment + 1]):
-                w = acting[e]
-                word = words[w]
-                if word.touches_pix:
-                    _fallen(
-                        sizes, numbers, word, first, some, count, charge, pace, pix, full, reached,
-                        part,
-                    )  # fmt: skip
-                if word.resets:
-                    _reset(sizes, numbers, reset_keys[w], place, some, count, pix, level, full, z)
-                    continue
-                _total(
-                    sizes, numbers, word, read_keys[w], place, some, count, operands, leak, pix,
-                    level, value, stamp, z, total,
+            if head[segment] >= 0:
+                _along(
+                    sizes, numbers, segment, first, words, operands, start, acting, following,
+                    signs, charge, pace, read_keys, reset_keys, ask_keys, write_keys, head, behind,
+                    some, reached, marks, full, pattern, leak, offset, pix, level, part, much, z,
+                    total, value, stamp, lost, ends,
                 )  # fmt: skip
-                if word.compares:
-                    asks = True
-                    _asked(sizes, numbers, ask_keys[w], place, some, count, offset, z, total)
-                    continue
-                _gathered(sizes, word, some, count, operands, lost, full, much, marks)
-                _written(
-                    sizes, numbers, word, w, write_keys, place, some, count, operands, signs,
-                    pattern, much, marks, value, stamp, lost, full, z, total,
-                )  # fmt: skip
-            for j in range(count):
-                answer = 1 if asks and total[j] > 0.0 else 0
-                _hand_on(following[2 * segment + answer], first, some[j], head, behind, ends)
         _read_out(
-            sizes, numbers, first, min(BLOCK, sizes.pixels - first), readout_register,
-            readout_gain, readout_wait_s, leak, value, stamp, lost, full, out, marked,
+            sizes, numbers, first, count, readout_register, readout_gain, readout_wait_s, leak,
+            value, stamp, lost, full, out, marked,
         )  # fmt: skip

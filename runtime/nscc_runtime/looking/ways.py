@@ -99,14 +99,18 @@ class Ways:
         rows: range,
         fall: Callable[[range], Fallen],
         threads: int = 1,
+        among: Bits | None = None,
     ) -> Executed:
-        """The same under the charge of rows that `fall` gives."""
+        """The same under the charge of rows that `fall` gives; `among` (rows, cols): the pixels
+        whose words run, by default all. Of others the result means nothing."""
         lacking = self.lacks(effects)
         laid = self._laid(_retention_us(effects, self.sensor))
         if lacking or isinstance(laid, str):
             raise ValueError("; ".join(lacking))
-        run = _Run(self, laid, scene, effects, seeds, frame)
-        return run.rows(rows, laid.begins(loaded, scene.light.shape), fall, threads)
+        begins = laid.begins(loaded, scene.light.shape)
+        if among is not None:
+            begins = np.where(among, begins, -1)  # they have come to an end
+        return _Run(self, laid, scene, effects, seeds, frame).rows(rows, begins, fall, threads)
 
     @remembered
     def _laid(self, retention_us: float) -> Laid | str:

@@ -55,7 +55,7 @@ def poisson(
     """
     if np.shape(rate) != np.shape(pixels):
         raise ValueError(f"rates {np.shape(rate)} for pixels {np.shape(pixels)}")
-    from nscc_runtime.noise.loops import Counts, fill_poisson
+    from nscc_runtime.noise.loops import BLOCK, Counts, fill_poisson
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
     valid = np.empty(np.shape(pixels), np.bool_)
@@ -65,6 +65,7 @@ def poisson(
         rate=_floats(rate).reshape(-1),
         out=out.reshape(-1),
         valid=valid.view(np.uint8).reshape(-1),
+        **{name: np.empty(BLOCK) for name in ("rates", "total", "mass", "found")},
     )
     return out, valid
 

@@ -6,6 +6,7 @@ otherwise in a vector than alone, so that how pixels are split over calls change
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
 import numpy as np
@@ -15,7 +16,9 @@ from nscc_runtime.noise.binomial_law import binomial
 from nscc_runtime.noise.counter import bits, unit
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.poisson_law import (
+    INVERSE,
     SEARCH_BELOW,
+    SEARCHED,
     SETTLED_ABOVE,
     poisson_exact,
     poisson_fast,
@@ -26,7 +29,7 @@ from nscc_runtime.noise.poisson_law import (
 _Places = Annotated[Ints, "count"]
 _Drawn = Written[Annotated[Floats, "count"]]
 
-_BLOCK = 512
+BLOCK = 512
 """Pixels drawn together: light differs little along a row, so most blocks are of one kind."""
 
 _FIRST_LANE = np.uint64(0)
@@ -59,6 +62,37 @@ def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> No
         known = rate[i] if rate[i] > SEARCH_BELOW else SEARCH_BELOW
         x = np.floor(quantile(out[i], known if known < top else top))
         out[i] = x if x > 0.0 else 0.0
+
+
+@compiled
+def _searched(
+    rate: Floats, first: int, stop: int, out: Floats, rates: Floats, total: Floats, mass: Floats,
+    found: Floats,
+) -> None:  # fmt: skip
+    """out[i] := `search` at the uniform number out[i], step by step for all: rates are below
+    SEARCH_BELOW, and LLVM makes vectors of a step.
+    """
+    count = stop - first
+    for i in range(count):
+        rates[i] = rate[first + i] if rate[first + i] > 0.0 else 0.0
+        mass[i] = math.exp(-rates[i])
+    for i in range(count):
+        # exp(-rate) is not below 1 - rate, but for its rounding.
+        total[i] = mass[i] if out[first + i] > 1.0 - rates[i] else 1.0
+        found[i] = 0.0
+    for k in range(1, SEARCHED):
+        going = 0
+        for i in range(count):
+            mass[i] *= rates[i] * INVERSE[k]
+            grown = total[i] + mass[i]
+            on = out[first + i] > total[i] and grown != total[i]
+            total[i] = grown if on else total[i]
+            found[i] += 1.0 if on else 0.0
+            going += 1 if on else 0
+        if going == 0:
+            break
+    for i in range(count):
+        out[first + i] = found[i]
 
 
 @record
@@ -96,19 +130,25 @@ class Counts:
 @loop
 def fill_poisson(
     counts: Counts, pixels: _Places, rate: Annotated[Floats, "count"], out: _Drawn,
-    valid: Written[Annotated[Bytes, "count"]],
+    valid: Written[Annotated[Bytes, "count"]], rates: Written[Floats], total: Written[Floats],
+    mass: Written[Floats], found: Written[Floats],
 ) -> None:  # fmt: skip
-    """out[i] := a count of rate[i], drawn at pixels[i]; valid[i] := whether that is a number."""
+    """out[i] := a count of rate[i], drawn at pixels[i]; valid[i] := whether that is a number. From
+    `rates` on: scratch for `BLOCK` pixels each.
+    """
     count, top, stream = counts.count, counts.cap, counts.key
-    for first in range(0, count, _BLOCK):
-        stop = min(first + _BLOCK, count)
-        low = 0
+    for first in range(0, count, BLOCK):
+        stop = min(first + BLOCK, count)
+        low, few = 0, 0
         for i in range(first, stop):
             valid[i] = rate[i] == rate[i]
             low += not rate[i] >= SETTLED_ABOVE
+            few += not rate[i] >= SEARCH_BELOW
         for i in range(first, stop):
             out[i] = uniform(stream, pixels[i])
-        if counts.exact:
+        if few == stop - first:
+            _searched(rate, first, stop, out, rates, total, mass, found)
+        elif counts.exact:
             for i in range(first, stop):
                 out[i] = poisson_exact(out[i], _drawable(rate[i], top))
         elif low == stop - first:

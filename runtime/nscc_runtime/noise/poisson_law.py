@@ -27,8 +27,9 @@ EXACT_BELOW = 1e6
 """From this rate on the formula gives another count than the search with a probability that is
 about 1e-15 rate, by rounding."""
 
-_SEARCHED = 80
-_INVERSE = np.array([0.0, *(1.0 / k for k in range(1, _SEARCHED))])
+SEARCHED = 80
+"""Counts that the search may come to: enough for rates up to SEARCH_BELOW."""
+INVERSE = np.array([0.0, *(1.0 / k for k in range(1, SEARCHED))])
 
 # Stirling's error log(k!) - log(sqrt(2 pi k) (k/e)**k), exact for small k, a series above.
 _STIRLING_TABLE = 16
@@ -104,8 +105,8 @@ def search(u: float, rate: float) -> float:
         return 0.0
     mass = math.exp(-rate)
     total, k = mass, 0
-    while u > total and k < _SEARCHED - 1:
-        mass *= rate * _INVERSE[k + 1]
+    while u > total and k < SEARCHED - 1:
+        mass *= rate * INVERSE[k + 1]
         if total + mass == total:
             break
         total += mass

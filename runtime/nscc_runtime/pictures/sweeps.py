@@ -1,4 +1,8 @@
-"""Pictures of sweeps: a figure against an axis, a line for each value of another one."""
+"""Pictures of sweeps: figures against an axis, a line for each value of others.
+
+Panels that show the same have the same scales: numbers, which are logarithmic where they span a
+decade, or names side by side.
+"""
 
 from __future__ import annotations
 
@@ -15,8 +19,10 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _COLUMNS = 2
-_LOGARITHMIC = 10.0
-"""Values above 0 that span such a factor have a logarithmic axis."""
+_HEIGHT = 2.9
+_DECADE = 10.0
+_MARGIN = 0.06
+"""Of an axis beyond its outermost points."""
 _MOST_NAMED = 6
 """Lines that may have their names beside them; of more a legend tells them apart."""
 
@@ -34,17 +40,58 @@ class Lines:
     lines: Mapping[str, Sequence[tuple[Place, float]]]
 
 
+@dataclass(frozen=True)
+class _Scale:
+    """How an axis is laid out: `names` side by side, or numbers between limits."""
+
+    low: float
+    high: float
+    logarithmic: bool = False
+    names: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, values: Sequence[Place]) -> _Scale:
+        """The scale that all of these values are on."""
+        numbers = [value for value in values if not isinstance(value, str)]
+        if len(numbers) < len(values):
+            names = tuple(dict.fromkeys(map(str, values)))
+            return cls(-0.3, len(names) - 0.7, names=names)
+        low, high = min(numbers), max(numbers)
+        if low > 0 and high >= _DECADE * low:
+            room = (high / low) ** _MARGIN
+            return cls(low / room, high * room, logarithmic=True)
+        room = _MARGIN * ((high - low) or abs(high) or 1.0)
+        return cls(low - room, high + room)
+
+    def at(self, value: Place) -> float:
+        """Where a value is."""
+        return float(self.names.index(str(value)) if self.names else value)
+
+    def lay(self, axes: Axes, which: str) -> None:
+        """Gives one of a panel's axes, "x" or "y", this scale."""
+        if self.logarithmic:
+            axes.set(**{f"{which}scale": "log"})
+        axes.set(**{f"{which}lim": (self.low, self.high)})
+        axis = axes.xaxis if which == "x" else axes.yaxis
+        if self.names:
+            axis.set_ticks(range(len(self.names)), self.names)
+        else:
+            sheet.round_ticks(axis)
+
+
 def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
     """All panels, lines of one name in one colour. Raises ValueError where there is nothing to
     draw."""
     from matplotlib.lines import Line2D
 
-    if not any(points for panel in panels for points in panel.lines.values()):
+    held = [panel for panel in panels if any(panel.lines.values())]
+    if not held:
         raise ValueError("no points to draw")
-    names = list(dict.fromkeys(name for panel in panels for name in panel.lines))
-    columns = min(_COLUMNS, len(panels))
-    figure, grid = sheet.panels(len(panels), (sheet.WIDTH / max(columns, 1.4), 2.9), columns)
-    labels = [_draw(axes, panel, names) for axes, panel in zip(grid, panels, strict=True)]
+    names = list(dict.fromkeys(name for panel in held for name in panel.lines))
+    scales = _scales(held)
+    columns = min(_COLUMNS, len(held))
+    figure, grid = sheet.panels(len(held), (sheet.WIDTH / max(columns, 1.4), _HEIGHT), columns)
+    labels = [_draw(axes, panel, names, scales) for axes, panel in zip(grid, held, strict=True)]
     figure.align_ylabels(grid)
     sheet.lay_out(figure)
     homeless = {*names} - {""}
@@ -63,37 +110,32 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
     return figure
 
 
-def _draw(axes: Axes, panel: Lines, names: Sequence[str]) -> list[Label]:
+def _scales(panels: Sequence[Lines]) -> dict[tuple[str, str], _Scale]:
+    """The scales by ("x" or "y", what is drawn along it)."""
+    values: dict[tuple[str, str], list[Place]] = {}
+    for panel in panels:
+        for points in panel.lines.values():
+            for across, upwards in points:
+                values.setdefault(("x", panel.across), []).append(across)
+                values.setdefault(("y", panel.upwards), []).append(upwards)
+    return {key: _Scale.of(held) for key, held in values.items()}
+
+
+def _draw(
+    axes: Axes, panel: Lines, names: Sequence[str], scales: Mapping[tuple[str, str], _Scale]
+) -> list[Label]:
     """Draws a panel's lines; their names, for their ends."""
-    across = [x for points in panel.lines.values() for x, _ in points]
-    upwards = [y for points in panel.lines.values() for _, y in points]
+    across, upwards = scales["x", panel.across], scales["y", panel.upwards]
     axes.set_title(panel.title)
     axes.set_xlabel(panel.across)
     axes.set_ylabel(panel.upwards)
-    numbers = [x for x in across if not isinstance(x, str)]
-    categories = [] if len(numbers) == len(across) else list(dict.fromkeys(map(str, across)))
-    if not categories and _wide(numbers):
-        axes.set_xscale("log")
-    if _wide(upwards):
-        axes.set_yscale("log")
     labels = []
     for name, points in panel.lines.items():
-        places = [
-            (float(categories.index(str(x)) if categories else x), float(y)) for x, y in points
-        ]
+        places = [(across.at(x), upwards.at(y)) for x, y in points]
         chosen = look().of(names.index(name))
-        axes.plot([x for x, _ in places], [y for _, y in places], **chosen)
+        axes.plot([x for x, _ in places], [y for _, y in places], clip_on=False, **chosen)
         if places and name:
             labels.append(Label(name, places[::-1], chosen["color"], name=True))
-    if categories:
-        axes.set_xticks(range(len(categories)), categories)
-        axes.set_xlim(-0.3, len(categories) - 0.7)
-    elif numbers:
-        sheet.round_ticks(axes.xaxis)
-    if upwards:
-        sheet.round_ticks(axes.yaxis)
+    across.lay(axes, "x")
+    upwards.lay(axes, "y")
     return labels
-
-
-def _wide(values: Sequence[float]) -> bool:
-    return bool(values) and min(values) > 0 and max(values) >= _LOGARITHMIC * min(values)

@@ -164,16 +164,9 @@ def executed(
 
 
 def looking_frames(
-    container: Container,
-    light: Light,
-    sensor: Sensor,
-    effects: Selection,
-    *,
-    seed: int = 0,
-    device_seed: int = 0,
-    count: int = 1,
-    previous: Light | None = None,
-) -> Iterator[Frame]:
+    container: Container, light: Light, sensor: Sensor, effects: Selection, *,
+    seed: int = 0, device_seed: int = 0, count: int = 1, previous: Light | None = None,
+) -> Iterator[Frame]:  # fmt: skip
     """Frames 0 .. `count` - 1 of `light`, one after the other: kept states go on from frame to
     frame. What can be refused is refused before the first one."""
     check(container, light)
@@ -194,13 +187,9 @@ def _frames(
 
 
 def told_frame(
-    container: Container,
-    executed: Executed,
-    sensor: Sensor,
-    effects: Selection,
-    seeds: tuple[int, int],
-    number: int,
-) -> Frame:
+    container: Container, executed: Executed, sensor: Sensor, effects: Selection,
+    seeds: tuple[int, int], number: int,
+) -> Frame:  # fmt: skip
     """Frame number `number` as its file has it."""
     frame = converted(executed.exposure, container.target, sensor, effects, seeds, number)
     return replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))

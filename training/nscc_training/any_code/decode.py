@@ -1,4 +1,4 @@
-"""Light from frames of any code: plain, or by weights where nscc ships some."""
+"""Light from frames of any code, by the weights that come with nscc."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from torch import Tensor
 
 from nscc_training.any_code.measured import Measured
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
-from nscc_training.any_code.stages import PLAIN, STAGES, START, schedule, stage, started
+from nscc_training.any_code.stages import STAGES, schedule, stage, started
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
 
 WEIGHTS = "weights.safetensors"
@@ -20,9 +20,8 @@ Clip = NDArray[np.float32]
 
 
 @cache
-def shipped(kind: str) -> ClipDenoiser | None:
-    """The denoiser for `clip` or `still` with its weights; None where none are shipped, as for
-    clips as long as training found none that are better than GAP-TV."""
+def shipped(kind: str) -> ClipDenoiser:
+    """The denoiser for `clip` or `still` with its weights."""
     from safetensors.torch import load_file
 
     with as_file(files(__package__) / WEIGHTS) as path:
@@ -32,8 +31,6 @@ def shipped(kind: str) -> ClipDenoiser | None:
         for name, part in every.items()
         if name.startswith(f"{kind}.")
     }
-    if not state:
-        return None
     made = ClipDenoiser()
     made.load_state_dict(state)
     return made.eval().requires_grad_(False)
@@ -41,36 +38,31 @@ def shipped(kind: str) -> ClipDenoiser | None:
 
 @torch.no_grad()
 def decoded_clip(measured: Measured, count: int = STAGES) -> Tensor:
-    """The clip (batch, N, rows, cols) of frames of any code, in their unit: after `count` stages
-    where there are weights, else by GAP-TV.
+    """The clip (batch, N, rows, cols) of frames of any code, in their unit, after `count` stages.
 
     The whites of the light need not be 1 here, as a denoiser wants them: what the brightest pixels
     say is taken for that.
     """
     unit = white(measured)
     measured = measured.over(unit)
-    denoiser = shipped("clip")
-    clip, target = started(measured, START if denoiser else PLAIN)
+    clip, target = started(measured)
     with bf16_where_multiplied():
-        if denoiser:
-            for sigma in schedule(count):
-                clip, target = stage(measured, denoiser, clip, target, sigma)
+        for sigma in schedule(count):
+            clip, target = stage(measured, shipped("clip"), clip, target, sigma)
     return clip.clamp(min=0) * unit.reshape(-1, 1, 1, 1)
 
 
 @torch.no_grad()
 def decoded_still(measured: Measured, count: int = STILL_STAGES) -> Tensor:
     """The light over the frame (batch, rows, cols) of frames of any code, in their unit, after
-    `count` stages where there are weights, else the mean of each pixel's surroundings."""
+    `count` stages."""
     # A well is filled by the largest value there is, nearly: by 1, as the stages want it.
     unit = measured.value.amax(dim=(1, 2, 3)).clamp(min=1e-6)
     measured = measured.over(unit)
     light = started_still(measured)
-    denoiser = shipped("still")
     with bf16_where_multiplied():
-        if denoiser:
-            for sigma in still_schedule(count):
-                light = still_stage(measured, denoiser, light, sigma)
+        for sigma in still_schedule(count):
+            light = still_stage(measured, shipped("still"), light, sigma)
     return light * unit.reshape(-1, 1, 1)
 
 

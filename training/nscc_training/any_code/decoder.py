@@ -10,7 +10,7 @@ from torch import Tensor, nn
 from nscc_training.any_code.decode import shipped, white
 from nscc_training.any_code.measured import Measured
 from nscc_training.any_code.network import ClipDenoiser
-from nscc_training.any_code.stages import START, schedule, stage, started
+from nscc_training.any_code.stages import schedule, stage, started
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
 from nscc_training.decoders.declared import Task
 from nscc_training.sensor_model import laid
@@ -38,8 +38,7 @@ class AnyCode(nn.Module):
         super().__init__()
         self.still, self.stages = still, STILL_STAGES if still else stages
         self.denoiser = ClipDenoiser(tuple(channels))
-        if (known := shipped("still" if still else "clip")) is not None:
-            self.denoiser.load_state_dict(known.state_dict())
+        self.denoiser.load_state_dict(shipped("still" if still else "clip").state_dict())
         self.noise = nn.Parameter(torch.tensor(_NOISE).log())
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
@@ -56,7 +55,7 @@ class AnyCode(nn.Module):
     def _clip(self, measured: Measured) -> Tensor:
         with torch.no_grad():
             unit = white(measured).to(measured.value.device)
-            clip, target = started(measured.over(unit), START)
+            clip, target = started(measured.over(unit))
         measured = measured.over(unit)
         for sigma in schedule(self.stages):
             clip, target = stage(measured, self.denoiser, clip, target, sigma)

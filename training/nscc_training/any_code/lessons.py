@@ -98,7 +98,7 @@ def _stops_drawn(generator: Generator, size: int) -> Mask:
 def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
     """The shutters (frames, size, size) of a code of some class: bits, bumps, tiles, rows of a
     codebook, stops; a pixel that would never open opens once."""
-    kind = generator.choice(("bits", "bits", "bits", "bits", "bump", "bumps", "book", "stops"))
+    kind = generator.choice((*["bits"] * 6, "bump", "bumps", "book", "stops"))
     tile = size
     if generator.random() < (0.3 if kind == "bits" else 0.6):
         tile = int(generator.choice((2, 4, 8)))

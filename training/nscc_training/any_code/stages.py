@@ -18,8 +18,6 @@ Denoiser = Callable[[Tensor, Tensor, Tensor], Tensor]
 STAGES = 8
 START = 20
 """Iterations of GAP-TV that the stages begin with."""
-PLAIN = 41
-"""Iterations of GAP-TV by itself: the 40 of the baseline, whose first one is lost."""
 _SIGMA = (16 / 255, 12 / 255)
 """How wrong a clip is taken to be before the first stage and before the last."""
 _TV_WEIGHT, _TV_INNER, _TV_TIME = 0.1, 5, 0.3

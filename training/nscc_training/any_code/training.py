@@ -1,9 +1,8 @@
 """How the weights beside this file were made; `python -m nscc_training.any_code --help`.
 
-Three parts, one after the other: noise is taken from clips (the plug-and-play form is ready then);
-the denoiser learns what a stage leaves, with a step at every stage and new masks for every clip;
-all stages learn together, with gradients through the last few. A checkpoint is written often, and
-an interrupted training goes on from it.
+Parts, one after the other: noise is taken from clips (the plug-and-play form is ready then), and
+all stages learn together, with new masks for every clip and gradients through a few of them. A
+checkpoint is written often, and an interrupted training goes on from it.
 """
 
 from __future__ import annotations
@@ -53,6 +52,7 @@ PARTS: Mapping[str, tuple[Part, ...]] = {
     "clip": (
         Part("noise", 1800, 4, 64, 1e-3),
         Part("together", 240, 2, 80, 1e-4, 4),
+        Part("again", 360, 2, 80, 2e-4, 4),
     ),
     "still": (Part("stills", 3000, 6, 96, 8e-4, 3),),
 }

@@ -26,16 +26,17 @@ class Decoder:
     """A decoder of nscc's own.
 
     `network` is the `module:function` that makes it, called with its layers' channels, a `Task` and
-    the size, and loaded only then. `channels` has those of each size. `stills`: whether it
-    reconstructs stills as well as clips. `needs_code` says why it cannot do without the code, ""
+    the size, and loaded only then. `channels` has those of each size. `stills`, `clips`: whether it
+    reconstructs those. `needs_code` says why it cannot do without the code, ""
     if it can. `any_code`: whether it decodes codes that it was not trained with. `given`: whether
-    it begins with weights that come with nscc, which fit the declared channels alone.
+    it has the declared channels alone, for it begins with weights that come with nscc, or has none.
     """
 
     name: str
     network: str
     channels: Mapping[str, tuple[int, ...]]
     stills: bool = False
+    clips: bool = True
     needs_code: str = ""
     any_code: bool = True
     given: bool = False
@@ -68,6 +69,15 @@ _OWN = (
         stills=True,
         needs_code="asks what a clip would have given behind its code: it cannot do without",
         given=True,
+    ),
+    Decoder(
+        "divided",
+        f"{_HERE}.divided:divided",
+        {"paper": (1,), "small": (1,)},
+        stills=True,
+        clips=False,
+        given=True,
+        needs_code="divides by the time that a code is open: it cannot do without",
     ),
     Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
 )

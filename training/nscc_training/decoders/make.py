@@ -38,10 +38,12 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
         return _own_decoder(name, size, task)
     if task.kind == "still" and not declared.stills:
         raise ValueError(f"{name} reconstructs clips, not stills")
+    if task.kind != "still" and not declared.clips:
+        raise ValueError(f"{name} reconstructs stills, not clips")
     if declared.needs_code and not task.sees_code:
         raise ValueError(f"{name} {declared.needs_code}")
     if declared.given and width != 1:
-        raise ValueError(f"{name} begins with weights of one width: leave decoder.width at 1")
+        raise ValueError(f"{name} has one width: leave decoder.width at 1")
     if declared.given or size != "small":
         return _built(declared, size, task, width)
     count = 0

@@ -102,12 +102,16 @@ class Chip:
 
     @cached_property
     def levels(self) -> NDArray[np.int64]:
-        """The steps of IN that a look may compare with: below a full well, and a full register."""
-        target = self.target
-        full_e = min(target.full_well_e, target.register_max_e, self.sensor.full_well_e)
-        below = math.ceil(full_e / target.electrons_per_step) - 1
-        most = max(1, min(target.in_high, below))
+        """The steps of IN that a look may compare with."""
+        most = most_steps(self.target, self.sensor.full_well_e)
         return np.unique(np.linspace(1, most, _MOST_LEVELS).round().astype(np.int64))
+
+
+def most_steps(target: Target, well_e: float) -> int:
+    """The largest step of IN that a look may compare with: below a full well and register."""
+    full_e = min(target.full_well_e, target.register_max_e, well_e)
+    below = math.ceil(full_e / target.electrons_per_step) - 1
+    return max(1, min(target.in_high, below))
 
 
 _MOST_LEVELS = 64

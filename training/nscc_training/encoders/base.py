@@ -31,9 +31,9 @@ Codes = dict[str, NDArray[np.int64]]
 class ShutterSpec:
     """A shutter class on a grid.
 
-    `kind` is a, b, c, d, e or codebook; `slots` N; `tile` (rows, cols) repeats over the array, and
-    is the array itself for free codes. `length` is the bump of class c, `rows` the number of a
-    codebook's shapes.
+    `kind` is a, b, c, d, e, codebook or looks; `slots` N; `tile` (rows, cols) repeats over the
+    array, and is the array itself for free codes. `length` is the bump of class c, `rows` the
+    number of a codebook's shapes. Of looks the tile is (1, looks), `levels` the largest step of IN.
     """
 
     kind: str
@@ -41,6 +41,7 @@ class ShutterSpec:
     tile: tuple[int, int]
     length: int | None = None
     rows: int | None = None
+    levels: int | None = None
 
     @property
     def places(self) -> int:

@@ -6,6 +6,7 @@ import numpy as np
 
 from nscc_training.encoders.base import Encoder, ShutterSpec
 from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
+from nscc_training.encoders.looks import LOOKS, Looks
 from nscc_training.encoders.patterns import Bits, Codebook
 from nscc_training.encoders.scattered import SCATTERED, scattered
 
@@ -16,6 +17,7 @@ CLASSES: dict[str, type[Encoder]] = {
     "d": StartStop,
     "e": Bits,
     "codebook": Codebook,
+    LOOKS: Looks,
 }
 
 STARTS = ("random", "uniform", "quad", *SCATTERED)

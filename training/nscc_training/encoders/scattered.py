@@ -19,26 +19,28 @@ def scattered(
 ) -> Tile:
     """One of `levels` (values,) for each place of a tile (rows, cols), as SCATTERED names it."""
     made = {"poisson-disc": _poisson_disc, "non-adjacent": _non_adjacent}[name]
-    return levels[made(len(levels), tile, generator)]
+    chosen: Tile = levels[made(len(levels), tile, generator)]
+    return chosen
 
 
 def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
-    """Each level in turn takes the free places nearest to points that keep a distance from each
-    other: points of a Poisson-disc sampler, as many as its share of the tile."""
+    """Each level in turn takes the free places at points that keep a distance from each other:
+    points of a Poisson-disc sampler, as many as its share of the tile. Places that no point reached
+    go to the level whose own are farthest away."""
     from scipy.stats.qmc import PoissonDisk
 
     rows, cols = tile
     found = np.full(tile, -1, np.int64)
     y, x = np.mgrid[:rows, :cols]
+    share = -(-rows * cols // count)
     for level in generator.permutation(count).tolist():
-        share = -(-int((found < 0).sum()) // (count - len(np.unique(found[found >= 0]))))
         # Discs of half that radius around so many points cover about 70 % of the tile.
         sampler = PoissonDisk(d=2, radius=min(0.95 / share**0.5, 1.0), rng=generator)
         for down, across in sampler.random(share) * tile:
             away = np.hypot(_around(y + 0.5 - down, rows), _around(x + 0.5 - across, cols))
             away[found >= 0] = np.inf
-            found[np.unravel_index(int(away.argmin()), tile)] = level
-    # What no level's points reached goes to the one whose places are farthest away.
+            if away.min() <= 1.0:
+                found[np.unravel_index(int(away.argmin()), tile)] = level
     for row, col in np.argwhere(found < 0).tolist():
         away = np.hypot(_around(y - row, rows), _around(x - col, cols))
         near = [away[found == level].min(initial=np.inf) for level in range(count)]
@@ -64,4 +66,4 @@ def _non_adjacent(count: int, tile: tuple[int, int], generator: np.random.Genera
 def _around(distance: NDArray[np.float64], length: int) -> NDArray[np.float64]:
     """Distances along an axis that begins again at its end."""
     away = np.abs(distance) % length
-    return np.minimum(away, length - away)
+    return np.asarray(np.minimum(away, length - away))

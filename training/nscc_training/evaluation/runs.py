@@ -18,13 +18,16 @@ from nscc.diagnostics.rejection import rejected
 from nscc.program.problems import counted
 from nscc.words.container import Container
 from nscc_runtime.light import Light
+from nscc_runtime.looked_light import OPEN
 from nscc_runtime.simulate import Request, simulate
 from nscc_training import programs
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.make import flops, parameter_count
+from nscc_training.encoders.looks import LOOKS
 from nscc_training.evaluation import deblur, hdr, several_frames, video
 from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
 from nscc_training.evaluation.sci8 import read_sci_clip, sci_clips
+from nscc_training.looking_model import looked
 from nscc_training.measures import frame_scores
 from nscc_training.problems import listed
 from nscc_training.protocols import Protocol
@@ -146,7 +149,8 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
     have = f"{'stills' if parts.still else 'clips'} of {parts.slots} slots, class {kind}"
     if protocol.name == "hdr-v1":
         want = f"stills of {protocol['slots']} slots, class {protocol['class']}"
-        good = parts.still and parts.slots == protocol["slots"] and kind == protocol["class"]
+        known = kind in (protocol["class"], LOOKS)
+        good = parts.still and parts.slots == protocol["slots"] and known
     else:
         want = f"clips of {protocol['frames']} slots"
         good = not parts.still and parts.slots == protocol["frames"]
@@ -203,6 +207,8 @@ def _made(folder: RunFolder, seed: int, scene: Scene, index: int) -> tuple[NDArr
     """Electrons over the frame, or a slot, of a scene's capture with noise; the seconds."""
     parts = folder.parts
     tile = parts.encoder.hard().cpu()
+    if parts.encoder.spec.kind == LOOKS:
+        return _looked(folder, scene, 1000 * seed + index)
     codes = frame_of(scene.light_e, tile, parts.model, 1000 * seed + index)
     made, seconds = _decoded(folder, parts.model.relative(codes), laid(tile, *codes.shape))
     return made * (parts.model.full_e / (1 if parts.still else parts.slots)), seconds
@@ -230,9 +236,22 @@ def _made_by_chip(
     chosen = Request.of(effects=effects, seed=1000 * seed + index, device_seed=seed)
     frame = simulate(container, light, folder.parts.sensor, chosen).frame
     begin = perf_counter()
-    made = decoded_frame(folder, frame.frame[0], frame.saturated[0])
+    opened = frame.told.get(OPEN)
+    share = None if opened is None else (opened[0] / slots).astype(np.float32)
+    made = decoded_frame(folder, frame.frame[0], frame.saturated[0], share)
     seconds = perf_counter() - begin
     return made[..., : size[0], : size[1]].astype(np.float64), seconds
+
+
+def _looked(folder: RunFolder, scene: Scene, seed: int) -> tuple[NDArray[Any], float]:
+    """The same of pixels that look."""
+    parts, generator = folder.parts, torch.Generator().manual_seed(seed)
+    light = torch.as_tensor(scene.light_e, dtype=torch.float32)[None]
+    fields, step_e = parts.encoder.hard().cpu(), parts.target.electrons_per_step
+    codes, share = looked(light, fields, parts.slots, step_e, parts.model, generator)
+    frame = parts.model.relative(codes[0] - parts.model.adc_offset_lsb)
+    made, seconds = _decoded(folder, frame, share)
+    return made * parts.model.full_e, seconds
 
 
 def _sci(folder: RunFolder, files: list[Path], protocol: Protocol) -> Iterator[Scored]:

@@ -21,7 +21,9 @@ from nscc_runtime.sensor import sensor_sha256
 from nscc_training.config import config_toml
 from nscc_training.data import Batches, Scenes
 from nscc_training.decoders.make import flops, parameter_count
+from nscc_training.encoders.looks import LOOKS
 from nscc_training.least_squares import solve
+from nscc_training.loop.looks import looking_codes, looking_stages
 from nscc_training.loop.setup import Parts, started_encoder
 from nscc_training.loop.steps import scored
 from nscc_training.measures import decibels
@@ -142,6 +144,8 @@ def _stages(parts: Parts, batches: Batches, container: Container) -> dict[str, A
     """PSNR with soft, hard, compiled and emulated shutters on the same patches."""
     ideal, seed = parts.model.noiseless(), parts.settings.train.seed
     val = batches.val()
+    if parts.encoder.spec.kind == LOOKS:
+        return looking_stages(parts, val, container)
     with torch.no_grad():
         soft = parts.encoder.shutters(None, soft=True)
     found: dict[str, Any] = {}
@@ -205,6 +209,8 @@ def _robustness(parts: Parts, batches: Batches) -> list[dict[str, Any]]:
 def _codes_report(parts: Parts) -> dict[str, Any]:
     """How many shutters there are, how far from dependent they are, and at how many places of the
     tile they are not those that the run began with."""
+    if parts.encoder.spec.kind == LOOKS:
+        return looking_codes(parts)
     chosen = parts.settings.shutter
     start = started_encoder(chosen, parts.chip, parts.target, parts.settings.train.seed)
     moved = (start.hard() != parts.encoder.hard().cpu()).any(dim=0)

@@ -20,14 +20,16 @@ from nscc_training import programs
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import Task
 from nscc_training.decoders.make import make_decoder
+from nscc_training.design.chip import most_steps
 from nscc_training.emulated import EmulatedSensor, emulated_sensor
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
+from nscc_training.encoders.looks import LOOKS
 from nscc_training.encoders.make import STARTS
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
-from nscc_training.programs import MOST_LISTED, Chip
+from nscc_training.programs import MOST_LISTED, Chip, codes_in
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.sensor_model import SensorModel
 from nscc_training.settings import Settings, ShutterSettings
@@ -98,6 +100,8 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
         raise _wrong("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
+    if chosen.kind == LOOKS:
+        _check_looks(settings, still)
     sensor = default_sensor(target)
     if settings.sensor.file:
         path = Path(settings.sensor.file)
@@ -128,6 +132,10 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     own = settings.sensor.file or settings.sensor.effects
     fixed = not own and "full_well_e" in protocol.values
     model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
+    model = replace(
+        model, comparator_noise=sensor.comparator_noise_fraction,
+        comparator_offset=sensor.comparator_offset_fraction,
+    )  # fmt: skip
     model = model if settings.sensor.noise else model.noiseless()
     return Parts(
         settings, protocol, still, chip, target, sensor,
@@ -140,6 +148,8 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
     """The shutters that a run begins with. Rejected (NS0815) where there can be none."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
+    if chosen.kind == LOOKS:
+        tile = (1, chosen.exposures - 1)
     if tile != array and tile[0] * tile[1] > MOST_LISTED:
         raise _wrong("shutter.tile", f"{tile[0]} x {tile[1]} are more than {MOST_LISTED} places, "
                      "which only `free`, a code for every pixel, may have")  # fmt: skip
@@ -147,6 +157,7 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
         chosen.kind, chosen.slots, (1, 1) if chosen.kind == "a" else tile,
         length=chosen.length if chosen.kind == "c" else None,
         rows=chosen.rows if chosen.kind == "codebook" else None,
+        levels=most_steps(target, target.full_well_e) if chosen.kind == LOOKS else None,
     )  # fmt: skip
     named = chosen.init in _STARTS
     start = {"learned": "quad"}.get(chosen.init, chosen.init) if named else "quad"
@@ -162,7 +173,9 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
         encoder.restrict(programs.legal_codes(spec, chip), drawn)
     if not named:
         try:
-            encoder.load_codes(load_codes(Path(chosen.init)))
+            path = Path(chosen.init)
+            of_program = path.suffix.lower() == ".nsl"
+            encoder.load_codes(codes_in(path, spec, chip) if of_program else load_codes(path))
         except ValueError as error:
             reason = f"the codes of '{chosen.init}' do not fit: {error}"
             raise _wrong("shutter.init", reason) from error
@@ -179,6 +192,17 @@ def _check_effects(settings: Settings, encoder: Encoder) -> None:
         raise _wrong("sensor.effects", reason)
     if not settings.sensor.noise:
         raise _wrong("sensor.effects", "effects are noise, too, and `sensor.noise` is false")
+
+
+def _check_looks(settings: Settings, still: bool) -> None:
+    """Rejected (NS0815) for what pixels that look do not have in training."""
+    if not still:
+        raise _wrong("shutter.class", "looks are learned from stills: [data] protocol is hdr-v1")
+    if settings.sensor.effects:
+        raise _wrong("sensor.effects", "pixels that look are learned under noise alone")
+    if settings.shutter.words_weight:
+        raise _wrong("shutter.words_weight", "every look takes as many words: there is nothing to "
+                     "weigh")  # fmt: skip
 
 
 def _loss(names: str) -> Loss:

@@ -13,6 +13,8 @@ from torch import Tensor
 from nscc.diagnostics.rejection import rejected
 from nscc_training import metrics
 from nscc_training.data import Batch
+from nscc_training.encoders.looks import LOOKS
+from nscc_training.looking_model import looked
 from nscc_training.loop.setup import Parts
 from nscc_training.sensor_model import SensorModel, exposed, read_out
 
@@ -48,6 +50,8 @@ def decoded(
 ) -> Tensor:  # fmt: skip
     """What the decoder makes of a capture of `light` with `shutters`, a tile that repeats; a model
     without noise has no other effects either."""
+    if parts.encoder.spec.kind == LOOKS:
+        return _decoded_looks(parts, light, shutters, model, generator)
     with torch.autocast(parts.device.type, enabled=False):
         if parts.emulated is None or not model.shot_noise:
             codes = read_out(exposed(light, shutters), model, generator) - model.adc_offset_lsb
@@ -61,6 +65,22 @@ def decoded(
     with torch.autocast(parts.device.type, torch.bfloat16, enabled=mixed):
         found: Tensor = parts.decoder(frame, shutters)
     return found.float()
+
+
+def _decoded_looks(
+    parts: Parts, light: Tensor, fields: Tensor, model: SensorModel,
+    generator: torch.Generator | None,
+) -> Tensor:  # fmt: skip
+    """The same of pixels that look: the decoder is told how long each pixel was open."""
+    step_e = parts.target.electrons_per_step
+    with torch.autocast(parts.device.type, enabled=False):
+        codes, share = looked(light, fields, parts.slots, step_e, model, generator)
+        frame = parts.model.relative(codes - model.adc_offset_lsb)
+    mixed = parts.settings.train.dtype == "bf16"
+    with torch.autocast(parts.device.type, torch.bfloat16, enabled=mixed):
+        # Each patch has open times of its own, and a decoder takes one map of them.
+        made = [parts.decoder(f[None], s[None]) for f, s in zip(frame, share, strict=True)]
+    return torch.cat(made).float()
 
 
 def loss_of(parts: Parts, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:

@@ -12,6 +12,15 @@ import numpy as np
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.toml.kinds import Flag, Integer, Number, Text
 from nscc.toml.schema import Key
+from nscc_training.sweep.light import (
+    light_files,
+    scene_keys,
+    scene_of,
+    sensor_changes,
+    sensor_file,
+    sensor_keys,
+    sensor_of,
+)
 from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
 from nscc_training.sweep.programs import (
     axis,
@@ -21,32 +30,25 @@ from nscc_training.sweep.programs import (
     program_keys,
 )
 
-_SENSOR = "sensor."
 _BENCHES = ("clips", "stills")
 
 
 def _keys() -> tuple[Key, ...]:
-    from nscc_runtime.sensor.file import schema
-
-    numbers = (axis(_SENSOR + key.name, key.kind, key.meaning) for key in schema().keys)
     return (
         *program_keys(),
-        axis("scene", Text(), "a scene, as nscc run takes it"),
+        *scene_keys(),
         axis("bench", Text(_BENCHES), "instead: scenes of a protocol, decoded without training"),
         axis("data", Text(), "a bench's folder of scenes; empty: made ones", ""),
         axis("scenes", Integer(1, 1000), "how many of them", 1),
         axis("frames", Integer(1, 4096), "frames of a bench's clips, a multiple of the slots", 16),
         axis("at_us", Number(0.01, 1e6, automatic=True), "slots that a bench is captured with; "
              "auto: the shortest", None),
-        axis("exposure", Text(), "electrons over the frame, as --exposure; empty: the scene's", ""),
-        axis("transfer", Text(("", "linear", "srgb")), "the scene's curve; empty: by its file", ""),
         axis("effects", Text(), "of the sensor, as --effects", "auto"),
         axis("tolerance", Text(), "the error that a plan may make", "5e"),
         axis("fidelity", Text(("planned", "reference")), "how words are executed", "planned"),
         axis("audit", Flag(), "measure how far the plan is from the reference", False),
         axis("device_seed", Integer(0, 2**31 - 1), "of fixed patterns", 0),
-        axis("sensor.file", Text(), "a sensor's numbers (nscc effects --toml)", ""),
-        *numbers,
+        *sensor_keys(),
     )  # fmt: skip
 
 
@@ -72,9 +74,8 @@ def _fault(values: Values) -> Fault | None:
 
 
 def _reads(values: Values) -> Sequence[Path]:
-    named = [values["sensor.file"], values["data"], values.get("scene", "")]
-    files = [Path(name) for name in named if name and not name.startswith("builtin:")]
-    return [*program_files(values), *files]
+    data = [Path(values["data"])] if values["data"] else []
+    return [*program_files(values), *light_files(values), *data]
 
 
 def _emulate(values: Values, place: Place) -> Figures:
@@ -84,20 +85,15 @@ def _emulate(values: Values, place: Place) -> Figures:
 def _capture(values: Values, threads: int) -> Figures:
     from nscc.containers import with_pixels
     from nscc_runtime import capture
-    from nscc_runtime.scenes import Scene
-    from nscc_runtime.sensor import load_sensor
 
     compiled = compiled_of(values)
     assert compiled.container is not None
     assert compiled.lowered is not None
     container = with_pixels(compiled.container, "the program")
-    sensor = load_sensor(container.target, _sensor_file(values), _changes(values))
-    scene = Scene(
-        values["scene"], exposure=values["exposure"] or None, transfer=values["transfer"] or None
-    )
     plans = values["effects"] != "none" and values["fidelity"] == "planned"
     shot = capture(
-        container, scene, sensor=sensor, effects=values["effects"],
+        container, scene_of(values), sensor=sensor_of(values, container.target),
+        effects=values["effects"],
         tolerance=values["tolerance"] if plans and container.machine is None else None,
         fidelity=values["fidelity"], audit=values["audit"], seed=values["seed"],
         device_seed=values["device_seed"], threads=threads,
@@ -118,18 +114,6 @@ def _mean(exposure_e: Any, valid: Any) -> float | None:
     return float(exposure_e[valid].mean()) if valid.any() else None
 
 
-def _sensor_file(values: Values) -> Path | None:
-    return Path(values["sensor.file"]) if values["sensor.file"] else None
-
-
-def _changes(values: Values) -> list[str]:
-    """The numbers of a sensor that a point changes, as --sensor-set takes them."""
-    given = {
-        name.removeprefix(_SENSOR): v for name, v in values.items() if name.startswith(_SENSOR)
-    }
-    return [f"{name}={value!r}" for name, value in given.items() if name != "file"]
-
-
 def _bench(values: Values) -> Figures:
     from nscc_training.tradeoff.sensor import Settings, measure
 
@@ -141,8 +125,9 @@ def _bench(values: Values) -> Figures:
         lowerings=(values["lowering"],), target=values["target"], level=values["level"],
         effects=values["effects"], slot_us=values["at_us"],
         data=Path(values["data"]) if values["data"] else None, count=values["scenes"],
-        seed=values["seed"], frames=values["frames"], sensor=_sensor_file(values),
-        changes=tuple(_changes(values)),
+        seed=values["seed"], frames=values["frames"], sensor=sensor_file(values),
+        changes=sensor_changes(values), tile=values["tile"], init=values["init"],
+        length=values["length"], rows=values["rows"],
     )  # fmt: skip
     found = measure(settings)
     if found.refused:

@@ -28,7 +28,7 @@ from nscc.toml.kinds import Axis, Several, Text
 from nscc.toml.schema import Codes, Key, Schema
 from nscc_training.sweep.evaluating import RUN
 from nscc_training.sweep.kinds import KINDS
-from nscc_training.sweep.point import Fault, Point
+from nscc_training.sweep.point import Fault, Point, Values
 
 MOST_POINTS = 100_000
 
@@ -49,7 +49,7 @@ _OF_PART = (_KIND.name, _CALLED.name)
 _PLOT_KEYS = (
     Key(_PLOT, "x", Text(), "the axis drawn across; by default the first of numbers", ""),
     Key(_PLOT, "y", Several(Text(), said="a list of figures"), "the figures drawn upwards", ()),
-    Key(_PLOT, "line", Text(), "the axis of which each value has a line", ""),
+    Key(_PLOT, "line", Several(Text(), said="a list of axes"), "those whose values have lines", ()),
     Key(_PLOT, "panel", Text(), "the axis of which each value has a panel", ""),
 )
 
@@ -60,7 +60,7 @@ class Plot:
 
     x: str = ""
     y: tuple[str, ...] = ()
-    line: str = ""
+    line: tuple[str, ...] = ()
     panel: str = ""
 
 
@@ -125,7 +125,8 @@ def part_text(kind: str) -> str:
         *(f"  {key.name}: {remark(key)}" for key in keys if key.default is MISSING),
     )
 
-    return file_text(schema, {key.path: key.default for key in schema.keys}, remark, head)
+    text = file_text(schema, {key.path: key.default for key in schema.keys}, remark, head)
+    return text if known else f"{text}\n[{kind}]\n"
 
 
 def _is_part(name: str, value: Any) -> bool:
@@ -230,10 +231,14 @@ def _of_part(
     }
     several = [name for name, values in given.items() if len(values) > 1]
     for values in product(*given.values()):
-        chosen = dict(zip(given, values, strict=True))
+        chosen = {**defaults, **dict(zip(given, values, strict=True))}
         name = "_".join([part, *(_spelled(chosen[axis]) for axis in several)])
-        name = _VALUE.sub(lambda m: _spelled({**defaults, **chosen}.get(m[1])), called) or name
-        yield Point(part, kind, name, {**defaults, **chosen})
+        yield Point(part, kind, _called(called, chosen) or name, chosen)
+
+
+def _called(called: str, values: Values) -> str:
+    """A name with values in the place of their keys."""
+    return _VALUE.sub(lambda found: _spelled(values.get(found[1])), called)
 
 
 def _name_fault(called: str, point: Point) -> Fault | None:

@@ -16,7 +16,9 @@ from nscc_training.sweep.table import Table, cell
 
 _MOST_ROWS = 2000
 """Of the page; the table has all."""
-_MOST_PANELS = 12
+_MOST_PANELS, _MOST_LINES = 12, 7
+"""Of lines those of one panel, unless a grid says what a line is."""
+_MOST_LETTERS = 60
 _WIDTH = 900
 
 
@@ -25,16 +27,15 @@ def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
     shown = [name for name in ("part", *grid.columns) if name in table.inputs or len(table) == 1]
     shown += [name for name in table.figures if _says_something(table.columns[name])]
     rows = [*zip(*(table.columns[name] for name in shown), strict=True)][:_MOST_ROWS]
-    cut = f" (the first {_MOST_ROWS})" if len(table) > _MOST_ROWS else ""
     parts = [
         html.Html() if diagram is None else html.picture(diagram, "", _WIDTH),
         _misfits(grid, table),
-        html.folded(
-            f"all points{cut}", html.table(([_short(v) for v in row] for row in rows), shown)
-        ),
+        html.table(([_short(v) for v in row] for row in rows), shown),
         html.folded("the grid", html.plain(grid.text)),
     ]
     count = f"{len(table)} points"
+    if len(table) > _MOST_ROWS:
+        count += f", {_MOST_ROWS} of them below, all in the table"
     body = html.card(grid.name, count, *parts)
     style = "body{font-family:sans-serif;margin:2em}img{image-rendering:auto!important}"
     return (
@@ -48,58 +49,70 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
     where there are no numbers. Rejected (NS0832) for columns that there are not."""
     from nscc_runtime.pictures.sheet import png_of
 
-    plot = grid.plot
-    free = [name for name in (*grid.axes, "part") if _several(table.columns[name])]
-    for key in ("x", "line", "panel"):
-        if getattr(plot, key):
-            _check(key, getattr(plot, key), table)
-            free = [name for name in free if name != getattr(plot, key)]
-    x = plot.x or _take(free, lambda name: _numbers(table.columns[name])) or _take(free)
-    kinds = [KINDS[name] for name in dict.fromkeys(point.kind for point in grid.points)]
-    drawn = ([name for name in kind.drawn if name in table.figures] for kind in kinds)
-    upwards = plot.y or tuple(dict.fromkeys(names[0] for names in drawn if names))
-    for figure in upwards:
-        _check("y", figure, table)
-    panel = plot.panel or _take(free, lambda _name: not plot.line and len(free) > 1)
-    means = [name for name in free if name.endswith("seed")]
-    lines = [plot.line] if plot.line else [name for name in free if name not in means]
-    if not x:
+    if not table.figures:
         return None
-    titles = list(dict.fromkeys(table.columns[panel])) if panel else [None]
+    plot = grid.plot
+    asked = [("x", plot.x), *(("line", name) for name in plot.line), ("panel", plot.panel)]
+    for key, name in (*asked, *(("y", name) for name in plot.y)):
+        if name:
+            _check(key, name, table)
+    taken = {name for _, name in asked}
+    free = [n for n in ("part", *grid.axes) if _several(table.columns[n]) and n not in taken]
+    x = plot.x or _take(free, lambda name: _numbers(table.columns[name])) or _take(free)
+    lines = [name for name in free if not name.endswith("seed")]
+    panel = plot.panel
+    if not panel and len({*zip(*(table.columns[n] for n in lines), strict=True)}) > _MOST_LINES:
+        panel = lines.pop(0)
+    lines = [*plot.line] or lines
     panels = [
         Lines(
             "" if value is None else f"{panel} {_short(value)}", x, figure,
             _lines(table, x, figure, lines, {panel: value} if panel else {}),
         )
-        for figure in upwards
-        for value in titles
+        for figure in plot.y or _drawn(grid, table)
+        for value in (dict.fromkeys(table.columns[panel]) if panel else (None,))
+        if x
     ]  # fmt: skip
-    panels = [each for each in panels if any(each.lines.values())][:_MOST_PANELS]
+    panels = [each for each in panels if each.lines][:_MOST_PANELS]
     if not panels:
         return None
-    left = [name for name in free if name not in lines]
-    note = f"means over {', '.join(left)}" if left else ""
+    left = [name for name in free if name not in (*lines, panel)]
+    note = f"means over {', '.join(left)}" if left and x not in table.figures else ""
     return png_of(sweep_diagram, panels, grid.name.replace("_", " "), note)
+
+
+def _drawn(grid: Grid, table: Table) -> list[str]:
+    """The figures that are drawn where a grid asks for none: one for each kind of its points."""
+    kinds = [KINDS[name] for name in dict.fromkeys(point.kind for point in grid.points)]
+    known = ([name for name in kind.drawn if name in table.figures] for kind in kinds)
+    return list(dict.fromkeys(names[0] for names in known if names))
 
 
 def _lines(
     table: Table, x: str, figure: str, lines: Sequence[str], chosen: dict[str, Any]
 ) -> dict[str, list[tuple[Any, float]]]:
-    """The points of each line of a panel, ordered across; means where several are at one place."""
+    """The points of each line of a panel. Against an axis they are in its order, and means where
+    several are at one place; against a figure in the table's order."""
     columns = table.columns
-    held: dict[str, dict[Any, list[float]]] = {}
+    held: dict[str, list[tuple[Any, float]]] = {}
     for index in range(len(table)):
         across, up = columns[x][index], columns[figure][index]
         here = all(columns[name][index] == value for name, value in chosen.items())
         if here and across is not None and _number(up):
             name = ", ".join(_short(columns[line][index]) for line in lines)
-            held.setdefault(name, {}).setdefault(across, []).append(up)
-    ordered = _numbers(columns[x])
-    found = {}
-    for name, places in held.items():
-        points = [(across, sum(ups) / len(ups)) for across, ups in places.items()]
-        found[name] = sorted(points) if ordered else points
-    return found
+            held.setdefault(name, []).append((across, up))
+    if x in table.figures:
+        return held
+    return {name: _means(points, _numbers(columns[x])) for name, points in held.items()}
+
+
+def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any, float]]:
+    """One point for each place across."""
+    places: dict[Any, list[float]] = {}
+    for across, up in points:
+        places.setdefault(across, []).append(up)
+    found = [(across, sum(ups) / len(ups)) for across, ups in places.items()]
+    return sorted(found) if ordered else found
 
 
 def _misfits(grid: Grid, table: Table) -> html.Html:
@@ -113,7 +126,8 @@ def _misfits(grid: Grid, table: Table) -> html.Html:
         return html.Html()
     rows = [(code, error, ", ".join(names)) for (code, error), names in together.items()]
     count = sum(map(len, together.values()))
-    return html.folded(f"{count} without figures", html.table(rows, ("code", "why", "points")))
+    said = html.text(f"{count} without figures")
+    return html.Html(said + html.table(rows, ("code", "why", "points")))
 
 
 def _check(key: str, name: str, table: Table) -> None:
@@ -152,5 +166,8 @@ def _says_something(values: Sequence[Any]) -> bool:
 
 
 def _short(value: Any) -> str:
-    """A cell for a reader: six digits are enough."""
-    return f"{value:.6g}" if isinstance(value, float) else cell(value)
+    """A cell for a reader: six digits are enough, and of a text its beginning on one line."""
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    text = " ".join(cell(value).split())
+    return text if len(text) <= _MOST_LETTERS else f"{text[: _MOST_LETTERS - 2]} .."

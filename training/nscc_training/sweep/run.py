@@ -24,7 +24,7 @@ from nscc_training.sweep.work import FAILED, Done, Task, serially
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
 _POINTS = "points"
 _MOST_REASONS = 5
-_NAMED = {"train": "runs", "evaluate": "results"}
+_NAMED = {"train": "runs", "evaluate": "results", "design": "programs"}
 """Folders in which what points leave has their names."""
 
 

@@ -11,7 +11,7 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
-from nscc_training.any_code.decode import decoded_clip, decoded_still, shipped
+from nscc_training.any_code.decode import decoded_clip, decoded_still
 from nscc_training.any_code.measured import Measured
 from nscc_training.any_code.stills import STILL_STAGES
 from nscc_training.baselines.hdr import merged
@@ -71,8 +71,7 @@ def baselines(kind: Kind) -> list[Way]:
             loops += [(name, f"{n}", partial(loop, iterations=n)) for n in TV_ITERATIONS]
         loops.append(("dictionary", "learned", from_dictionary))
         ways = [Way(name, setting, partial(clip_light, loop)) for name, setting, loop in loops]
-        counts = ANY_STAGES if shipped("clip") else (0,)
-        return [*ways, *(Way("any", f"{n}", partial(_any_clip, count=n)) for n in counts)]
+        return [*ways, *(Way("any", f"{n}", partial(_any_clip, count=n)) for n in ANY_STAGES)]
     sparse = [
         Way("sparse-coding", f"{n}", partial(_sparse, iterations=n)) for n in SPARSE_ITERATIONS
     ]

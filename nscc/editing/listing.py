@@ -1,0 +1,79 @@
+"""Assembly text as an editor has it: what `nscc asm` says of it, and what may stand next."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.editing.complete import Offer
+from nscc.editing.document import Checked, Document
+from nscc.macros import mnemonics
+from nscc.source import Source, Span
+from nscc.target.load import DEFAULT_NAME, builtin_target, load_target, target_names
+from nscc.target.target import Target
+from nscc.words.assembly import assemble
+from nscc.words.directives import DIRECTIVES
+
+_TYPED = re.compile(r"[.\w-]*\Z")
+_TARGET = re.compile(r"^[ \t]*\.target[ \t]+\"?([^\s\"]+)", re.MULTILINE)
+_KERNEL = re.compile(r"^[ \t]*\.kernel[ \t]+(\w+)", re.MULTILINE)
+
+
+@dataclass(frozen=True)
+class Listing:
+    """Assembly text, which need not be saved or right. Members as of Document."""
+
+    name: str
+    text: str
+    folder: Path
+
+    @cached_property
+    def checked(self) -> Checked:
+        """What `nscc asm` says."""
+        try:
+            assemble(Source(self.name, self.text), self.folder)
+        except Rejected as rejected:
+            return Checked(rejected.diagnostics, None)
+        return Checked((), None)
+
+    @cached_property
+    def target(self) -> Target:
+        """The chip that the text names; scamp5 where it names none that can be had."""
+        named = _TARGET.search(self.text)
+        try:
+            return load_target(named[1] if named else DEFAULT_NAME, self.folder)
+        except Rejected:
+            return builtin_target(DEFAULT_NAME)
+
+
+Text = Document | Listing
+
+
+def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
+    """What of the text would be replaced, and by what: directives and instructions where a line
+    begins, then chips, kernels or registers, as the word that begins it takes."""
+    line = listing.text[:offset].rpartition("\n")[2]
+    typed = found.group() if (found := _TYPED.search(line)) else ""
+    before = line[: len(line) - len(typed)]
+    offers = [] if re.search(r"[;#|]", before) else [*_offers(listing, before.split())]
+    return Span(offset - len(typed), offset), offers
+
+
+def _offers(listing: Listing, before: list[str]) -> Iterator[Offer]:
+    if not before:
+        yield from (Offer(name, "word", "a directive") for name in DIRECTIVES)
+        known = mnemonics(listing.target.words)
+        yield from (Offer(name, "word", mnemonic.usage) for name, mnemonic in known.items())
+    elif before[0] == ".target":
+        yield from (Offer(name, "target", "a chip") for name in target_names())
+    elif before[0] == ".slot":
+        yield from (Offer(name, "name", "a kernel") for name in _KERNEL.findall(listing.text))
+    elif not before[0].startswith(".") or before[0] in (".load", ".plane", ".readout"):
+        target = listing.target
+        yield from (Offer(name, "name", "a digital register") for name in target.digital_registers)
+        yield from (Offer(name, "name", "an analog register") for name in target.analog_registers)
+        yield from (Offer(name, "name") for name in ("FLAG", "PIX"))

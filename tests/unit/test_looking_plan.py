@@ -1,0 +1,136 @@
+"""Plans of programs that look: what they foresee, against frames with all effects."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from nscc.compiler import compile_source
+from nscc.diagnostics.diagnostic import Severity
+from nscc.pipeline import Options
+from nscc.source import Source
+from nscc.target.load import builtin_target
+from nscc.words.container import Container
+from nscc_runtime.effects import everything
+from nscc_runtime.light import Light
+from nscc_runtime.looking.choose import predicted_for
+from nscc_runtime.looking.frames import ways_of
+from nscc_runtime.looking.sample import Sample
+from nscc_runtime.planner.plan import MOST_OTHER_STATES, Plan
+from nscc_runtime.reference.capture import scene_of
+from nscc_runtime.reference.looks import LookingReference
+from nscc_runtime.sensor import default_sensor
+from nscc_runtime.simulate import Listener, Request, Simulated, simulate
+
+SIDE, SLOTS = 96, 32
+TEXT = f"""nsl 2
+frame {SLOTS} slots of 1ms
+sense bright when light > 45% at n in [1, 4, 16]
+state closed : 0..3 = 0
+next closed = looks when bright and closed == 0
+open when closed == 0
+read closed
+"""
+
+
+@pytest.fixture(scope="module")
+def program() -> Container:
+    target = replace(builtin_target("scamp5"), rows=SIDE, cols=SIDE)
+    made = compile_source(Source("t.nsl", TEXT), Path(), Options(level=0, target=target)).container
+    assert made is not None
+    return made
+
+
+def light(full_wells: float) -> Light:
+    """A still of smooth light with a bright lamp, in full wells a frame."""
+    y, x = np.mgrid[:SIDE, :SIDE] / SIDE
+    still = np.exp(2.0 * np.sin(3.0 * x) * np.cos(5.0 * y)) + 30.0 * ((x - 0.3) ** 2 < 1e-4)
+    still *= full_wells * 30000.0 / (SLOTS * 1e-3)
+    return Light.of_still(still.astype(np.float32), np.full(SLOTS, 1e-3))
+
+
+def run(
+    program: Container, scene: Light, effects: str, listener: Listener | None = None, **given: Any
+) -> tuple[Plan, Simulated]:
+    request = Request.of(effects=effects, **given)
+    sensor = default_sensor(program.target)
+    done = simulate(program, scene, sensor, request, listener or Listener())
+    assert done.plan is not None
+    return done.plan, done
+
+
+@pytest.mark.parametrize("full_wells", [0.05, 2.0])
+@pytest.mark.parametrize("tolerance", [2.0, 40.0])
+def test_the_promise_is_kept_and_foreseen(
+    program: Container, full_wells: float, tolerance: float
+) -> None:
+    plan, done = run(program, light(full_wells), "auto", tolerance=tolerance, audit=True)
+    report = done.audit
+    assert report is not None
+    assert report.holds
+    assert plan.predicted_e <= 0.9 * tolerance
+    if report.measured_rms_e > 0.1 * tolerance:
+        assert plan.predicted_e == pytest.approx(report.measured_rms_e, rel=0.25)
+    assert report.std_ratio == pytest.approx(1.0, abs=0.02)
+    dropped = [each.name for each in plan.decisions if each.decision == "dropped"]
+    assert bool(dropped) == (full_wells < 1.0 or tolerance > 10.0)
+    assert plan.slot_loop == "all"
+
+
+def test_comparators_are_kept_where_they_turn_pixels(program: Container) -> None:
+    bright, dim = (run(program, light(wells), "auto", tolerance=5.0)[0] for wells in (2.0, 0.01))
+    for plan, choice in ((bright, "kept"), (dim, "dropped")):
+        found = {each.name: each for each in plan.decisions}
+        assert found["comparator_noise"].decision == choice
+    noise = next(each for each in bright.decisions if each.name == "comparator_noise")
+    sensor, scene = default_sensor(program.target), scene_of(program, light(2.0))
+    planes = [
+        LookingReference(program, sensor, effects).expose(scene, program.planes(), (0, 0), 0).planes
+        for effects in (everything(), everything().without("comparator_noise"))
+    ]
+    turned = np.logical_or.reduce([planes[0][name] != planes[1][name] for name in planes[0]]).mean()
+    assert turned > MOST_OTHER_STATES
+    assert noise.other_states == pytest.approx(turned, rel=0.5)
+
+
+def test_what_is_forced_off_breaks_the_promise_and_is_said(program: Container) -> None:
+    warned: list[Severity] = []
+    listener = Listener(warn=lambda diagnostic: warned.append(diagnostic.severity))
+    effects = "auto,-comparator_noise,-comparator_offset"
+    plan, done = run(program, light(2.0), effects, listener, audit=True)
+    assert warned == [Severity.WARNING]
+    assert plan.breach is not None
+    assert "other states" in plan.breach
+    assert "other states" in str(plan)
+    report = done.audit
+    assert report is not None
+    assert not report.holds
+    assert report.other_states == pytest.approx(plan.other_states, rel=0.5)
+    assert done.broken is not None
+    assert "in other states" in done.broken.diagnostics[0].message
+
+
+def test_a_plan_is_its_json_and_serves_other_scenes(program: Container) -> None:
+    plan, _ = run(program, light(0.05), "auto", tolerance=40.0)
+    again = Plan.from_json(json.loads(json.dumps(plan.as_json())))
+    assert again == plan
+    ways = ways_of(program, default_sensor(program.target))
+    brighter = predicted_for(ways, light(2.0), again)
+    assert brighter.kept.on == plan.kept.on
+    assert brighter.predicted_e > plan.predicted_e
+
+
+def test_a_sample_stands_for_the_scene(program: Container) -> None:
+    ways = ways_of(program, default_sensor(program.target))
+    sample = Sample.of(ways, light(2.0))
+    assert sample.weight.sum() == pytest.approx(SIDE**2)
+    mean = (sample.light.frames[0] * sample.weight).sum() / sample.weight.sum()
+    assert mean == pytest.approx(light(2.0).frames[0].mean(), rel=0.25)
+    nothing = sample.without(frozenset())
+    assert not nothing.square.any()
+    assert nothing.other_states == 0.0

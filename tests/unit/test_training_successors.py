@@ -1,0 +1,147 @@
+"""Tasks of the paper's successors: a sharp moment, two buckets, shutters across frames."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+import torch
+from nscc_command import invoke
+from numpy.typing import NDArray
+
+from nscc_training.any_code.measured import Measured
+from nscc_training.encoders import ShutterSpec, make_encoder
+from nscc_training.encoders.scattered import SCATTERED, scattered
+from nscc_training.evaluation import several_frames
+from nscc_training.evaluation.deblur import Moment, moments, panoramas
+from nscc_training.evaluation.results import Unusable
+from nscc_training.protocols import load_protocol
+
+
+def touching(tile: NDArray[np.int64]) -> float:
+    """The part of side by side places that are equal, around the tile's edges."""
+    return float(np.mean([tile == np.roll(tile, 1, axis) for axis in (0, 1)]))
+
+
+@pytest.mark.parametrize("name", SCATTERED)
+def test_equal_exposures_keep_apart(name: str) -> None:
+    levels, shares = np.arange(1, 9), []
+    for seed in range(3):
+        tile = scattered(name, levels, (8, 8), np.random.default_rng(seed))
+        again = scattered(name, levels, (8, 8), np.random.default_rng(seed))
+        assert np.array_equal(tile, again)
+        assert {*tile.ravel().tolist()} == {*range(1, 9)}
+        shares.append(touching(tile))
+    # Of random exposures one in eight is like its neighbour.
+    assert max(shares) < 0.06
+    assert name == "poisson-disc" or max(shares) == 0
+
+
+def test_scattered_starts_of_encoders() -> None:
+    for kind, slots in (("b", 8), ("b", 256), ("c", 8)):
+        spec = ShutterSpec(kind, slots, (8, 8), length=2 if kind == "c" else None)
+        for name in SCATTERED:
+            (codes,) = make_encoder(spec, name, 3).codes().values()
+            assert len(np.unique(codes)) >= 7
+    for kind in ("d", "e"):
+        with pytest.raises(ValueError, match="classes b and c"):
+            make_encoder(ShutterSpec(kind, 8, (4, 4)), "poisson-disc")
+
+
+def test_a_moment_is_what_is_scored(tmp_path: Path) -> None:
+    light = cv2.resize(np.exp(np.random.default_rng(1).uniform(-3, 3, (64, 128))), (1024, 512))
+    cv2.imwrite(str(tmp_path / "a.hdr"), np.repeat(light[..., None], 3, 2).astype("f4"))
+    protocol = load_protocol("deblur-v1")
+    first, second = moments(panoramas(tmp_path), protocol)
+    assert not isinstance(first, Unusable)
+    assert isinstance(second, Moment)
+    again = next(iter(moments(panoramas(tmp_path), protocol)))
+    assert isinstance(again, Moment)
+    assert np.array_equal(first.light_e, again.light_e)
+    assert not np.array_equal(first.light_e, second.light_e)
+    assert first.light_e.shape == (8, 256, 256)
+    open_e = first.light_e.sum(axis=0)
+    assert np.mean(open_e > protocol["full_well_e"]) == pytest.approx(0.10, abs=0.01)
+    assert np.array_equal(first.truth_e, first.light_e[0] * 8)
+    perfect = first.scores(first.light_e)
+    assert perfect["psnr_db"] == "inf"
+    assert perfect == first.scores(first.truth_e)
+    moved = first.scores(np.roll(first.light_e, 1, axis=2))
+    assert moved["psnr_db"] < 40
+
+
+@pytest.mark.parametrize("seed", [0, 1])
+def test_two_buckets_share_out_all_light(seed: int) -> None:
+    protocol = load_protocol("two-bucket-v1")
+    both, groups = several_frames.two_bucket_masks("two-bucket", protocol, seed)
+    assert both.shape == (2, 16, 8, 8)
+    assert groups == [[0, 1]]
+    assert np.array_equal(both.sum(axis=0), np.ones((16, 8, 8)))
+    alone, _ = several_frames.two_bucket_masks("pixel-wise", protocol, seed)
+    assert np.array_equal(alone[0], both[0])
+    flutter, _ = several_frames.two_bucket_masks("flutter", protocol, seed)
+    assert flutter.shape == (1, 16, 1, 1)
+
+
+def test_staggered_shutters_go_on_into_the_next_frame() -> None:
+    protocol = load_protocol("staggered-v1")
+    film, length, slots = 4, 4, 8
+    masks, groups = several_frames.staggered_masks("staggered", protocol, 0)
+    assert groups == [[0, 1, 2, 3]]
+    opened = masks.sum(axis=0)  # a slot belongs to one frame
+    assert masks.shape == (film, film * slots, 4, 4)
+    assert {*np.unique(opened).tolist()} == {0.0, 1.0}
+    # Bumps of one length all over the film, but where the film begins and ends.
+    for y, x in np.ndindex(4, 4):
+        edges = np.flatnonzero(np.diff(opened[:, y, x]))
+        assert set(np.diff(edges).tolist()) == {length}
+    # At every moment half of the pixels are open; phases that stay within frames leave gaps.
+    assert np.array_equal(opened.mean(axis=(1, 2)), np.full(film * slots, 0.5))
+    aligned, _ = several_frames.staggered_masks("aligned", protocol, 0)
+    assert np.array_equal(aligned.sum(axis=(0, 1)), np.full((4, 4), film * length))
+    assert aligned.sum(axis=0).mean(axis=(1, 2)).std() > 0.1
+
+
+def test_frames_are_decoded_together_or_alone() -> None:
+    """Of still light, what frames together say is the light; a frame's slots are its own."""
+    light = np.full((8, 16, 16), 1000.0)
+    masks = np.zeros((2, 8, 1, 1), np.float32)
+    masks[0, :4] = masks[1, 4:] = 1
+    measured = [
+        Measured.exact(torch.full((1, 16, 16), 4000.0), torch.ones(1, 8, 16, 16) * mask)
+        for mask in torch.from_numpy(masks)
+    ]
+    for groups in ([[0, 1]], [[0], [1]]):
+        made = several_frames._decoded(measured, masks, groups, light.shape)
+        assert np.allclose(made, light, rtol=0.02)
+
+
+def test_rows_are_named_by_their_protocols(tmp_path: Path) -> None:
+    for protocol, row in (
+        ("deblur-v1", "quad"),
+        ("two-bucket-v1", "any"),
+        ("staggered-v1", "long"),
+    ):
+        line = ["evaluate", "of", row, "--data", ".", "--protocol", protocol]
+        found = invoke(line, tmp_path)
+        assert found.codes == ["NS0810"]
+        assert "its baselines are" in found.err
+    line = "evaluate of flutter --data . --protocol two-bucket-v1 --shutter e"
+    assert invoke(line.split(), tmp_path).codes == ["NS0840"]
+    line = "evaluate of long --data . --protocol deblur-v1"
+    assert invoke(line.split(), tmp_path).codes == ["NS0811"]
+
+
+@pytest.mark.slow
+def test_two_buckets_tell_more_than_one(tmp_path: Path) -> None:
+    """The order of the published figures, on a made clip: flutter, pixel-wise, two buckets."""
+    from small_runs import clip
+
+    clip(tmp_path / "c.mat", 16, 256)
+    scores = [
+        several_frames.evaluate_several("two-bucket-v1", name, tmp_path)[0]["mean"]
+        for name in ("flutter", "pixel-wise", "two-bucket")
+    ]
+    assert scores == sorted(scores)

@@ -1,0 +1,24 @@
+"""The simplest decoder: each exposure over the time that its own pixel was open."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from torch import Tensor, nn
+
+from nscc_training.decoders.declared import Task
+from nscc_training.sensor_model import laid
+
+
+def divided(channels: Sequence[int], task: Task, size: str) -> Divided:
+    """The declared decoder `divided`."""
+    return Divided()
+
+
+class Divided(nn.Module):
+    """Light of stills (batch, rows, cols) from a frame and shutters (N, r, c); nothing is learned,
+    and no neighbour asked."""
+
+    def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
+        share = laid(shutters.mean(dim=0), *frame.shape[-2:])
+        return frame / share.clamp(min=1e-9)

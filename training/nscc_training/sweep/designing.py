@@ -1,0 +1,92 @@
+"""Points of kind design: programs made for scenes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from nscc.files import write_whole
+from nscc.target.load import DEFAULT_NAME, load_target
+from nscc.toml.kinds import Integer, Number, Text
+from nscc.toml.schema import Key
+from nscc_training.sweep.light import light_files, scene_keys, scene_of, sensor_keys, sensor_of
+from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
+from nscc_training.sweep.programs import axis
+
+_TILE = "sve-risk"
+_CRITERIA = ("mu", "linear", "log", _TILE)
+
+
+def _keys() -> tuple[Key, ...]:
+    return (
+        *scene_keys(),
+        axis("looks", Integer(2, 32), "exposures of pixels that look, the last the whole frame"),
+        axis("criterion", Text(_CRITERIA), "the curve on which the error is least; sve-risk: a "
+             "fixed 2 x 2 tile instead of looks", "mu"),
+        axis("slots", Integer(2, 4096), "slots of a frame", 256),
+        axis("slot_us", Number(0.01, 1e6), "their length in microseconds", 125.0),
+        axis("target", Text(), "the chip, by name or file", DEFAULT_NAME),
+        axis("level", Integer(0, 3), "as -O", 2),
+        *sensor_keys(),
+    )  # fmt: skip
+
+
+def _fault(values: Values) -> Fault | None:
+    if "scene" not in values:
+        return Fault("", "a point is designed for a scene", 'add scene = "builtin:hdr"')
+    if (values["criterion"] == _TILE) == ("looks" in values):
+        message = "a point has looks, or else the criterion sve-risk"
+        return Fault("looks" if "looks" in values else "", message, "for instance looks = 5")
+    if values.get("looks", 0) > values["slots"]:
+        message = f"{values['looks']} exposures end at as many of {values['slots']} boundaries"
+        return Fault("looks", message, "ask for fewer looks, or for more slots")
+    return None
+
+
+def _reads(values: Values) -> Sequence[Path]:
+    named = [Path(values["target"])] if values["target"].endswith(".toml") else []
+    return [*light_files(values), *named]
+
+
+def _design(values: Values, place: Place) -> Figures:
+    from nscc_runtime.progress import unseen
+    from nscc_training.design import Design, Frame, design_looks, design_tile
+    from nscc_training.metrics import psnr_of_mse
+
+    target = load_target(values["target"], Path())
+    slots, slot_us = values["slots"], values["slot_us"]
+    [laid] = scene_of(values).laid([slot_us] * slots, target, lambda _told: None, unseen)
+    seen = [laid.where.cut(laid.light.total_e())]
+    frame = Frame(slots, slot_us, values["target"], sensor_of(values, target), values["level"])
+    figures: Figures
+    made: Design
+    if values["criterion"] == _TILE:
+        tile = design_tile(seen, frame)
+        made, figures = tile, {"stops": " ".join(map(str, tile.tile.stops))}
+        errors = {"mu": tile.tile.risk}
+    else:
+        looking = design_looks(seen, values["looks"], frame, values["criterion"])
+        made, figures = looking, {"at": " ".join(map(str, looking.schedule.at))}
+        errors = {str(curve): error for curve, error in looking.expected.errors.items()}
+    write_whole(place.files, made.text.encode())
+    lowered = made.compiled.lowered
+    assert lowered is not None
+    expected = {
+        f"expected_{curve}_db": psnr_of_mse(error, 1.0)
+        for curve, error in errors.items()
+        if curve != "log"
+    }
+    return {
+        **expected,
+        **figures,
+        "words_total": lowered.schedule.words_total,
+        "shortest_slot_us": round(lowered.shortest_slot_us, 6),
+    }
+
+
+DESIGN = PointKind(
+    "design", "a program made for a scene, and what is expected of it", _keys, _design,
+    ("expected_mu_db",), _reads, fault=_fault,
+    packages=("nscc", "nscc_runtime", "nscc_training"),
+    distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy"), leaves=".nsl",
+)  # fmt: skip
