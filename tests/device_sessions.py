@@ -47,7 +47,7 @@ class Example:
 
 
 @lru_cache
-def examples(slot_us: float = 1.0) -> tuple[Example, ...]:
+def examples(slot_us: float = 100.0) -> tuple[Example, ...]:
     """One program for each lowering; the last one has a gain. `slot_us` is the shortest slot."""
     random_numbers = np.random.default_rng(3)
     stop = random_numbers.integers(1, SLOTS + 1, SHAPE)
@@ -155,7 +155,7 @@ def session(
     seed: int,
     loader_of: Callable[[Example], Loaded],
     line_of: type[Simulation] = Simulation,
-    slot_us: float = 1.0,
+    slot_us: float = 100.0,
     channels: int = BOTH,
 ) -> tuple[bool, Simulation]:
     """One session with faults of its own: whether its frame is the emulator's, bit for bit.
