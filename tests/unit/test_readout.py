@@ -41,6 +41,7 @@ def chip(readout: str) -> Target:
 def program_and_light(target: Target) -> tuple[object, Light]:
     """Open all the time; one pixel each sees nothing, half a well, a well."""
     container = bumps(target, None, np.full((1, 3), 4), 4, "latch")
+    container = replace(container, slot_us=(1000.0,) * 4)
     electrons = np.array([[0.0, WELL_E / 2, WELL_E]], np.float32)
     return container, Light.of_clip(np.repeat(electrons[None] / 4, 4, axis=0))
 
