@@ -22,7 +22,7 @@ from emulator_programs import container_of, target_of
 from nscc.operations import op
 from nscc_runtime.device import tasks
 from nscc_runtime.device.faults import Faults
-from nscc_runtime.device.host import Contested, Refused, Silent, Stalled
+from nscc_runtime.device.host import Contested, Implausible, Refused, Silent, Stalled
 from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.messages import Channel, Fault, Hello, Info, Progress
 from nscc_runtime.device.objects import Upload, upload_of
@@ -345,7 +345,7 @@ def test_what_a_loader_says_of_a_frame_is_what_the_host_reckons() -> None:
     assert held.longest_s < 3600
     loader, host = python_loader(example), new_host(1)
     announced = replace(upload, readouts=upload.readouts + 1)
-    with pytest.raises(tasks.Implausible):
+    with pytest.raises(Implausible):
         Simulation(host, loader).run(host.lasting(uploaded_and_captured(host, announced, 1)))
 
 

@@ -11,7 +11,7 @@ from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from typing import TypeVar
 
-from nscc_runtime.device.messages import Failure, Fault, Hello, Info, Status
+from nscc_runtime.device.messages import Captured, Failure, Fault, Hello, Info, Status
 from nscc_runtime.device.packets import REPLY, VERSION, Kind, Packet, Unpacker
 
 Result = TypeVar("Result")
@@ -38,6 +38,14 @@ class Silent(Exception):
 
 class Stalled(Exception):
     """The loader answers, and nothing gets done."""
+
+
+class Implausible(Exception):
+    """A loader says of a frame what no frame of the program can be."""
+
+    def __init__(self, captured: Captured) -> None:
+        super().__init__()
+        self.captured = captured
 
 
 class Contested(Exception):

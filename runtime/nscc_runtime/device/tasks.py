@@ -8,7 +8,15 @@ from dataclasses import dataclass
 from zlib import adler32, crc32
 
 from nscc_runtime.device import messages
-from nscc_runtime.device.host import LONGEST_WAIT_S, Host, Refused, Task, checked, raise_failure
+from nscc_runtime.device.host import (
+    LONGEST_WAIT_S,
+    Host,
+    Implausible,
+    Refused,
+    Task,
+    checked,
+    raise_failure,
+)
 from nscc_runtime.device.messages import (
     DATA,
     FRAME,
@@ -238,15 +246,9 @@ class Wanted:
         """What a loader may take for it, whatever it says: twice what the host makes it, and what
         is beside the frame; of an unknown program what no loader exceeds."""
         program = self.program
-        return 2 * LONGEST_US * 1e-6 if program is None else 2 * program.frame_s + _BESIDE_S
-
-
-class Implausible(Exception):
-    """A loader says of a frame what no frame of this program can be."""
-
-    def __init__(self, captured: Captured) -> None:
-        super().__init__()
-        self.captured = captured
+        if program is None:
+            return 2e-6 * LONGEST_US
+        return 2e-3 * (program.frame_ms + program.readout_ms) + _BESIDE_S
 
 
 class _Part:
