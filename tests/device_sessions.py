@@ -25,6 +25,7 @@ from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.parsing import Held
 from nscc_runtime.device.serving import Loaded
+from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 
@@ -141,7 +142,7 @@ def uploaded_and_captured(
     host: Host, upload: Upload, number: int, channels: int = BOTH
 ) -> Callable[[], Task[tasks.Taken]]:
     """The work of a session."""
-    wanted = tasks.Wanted(number, channels, upload)
+    wanted = Wanted(number, channels, upload)
 
     def work() -> Task[tasks.Taken]:
         yield from tasks.upload(host, upload)

@@ -28,6 +28,7 @@ from nscc_runtime.device.messages import Channel, Fault, Hello, Info, Progress
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet, Unpacker
 from nscc_runtime.device.parsing import Held
+from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.light import Light
 
 LARGE = target_of((256, 256))
@@ -336,12 +337,12 @@ def test_what_a_loader_says_of_a_frame_is_what_the_host_reckons() -> None:
     example = examples()[0]
     upload = example.upload
     pixels = TARGET.rows * TARGET.cols
-    wanted = tasks.Wanted(1, 3, upload)
+    wanted = Wanted(1, 3, upload)
     assert wanted.bytes(upload.readouts) == 9 * pixels * upload.readouts
     assert wanted.bytes(upload.readouts + 1) == 0
     # Estimates of 2^32 - 1 ms are not waited for.
     assert wanted.longest_s < 2 * (sum(example.container.slot_us) * 1e-6 + 1) + 11
-    held = tasks.Wanted(1, 1, None, pixels)
+    held = Wanted(1, 1, None, pixels)
     assert held.bytes(2) == 2 * pixels
     assert held.longest_s < 3600
     loader, host = python_loader(example), new_host(1)

@@ -19,6 +19,7 @@ from nscc_runtime.device.chip import frame_of
 from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import upload_of
+from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out
@@ -68,7 +69,7 @@ def test_a_device(kind: str, readout: str, tmp_path: Path) -> None:
     if kind == "firmware" and firmware.compiler() is None:
         pytest.skip("no C++ compiler: the firmware cannot be built")
     host, upload = new_host(1), upload_of(container, bytes(32))  # type: ignore[arg-type]
-    wanted = tasks.Wanted(1, Channel.CODES, upload)
+    wanted = Wanted(1, Channel.CODES, upload)
 
     def work() -> tasks.Task[tasks.Taken]:
         yield from tasks.upload(host, upload)

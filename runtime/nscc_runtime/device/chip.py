@@ -26,6 +26,7 @@ from nscc_runtime.device.messages import (
 )
 from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
 from nscc_runtime.device.trouble import check_fits, no_program, states_lost
+from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.interface import Exposure
@@ -144,7 +145,7 @@ class Chip:
     def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
         host = self.link.host
         self._number += 1
-        wanted, lost = tasks.Wanted(self._number, 0, program, target.rows * target.cols), False
+        wanted, lost = Wanted(self._number, 0, program, target.rows * target.cols), False
 
         def work() -> Task[tasks.Taken]:
             nonlocal lost
