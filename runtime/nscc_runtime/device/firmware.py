@@ -359,7 +359,12 @@ class Process(Running):
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
         super().__init__([str(loader.path), "--pty"], loader.target, chip)
-        while (found := self.next()) is None:
+        self.port = ""
+        while not self.port:
             self.fill()
-        self.port = found[1].decode()
+            while (found := self.next()) is not None:
+                if found[0] == b"P":
+                    self.port = found[1].decode()
+                else:
+                    self.follow(*found)
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
