@@ -32,6 +32,7 @@ from nscc_runtime.device.objects import (
     target_digest,
 )
 from nscc_runtime.device.trouble import rejected
+from nscc_runtime.device.wanted import Wanted
 
 LAUNCHES = 2001
 WORDS = 100
@@ -99,7 +100,7 @@ def measured(link: Link, target: Target) -> Times:
 
 def _captured(link: Link, program: Upload) -> Captured:
     """What the loader says of a frame of a program, once all of it has been fetched."""
-    wanted = tasks.Wanted(SystemRandom().randrange(1 << 63), Channel.CODES, program)
+    wanted = Wanted(SystemRandom().randrange(1 << 63), Channel.CODES, program)
 
     def work() -> Task[tasks.Taken]:
         yield from tasks.upload(link.host, program)
