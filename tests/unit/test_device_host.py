@@ -304,6 +304,7 @@ def test_a_line_that_is_slower_than_announced(bytes_a_second: int) -> None:
     planes = {name: numbers.random((48, 48)) < 0.5 for name in small.digital_registers[1:7]}
     kernels = [[op("NOR", ["R1"], ["R2", "R3"])] * 4 for _ in range(40)]
     container = container_of(small, planes, kernels, [(n, n) for n in range(40)], 40)
+    container = replace(container, slot_us=(100.0,) * 40)
     light = Light.of_clip(numbers.random((40, 48, 48), np.float32) * 900)
     chip = ChipAtOnce(lambda _: light, small)
     upload, host = upload_of(container, bytes(32)), new_host(1)
