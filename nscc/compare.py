@@ -25,9 +25,9 @@ NoiseOf = Callable[[Container], tuple[float, float] | None]
 class OnChip:
     """A program on a chip: compiled, or the first reason why not.
 
-    `shortest_slot_us` is None where that is not known. `sent_bits` go to the chip for every frame,
-    `bits_per_us` while it is sent; `stored` says what the chip keeps. `noise_e` is in the dark and
-    at half a full well, None where it is not known.
+    `shortest_slot_us` is None where that is not known; `frame_us` includes the readout.
+    `sent_bits` go to the chip for every frame, `bits_per_us` while it is sent; `stored` says what
+    the chip keeps. `noise_e` is in the dark and at half a full well, None where it is not known.
     """
 
     target: Target
@@ -61,20 +61,21 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
         late = wrong.data.get("resource") == "slot_us"
         needed = float(wrong.data["required"]) if late else None
         return OnChip(target, None, wrong, needed, None, None, None, "", None)
-    container, frame_us = compiled.container, 0.0
+    container = compiled.container
     assert container is not None
     noise = noise_of(container) if noise_of is not None else None
     if compiled.sending is not None:
         way = compiled.sending
+        frame_us = way.frame_us + target.readout_us  # all taps at once
         return OnChip(
-            target, compiled, None, way.shortest_slot_us, way.frame_us, way.bits_a_frame,
+            target, compiled, None, way.shortest_slot_us, frame_us, way.bits_a_frame,
             way.bits_per_us, "nothing", noise,
         )  # fmt: skip
     lowered = compiled.lowered
     assert lowered is not None
     planes = counted(len(container.code_registers), "plane of code", "planes of code")
     stored = f"{counted(container.words_stored, 'word')}, {planes}"
-    frame_us = sum(container.slot_us) + target.readout_us * len(container.readouts)
+    frame_us = lowered.frame_us + target.readout_us * len(container.readouts)
     return OnChip(
         target, compiled, None, lowered.shortest_slot_us, frame_us, 0, 0.0, stored, noise
     )  # fmt: skip

@@ -23,6 +23,7 @@ from nscc.lower.plan import LoweringOption, Misfit, Planned, frame_time, plan_ex
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, prove
+from nscc.prove.stream import prove_stream
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File
@@ -200,11 +201,9 @@ def plan_sending(program: Program, job: Job) -> tuple[Any, Found]:
     """
     from nscc.stream.passes import plan_of
 
-    options = {
-        f"--lowering {job.options.lowering}": job.options.lowering != "auto",
-        "--max-words-per-slot": job.options.max_words_per_slot is not None,
-    }
-    return plan_of(program, [name for name, asked in options.items() if asked])
+    lowering, most_words = job.options.lowering, job.options.max_words_per_slot
+    asked = [f"--lowering {lowering}"] * (lowering != "auto")
+    return plan_of(program, asked + ["--max-words-per-slot"] * (most_words is not None))
 
 
 def time_sending(sending: Sending, job: Job) -> tuple[Sending, Found]:
@@ -221,16 +220,11 @@ def make_planes(sending: Sending, job: Job) -> tuple[Container, Found]:
     return container_of(sending), []
 
 
-def prove_planes(container: Container, job: Job) -> tuple[Proof, Found]:
-    """A container's planes, followed pixel by pixel, become a proof. Refuses nothing."""
-    from nscc.prove.stream import prove_stream
-
-    return prove_stream(container), []
-
-
 def prove_words(container: Container, job: Job) -> tuple[Proof, Found]:
-    """A container's words, decoded and replayed, become a proof. Refuses nothing: words that do
-    not satisfy the program are a fault of the compiler."""
+    """A container's words, decoded and replayed, or its planes, followed pixel by pixel, become a
+    proof. Refuses nothing: what does not satisfy the program is a fault of the compiler."""
+    if container.target.streamed:
+        return prove_stream(container), []
     try:
         kernels = decoded(container)
     except Rejected as rejected:
@@ -281,15 +275,15 @@ STREAM_PASSES = (
     Pass("plan", plan_sending, lambda _way: None),
     Pass("schedule", time_sending, lambda _sending: None),
     Pass("words", make_planes, checks.check_words),
-    Pass("prove", prove_planes, checks.check_proof),
+    Pass("prove", prove_words, checks.check_proof),
 )
 """The same for chips without logic, whose pixels decode nothing: there are no gates."""
 
 
 def passes_after(program: Program) -> Sequence[Pass]:
     """The passes that follow the two that read a program."""
-    target_passes = STREAM_PASSES if program.target.streamed else PASSES
-    return (LOOKING_PASSES if program.machine is not None else target_passes)[len(_READING) :]
+    chip = STREAM_PASSES if program.target.streamed else PASSES
+    return (chip if program.machine is None else LOOKING_PASSES)[len(_READING) :]
 
 
 Observer = Callable[[str, Any], None]
@@ -317,6 +311,17 @@ class Compiled:
     def lowered(self) -> Lowered | None:
         """The lowering that was chosen."""
         return None if self.choice is None else self.choice.best
+
+    @property
+    def shortest_slot_us(self) -> float:
+        """The shortest slot that leaves time for its words, or for loading its plane of bits.
+
+        ValueError where only a search can tell whether the program fits.
+        """
+        made = self.lowered or self.sending
+        if made is None:
+            raise ValueError("nothing was laid out")
+        return made.shortest_slot_us
 
     def __repr__(self) -> str:
         words = "no words" if self.container is None else f"{self.container!r}"

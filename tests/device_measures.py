@@ -11,6 +11,7 @@ import os
 import sys
 import tempfile
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 from time import perf_counter
 
@@ -102,6 +103,7 @@ def large_upload() -> Upload:
     planes = {name: numbers.random((256, 256)) < 0.5 for name in target.digital_registers}
     kernels = [[op("NOR", ["R1"], ["R2", "R3"])] * 4 for _ in range(256)]
     container = container_of(target, planes, kernels, [(n, n) for n in range(256)], 256)
+    container = replace(container, slot_us=(100.0,) * 256)
     return upload_of(container, bytes(32))
 
 

@@ -25,6 +25,7 @@ from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.parsing import Held
 from nscc_runtime.device.serving import Loaded
+from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 
@@ -46,7 +47,7 @@ class Example:
 
 
 @lru_cache
-def examples(slot_us: float = 1.0) -> tuple[Example, ...]:
+def examples(slot_us: float = 100.0) -> tuple[Example, ...]:
     """One program for each lowering; the last one has a gain. `slot_us` is the shortest slot."""
     random_numbers = np.random.default_rng(3)
     stop = random_numbers.integers(1, SLOTS + 1, SHAPE)
@@ -141,7 +142,7 @@ def uploaded_and_captured(
     host: Host, upload: Upload, number: int, channels: int = BOTH
 ) -> Callable[[], Task[tasks.Taken]]:
     """The work of a session."""
-    wanted = tasks.Wanted(number, channels)
+    wanted = Wanted(number, channels, upload)
 
     def work() -> Task[tasks.Taken]:
         yield from tasks.upload(host, upload)
@@ -154,7 +155,7 @@ def session(
     seed: int,
     loader_of: Callable[[Example], Loaded],
     line_of: type[Simulation] = Simulation,
-    slot_us: float = 1.0,
+    slot_us: float = 100.0,
     channels: int = BOTH,
 ) -> tuple[bool, Simulation]:
     """One session with faults of its own: whether its frame is the emulator's, bit for bit.

@@ -7,10 +7,15 @@ from random import Random
 LEVELS = ("12%", "25%", "45%", "22.5%", "9000e", "40lsb", "100lsb", "70%")
 
 
+_TELLING = 0.7
+"""The part of the programs whose shutters fall once, at a look that a state remembers: the readout
+tells how long they were open. Of the others it often does not."""
+
+
 def random_program(seed: int) -> str:
     """A program that reads well; it need not fit a chip, nor tell how long its pixels were open."""
     choose = Random(seed)
-    slots = choose.randint(2, 7)
+    slots = choose.randint(2, 6)
     lines = ["nsl 2", f"frame {slots} slots of 1ms"]
     per_pixel = choose.random() < 0.15
     if per_pixel:
@@ -39,8 +44,14 @@ def random_program(seed: int) -> str:
     if choose.random() < 0.3:
         condition = known.condition() if per_pixel else f"n % {choose.randint(2, 4)} == 1"
         lines.append(f"reset when {condition}")
-    for bucket in buckets:
-        lines.append(f"{f'bucket {bucket} ' * bool(bucket)}open when {known.rule(slots)}")
+    rules = [known.rule(slots) for _ in buckets]
+    if choose.random() < _TELLING:
+        lines.append(f"state closed : 0..{slots} = 0")
+        lines.append(f"next closed = looks when closed == 0 and ({known.condition()})")
+        rules = [known.falling(slots, first=not k) for k in range(len(buckets))]
+        states["closed"] = slots
+    for bucket, rule in zip(buckets, rules, strict=True):
+        lines.append(f"{f'bucket {bucket} ' * bool(bucket)}open when {rule}")
     lines.append("read " + ", ".join(states))
     return "\n".join(lines) + "\n"
 
@@ -111,6 +122,16 @@ class _Known:
         ]
         forms += [f"min({field}, {most})" for field in self.fields]
         return self.choose.choice(forms)
+
+    def falling(self, slots: int, *, first: bool) -> str:
+        """When a shutter is open that falls, or of a second bucket rises, at a look."""
+        closed = f"closed {'==' if first else '!='} 0"
+        more = [f"n < {self.choose.randint(1, slots)}", f"n != {self.choose.randrange(slots)}"]
+        if self.fields:
+            more.append(f"{self.choose.choice(self.fields)} {self._sign()} 1")
+        if self.choose.random() < 0.4:
+            return f"{closed} and {self.choose.choice(more)}"
+        return closed
 
     def rule(self, slots: int) -> str:
         """When a shutter is open."""

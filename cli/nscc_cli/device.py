@@ -193,3 +193,32 @@ def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
         for path in paths:
             capture_to(path, chip, target, sensor, container)
             done(f"wrote {path}")
+
+
+@command.command("calibrate", cls=CommonCommand)
+@click.argument("port")
+@click.option("-o", "out", type=OUT, required=True, help="The target file.")
+@click.option("--target", metavar="NAME|FILE.toml", help="The chip, if it is none of nscc's own.")
+@shared.link_options
+def calibrate(port: str, out: Path, **options: Any) -> None:
+    """Measure what launches, words, waits and readouts take on the device at PORT.
+
+    Writes the chip's target file with these times; a program built with it fits the device. The
+    device loses the program that it holds.
+    """
+    from nscc.files import write_whole
+    from nscc.target.load import target_toml
+    from nscc_runtime.device.chip import Chip
+    from nscc_runtime.device.frames import target_of
+    from nscc_runtime.device.link import Link
+    from nscc_runtime.device.measured_times import measured
+
+    with Link(port, baud=options["baud"], patience_s=options["patience"]) as link:
+        target = target_of(Chip(link), options["target"])
+        times = measured(link, target)
+    write_whole(out, target_toml(times.of(target)).encode())
+    done(
+        f"wrote {out}: a launch {times.launch_us:g} us, an analog word "
+        f"{times.analog_word_us:g} us, a digital one {times.digital_word_us:g} us, the loop at a "
+        f"boundary {times.wait_us:g} us, a readout {times.readout_us:g} us"
+    )

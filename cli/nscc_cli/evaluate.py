@@ -105,7 +105,7 @@ def of(
     best-uniform-mu (the same in mu-law PSNR), quad (2 x 2 geometric exposures), random, all decoded
     by merging neighbours; sparse-coding (random, by convolutional sparse coding); any (quad, by the
     decoder for any code); looks-2, looks-5, looks-9 (pixels that close at the first look above a
-    level, without a decoder); designed-2, designed-5, designed-9 (looks and levels made for each
+    level, without a decoder); designed-2, designed-5 (looks and levels made for each
     crop). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks
     bilinear and thin-out. With --shutter, those that take codes of any class are scored on others.
     Of deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of

@@ -39,12 +39,12 @@ def _print_part(context: click.Context, _option: click.Parameter, kind: str | No
 def command(
     grid: Path, out: Path, workers: int | None, threads: int, scheduler: str | None, again: bool,
     dry_run: bool, parquet: bool,
-) -> None:  # fmt: skip
+) -> int:  # fmt: skip
     """Compute every point of a grid: programs compiled, scenes exposed, runs trained and scored.
 
     Lists in GRID.toml are axes. Rows are kept in DIR as they are found: killed and started again
     the sweep goes on, and a grid that changed gets what is missing. What does not fit is a row with
-    the code of its message. Ends with status 1 where a point failed.
+    the code of its message. Ends with status 1 where a point failed, and where none has figures.
 
     \b
     nscc sweep --schema compile > grid.toml
@@ -53,7 +53,7 @@ def command(
     """
     from nscc_runtime.planner.pool import processors
     from nscc_training.sweep.grid import read_grid
-    from nscc_training.sweep.run import How, failures, known, sweep
+    from nscc_training.sweep.run import How, failures, known, sweep, told
 
     if scheduler is not None and workers is not None:
         raise click.UsageError("--workers starts processes here, --scheduler has its own")
@@ -62,12 +62,10 @@ def command(
     if dry_run:
         count, here = known(asked, out, how)
         click.echo(f"{count} points: {here} known, {count - here} to compute")
-        return
+        return 0
     found = sweep(asked, out, how, parquet=parquet, track=progress, report=done)
-    done(
-        f"{len(found.table)} points: {len(found.table) - found.misfits - found.failed} with "
-        f"figures, {found.misfits} with a message instead, {found.failed} failed"
-    )
-    done("wrote " + ", ".join(path.as_posix() for path in found.files))
+    for line in told(found):
+        done(line)
     if found.failed:
         raise failures(found)
+    return 1 if found.misfits == len(found.table) else 0

@@ -42,8 +42,8 @@ class Sending:
 
     @property
     def frame_us(self) -> float:
-        """A frame with its readout."""
-        return sum(self.program.frame.slot_us) + self.program.target.readout_us
+        """A frame from its first slot's begin to its last one's end."""
+        return sum(self.program.frame.slot_us)
 
 
 def late_fault(sending: Sending) -> Diagnostic | None:

@@ -33,9 +33,9 @@ slots = {slots}
 codes = "open"
 level = 1
 target = "scamp5"
-lowering = ["accumulate", "latch"]
+lowering = "accumulate"
 """
-FEWEST_SLOTS = 160
+FEWEST_SLOTS = 200
 
 
 def main() -> int:
@@ -43,7 +43,7 @@ def main() -> int:
     points = int(sys.argv[1]) if len(sys.argv) > 1 else POINTS
     with TemporaryDirectory() as folder:
         grid = Path(folder) / "grid.toml"
-        slots = [*range(FEWEST_SLOTS, FEWEST_SLOTS + points // 2)]
+        slots = [*range(FEWEST_SLOTS, FEWEST_SLOTS + points)]
         grid.write_text(GRID.format(slots=slots))
         serial_s, _ = swept(grid, 0)
         two_s, between_s = swept(grid, WORKERS)

@@ -21,7 +21,15 @@ from hypothesis import strategies as st
 from nscc.operations import OPERATIONS
 from nscc.words.encoding import encode, matching
 from nscc.words.legality import target_fault
-from nscc_runtime.device.host import Host, Refused, SessionLost, Silent, Stalled
+from nscc_runtime.device.host import (
+    Contested,
+    Host,
+    Implausible,
+    Refused,
+    SessionLost,
+    Silent,
+    Stalled,
+)
 from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.messages import (
     DATA,
@@ -270,7 +278,7 @@ def test_a_host_ends_whatever_a_loader_says(
     host = new_host(1)
     now, unpacker, latest = 0.0, Unpacker(), None
     waiting = list(answers)
-    with pytest.raises((Silent, Stalled, Refused)):  # noqa: PT012
+    with pytest.raises((Silent, Stalled, Refused, Contested, Implausible)):  # noqa: PT012
         work = uploaded_and_captured(host, EXAMPLE.upload, 1)
         host.start(host.lasting(work), now)
         for _ in range(3000):

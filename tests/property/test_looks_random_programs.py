@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import count as counted
 from itertools import product
 from pathlib import Path
 
@@ -24,11 +25,12 @@ from nscc_runtime.looking.ways import Ways
 from nscc_runtime.reference.looks import looking_frames
 from nscc_runtime.sensor import default_sensor
 
-PROGRAMS = 2000
-CHUNKS = 40
-SIDE = 6
+PROGRAMS, CHUNKS = 2000, 20
+"""So many programs run, in so many tests."""
+SIDE = 2
 ALLOWED = {"NS0324", "NS0502", "NS0601", "NS0415", "NS0350"}
 """What such a program may be refused for: it tells too little, or is too large."""
+MOST_REFUSED = 0.4
 
 
 def compiled(text: str, level: int) -> Container | None:
@@ -55,19 +57,31 @@ def with_codes(container: Container, seed: int) -> Container:
 
 @pytest.mark.parametrize("chunk", range(CHUNKS))
 def test_words_do_what_the_text_says(chunk: int) -> None:
-    done = 0
-    for seed in range(chunk * (PROGRAMS // CHUNKS), (chunk + 1) * (PROGRAMS // CHUNKS)):
-        text = random_program(seed)
-        found = compiled(text, 1 if seed % 8 == 0 else 0)
-        if found is None:
-            continue
-        done += 1
-        check(text, with_codes(found, seed), seed)
-    assert done > PROGRAMS // CHUNKS // 4
+    run(chunk, range(PROGRAMS // CHUNKS))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("chunk", range(CHUNKS, 3 * CHUNKS))
+def test_words_of_more_programs_and_better_encodings(chunk: int) -> None:
+    run(chunk, range(PROGRAMS // CHUNKS), level=2)
+
+
+def run(chunk: int, programs: range, level: int | None = None) -> None:
+    """Runs so many programs that are accepted; few are refused, and for what is allowed."""
+    seeds, refused = counted(chunk * 100_000), 0
+    for _ in programs:
+        for seed in seeds:
+            text = random_program(seed)
+            found = compiled(text, (1 if seed % 40 == 0 else 0) if level is None else level)
+            if found is not None:
+                check(text, with_codes(found, seed), seed)
+                break
+            refused += 1
+    assert refused < MOST_REFUSED * len(programs)
 
 
 def check(text: str, container: Container, seed: int) -> None:
-    """Two frames of random light, pixel by pixel."""
+    """Random light, pixel by pixel; two frames of it where a state is kept."""
     interpreter = Interpreter(text)
     choose = np.random.default_rng(seed)
     share = choose.uniform(0, 2.0, (container.slots, SIDE, SIDE)) * choose.uniform(
@@ -75,16 +89,18 @@ def check(text: str, container: Container, seed: int) -> None:
     )
     light = (share * FULL_WELL_E / container.slots).astype(np.float32)
     sensor = default_sensor(container.target)
-    scene, none = Light.of_clip(light), selected("none")
-    taken = [*looking_frames(container, scene, sensor, none, device_seed=seed, count=2)]
-    assert not Ways(container, sensor).lacks(none), text
-    for words, ways in zip(taken, frames(container, scene, sensor, none, count=2), strict=True):
-        assert np.array_equal(words.exposure_e, ways.exposure_e), text
-        assert all(np.array_equal(words.told[key], ways.told[key], True) for key in words.told), (
-            text
-        )
     assert container.machine is not None
+    assert container.pixel_codes is not None
     kept_names = {state.name for state in container.machine.states if state.kept}
+    scene, none, count = Light.of_clip(light), selected("none"), 2 if kept_names else 1
+    taken = [*looking_frames(container, scene, sensor, none, device_seed=seed, count=count)]
+    assert not Ways(container, sensor).lacks(none), text
+    for words, ways in zip(taken, frames(container, scene, sensor, none, count=count), strict=True):
+        assert np.array_equal(words.exposure_e, ways.exposure_e), text
+        alike = (np.array_equal(words.told[key], ways.told[key], True) for key in words.told)
+        assert all(alike), text
+    if seed % 20 == 0:
+        check_with_effects(text, container, scene, seed)
     kept: dict[tuple[int, int], dict[str, object]] = {}
     for number, frame in enumerate(taken):
         for y, x in product(range(SIDE), repeat=2):
@@ -101,6 +117,23 @@ def check(text: str, container: Container, seed: int) -> None:
             for name, value in pixel.states.items():
                 assert frame.told[f"states_{name}"][y, x] == int(value), (name, where)
             kept[y, x] = {name: pixel.states[name] for name in kept_names & pixel.states.keys()}
+
+
+def check_with_effects(text: str, container: Container, scene: Light, seed: int) -> None:
+    """With all effects ways give what the words give, to rounding."""
+    sensor, every = default_sensor(container.target), selected("all")
+    assert not Ways(container, sensor).lacks(every), text
+    options = {"seed": seed, "device_seed": seed, "count": 2}
+    for words, ways in zip(
+        looking_frames(container, scene, sensor, every, **options),
+        frames(container, scene, sensor, every, **options),
+        strict=True,
+    ):
+        np.testing.assert_allclose(
+            ways.exposure_e, words.exposure_e, rtol=1e-9, atol=1e-6, err_msg=text
+        )
+        assert np.array_equal(ways.saturated_by, words.saturated_by), text
+        assert np.array_equal(ways.told["open_slots"], words.told["open_slots"]), text
 
 
 @pytest.mark.parametrize("seed", range(0, 60))

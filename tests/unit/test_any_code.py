@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from importlib.resources import files
 from pathlib import Path
 
@@ -15,6 +16,8 @@ from nscc_training import made_scenes  # noqa: E402
 from nscc_training.any_code.decode import any_clip, decoded_clip, decoded_still  # noqa: E402
 from nscc_training.any_code.lessons import mask_drawn  # noqa: E402
 from nscc_training.any_code.measured import Measured  # noqa: E402
+from nscc_training.any_code.muon import orthogonal  # noqa: E402
+from nscc_training.any_code.network import exchanged  # noqa: E402
 from nscc_training.any_code.stages import schedule, stage, started  # noqa: E402
 from nscc_training.any_code.stills import started_still  # noqa: E402
 from nscc_training.any_code.training import Part, Trainer  # noqa: E402
@@ -189,6 +192,36 @@ def test_training_goes_on_where_it_stopped(tmp_path: Path) -> None:
     assert "nan" not in line
 
 
+@pytest.mark.parametrize("shape", [(3, 20), (20, 3), (8, 8)])
+def test_steps_lead_all_directions_equally_far(shape: tuple[int, int]) -> None:
+    """By singular values: those of a step are about 1, and its directions the gradient's."""
+    gradient = torch.randn(*shape, generator=torch.Generator().manual_seed(4), dtype=torch.float64)
+    made = orthogonal(gradient)
+    values = torch.linalg.svdvals(made)
+    assert ((values > 0.5) & (values < 1.4)).all()
+    left, _, right = torch.linalg.svd(gradient, full_matrices=False)
+    inner = left.mT @ made @ right.mT
+    assert torch.allclose(inner, torch.diag(inner.diagonal()), atol=1e-9)
+
+
+def test_neighbours_get_channels_and_gradients() -> None:
+    """Beside slices of whole clips, in values and in gradients."""
+
+    def sliced(x: torch.Tensor, frames: int) -> torch.Tensor:
+        parts, count = x.unflatten(0, (-1, frames)), x.shape[1] // 4
+        before = torch.cat([parts[:, :1], parts[:, :-1]], dim=1)[:, :, :count]
+        after = torch.cat([parts[:, 1:], parts[:, -1:]], dim=1)[:, :, count : 2 * count]
+        return torch.cat([before, after, parts[:, :, 2 * count :]], dim=2).flatten(0, 1)
+
+    for frames in (1, 2, 5):
+        x, weight = torch.randn(2, 2 * frames, 8, 3, 4, dtype=torch.float64)
+        x.requires_grad_()
+        found, wanted = exchanged(x, frames), sliced(x, frames)
+        assert torch.equal(found, wanted)
+        slopes = [torch.autograd.grad((y * weight).sum(), x)[0] for y in (found, wanted)]
+        assert torch.allclose(*slopes)
+
+
 PROGRAMS = {
     "stops": "frame 16 slots of 1ms\ncode stop : 1..16\nopen when n < stop\n"
     "pixels stop = 1 + x % 16",
@@ -241,3 +274,25 @@ def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -
         assert (refused.status, refused.codes) == (2, ["NS0819"]), refused.err
     assert invoke([*kept, "--force"], tmp_path).status == 2
     assert invoke(["reconstruct", "./any", *named[2:]], tmp_path).status == 2
+
+
+def test_colours_are_decoded_one_by_one(tmp_path: Path) -> None:
+    import cv2
+
+    made = np.random.default_rng(2).integers(40, 200, (64, 64, 3)).astype(np.uint8)
+    cv2.imwrite(str(tmp_path / "c.png"), cv2.resize(made, (256, 256)))
+    (tmp_path / "p.nsl").write_text(f"nsl 1\n{PROGRAMS['stops']}\n")
+    line = ["run", "p.nsl", "--scene", "c.png", "--color", "--exposure", "30000", "-o", "f.npz"]
+    assert invoke(line, tmp_path).status == 0
+    done = invoke(["reconstruct", "any", "f.npz", "-o", "o.npz"], tmp_path)
+    assert done.status == 0, done.err
+    image = np.load(tmp_path / "o.npz")["image"]
+    assert image.shape == (256, 256, 3)
+    with np.load(tmp_path / "f.npz") as file:
+        whole = dict(file)
+    meta = json.loads(str(whole["meta"]))
+    del meta["colours"]
+    one = {**whole, **{name: whole[name][1] for name in ("frame", "saturated")}}
+    np.savez(tmp_path / "g.npz", **{**one, "meta": json.dumps(meta)})
+    assert invoke(["reconstruct", "any", "g.npz", "-o", "g_o.npz"], tmp_path).status == 0
+    assert np.array_equal(image[..., 1], np.load(tmp_path / "g_o.npz")["image"])

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from device_sessions import (
     TARGET,
+    ChipAtOnce,
     chip_of,
     examples,
     new_host,
@@ -21,12 +22,14 @@ from emulator_programs import container_of, target_of
 from nscc.operations import op
 from nscc_runtime.device import tasks
 from nscc_runtime.device.faults import Faults
-from nscc_runtime.device.host import Refused, Silent, Stalled
+from nscc_runtime.device.host import Contested, Implausible, Refused, Silent, Stalled
 from nscc_runtime.device.loader import Loader
-from nscc_runtime.device.messages import Fault, Progress
+from nscc_runtime.device.messages import Channel, Fault, Hello, Info, Progress
 from nscc_runtime.device.objects import Upload, upload_of
-from nscc_runtime.device.packets import MOST_DATA, REPLY, Kind, Packet, Unpacker
+from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet, Unpacker
 from nscc_runtime.device.parsing import Held
+from nscc_runtime.device.wanted import Wanted
+from nscc_runtime.light import Light
 
 LARGE = target_of((256, 256))
 BITS_A_BYTE, BAUD = 10, 3e6
@@ -291,3 +294,72 @@ def test_a_slow_line_only_takes_longer(delay_s: float) -> None:
     assert taken.data == example.frame
     # Hello, begin, declare, data, finish, capture (some), read; and what learning took.
     assert line.now <= 12 * 2 * delay_s + 2.0
+
+
+@pytest.mark.parametrize("bytes_a_second", [960, 200])
+def test_a_line_that_is_slower_than_announced(bytes_a_second: int) -> None:
+    """Nobody says --baud: the host finds out by what is lost, and does not drown the line."""
+    small = target_of((48, 48))
+    numbers = np.random.default_rng(1)
+    planes = {name: numbers.random((48, 48)) < 0.5 for name in small.digital_registers[1:7]}
+    kernels = [[op("NOR", ["R1"], ["R2", "R3"])] * 4 for _ in range(40)]
+    container = container_of(small, planes, kernels, [(n, n) for n in range(40)], 40)
+    container = replace(container, slot_us=(100.0,) * 40)
+    light = Light.of_clip(numbers.random((40, 48, 48), np.float32) * 900)
+    chip = ChipAtOnce(lambda _: light, small)
+    upload, host = upload_of(container, bytes(32)), new_host(1)
+    line = Simulation(host, Loader(small, chip, "slow"), baud=10 * bytes_a_second)
+    taken = line.run(host.lasting(uploaded_and_captured(host, upload, 1, Channel.CODES)))
+    assert isinstance(taken, tasks.Taken)
+    assert taken.data == chip.exposure(container, Channel.CODES)
+    useful_s = (len(upload.stream) + len(taken.data)) / bytes_a_second
+    assert line.now <= 4 * useful_s + 20
+
+
+def test_another_host_is_named_as_such() -> None:
+    """It says hello whenever the loader has heard of us for a while."""
+    example = examples()[0]
+    loader = python_loader(example)
+    heard = loader.receive
+
+    def disturbed(data: bytes, now_us: int) -> None:
+        heard(data, now_us)
+        if data:
+            heard(Packet(Kind.HELLO, 1, 999, Hello(VERSION, VERSION).pack()).wire(), now_us)
+
+    loader.receive = disturbed  # type: ignore[method-assign]
+    host = new_host(1)
+    with pytest.raises(Contested):
+        Simulation(host, loader).run(host.lasting(uploaded_and_captured(host, example.upload, 1)))
+
+
+def test_what_a_loader_says_of_a_frame_is_what_the_host_reckons() -> None:
+    example = examples()[0]
+    upload = example.upload
+    pixels = TARGET.rows * TARGET.cols
+    wanted = Wanted(1, 3, upload)
+    assert wanted.bytes(upload.readouts) == 9 * pixels * upload.readouts
+    assert wanted.bytes(upload.readouts + 1) == 0
+    # Estimates of 2^32 - 1 ms are not waited for.
+    assert wanted.longest_s < 2 * (sum(example.container.slot_us) * 1e-6 + 1) + 11
+    held = Wanted(1, 1, None, pixels)
+    assert held.bytes(2) == 2 * pixels
+    assert held.longest_s < 3600
+    loader, host = python_loader(example), new_host(1)
+    announced = replace(upload, readouts=upload.readouts + 1)
+    with pytest.raises(Implausible):
+        Simulation(host, loader).run(host.lasting(uploaded_and_captured(host, announced, 1)))
+
+
+def test_what_a_loader_calls_itself_cannot_steer_a_terminal() -> None:
+    said = hello_of(python_loader(examples()[0]))
+    info = replace(said, firmware="\x1b[2J\x07ok", target_name="a\nb")
+    found = Info.unpack(info.pack())
+    assert (found.firmware, found.target_name) == ("\ufffd[2J\ufffdok", "a\ufffdb")
+
+
+def hello_of(loader: Loader) -> Info:
+    """What a loader says of itself."""
+    loader.receive(Packet(Kind.HELLO, 1, 7, Hello(VERSION, VERSION).pack()).wire(), 1)
+    *_, reply = Unpacker().feed(loader.poll(2, 4096))
+    return Info.unpack(reply.body)

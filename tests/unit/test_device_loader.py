@@ -486,7 +486,7 @@ def test_the_objects_of_a_container_are_those_of_the_protocol() -> None:
     ] * len(planes)
     assert made.objects[0] == readouts((0, 1.0))
     assert made.objects[1] == kernels(*(list(kernel.words) for kernel in container.kernels))
-    runs = [(3, 1.0), (3, 2.0), (2, 3.0)]
+    runs = [(3, 100.0), (3, 200.0), (2, 300.0)]
     assert [container.slot_us.count(us) for _, us in runs] == [n for n, _ in runs]
     rows = [(1 if launch.instant else 0, launch.kernel, 1) for launch in container.launches]
     assert all(one != other for one, other in pairwise(rows)), "no two rows are one"

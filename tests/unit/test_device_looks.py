@@ -28,6 +28,7 @@ from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.objects import upload_of
 from nscc_runtime.device.serving import Loaded
+from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
@@ -88,7 +89,8 @@ def film(host: Host, container: Container, count: int, line: Simulation) -> list
     shape = (len(container.readouts), TARGET.rows, TARGET.cols)
     for number in range(1, count + 1):
         first = 100 * len(line.events) + number
-        taken = line.run(host.lasting(lambda n=first: tasks.capture(host, n, channels)))
+        wanted = Wanted(first, channels, program)
+        taken = line.run(host.lasting(lambda one=wanted: tasks.capture(host, one)))
         assert isinstance(taken, tasks.Taken)
         sensor = default_sensor(TARGET)
         frames.append(frame_of(taken.data, channels, shape, sensor, TARGET, container))

@@ -15,7 +15,6 @@ from device_sessions import TARGET, examples, new_host, python_loader
 from device_simulation import Simulation
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.device import tasks
 from nscc_runtime.device.chip import Chip, channels_of, frame_of
 from nscc_runtime.device.host import Refused, Silent, Stalled
 from nscc_runtime.device.link import Link
@@ -210,7 +209,8 @@ def test_a_chip_is_an_exposer_and_shows_its_upload() -> None:
     chip: Exposer = Chip(wire, progress=progress)
     exposure = chip.expose(EXAMPLE.container, None)
     codes = TARGET.rows * TARGET.cols
-    assert exposure.exposure_e.tobytes() == EXAMPLE.frame[codes:]
+    columns = exposure.exposure_e.transpose(0, 2, 1)
+    assert columns.tobytes() == EXAMPLE.frame[codes:]
     assert exposure.valid.all()
     steps = len(EXAMPLE.upload.stream) // 1024
     assert seen == [("uploading", steps, steps)]
@@ -220,14 +220,7 @@ def test_a_frame_of_another_program_is_refused() -> None:
     wire: Any = Wire()
     chip = Chip(wire)
     chip.upload(EXAMPLE.container)
-    taken = tasks.capture
-
-    def other(*arguments: Any) -> Any:
-        found = yield from taken(*arguments)
-        return replace(found, captured=replace(found.captured, readouts=2))
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(tasks, "capture", other)
-        with pytest.raises(Rejected) as caught:
-            chip.capture(EXAMPLE.container)
+    chip._made = EXAMPLE.container, replace(EXAMPLE.upload, readouts=2)
+    with pytest.raises(Rejected) as caught, explained("/dev/x", 1.0):
+        chip.capture(EXAMPLE.container)
     assert code_of(caught.value) == "NS0767"

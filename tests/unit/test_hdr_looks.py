@@ -8,6 +8,7 @@ from typing import Any
 import cv2
 import numpy as np
 import pytest
+from nscc_command import invoke
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_training.evaluation import hdr_looks
@@ -23,6 +24,8 @@ from nscc_training.evaluation.hdr_looks import (
     rows_text,
     saturated,
 )
+
+ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture
@@ -81,3 +84,16 @@ def test_designs_are_no_worse_than_rows(folder: Path) -> None:
             assert means_under(made, condition)[0] > means_under(row, condition)[0] - 0.1
         # Levels were chosen for comparators of 2 %; worse ones do not make it fall apart.
         assert means_under(made, comparators(0.04))[0] > means_under(made, PROTOCOL)[0] - 5
+
+
+def test_the_command_prints_what_is_kept(tmp_path: Path) -> None:
+    """The page of results has the table that the results beside it give."""
+    results = [
+        hdr_looks.read_result(ROOT / f"training/results/evaluations/{name}.json")
+        for name in LOOKING
+    ]
+    page = (ROOT / "training/results/README.md").read_text(encoding="utf-8")
+    assert rows_text(results) in page
+    assert invoke(["evaluate", "looks", "--data", ".", "--results", "r"], tmp_path).codes == [
+        "NS0811"
+    ]

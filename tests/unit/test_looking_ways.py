@@ -16,8 +16,7 @@ from nscc.source import Source
 from nscc.target.load import builtin_target
 from nscc.words.container import Container
 from nscc.words.legality import decoded
-from nscc_runtime.effects import CannotHave, selected
-from nscc_runtime.effects import registry as registry
+from nscc_runtime.effects import CannotHave, registry, selected
 from nscc_runtime.effects.read import READ
 from nscc_runtime.light import Light
 from nscc_runtime.looking.frames import frames
@@ -30,7 +29,6 @@ from nscc_runtime.sensor import default_sensor
 EXAMPLES = Path(__file__).parents[2] / "examples"
 ROWS, COLS = 24, 40
 NAMES = ("float_pixel", "auto_exposure", "spike", "first_light")
-EVERY = "all"
 
 
 def compiled(text: str, name: str = "scamp5", rows: int = ROWS, cols: int = COLS) -> Container:
@@ -55,7 +53,7 @@ def clip(container: Container) -> Light:
     return Light.of_clip((share * 8 * 30000.0 / container.slots).astype(np.float32))
 
 
-@pytest.mark.parametrize("effects", ["none", "shot,read,comparator_noise", EVERY])
+@pytest.mark.parametrize("effects", ["none", "shot,read,comparator_noise", "all"])
 def test_frames_are_those_of_the_words(program: Container, effects: str) -> None:
     light, sensor, chosen = clip(program), default_sensor(program.target), selected(effects)
     assert not Ways(program, sensor).lacks(chosen)
@@ -76,7 +74,7 @@ def test_frames_are_those_of_the_words(program: Container, effects: str) -> None
 
 
 def test_threads_and_rows_change_no_bit(program: Container) -> None:
-    ways, chosen = Ways(program, default_sensor(program.target)), selected(EVERY)
+    ways, chosen = Ways(program, default_sensor(program.target)), selected("all")
     scene, planes = scene_of(program, clip(program)), program.planes()
     whole, other = (ways.expose(scene, planes, chosen, (1, 2), 0, threads=n) for n in (1, 3))
     part = ways.expose(scene, planes, chosen, (1, 2), 0, range(5, 11))

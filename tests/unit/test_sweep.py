@@ -79,7 +79,7 @@ def test_what_does_not_fit_is_a_row(tmp_path: Path) -> None:
 
 def test_nothing_fits(tmp_path: Path) -> None:
     written(tmp_path, f'kind = "compile"\n{BITS}[plot]\ny = ["words_total"]\n')
-    assert [row["code"] for row in swept(tmp_path)] == ["NS0412"]
+    assert [row["code"] for row in swept(tmp_path, status=1)] == ["NS0412"]
     assert not (tmp_path / "out/diagram.png").exists()
 
 
@@ -260,6 +260,8 @@ effects = "read"
         (GRID + "seed = [0, -1]", "NS0832", "stops.seed must be a whole number"),
         (GRID + "seed = [0, -1]", "NS0832", "-1 is not allowed"),
         (GRID + 'class = ["b", "d"]', "NS0832", "and here is rule and class"),
+        (GRID + "tile = [2, 2]", "NS0832", "tile says nothing of a point with rule"),
+        (GRID + "seed = [1, 2]", "NS0832", "seed says nothing"),
         (GRID + "chip.launch_us = 2", "NS0832", "changes a chip, and none is named"),
         (GRID.replace("[stops]", "['a/b']"), "NS0832", "cannot be called 'a/b'"),
         (GRID + "seed = [" + "1,\n" * 40000 + "]", "NS0830", "larger than 64 KiB"),
@@ -292,7 +294,7 @@ def test_the_page_shows_the_example(root: Path) -> None:
 
 
 def test_too_many_points(tmp_path: Path) -> None:
-    keys = "".join(f"{key} = {[*range(1, 61)]}\n" for key in ("seed", "slot_us", "length"))
+    keys = "".join(f"{key} = {[*range(1, 201)]}\n" for key in ("max_words", "slot_us"))
     text = GRID + keys
     with pytest.raises(Rejected, match="100000 are the most"):
         read_grid(written(tmp_path, text))

@@ -344,7 +344,7 @@ def test_bilinear_sees_one_slot_of_each_pixel(tmp_path: Path) -> None:
     found = json.loads(outcome.out)
     assert (found["sees"], found["settings"]["seed"]) == ("truth", 3)
     start = np.array(found["settings"]["start"])
-    assert (start.shape, set(found["settings"])) == ((8, 8), {"start", "seed"})
+    assert (start.shape, set(found["settings"])) == ((8, 8), {"start", "seed", "shutter"})
     assert 0 <= start.min() < start.max() <= 15
     seen = np.arange(16)[:, None, None] == np.tile(start, (32, 32))
     assert np.mean(seen) == 1 / 16

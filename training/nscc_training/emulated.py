@@ -113,8 +113,8 @@ def emulated_sensor(
     light_e = np.concatenate([[0.0], weak, dense])
     code, spread = _measured(container, tile, light_e, sensor, chosen)
     crosstalk = FRACTION(sensor) if CROSSTALK in chosen.effects else 0.0
-    arrays = (torch.from_numpy(each) for each in (light_e, code, spread))
-    return EmulatedSensor(*arrays, crosstalk)
+    levels, codes, spreads = (torch.from_numpy(each) for each in (light_e, code, spread))
+    return EmulatedSensor(levels, codes, spreads, crosstalk)
 
 
 def emulated_codes(

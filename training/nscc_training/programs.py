@@ -148,7 +148,10 @@ def codes_in(path: Path, spec: ShutterSpec, chip: Chip) -> dict[str, NDArray[np.
 
 
 def words_per_slot(found: Compiled) -> float:
-    """Words executed in a slot, in the mean over the frame: digital, analog and refresh."""
+    """Words executed in a slot, in the mean over the frame: digital, analog and refresh. None are
+    by pixels without logic."""
+    if found.sending is not None:
+        return 0.0
     assert found.lowered is not None
     return sum(found.lowered.words_per_boundary) / len(found.program.frame.slot_us)
 

@@ -72,8 +72,9 @@ class SensorModel:
 
     def noiseless(self) -> SensorModel:
         """The same sensor without noise."""
-        quiet = {"comparator_noise": 0.0, "comparator_offset": 0.0}
-        return replace(self, adc_noise_lsb=0.0, shot_noise=False, **quiet)
+        return replace(
+            self, adc_noise_lsb=0.0, shot_noise=False, comparator_noise=0.0, comparator_offset=0.0
+        )
 
     def counted(self) -> SensorModel:
         """The same sensor for charge whose photons have been counted."""

@@ -119,8 +119,9 @@ def windows(name: str) -> str:
 
 
 def looks() -> str:
-    """The table of pixels that look, as `nscc evaluate looks` prints it."""
-    return rows_text([result(name) for name in LOOKING]).rstrip()
+    """The table of pixels that look, as `nscc evaluate looks` prints it, of those with results."""
+    kept = [name for name in LOOKING if (HERE / "evaluations" / f"{name}.json").is_file()]
+    return rows_text([result(name) for name in kept]).rstrip()
 
 
 FUNCTIONS: dict[str, Callable[..., str]] = {

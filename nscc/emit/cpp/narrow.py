@@ -31,8 +31,8 @@ class _NoRegister(Exception):
 def _unused(container: Container, kernels: Sequence[Sequence[Op]]) -> str | None:
     target = container.target
     used = {r for kernel in kernels for each in kernel for r in (*each.destinations, *each.sources)}
-    used |= {*container.code_registers, target.mask_register, target.masked_register}
-    return next((r for r in target.digital_registers if r not in used), None)
+    taken = (*used, *container.code_registers, target.mask_register, target.masked_register)
+    return next((r for r in target.digital_registers if r not in taken), None)
 
 
 def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:

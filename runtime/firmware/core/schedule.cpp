@@ -7,13 +7,8 @@ namespace nscc {
 namespace {
 
 constexpr uint32_t most_slots = 1u << 20, most_launches = 1u << 20;
-constexpr Time tick = Time(1) << 32;
 constexpr int16_t as_it_is = -32768;    // a level that leaves IN alone
 
-// A time of the target's, at most that of the longest frame, which no frame can take then.
-constexpr Time time_of(double us) {
-    return Time((us < longest_us ? us : double(longest_us)) * limits::ticks_per_us * double(tick));
-}
 constexpr Time us_time(uint32_t us) { return Time(us) * limits::ticks_per_us << 32; }
 
 constexpr Time longest = us_time(longest_us), longest_stretch = us_time(longest_stretch_us);

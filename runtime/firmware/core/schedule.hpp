@@ -18,6 +18,12 @@ constexpr uint32_t longest_us = 1200000000u / limits::ticks_per_us;
 
 // Ticks of the clock with 32 bits of fraction: what 2^20 slots add up to is exact to 2^-12 ticks.
 using Time = uint64_t;
+constexpr Time tick = Time(1) << 32;
+
+// A time of the target's, at most that of the longest frame, which no frame can take then.
+constexpr Time time_of(double us) {
+    return Time((us < longest_us ? us : double(longest_us)) * limits::ticks_per_us * double(tick));
+}
 
 // What a kernel's words are to a schedule: where they begin, how many are analog, which digital
 // registers they write (a bit each), and how many of them end with its last reset of PIX.

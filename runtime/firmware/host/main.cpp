@@ -21,13 +21,31 @@ namespace {
 
 using namespace nscc;
 
-// A chip whose words take no time, and whose frames come whole.
+// A chip whose words take what the target's figures say, on a clock of its own, and whose frames
+// come whole.
 class Chip final : public EmulatedBoard {
 public:
-    uint32_t ticks() override { return now_; }
+    uint32_t ticks() override { return uint32_t(now_ >> 32); }
+    void begin_frame() override {
+        EmulatedBoard::begin_frame();
+        now_ = Time(ticks()) << 32;
+    }
     int32_t past(uint32_t deadline) override {
-        now_ = deadline;
-        return 0;
+        const int32_t late = int32_t(ticks() - deadline);
+        now_ = (late < 0 ? Time(deadline) << 32 : now_) + time_of(target::wait_us);
+        return late < 0 ? 0 : late;
+    }
+    void run(const uint32_t (*words)[5], uint32_t count) override {
+        EmulatedBoard::run(words, count);
+        now_ += time_of(target::launch_us);
+        for (uint32_t i = 0; i < count; ++i) {
+            const bool analog = is_analog(words[i]);
+            now_ += time_of(analog ? target::analog_word_us : target::digital_word_us);
+        }
+    }
+    void set_in(int16_t steps) override {
+        EmulatedBoard::set_in(steps);
+        now_ += time_of(target::in_settle_us);
     }
     bool convert(uint32_t offset, uint8_t *bytes, uint32_t count) override {
         if (offset + count > frame_.size()) {
@@ -48,7 +66,7 @@ public:
     }
 
 private:
-    uint32_t now_ = 0;
+    Time now_ = 0;
     std::vector<uint8_t> frame_;
 };
 

@@ -22,11 +22,11 @@ from nscc_runtime.device.messages import (
     Channel,
     Info,
     State,
-    frame_bytes,
     plane_bytes,
 )
 from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
-from nscc_runtime.device.trouble import check_fits, no_program, rejected, states_lost
+from nscc_runtime.device.trouble import check_fits, no_program, states_lost
+from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.interface import Exposure
@@ -145,7 +145,7 @@ class Chip:
     def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
         host = self.link.host
         self._number += 1
-        wanted, lost = tasks.Wanted(self._number, 0), False
+        wanted, lost = Wanted(self._number, 0, program, target.rows * target.cols), False
 
         def work() -> Task[tasks.Taken]:
             nonlocal lost
@@ -160,17 +160,6 @@ class Chip:
         if lost and container is not None and _keeps(container):
             raise states_lost(self.link.path)
         captured = taken.captured
-        wrong = container is not None and captured.readouts != len(container.readouts)
-        states = program.states if program else 0
-        pixels = target.rows * target.cols
-        expected = frame_bytes(wanted.channels, pixels, captured.readouts, states)
-        if wrong or not captured.readouts or len(taken.data) != expected:
-            raise rejected(
-                "NS0767",
-                f"the device at '{self.link.path[:200]}' sent a frame of {len(taken.data)} bytes "
-                f"in {captured.readouts} buckets, which is not the program's",
-                "put the loader that came with this nscc on the device",
-            )
         shape = (captured.readouts, target.rows, target.cols)
         sensor = self.sensor or default_sensor(target)
         frame = frame_of(taken.data, wanted.channels, shape, sensor, target, container)

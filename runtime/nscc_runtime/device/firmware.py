@@ -38,6 +38,7 @@ SOURCES = Path(__file__).resolve().parents[2] / "firmware"
 WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic")
 CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
 
+_PORT = b"P"
 _RECORD = Struct("<BI")
 _JOB = Struct("<IIII")
 _READOUT = Struct("<Id")
@@ -359,7 +360,16 @@ class Process(Running):
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
         super().__init__([str(loader.path), "--pty"], loader.target, chip)
-        while (found := self.next()) is None:
-            self.fill()
-        self.port = found[1].decode()
+        self.port = self._named()
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
+
+    def _named(self) -> str:
+        """The name of its terminal, which comes after what its board was told at the start."""
+        while True:
+            found = self.next()
+            if found is None:
+                self.fill()
+            elif found[0] == _PORT:
+                return found[1].decode()
+            else:
+                self.follow(*found)

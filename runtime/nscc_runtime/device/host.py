@@ -11,7 +11,7 @@ from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from typing import TypeVar
 
-from nscc_runtime.device.messages import Failure, Fault, Hello, Info, Status
+from nscc_runtime.device.messages import Captured, Failure, Fault, Hello, Info, Status
 from nscc_runtime.device.packets import REPLY, VERSION, Kind, Packet, Unpacker
 
 Result = TypeVar("Result")
@@ -23,6 +23,8 @@ LONGEST_WAIT_S = 0.5
 """Between two tries: short beside the two seconds in which a lost link is to be taken up again."""
 _SHORTEST_WAIT_S = 0.05
 _MOST_RESTARTS = 40
+_MOST_TAKEN = 4
+"""Sessions that may be lost, while the loader runs on, before somebody else must have them."""
 _STALL_FACTOR = 6
 
 
@@ -36,6 +38,18 @@ class Silent(Exception):
 
 class Stalled(Exception):
     """The loader answers, and nothing gets done."""
+
+
+class Implausible(Exception):
+    """A loader says of a frame what no frame of the program can be."""
+
+    def __init__(self, captured: Captured) -> None:
+        super().__init__()
+        self.captured = captured
+
+
+class Contested(Exception):
+    """Another host begins conversations with the loader."""
 
 
 @dataclass(eq=False)
@@ -52,6 +66,10 @@ class Refused(Exception):
 
 class SessionLost(Exception):
     """The loader has started anew, or the line was away: say hello and go on from there."""
+
+
+class SessionTaken(SessionLost):
+    """The loader says that it has another session, or none."""
 
 
 class Host:
@@ -211,12 +229,21 @@ class Host:
 
     def lasting(self, work: Callable[[], Task[Result]]) -> Task[Result]:
         """Say hello and do `work`, again and again until it is done: each time it goes on from
-        what the loader has. Raises Stalled where the loader keeps starting anew."""
+        what the loader has. Raises Stalled where the loader keeps starting anew, Contested where it
+        does not and yet has the sessions of another host."""
+        taken, boot = 0, None
         for _ in range(_MOST_RESTARTS):
             try:
                 if self.info is None:
-                    yield from self.hello()
+                    found = yield from self.hello()
+                    taken = taken if found.boot == boot else 0
+                    boot = found.boot
                 return (yield from work())
+            except SessionTaken:
+                self.info = None
+                taken += 1
+                if taken == _MOST_TAKEN:
+                    raise Contested from None
             except SessionLost:
                 self.info = None
         raise Stalled
@@ -226,7 +253,7 @@ def raise_failure(packet: Packet) -> None:
     """Raise what an ERROR packet says: SessionLost or Refused."""
     failure = checked(Failure.unpack, packet)
     if failure.fault == Fault.NO_SESSION:
-        raise SessionLost
+        raise SessionTaken
     raise Refused(failure)
 
 

@@ -17,7 +17,7 @@ from nscc_runtime.device.intake import Intake
 from nscc_runtime.device.messages import FRAME, Capability, Channel, Fault, State
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet
 from nscc_runtime.device.parsing import Held, Limits, Refusal
-from nscc_runtime.device.timing import LONGEST_US
+from nscc_runtime.device.timing import LONGEST_US, ON_TIME
 
 MOST_OUT = 8192
 """Bytes that may wait to be sent; a reply that finds no room is not sent: the host asks again."""
@@ -50,7 +50,7 @@ class Frame:
     data: bytes | None = None
     sums: tuple[int, int] = (0, 0)
     released: int = 0
-    failed: bool = False
+    fault: Refusal | None = None
 
 
 class Loader:
@@ -233,9 +233,12 @@ class Loader:
             self._reads.clear()
             frame = self.frame = Frame(capture.number, channels, self._now_us)
             self.exposing = True
-            self.board.expose(program.held, channels)
-        if frame.failed:
-            raise Refusal(Fault.HARDWARE)
+            if program.held.too_late:
+                frame.fault = Refusal(Fault.LATE, program.held.kept.late)
+            else:
+                self.board.expose(program.held, channels)
+        if frame.fault is not None and not self.exposing:
+            raise frame.fault
         return self._captured(frame, program.held)
 
     def _captured(self, frame: Frame, held: Held) -> bytes:
@@ -243,6 +246,7 @@ class Loader:
         readout_ms = int(min(self.target.readout_us, LONGEST_US)) // 1000 + 1
         whole = frame.data is not None and self._made(frame) == length
         crc, adler = frame.sums if whole else (0, 0)
+        kept = ON_TIME if self.exposing else held.kept
         return messages.Captured(
             number=frame.number,
             ready=frame.data is not None,
@@ -252,10 +256,10 @@ class Loader:
             length=length,
             released=frame.released,
             started_us=frame.started_us,
-            lasted_us=0,
+            lasted_us=kept.lasted_us,
             readout_us=0,
-            late=0,
-            latest_us=0,
+            late=kept.late,
+            latest_us=kept.latest_us,
             whole=whole,
             crc32=crc,
             adler32=adler,
@@ -276,17 +280,16 @@ class Loader:
     def _watch_exposure(self) -> None:
         if not self.exposing:
             return
-        failed, data = False, None
-        try:
-            data = self.board.exposed()
-        except RuntimeError:
-            failed = True
-        self.exposing = data is None and not failed
-        if self.frame is not None:
-            self.frame.failed = failed
-            self.frame.data = data
-            if data is not None:
-                self.frame.sums = crc32(data), adler32(data)
+        frame = self.frame
+        assert frame is not None
+        if frame.fault is None:
+            try:
+                frame.data = self.board.exposed()
+            except RuntimeError:
+                frame.fault = Refusal(Fault.HARDWARE)
+            if frame.data is not None:
+                frame.sums = crc32(frame.data), adler32(frame.data)
+        self.exposing = frame.data is None and frame.fault is None
 
     def _read(self, packet: Packet) -> None:
         read = messages.Read.unpack(packet.body)

@@ -156,7 +156,10 @@ class Info(_Body):
         for _ in range(2):
             if at >= len(body) or at + 1 + body[at] > len(body):
                 raise ValueError("a text is cut short")
-            texts.append(body[at + 1 : at + 1 + body[at]].decode("utf-8", "replace"))
+            text = body[at + 1 : at + 1 + body[at]].decode("utf-8", "replace")
+            # It goes to terminals, which obey what is not printed.
+            shown = (c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)
+            texts.append("".join(shown))
             at += 1 + body[at]
         return cls(*fixed, *texts)
 

@@ -80,8 +80,8 @@ class Object:
 @dataclass(frozen=True)
 class Upload:
     """A program ready to be sent: `words`, `kernels`, `rows`, `runs` are what it takes of a
-    loader's room, and `frame_ms` of its time; `readouts`, `states` how many registers come with a
-    frame; `levels`: IN is set."""
+    loader's room, `frame_ms` and `readout_ms` of its time; `readouts`, `states` how many registers
+    come with a frame, of so many `pixels`; `levels`: IN is set."""
 
     target: bytes
     label: bytes
@@ -91,10 +91,12 @@ class Upload:
     rows: int
     runs: int
     frame_ms: int
+    readout_ms: int
     readouts: int
     states: int
     gains: bool
     levels: bool
+    pixels: int
 
     @cached_property
     def digest(self) -> bytes:
@@ -172,10 +174,12 @@ def upload_of(container: Container, label: bytes) -> Upload:
         rows=len(rows),
         runs=len(runs),
         frame_ms=ceil(sum(container.slot_us) / 1000),
+        readout_ms=ceil(len(container.readouts) * target.readout_us / 1000),
         readouts=len(container.readouts),
         states=len(states),
         gains=any(readout.gain != 1 for readout in container.readouts),
         levels=sets_in,
+        pixels=target.rows * target.cols,
     )
 
 

@@ -36,7 +36,15 @@ from nscc_runtime.device.objects import (
     ObjectKind,
     unpacked_plane,
 )
-from nscc_runtime.device.timing import LONGEST, LONGEST_SLOT_US, TOO_LONG, fixed_point, frame_time
+from nscc_runtime.device.timing import (
+    LONGEST,
+    LONGEST_SLOT_US,
+    ON_TIME,
+    TOO_LONG,
+    Kept,
+    fixed_point,
+    frame_time,
+)
 
 
 @dataclass(eq=False)
@@ -70,6 +78,9 @@ class Held:
     levels: tuple[int, ...] = ()
     states: tuple[int, ...] = ()
     planes: dict[int, bytes] | None = None
+    grace: tuple[int, int] = (0, 0)
+    """How many microseconds a launch may be late, and how many may be later."""
+    kept: Kept = ON_TIME
     frame_us: int = 0
     """From a frame's first word to its last, once the program is whole."""
 
@@ -116,8 +127,8 @@ class Held:
         if self.readouts is None or self.kernels is None or self.runs is None:
             raise Refusal(Fault.NO_PROGRAM)
         held = set(self.planes or ())
-        self.frame_us, fault = frame_time(
-            self.kernels, self.runs, self.rows, self.levels, held, target
+        self.frame_us, fault, self.kept = frame_time(
+            self.kernels, self.runs, self.rows, self.levels, held, target, self.grace
         )
         if fault:
             raise Refusal(Fault.SCHEDULE, fault)
@@ -126,7 +137,7 @@ class Held:
         if self.kernels is None:
             raise Refusal(Fault.SCHEDULE, 0)
         reader = Reader(data, Fault.SCHEDULE)
-        slots, _, _ = next(reader.rows(SCHEDULE_HEAD, 1))
+        slots, grace_ns, most_late = next(reader.rows(SCHEDULE_HEAD, 1))
         if not 1 <= slots <= MOST_SLOTS:
             raise Refusal(Fault.SCHEDULE, 1)
         lengths = tuple(reader.rows(RUN, reader.count(most.runs)))
@@ -147,6 +158,7 @@ class Held:
         if self.levels and len(self.levels) != len(rows):
             raise Refusal(Fault.SCHEDULE, 5)
         self.slots, self.runs, self.rows = slots, lengths, rows
+        self.grace = grace_ns // 1000, most_late
 
     def _plane(self, register: int, data: bytes, target: Target) -> None:
         pixels = target.rows * target.cols
@@ -171,6 +183,11 @@ class Held:
         """Bytes of a frame in these channels."""
         pixels = target.rows * target.cols
         return frame_bytes(channels, pixels, len(self.readouts or ()), len(self.states))
+
+    @property
+    def too_late(self) -> bool:
+        """Whether more launches are late than may be."""
+        return self.kept.late > self.grace[1]
 
     def launches(self) -> Iterator[Launch]:
         """Every launch, in order."""

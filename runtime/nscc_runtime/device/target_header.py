@@ -70,6 +70,7 @@ constexpr int mask_register = {number(target.mask_register)};
 constexpr double analog_word_us = {target.analog_word_us!r};
 constexpr double digital_word_us = {target.digital_word_us!r};
 constexpr double launch_us = {target.launch_us!r};
+constexpr double wait_us = {target.wait_us!r};
 constexpr double readout_us = {target.readout_us!r};
 constexpr double retention_us = {target.digital_retention_us!r};
 constexpr double in_settle_us = {target.in_settle_us!r};

@@ -8,14 +8,29 @@ from dataclasses import dataclass
 from zlib import adler32, crc32
 
 from nscc_runtime.device import messages
-from nscc_runtime.device.host import LONGEST_WAIT_S, Host, Refused, Task, checked, raise_failure
-from nscc_runtime.device.messages import DATA, FRAME, Captured, Failure, Fault, Progress, State
+from nscc_runtime.device.host import (
+    LONGEST_WAIT_S,
+    Host,
+    Implausible,
+    Refused,
+    Task,
+    checked,
+    raise_failure,
+)
+from nscc_runtime.device.messages import (
+    DATA,
+    FRAME,
+    Captured,
+    Failure,
+    Fault,
+    Progress,
+    State,
+)
 from nscc_runtime.device.objects import Upload
 from nscc_runtime.device.packets import OVERHEAD, REPLY, Kind
+from nscc_runtime.device.wanted import CHUNK, Part, Wanted
 
-MOST_FRAME = 1 << 28
-"""Bytes of a frame that a host is willing to keep, whatever a loader announces."""
-_SMALLEST_CHUNK = 64
+_SMALLEST_WINDOW = 2 * (CHUNK + 64)
 _MOST_DIGEST_FAILURES = 8
 _GROW_AFTER = 8
 _READ_AHEAD = 6
@@ -23,6 +38,9 @@ _READ_CHUNKS = 8
 _POLL_S = 0.02
 _LONGEST_POLL_S = 0.25
 _BUSY_WAIT_S = 0.1
+_FIRST_WINDOW = 2048
+"""Bytes that are sent ahead before anything is known of the line: more follow while nothing is
+lost, and half as many after a loss, so that a slow line is not drowned."""
 
 Watch = Callable[[int], None]
 """Told how many bytes are there."""
@@ -87,7 +105,7 @@ class _Chunk:
     """How many bytes go into a packet: halved where packets are lost, doubled after a while."""
 
     def __init__(self, most: int) -> None:
-        self.most = self.size = max(_SMALLEST_CHUNK, most // _SMALLEST_CHUNK * _SMALLEST_CHUNK)
+        self.most = self.size = max(CHUNK, most // CHUNK * CHUNK)
         self._good = 0
 
     def arrived(self) -> None:
@@ -96,7 +114,7 @@ class _Chunk:
             self.size, self._good = min(2 * self.size, self.most), 0
 
     def lost(self) -> None:
-        self.size, self._good = max(self.size // 2, _SMALLEST_CHUNK), 0
+        self.size, self._good = max(self.size // 2, CHUNK), 0
 
 
 class _Sender:
@@ -106,7 +124,8 @@ class _Sender:
     def __init__(self, host: Host, stream: bytes, progress: Progress, watch: Watch) -> None:
         assert host.info is not None
         self.host, self.stream, self.watch = host, stream, watch
-        self.window = max(host.info.window, 2 * (_SMALLEST_CHUNK + 64))
+        self.most = max(host.info.window, _SMALLEST_WINDOW)
+        self.window = min(self.most, _FIRST_WINDOW)
         self.chunk = _Chunk(min(host.info.most_data, self.window // 2))
         self.acknowledged = self.next = progress.position
         self.failures = progress.failures
@@ -149,6 +168,7 @@ class _Sender:
         self.host.check_patience()
         self.host.resent += len(self.sent)
         self.chunk.lost()
+        self.window = max(self.window // 2, _SMALLEST_WINDOW)
         self.given_up = {number: since for number, _, _, since in self.sent}
         self.sent.clear()
         self.flying = 0
@@ -175,6 +195,8 @@ class _Sender:
             self.host.timed(self.host.now - since)
             self.wait = self.host.wait_s
             self.chunk.arrived()
+            # One more packet ahead for each that arrived: twice as many after a round.
+            self.window = min(self.window + cost, self.most)
             self._advance(progress.position)
 
     def _acknowledge_late(self, sequence: int, progress: Progress) -> None:
@@ -195,49 +217,13 @@ class _Sender:
         self.watch(self.acknowledged)
 
 
-@dataclass(eq=False)
-class Wanted:
-    """A frame to be exposed, by its number: no other has it. `part` is what came of it so far."""
-
-    number: int
-    channels: int
-    part: _Part | None = None
-
-
-class _Part:
-    """The bytes of a frame that are here. A loader does not keep those that a host says it has, so
-    they outlast a line that goes away. `origin` is what tells this exposure from another."""
-
-    def __init__(self, length: int, origin: tuple[int, int]) -> None:
-        self.origin = origin
-        self.data = bytearray(length)
-        self.missing = bytearray(b"\1" * -(-length // _SMALLEST_CHUNK))
-        self.left = len(self.missing)
-
-    @property
-    def kept(self) -> int:
-        """All bytes before this one are here."""
-        first = self.missing.find(1)
-        return len(self.data) if first < 0 else first * _SMALLEST_CHUNK
-
-    def put(self, offset: int, data: bytes) -> bool:
-        """Keep bytes of whole chunks; whether any of them were missing."""
-        first, last = offset // _SMALLEST_CHUNK, -(-(offset + len(data)) // _SMALLEST_CHUNK)
-        fresh = self.missing.count(1, first, last)
-        if fresh:
-            self.data[offset : offset + len(data)] = data
-            self.missing[first:last] = bytes(last - first)
-            self.left -= fresh
-        return bool(fresh)
-
-
 def capture(host: Host, wanted: Wanted) -> Task[Taken]:
     """Expose a frame and fetch it; one that is there already is not exposed again."""
     captured = yield from _captured(host, wanted)
     assert host.info is not None
     origin = host.info.boot, captured.started_us
     if wanted.part is None or wanted.part.origin != origin:
-        wanted.part = _Part(captured.length, origin)
+        wanted.part = Part(captured.length, origin)
     yield from _Fetcher(host, wanted.number, wanted.part).run()
     captured = yield from _captured(host, wanted)
     data = bytes(wanted.part.data)
@@ -260,13 +246,14 @@ def _captured(host: Host, wanted: Wanted) -> Task[Captured]:
             yield from pause(host, _BUSY_WAIT_S)
             continue
         captured = checked(Captured.unpack, reply)
-        wrong = captured.number != wanted.number or captured.channels != wanted.channels
-        if wrong or not 0 < captured.length <= MOST_FRAME:
+        if captured.number != wanted.number or captured.channels != wanted.channels:
             raise Refused(Failure(Kind.CAPTURE, Fault.MALFORMED, 0))
+        if captured.length != wanted.bytes(captured.readouts) or not captured.length:
+            raise Implausible(captured)
         if captured.ready:
             host.moved()
             return captured
-        extra = 2 * captured.estimate_ms / 1000
+        extra = min(2 * captured.estimate_ms / 1000, wanted.longest_s)
         host.check_patience(extra)
         yield from pause(host, poll)
         poll = min(2 * poll, _LONGEST_POLL_S)
@@ -288,10 +275,10 @@ class _Fetcher:
     them in order: a packet of one says that nothing more comes of those before it. It keeps only
     so many bytes behind those that the host has."""
 
-    def __init__(self, host: Host, number: int, part: _Part) -> None:
+    def __init__(self, host: Host, number: int, part: Part) -> None:
         assert host.info is not None
         self.host, self.number, self.part = host, number, part
-        self.hold = max(host.info.hold, _SMALLEST_CHUNK)
+        self.hold = max(host.info.hold, CHUNK)
         self.chunk = _Chunk(min(host.info.most_data, self.hold // 2))
         self.asked: dict[int, _Range] = {}
         self.given_up: dict[int, _Range] = {}
@@ -326,10 +313,10 @@ class _Fetcher:
         part, kept = self.part, self.part.kept
         pending = bytearray(part.missing)
         for each in self.asked.values():
-            first, last = each.start // _SMALLEST_CHUNK, -(-each.stop // _SMALLEST_CHUNK)
+            first, last = each.start // CHUNK, -(-each.stop // CHUNK)
             pending[first:last] = bytes(last - first)
-        most = min(_READ_CHUNKS * self.chunk.size, max(self.hold // 4, _SMALLEST_CHUNK))
-        room = (kept + self.hold) // _SMALLEST_CHUNK
+        most = min(_READ_CHUNKS * self.chunk.size, max(self.hold // 4, CHUNK))
+        room = (kept + self.hold) // CHUNK
         end = 0
         while len(self.asked) < _READ_AHEAD:
             begin = pending.find(1, end)
@@ -337,8 +324,8 @@ class _Fetcher:
                 return
             end = pending.find(0, begin)
             end = len(pending) if end < 0 else end
-            end = min(end, room, begin + most // _SMALLEST_CHUNK)
-            start, stop = begin * _SMALLEST_CHUNK, min(end * _SMALLEST_CHUNK, len(part.data))
+            end = min(end, room, begin + most // CHUNK)
+            start, stop = begin * CHUNK, min(end * CHUNK, len(part.data))
             read = messages.Read(self.number, start, stop - start, kept, self.chunk.size)
             request = _Range(start, stop, self.host.now, alone=not self.asked)
             self.asked[self.host.send(Kind.READ, read.pack())] = request
@@ -353,8 +340,8 @@ class _Fetcher:
     def _take(self, sequence: int, offset: int, data: bytes) -> None:
         end = offset + len(data)
         length = len(self.part.data)
-        whole = end % _SMALLEST_CHUNK == 0 or end == length
-        if offset % _SMALLEST_CHUNK or end > length or not whole:
+        whole = end % CHUNK == 0 or end == length
+        if offset % CHUNK or end > length or not whole:
             return
         if self.part.put(offset, data):
             self.chunk.arrived()

@@ -7,6 +7,7 @@ a microsecond.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from fractions import Fraction
 
 from nscc.target.target import Target
@@ -40,16 +41,33 @@ def frame_time(
     levels: Sequence[int],
     held: set[int],
     target: Target,
-) -> tuple[int, int]:
-    """From a frame's first word to its last, in whole microseconds; and why it does not go in time:
-    TOO_LONG, NO_BREATH or FADES, or 0.
+    grace: tuple[int, int],
+) -> tuple[int, int, Kept]:
+    """From a frame's first word to its last, in whole microseconds; why it does not go in time:
+    TOO_LONG, NO_BREATH or FADES, or 0; and how it keeps its schedule.
 
-    `held`: the digital registers that hold planes, by their number.
+    `held`: the digital registers that hold planes, by their number. `grace`: how many microseconds
+    a launch may be late, and how many may be later.
     """
-    now, cramped, faded = _Timeline(kernels, runs, rows, levels, target).walk(held)
+    timeline = _Timeline(kernels, runs, rows, levels, target)
+    now, cramped, faded = timeline.walk(held)
     if now > LONGEST:
-        return LONGEST_US, TOO_LONG
-    return now // TICK + 1, NO_BREATH if cramped else FADES if faded else 0
+        return LONGEST_US, TOO_LONG, Kept(0, 0, 0)
+    fault = NO_BREATH if cramped else FADES if faded else 0
+    return now // TICK + 1, fault, timeline.kept(*grace)
+
+
+@dataclass(frozen=True)
+class Kept:
+    """How a frame kept its schedule on a board whose words take what the target's figures say: how
+    long it took, launches that were later than `grace` allows, and by how much the latest one."""
+
+    lasted_us: int
+    late: int
+    latest_us: int
+
+
+ON_TIME = Kept(0, 0, 0)
 
 
 class _Timeline:
@@ -63,7 +81,7 @@ class _Timeline:
     ) -> None:
         self.runs, self.rows, self.target = runs, rows, target
         self.levels = levels or (AS_IT_IS,) * len(rows)
-        self.launch, self.analog, self.digital, self.retention, self.settling = (
+        self.launch, self.analog, self.digital, self.retention, self.settling, self.loop = (
             int(min(us, LONGEST_US) * TICK)
             for us in (
                 target.launch_us,
@@ -71,6 +89,7 @@ class _Timeline:
                 target.digital_word_us,
                 target.digital_retention_us,
                 target.in_settle_us,
+                target.wait_us,
             )
         )
         self.kernels = kernels
@@ -140,6 +159,31 @@ class _Timeline:
             wait(rest)
         see(held)
         return now, cramped, faded
+
+    def kept(self, grace_us: int, most_late: int) -> Kept:
+        """How the frame keeps its schedule; up to the launch that is one too many too late."""
+        now = late = latest = 0
+        boundary, now_in = self._setup() + TICK // 2, AS_IT_IS
+        slots = _Slots(self.runs)
+        rest = sum(count for count, _ in self.runs)
+        rows = [*zip(self.rows, self.levels, strict=True)]
+        rest -= sum(advance * times for (advance, _, times), _ in rows)
+        for (advance, kernel, times), level in [*rows, ((rest, -1, 1), AS_IT_IS)]:
+            for _ in range(times):
+                if advance:
+                    boundary += slots.passed(advance)
+                    due = boundary // TICK
+                    past = max(now // TICK - due, 0)
+                    now = max(now, due * TICK) + self.loop
+                    latest = max(latest, past)
+                    late += past > grace_us
+                    if late > most_late:
+                        return Kept(0, late, latest)
+                if level not in (AS_IT_IS, now_in):
+                    now += self.settling
+                    now_in = level
+                now += self.busy[kernel] if kernel >= 0 else 0
+        return Kept(now // TICK, late, latest)
 
 
 class _Slots:

@@ -9,7 +9,7 @@ from typing import Any
 from nscc.diagnostics import rejection
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.target import Target
-from nscc_runtime.device.host import Refused, Silent, Stalled
+from nscc_runtime.device.host import Contested, Implausible, Refused, Silent, Stalled
 from nscc_runtime.device.messages import Capability, Fault, Info, frame_bytes
 from nscc_runtime.device.objects import Upload, target_digest
 from nscc_runtime.device.packets import VERSION, Kind
@@ -85,6 +85,21 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
             f"the device at '{port[:200]}' answers, and nothing gets through to it",
             "the line is too bad, or the device keeps starting anew: check cable, speed (--baud) "
             "and power",
+        ) from None
+    except Contested:
+        raise rejected(
+            "NS0775",
+            f"another program speaks to the device at '{port[:200]}'",
+            "end it, or wait until it is done: a device has one host at a time",
+            notes=("the device did not start anew, and yet began other conversations than ours",),
+        ) from None
+    except Implausible as implausible:
+        captured = implausible.captured
+        raise rejected(
+            "NS0767",
+            f"the device at '{port[:200]}' has a frame of {captured.length} bytes in "
+            f"{captured.readouts} buckets, which is not the program's",
+            "put the loader that came with this nscc on the device",
         ) from None
     except Refused as refused:
         raise _refused(port, refused) from None

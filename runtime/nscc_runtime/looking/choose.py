@@ -92,7 +92,7 @@ class Chooser:
         return self._made(dropped, now, forced_reason)
 
     def _free(self, forced: frozenset[str]) -> list[str]:
-        """What may be left out and saves something, by how much it saves for what it changes."""
+        """What may be left out and saves something, what changes least first."""
         free = [
             e for e in registered()
             if e.name in self.alone and e.name not in forced and not self._forced(e)

@@ -15,6 +15,7 @@ from nscc_runtime.pictures.look import look
 from nscc_runtime.pictures.shutters import CHART_INCHES, chart_columns, open_share, subtitle, unit
 
 if TYPE_CHECKING:
+    from matplotlib.artist import Artist
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
@@ -50,7 +51,7 @@ def course_sheet(container: Container, title: str) -> Figure:
         _draw_chart(chart, container, each)
         beside = sheet.place(figure, wide + _GAP, top, _TIMES, _HEIGHT)
         _draw_times(beside, container, each)
-    handles = [
+    handles: list[Artist] = [
         Line2D([], [], color=look().ink, linewidth=0.8, linestyle=":", label="a look"),
         Line2D([], [], color=look().ink, marker=".", linestyle="", label="its answer turns"),
     ]

@@ -66,10 +66,11 @@ class CodedFrame:
         return Measured(*(torch.from_numpy(part)[None] for part in arrays))
 
 
-def read_coded_frame(path: Path, program: Path | None = None) -> CodedFrame:
-    """A frame file of any program. Rejected: NS0819 for a file that is none, or holds no shutters
-    and `program`, the container or text that it was exposed with, is not named; and what loading
-    that raises. Repeats count as one frame, their mean.
+def read_coded_frames(path: Path, program: Path | None = None) -> tuple[CodedFrame, ...]:
+    """A frame file of any program: one frame, or those of red, green and blue. Rejected: NS0819 for
+    a file that is none, or holds no shutters and `program`, the container or text that it was
+    exposed with, is not named; and what loading that raises. Repeats count as one frame, their
+    mean.
     """
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
@@ -79,15 +80,19 @@ def read_coded_frame(path: Path, program: Path | None = None) -> CodedFrame:
         raise no_coded_frame(path, said(error)) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA:
         raise no_coded_frame(path, f"its schema is not {SCHEMA}")
-    if "colours" in meta:
-        raise no_coded_frame(path, "it has colours, and this decoder takes one at a time")
     if program is not None:
         arrays |= _table_of(program, meta)
     if "decode_row" not in arrays:
         raise no_coded_frame(path, "it does not hold its pixels' shutters",
                              "name the program that exposed it: --program FILE.icw")  # fmt: skip
     try:
-        return _coded_frame(arrays, meta)
+        if "colours" not in meta:
+            return (_coded_frame(arrays, meta),)
+        told = ("frame", "saturated")
+        return tuple(
+            _coded_frame(arrays | {name: arrays[name][k] for name in told if name in arrays}, meta)
+            for k in range(len(arrays["frame"]))
+        )
     except (KeyError, ValueError, IndexError, TypeError) as error:
         raise no_coded_frame(path, f"its arrays do not fit together: {said(error)}") from error
 

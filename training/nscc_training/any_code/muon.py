@@ -46,12 +46,14 @@ def orthogonal(matrix: Tensor) -> Tensor:
     for _ in range(_TURNS):
         square = found @ found.mT
         found = first * found + (second * square + third * square @ square) @ found
-    return found if wide else found.mT
+    made: Tensor = found if wide else found.mT
+    return made
 
 
 def optimizers(network: nn.Module) -> list[torch.optim.Optimizer]:
     """Muon for the convolutions within a network, Adam for its first and last and for biases."""
-    inner, others = [], []
+    inner: list[Tensor] = []
+    others: list[Tensor] = []
     for name, weight in network.named_parameters():
         is_inner = weight.ndim == 4 and not name.startswith(("first.", "last."))
         (inner if is_inner else others).append(weight)

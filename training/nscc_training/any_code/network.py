@@ -110,16 +110,16 @@ class _Exchanged(torch.autograd.Function):
     def forward(ctx: Any, x: Tensor, frames: int) -> Tensor:
         ctx.frames = frames
         found = x.clone(memory_format=torch.channels_last)
-        old, new = (part.unflatten(0, (-1, frames)) for part in (x, found))
+        old, new = (part.view(-1, frames, *x.shape[1:]) for part in (x, found))
         count = x.shape[1] // 4
         new[:, 1:, :count] = old[:, :-1, :count]
         new[:, :-1, count : 2 * count] = old[:, 1:, count : 2 * count]
         return found
 
     @staticmethod
-    def backward(ctx: Any, slope: Tensor) -> tuple[Tensor, None]:  # type: ignore[override]
+    def backward(ctx: Any, slope: Tensor) -> tuple[Tensor, None]:
         found = slope.clone(memory_format=torch.channels_last)
-        old, new = (part.unflatten(0, (-1, ctx.frames)) for part in (slope, found))
+        old, new = (part.view(-1, ctx.frames, *slope.shape[1:]) for part in (slope, found))
         count = slope.shape[1] // 4
         if ctx.frames > 1:
             new[:, :-1, :count] = old[:, 1:, :count]

@@ -7,9 +7,10 @@ from time import perf_counter
 from typing import Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nscc_training.any_code.decode import decoded_clip, decoded_still
-from nscc_training.any_code.frames import read_coded_frame
+from nscc_training.any_code.frames import CodedFrame, read_coded_frames
 from nscc_training.reconstruct import Reconstruction
 
 
@@ -20,14 +21,19 @@ def reconstruct_any(
 
     `program` is what exposed it, where the file does not hold its pixels' shutters. As an image or
     a clip; without `kind` an image where all shutters open with the frame (class b), else a clip.
-    Raises Rejected as `read_coded_frame`.
+    Colours are decoded one by one. Raises Rejected as `read_coded_frames`.
     """
-    coded = read_coded_frame(frame, program)
-    still = (kind or ("image" if coded.is_still else "video")) == "image"
+    every = read_coded_frames(frame, program)
+    still = (kind or ("image" if every[0].is_still else "video")) == "image"
     begin = perf_counter()
+    made = [_light(coded, still) for coded in every]
+    light = np.stack(made, axis=-1) if len(made) > 1 else made[0]
+    return Reconstruction(light, still, len(made) > 1, (), perf_counter() - begin)
+
+
+def _light(coded: CodedFrame, still: bool) -> NDArray[np.float32]:
+    """Electrons over the frame (rows, cols), or a slot (N, rows, cols)."""
     if still:
-        light = decoded_still(coded.still())[0].numpy()
-    else:
-        slots = (coded.slot_us / coded.slot_us.mean()).astype(np.float32)
-        light = decoded_clip(coded.clip())[0].numpy() * slots[:, None, None]
-    return Reconstruction(light, still, False, (), perf_counter() - begin)
+        return np.asarray(decoded_still(coded.still())[0].numpy())
+    slots = (coded.slot_us / coded.slot_us.mean()).astype(np.float32)
+    return np.asarray(decoded_clip(coded.clip())[0].numpy() * slots[:, None, None])

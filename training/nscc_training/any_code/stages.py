@@ -15,7 +15,7 @@ from nscc_training.baselines.tv import tv_denoise
 Denoiser = Callable[[Tensor, Tensor, Tensor], Tensor]
 """From a clip, planes of what is measured, and sigma: see `ClipDenoiser`."""
 
-STAGES = 8
+STAGES = 12
 START = 20
 """Iterations of GAP-TV that the stages begin with."""
 _SIGMA = (16 / 255, 12 / 255)

@@ -21,7 +21,7 @@ from torch import Tensor, nn
 from nscc_training.any_code.lessons import coded, exposed_still, noisy
 from nscc_training.any_code.muon import optimizers
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
-from nscc_training.any_code.stages import STAGES, schedule, stage, started
+from nscc_training.any_code.stages import schedule, stage, started
 from nscc_training.any_code.stills import (
     coded_light,
     started_still,
@@ -38,7 +38,8 @@ _WARM_UP = 20
 @dataclass(frozen=True)
 class Part:
     """A part of the training: `batch` clips of `size` pixels a side a step, and its rate at the
-    most, which falls to a hundredth as a cosine. `through`: stages that a gradient passes."""
+    most, which falls to a hundredth as a cosine. `through`: stages that a gradient passes, of
+    `stages`."""
 
     name: str
     steps: int
@@ -46,6 +47,7 @@ class Part:
     size: int
     rate: float
     through: int = 0
+    stages: int = 8
 
 
 PARTS: Mapping[str, tuple[Part, ...]] = {
@@ -53,6 +55,7 @@ PARTS: Mapping[str, tuple[Part, ...]] = {
         Part("noise", 1800, 4, 64, 1e-3),
         Part("together", 240, 2, 80, 1e-4, 4),
         Part("again", 360, 2, 80, 2e-4, 4),
+        Part("longer", 150, 2, 80, 1e-4, 4, 12),
     ),
     "still": (Part("stills", 3000, 6, 96, 8e-4, 3),),
 }
@@ -123,7 +126,7 @@ class Trainer:
         now, target = started(measured)
         losses: list[float] = []
         waiting: list[Tensor] = []
-        for number, sigma in enumerate(schedule(STAGES)):
+        for number, sigma in enumerate(schedule(part.stages)):
             with bf16_where_multiplied():
                 now, target = stage(measured, self.network, now, target, sigma)
             # The root: a clip counts by its error's ratio, nearly, as decibels do.

@@ -61,9 +61,9 @@ class Chip:
         """The most electrons that an exposure tells: of a well, of the converter's codes, or of a
         register that is still linear."""
         codes = self.target.top_code - self.sensor.adc_offset_lsb
-        most = min(float(self.sensor.full_well_e), codes * self.code_e / self.gain)
+        most = min(float(self.sensor.full_well_e), float(codes * self.code_e / self.gain))
         soft = self.effects.part(Soft)
-        return most if soft is None else min(most, soft.linear_e(self.sensor) / self.gain)
+        return most if soft is None else min(most, float(soft.linear_e(self.sensor) / self.gain))
 
     def exposed_sd_e(self, electrons: Values) -> Values:
         """The standard deviation of an exposure's estimate, in electrons on PIX."""

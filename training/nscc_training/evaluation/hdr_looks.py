@@ -57,7 +57,7 @@ ROWS: dict[str, tuple[tuple[int, ...], float]] = {
 }
 """The boundaries of SLOTS at which each row's pixels look, the last exposure being the frame's end,
 and the percentage of a full well above which they close."""
-DESIGNED = {"designed-2": 2, "designed-5": 5, "designed-9": 9}
+DESIGNED = {"designed-2": 2, "designed-5": 5}
 """Exposures of the rows that are designed."""
 LOOKING = (*ROWS, *DESIGNED)
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Mapping
 from hashlib import sha256
+from typing import Any
 
 from nscc.emit.report import report
+from nscc.emit.stream import stream_report
 from nscc.limits.families import families
 from nscc.limits.survey import limit_of
-from nscc.pipeline import Options
+from nscc.pipeline import Compiled, Options
 from nscc.toml.kinds import Integer, Text
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
@@ -17,6 +20,8 @@ from nscc_training.sweep.programs import (
     program_fault,
     program_files,
     program_keys,
+    silent,
+    target_fault,
     target_keys,
     target_of,
 )
@@ -24,14 +29,15 @@ from nscc_training.sweep.programs import (
 
 def _compile(values: Values, _place: Place) -> Figures:
     found = compiled_of(values)
-    assert found.choice is not None
     assert found.proof is not None
+    if found.sending is not None:  # a chip without logic: no words, and nothing to count of them
+        told = stream_report(found.sending, found.proof)
+        return _common(found, told)
+    assert found.choice is not None
     told = report(found.choice, found.proof)
     logic = told["logic"]
     return {
-        "program_class": told["class"],
-        "shutters": told["codes"]["shutters"],
-        "lowered": told["lowering"],
+        **_common(found, told),
         "encoding": logic["encoding"],
         "registers": len(told["digital_registers"]),
         "words_total": told["words_total"],
@@ -42,15 +48,30 @@ def _compile(values: Values, _place: Place) -> Figures:
         "logic_words": logic["words"],
         "logic_bound": logic["bound"],
         "logic_largest_slot": logic["max_slot_words"],
+    }
+
+
+def _common(found: Compiled, told: Mapping[str, Any]) -> Figures:
+    """What the reports of all chips tell."""
+    return {
+        "program_class": told["class"],
+        "shutters": told["codes"]["shutters"],
+        "lowered": told["lowering"],
         "shortest_slot_us": told["shortest_slot_us"],
         "frame_us": told["frame_us"],
         "program_sha256": sha256(found.program.source.text.encode()).hexdigest()[:12],
     }
 
 
+def _compile_fault(values: Values, named: Collection[str]) -> Fault | None:
+    chosen = () if "class" in values else ("seed",)
+    return program_fault(values, named) or silent(named, chosen, "codes of its own")
+
+
 COMPILE = PointKind(
     "compile", "words, registers and times of a program, as its report has them", program_keys,
-    _compile, ("words_a_slot",), program_files, fault=program_fault,
+    _compile, ("words_a_slot",), program_files,
+    _compile_fault,
 )  # fmt: skip
 
 
@@ -65,12 +86,12 @@ def _limit_keys() -> tuple[Key, ...]:
     )  # fmt: skip
 
 
-def _limit_fault(values: Values) -> Fault | None:
+def _limit_fault(values: Values, _named: Collection[str]) -> Fault | None:
     if "family" not in values:
         return Fault("", "the key family is missing: a class at every size", 'add family = "d"')
     if not values["target"]:
         return Fault("", "limits are those of a chip, and none is named", 'add target = "scamp5"')
-    return program_fault({**values, "rule": ""})
+    return target_fault(values)
 
 
 def _limit(values: Values, _place: Place) -> Figures:
@@ -99,5 +120,6 @@ def _limit(values: Values, _place: Place) -> Figures:
 
 LIMITS = PointKind(
     "limits", "how large a class may be on a chip: `nscc targets --limits` point by point",
-    _limit_keys, _limit, ("built_up_to",), program_files, fault=_limit_fault,
+    _limit_keys, _limit, ("built_up_to",), program_files,
+    _limit_fault,
 )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 
 from nscc.files import write_whole
@@ -31,7 +31,7 @@ def _keys() -> tuple[Key, ...]:
     )  # fmt: skip
 
 
-def _fault(values: Values) -> Fault | None:
+def _fault(values: Values, _named: Collection[str]) -> Fault | None:
     if "scene" not in values:
         return Fault("", "a point is designed for a scene", 'add scene = "builtin:hdr"')
     if (values["criterion"] == _TILE) == ("looks" in values):
@@ -86,7 +86,7 @@ def _design(values: Values, place: Place) -> Figures:
 
 DESIGN = PointKind(
     "design", "a program made for a scene, and what is expected of it", _keys, _design,
-    ("expected_mu_db",), _reads, fault=_fault,
+    ("expected_mu_db",), _reads, _fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy"), leaves=".nsl",
 )  # fmt: skip

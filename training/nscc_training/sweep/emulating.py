@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -28,9 +28,16 @@ from nscc_training.sweep.programs import (
     program_fault,
     program_files,
     program_keys,
+    silent,
 )
 
 _BENCHES = ("clips", "stills")
+_SILENT = {
+    "scene": ("data", "scenes", "frames", "at_us"),
+    "bench": ("slot_us", "max_words", "exposure", "transfer", "tolerance", "fidelity", "audit",
+              "device_seed"),
+}  # fmt: skip
+"""Keys that say nothing of points with a scene, and with a bench."""
 
 
 def _keys() -> tuple[Key, ...]:
@@ -52,7 +59,7 @@ def _keys() -> tuple[Key, ...]:
     )  # fmt: skip
 
 
-def _fault(values: Values) -> Fault | None:
+def _fault(values: Values, named: Collection[str]) -> Fault | None:
     if ("scene" in values) == ("bench" in values):
         return Fault(
             "bench" if "bench" in values else "", "a point exposes a scene, or else a bench",
@@ -70,7 +77,8 @@ def _fault(values: Values) -> Fault | None:
     changed = next((name for name in values if name.startswith("chip.")), None)
     if "bench" in values and changed:
         return Fault(changed, "a bench takes the chip as it is", "name a target's file instead")
-    return program_fault(values)
+    other = "bench" if "bench" in values else "scene"
+    return silent(named, _SILENT[other], f"a {other}") or program_fault(values, named)
 
 
 def _reads(values: Values) -> Sequence[Path]:
@@ -88,7 +96,6 @@ def _capture(values: Values, threads: int) -> Figures:
 
     compiled = compiled_of(values)
     assert compiled.container is not None
-    assert compiled.lowered is not None
     container = with_pixels(compiled.container, "the program")
     plans = values["effects"] != "none" and values["fidelity"] == "planned"
     shot = capture(
@@ -100,7 +107,7 @@ def _capture(values: Values, threads: int) -> Figures:
     )  # fmt: skip
     plan, audit = shot.plan, shot.audit
     return {
-        "shortest_slot_us": round(compiled.lowered.shortest_slot_us, 6),
+        "shortest_slot_us": round(compiled.shortest_slot_us, 6),
         "mean_e": _mean(shot.exposure_e, shot.valid),
         "saturated_share": float(shot.saturated.mean()),
         "invalid_share": float(1 - shot.valid.mean()),
@@ -140,7 +147,7 @@ def _bench(values: Values) -> Figures:
 
 EMULATE = PointKind(
     "emulate", "what the emulated chip captures of a scene, and what can be made of it", _keys,
-    _emulate, ("psnr_db", "mean_e"), _reads, fault=_fault,
+    _emulate, ("psnr_db", "mean_e"), _reads, _fault,
     packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
 )  # fmt: skip

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -30,7 +30,7 @@ def _keys() -> tuple[Key, ...]:
     )
 
 
-def _fault(values: Values) -> Fault | None:
+def _fault(values: Values, _named: Collection[str]) -> Fault | None:
     if (RUN in values) == ("subject" in values):
         message = "a point evaluates a run of this grid, or else a subject"
         return Fault("subject" if RUN in values else "", message, 'for instance subject = "quad"')
@@ -86,7 +86,7 @@ def _result(values: Values, place: Place) -> dict[str, Any]:
 
 EVALUATE = PointKind(
     "evaluate", "scores under a protocol; the whole result under results", _keys, _evaluate,
-    ("psnr_db",), _reads, fault=_fault, packages=("nscc", "nscc_runtime", "nscc_training"),
+    ("psnr_db",), _reads, _fault, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves=".json",
 )  # fmt: skip

@@ -197,7 +197,9 @@ def _points(
     for part in sorted(given, key=lambda part: RUN in given[part]):
         made[part] = []
         for point in _of_part(part, kinds[part], given[part], called[part]):
-            fault = KINDS[point.kind].fault(point.values) or _name_fault(called[part], point)
+            fault = KINDS[point.kind].fault(point.values, given[part]) or _name_fault(
+                called[part], point
+            )
             if fault is not None:
                 wrong.setdefault(
                     (part, fault.key, fault.message),
@@ -265,4 +267,4 @@ def _spelled(value: Any) -> str:
     text = "x".join(f"{part:g}" if isinstance(part, float) else str(part) for part in parts)
     text = text.lower() if isinstance(value, bool) else text
     text = Path(text).stem if text.endswith((".nsl", ".toml")) else text
-    return "".join(c if c.isalnum() or c in "+-." else "-" for c in text)[:40]
+    return "".join(c if c.isalnum() or c in "+-._" else "-" for c in text)[:40]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -42,10 +42,11 @@ class PointKind:
     """What a point can be.
 
     `takes()` are the keys of a part of a grid, in no section. `fault` looks at one point's values
-    together. `reads` names the files and folders whose content decides the result; `packages` and
-    `distributions` compute it. `compute` gives the figures; Rejected says why there are none.
-    Of the figures `drawn` a table's first is, unless a grid asks for others. `leaves` is the ending
-    of what a point leaves in `Place.files`, None where that is nothing.
+    together, and at which of their keys the grid names. `reads` names the files and folders whose
+    content decides the result; `packages` and `distributions` compute it. `compute` gives the
+    figures; Rejected says why there are none. Of the figures `drawn` a table's first is, unless a
+    grid asks for others. `leaves` is the ending of what a point leaves in `Place.files`, None where
+    that is nothing.
     """
 
     name: str
@@ -54,9 +55,9 @@ class PointKind:
     compute: Callable[[Values, Place], Figures]
     drawn: tuple[str, ...]
     reads: Callable[[Values], Sequence[Path]]
+    fault: Callable[[Values, Collection[str]], Fault | None]
     packages: tuple[str, ...] = ("nscc",)
     distributions: tuple[str, ...] = ("lark", "networkx")
-    fault: Callable[[Values], Fault | None] = lambda _values: None
     leaves: str | None = None
 
 

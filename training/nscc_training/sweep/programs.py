@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import MISSING, replace
 from math import prod
 from pathlib import Path
@@ -27,6 +27,12 @@ SOURCES = ("program", "rule", "class")
 _MOST_PLACES = 4096
 """A tile of more codes would need a file beside the program."""
 _CHIP = "chip."
+_SILENT: dict[str, tuple[str, ...]] = {
+    "program": ("slots", "slot_us", "tile", "init", "length", "rows"),
+    "rule": ("tile", "init", "length", "rows"),
+    "class": (),
+}
+"""Keys that say nothing of programs from such a source."""
 
 
 def axis(name: str, kind: object, meaning: str, default: object = MISSING) -> Key:
@@ -72,8 +78,8 @@ def program_keys() -> tuple[Key, ...]:
     )
 
 
-def program_fault(values: Values) -> Fault | None:
-    """What is wrong with values of `program_keys` together."""
+def program_fault(values: Values, named: Collection[str]) -> Fault | None:
+    """What is wrong with values of `program_keys` together, of which a grid names some keys."""
     given = [name for name in SOURCES if name in values]
     if len(given) != 1:
         have = " and ".join(given) or "none of them"
@@ -84,12 +90,25 @@ def program_fault(values: Values) -> Fault | None:
         )
     if "class" in values and prod(values["tile"]) > _MOST_PLACES:
         return Fault("tile", f"a tile has at most {_MOST_PLACES} places", "take a smaller one")
-    if values["target"] == "" and any(name.startswith(_CHIP) for name in values):
-        name = next(name for name in values if name.startswith(_CHIP))
-        return Fault(
-            name, f"{name} changes a chip, and none is named", f'add target = "{DEFAULT_NAME}"'
-        )
-    return None
+    return silent(named, _SILENT[given[0]], given[0]) or target_fault(values)
+
+
+def target_fault(values: Values) -> Fault | None:
+    """What is wrong with values of `target_keys` together."""
+    name = next((name for name in values if name.startswith(_CHIP)), None)
+    if name is None or values["target"]:
+        return None
+    message = f"{name} changes a chip, and none is named"
+    return Fault(name, message, f'add target = "{DEFAULT_NAME}"')
+
+
+def silent(named: Collection[str], keys: Sequence[str], what: str) -> Fault | None:
+    """The fault of naming one of the keys that say nothing of such a point: points that differ in
+    them alone would be one."""
+    name = next((key for key in keys if key in named), None)
+    if name is None:
+        return None
+    return Fault(name, f"{name} says nothing of a point with {what}", f"leave {name} out")
 
 
 def program_files(values: Values) -> Sequence[Path]:

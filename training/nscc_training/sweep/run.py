@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, chdir, nullcontext
 from dataclasses import dataclass
@@ -93,6 +94,23 @@ def sweep(
     codes = [row.code for _, row in rows if row.code]
     failed = codes.count(FAILED)
     return Swept(table, len(tasks), len(codes) - failed, failed, files)
+
+
+def told(swept: Swept) -> list[str]:
+    """What came of a sweep, in lines: how many points, why some have no figures, the files."""
+    columns, count = swept.table.columns, len(swept.table)
+    figures = count - swept.misfits - swept.failed
+    lines = [
+        f"{counted(count, 'point')}: {figures} with figures, {swept.misfits} with a message "
+        f"instead, {swept.failed} failed"
+    ]
+    reasons = Counter(zip(columns["code"], columns["error"], strict=True))
+    del reasons[None, None]
+    for (code, error), times in reasons.most_common(_MOST_REASONS):
+        lines.append(f"  {times} x {code}: {error}")
+    if len(reasons) > _MOST_REASONS:
+        lines.append(f"  and {counted(len(reasons) - _MOST_REASONS, 'other message')}")
+    return [*lines, "wrote " + ", ".join(path.as_posix() for path in swept.files)]
 
 
 def failures(swept: Swept) -> Rejected:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import MISSING
 from functools import cache
 from pathlib import Path
@@ -26,7 +26,7 @@ def _keys() -> tuple[Key, ...]:
     return (axis(_CONFIG, Text(), "a configuration of nscc train"), *settings)
 
 
-def _fault(values: Values) -> Fault | None:
+def _fault(values: Values, _named: Collection[str]) -> Fault | None:
     if _CONFIG in values:
         return None
     message = "the key config is missing: a configuration of nscc train"
@@ -79,7 +79,7 @@ def _train(values: Values, place: Place) -> Figures:
 
 TRAIN = PointKind(
     "train", "a run of nscc train; its validation, and its folder under runs", _keys, _train,
-    ("psnr_db",), _reads, fault=_fault, packages=("nscc", "nscc_runtime", "nscc_training"),
+    ("psnr_db",), _reads, _fault, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves="",
 )  # fmt: skip

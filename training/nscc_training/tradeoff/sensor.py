@@ -162,14 +162,13 @@ def measure(settings: Settings, progress: Progress = iter) -> Measured:
         if isinstance(found, Diagnostic):
             refused.append(Refused(each.kind, each.method, setting, found.code, found.message))
             continue
-        assert found.lowered is not None
         assert found.container is not None
-        words = f"{setting}, {found.lowered.schedule.words_total} words"
+        words = f"{setting}, {found.container.words_per_frame} words"
         points.append(
             Point(
                 each.kind, each.method, words,
                 shutters.psnr_db(found.container), "psnr_db",
-                (found.lowered.shortest_slot_us / 1e3,), more_is_better=True,
+                (found.shortest_slot_us / 1e3,), more_is_better=True,
             )
         )  # fmt: skip
     return Measured(tuple(points), tuple(refused), target.name)
@@ -187,8 +186,7 @@ def compiled_for(
     found = _compiled(each, shutters, _LONG_US, settings)
     if isinstance(found, Diagnostic):
         return found
-    assert found.lowered is not None
-    ticks = math.ceil(found.lowered.shortest_slot_us / _TICK_US - 1e-6)
+    ticks = math.ceil(found.shortest_slot_us / _TICK_US - 1e-6)
     return _compiled(each, shutters, max(1, ticks) * _TICK_US, settings)
 
 

@@ -28,7 +28,7 @@ Loop = Callable[..., NDArray[np.float32]]
 """Makes a clip of a measurement and a mask."""
 TV_ITERATIONS = (5, 10, 20, 40, 80)
 SPARSE_ITERATIONS = (15, 60)
-ANY_STAGES = (2, 4, 8)
+ANY_STAGES = (2, 4, 8, 12)
 _OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
 """Which directions blocks overlap in, by how many blocks then hold a pixel."""
 

@@ -20,6 +20,7 @@ constexpr int mask_register = 0;
 constexpr double analog_word_us = 0.2;
 constexpr double digital_word_us = 0.1;
 constexpr double launch_us = 1.0;
+constexpr double wait_us = 1.0;
 constexpr double readout_us = 16700.0;
 constexpr double retention_us = 1500000.0;
 constexpr double in_settle_us = 5.0;

@@ -1,0 +1,134 @@
+"""What a device takes for launches, words, waits and readouts: measured, as keys of its target.
+
+Each figure is the difference of two frames that differ in nothing else, so what all frames have in
+common drops out. The loader's own clock tells how long they took.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import ceil
+from random import SystemRandom
+
+import numpy as np
+
+from nscc.operations import Op, op
+from nscc.target.target import Target
+from nscc.words.encoding import encode
+from nscc_runtime.device import tasks
+from nscc_runtime.device.host import Task
+from nscc_runtime.device.link import Link
+from nscc_runtime.device.messages import Captured, Channel
+from nscc_runtime.device.objects import (
+    COUNT,
+    READOUT,
+    ROW,
+    RUN,
+    SCHEDULE_HEAD,
+    Object,
+    ObjectKind,
+    Upload,
+    target_digest,
+)
+from nscc_runtime.device.trouble import rejected
+from nscc_runtime.device.wanted import Wanted
+
+LAUNCHES = 2001
+WORDS = 100
+_NO_LIMIT = (1 << 32) - 1
+_NO_TIME_US = 1e-3
+_LONGEST_MS = 10_000
+"""More than all words of a frame take on any device that is worth measuring."""
+
+
+@dataclass(frozen=True)
+class Times:
+    """Microseconds of a launch, an analog and a digital word, the loop at a boundary, a readout."""
+
+    launch_us: float
+    analog_word_us: float
+    digital_word_us: float
+    wait_us: float
+    readout_us: float
+
+    def of(self, target: Target) -> Target:
+        """The target with these times."""
+        return replace(
+            target,
+            launch_us=self.launch_us,
+            analog_word_us=self.analog_word_us,
+            digital_word_us=self.digital_word_us,
+            wait_us=self.wait_us,
+            readout_us=self.readout_us,
+        )
+
+
+def measured(link: Link, target: Target) -> Times:
+    """The times of the device behind a link; it loses the program that it holds.
+
+    Raises Rejected (NS0723, status 3) for a device on which words take no time.
+    """
+    register = target.digital_registers[-1]
+    analog, digital = op("nop"), op("CLR", [register])
+
+    def took(kernel: Sequence[Op], launches: int, waits: bool = False) -> Captured:
+        return _captured(link, _program(target, kernel, launches, waits))
+
+    once = took([analog], 1).lasted_us
+    plain = took([analog], LAUNCHES)
+    with_analog = took([analog] * (1 + WORDS), LAUNCHES).lasted_us
+    with_digital = took([analog, *[digital] * WORDS], LAUNCHES).lasted_us
+    waiting = took([analog], LAUNCHES, waits=True).lasted_us
+    analog_us = (with_analog - plain.lasted_us) / (LAUNCHES * WORDS)
+    digital_us = (with_digital - plain.lasted_us) / (LAUNCHES * WORDS)
+    if min(analog_us, digital_us) < _NO_TIME_US:
+        raise rejected(
+            "NS0723",
+            f"words take no time on the device at '{link.path[:200]}': it has no pixels of its own",
+            "measure a chip; `nscc device serve --loader firmware` stands in for one, with the "
+            "times of its target",
+        )
+    return Times(
+        round((plain.lasted_us - once) / (LAUNCHES - 1) - analog_us, 4),
+        round(analog_us, 4),
+        round(digital_us, 4),
+        round(max(waiting - plain.lasted_us, 0) / LAUNCHES, 4),
+        float(plain.readout_us or target.readout_us),
+    )
+
+
+def _captured(link: Link, program: Upload) -> Captured:
+    """What the loader says of a frame of a program, once all of it has been fetched."""
+    wanted = Wanted(SystemRandom().randrange(1 << 63), Channel.CODES, program)
+
+    def work() -> Task[tasks.Taken]:
+        yield from tasks.upload(link.host, program)
+        return (yield from tasks.capture(link.host, wanted))
+
+    return link.run(work).captured
+
+
+def _program(target: Target, kernel: Sequence[Op], launches: int, waits: bool) -> Upload:
+    """`launches` of a kernel, at once or each behind a slot of its own that takes no time; they may
+    be as late as they are."""
+    slots = launches if waits else 1
+    words = np.array([encode(op("rpix")), *(encode(word) for word in kernel)], "<u4")
+    objects = (
+        Object(ObjectKind.READOUTS, 0, COUNT.pack(1) + READOUT.pack(0, 1.0)),
+        Object(
+            ObjectKind.KERNELS, 0,
+            COUNT.pack(2) + COUNT.pack(1) + COUNT.pack(len(kernel)) + words.tobytes(),
+        ),
+        Object(
+            ObjectKind.SCHEDULE, 0,
+            SCHEDULE_HEAD.pack(slots, _NO_LIMIT, _NO_LIMIT) + COUNT.pack(1)
+            + RUN.pack(slots, _NO_TIME_US) + COUNT.pack(2) + ROW.pack(0, 0, 1)
+            + ROW.pack(int(waits), 1, launches),
+        ),
+    )  # fmt: skip
+    return Upload(
+        target_digest(target), bytes(32), objects, words=len(words), kernels=2, rows=2, runs=1,
+        frame_ms=_LONGEST_MS, readout_ms=ceil(target.readout_us / 1000), readouts=1, states=0,
+        gains=False, levels=False, pixels=target.rows * target.cols,
+    )  # fmt: skip

@@ -1,0 +1,75 @@
+"""`nscc device calibrate` finds the times of the board that it measures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from device_lockstep import Lockstep
+from device_sessions import SHAPE, ChipAtOnce, new_host
+from device_simulation import Simulation
+from emulator_programs import target_of
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.target.target import Target
+from nscc_runtime.device import firmware
+from nscc_runtime.device.loader import Loader
+from nscc_runtime.device.measured_times import Times, measured
+from nscc_runtime.device.serving import Loaded
+from nscc_runtime.light import Light
+
+CHIP = replace(
+    target_of(SHAPE), launch_us=2.5, analog_word_us=0.37, digital_word_us=0.11, wait_us=1.75
+)
+
+
+def dark(target: Target) -> ChipAtOnce:
+    """A chip that sees nothing, in any number of slots."""
+    return ChipAtOnce(
+        lambda slots: Light.of_clip(np.zeros((len(slots), *SHAPE), np.float32)), target
+    )
+
+
+class Wire:
+    """A link to a loader on a virtual clock."""
+
+    path = "wire"
+
+    def __init__(self, loader: Loaded) -> None:
+        self.host = new_host(5)
+        self.line = Simulation(self.host, loader)
+
+    def run(self, work: Callable[[], Any]) -> Any:
+        """What comes of a task."""
+        return self.line.run(self.host.lasting(work))
+
+
+def check(times: Times) -> None:
+    assert times.launch_us == pytest.approx(2.5, abs=0.002)
+    assert times.analog_word_us == pytest.approx(0.37, abs=0.0002)
+    assert times.digital_word_us == pytest.approx(0.11, abs=0.0002)
+    assert times.wait_us == pytest.approx(1.75, abs=0.002)
+    assert times.of(CHIP).launch_us == times.launch_us
+
+
+def test_the_twin_has_the_times_of_its_target() -> None:
+    wire: Any = Wire(Loader(CHIP, dark(CHIP), "a twin"))
+    check(measured(wire, CHIP))
+
+
+@pytest.mark.skipif(firmware.compiler() is None, reason="no C++ compiler")
+def test_so_has_the_firmware() -> None:
+    with Lockstep(firmware.built(CHIP, ("-O1",)), dark(CHIP)) as loader:
+        wire: Any = Wire(loader)
+        check(measured(wire, CHIP))
+
+
+def test_a_board_without_pixels_is_refused() -> None:
+    quick = replace(CHIP, analog_word_us=1e-4, digital_word_us=1e-4)
+    wire: Any = Wire(Loader(quick, dark(quick), "a twin"))
+    with pytest.raises(Rejected) as caught:
+        measured(wire, quick)
+    assert caught.value.diagnostics[0].code == "NS0723"
