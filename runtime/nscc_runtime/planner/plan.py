@@ -228,6 +228,8 @@ class Plan:
             raise ValueError("its effects are not those of this version")
         if not LEAST_E <= plan.tolerance_e <= MOST_E:
             raise ValueError(f"tolerance_e is {plan.tolerance_e}")
+        if plan.tolerance.endswith("%") != (plan.signal_e is not None):
+            raise ValueError(f"signal_e is {plan.signal_e}")
         if not 1 <= plan.leak_nodes <= leak_nodes.MOST:
             raise ValueError(f"leak_nodes is {plan.leak_nodes}")
         return plan

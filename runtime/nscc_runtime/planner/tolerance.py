@@ -74,13 +74,14 @@ def tolerance_of(given: Given, sensor: Sensor, signal_e: Callable[[], float]) ->
             notes=("a part of the signal is a part of the mean exposure, without effects",),
             helps=("say it in electrons, --tolerance 5e, or in codes, --tolerance 0.1lsb",),
         )
-    return _within(Tolerance(text, value / 100 * signal, signal), f"'{given[:40]}'")
+    found = Tolerance(text, value / 100 * signal, signal)
+    return _within(found, f"{text[:40]} of a mean signal of {signal:.3g} electrons")
 
 
 def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
     """The mean of exposures without effects over pixels and buckets, in electrons: of their sizes,
-    each at most the full well. Values that are not finite do not count."""
-    sizes = np.abs(exposure_e[np.isfinite(exposure_e)])
+    each at most the full well. What is no number does not count."""
+    sizes = np.abs(exposure_e[~np.isnan(exposure_e)])
     most_e = everything().the(Well).full_e(sensor)
     return float(np.minimum(sizes, most_e).mean()) if sizes.size else 0.0
 
