@@ -198,7 +198,8 @@ def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
 @command.command("calibrate", cls=CommonCommand)
 @click.argument("port")
 @click.option("-o", "out", type=OUT, required=True, help="The target file.")
-@click.option("--target", metavar="NAME|FILE.toml", help="The chip, if it is none of nscc's own.")
+@click.option("--target", type=TARGET, metavar="NAME|FILE.toml",
+              help="The chip, if it is none of nscc's own.")  # fmt: skip
 @shared.link_options
 def calibrate(port: str, out: Path, **options: Any) -> None:
     """Measure what launches, words, waits and readouts take on the device at PORT.

@@ -130,8 +130,10 @@ def _setup(plan: LookingPlan) -> Words:
     """Empties the buckets, resets PIX and keeps its level."""
     scratch = plan.scratch
     clear = (op("bus", (a,), (scratch,)) for a in plan.bucket_registers)
-    sample = op("bus", (scratch,), ("PIX",)), op("bus", (plan.reference,), (scratch,))
-    return op("bus", (scratch,)), *clear, *RESET, *sample
+    level: Words = (op("bus", (scratch,), ("PIX",)), op("bus", (plan.reference,), (scratch,)))
+    if plan.latches:
+        level = (op("bus", (plan.reference,), ("PIX",)),)
+    return op("bus", (scratch,)), *clear, *RESET, *level
 
 
 def _cleared(solution: LookingSolution, allocation: Allocation) -> Words:
@@ -181,14 +183,8 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
     """The analog half, as reports show it."""
     steps = [Step(0, "setup", -1, None, _setup(plan))]
     steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
-    copied = all(
-        copy or not fall
-        for moment in plan.moments
-        for fall, copy in zip(moment.falls, moment.copies, strict=True)
-    )
-    latch = copied and not any(chain.from_iterable(moment.rises for moment in plan.moments))
     return ExposurePlan(
-        "latch" if latch else "edges", tuple(steps), plan.registers, plan.bucket_registers,
+        "latch" if plan.latches else "edges", tuple(steps), plan.registers, plan.bucket_registers,
         len(plan.program.table.shutters), plan.machine.slots, _analog_writes(plan),
     )  # fmt: skip
 
@@ -196,15 +192,15 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
 def _steps(plan: LookingPlan, moment: Moment) -> list[Step]:
     """What a moment does to which lanes."""
     found: list[Step] = []
-    sample = op("bus", (plan.scratch,), ("PIX",))
-    where = op("where", (), (plan.scratch, plan.reference, "IN"))
+    sample = plan.sampled()
+    where = op("where", (), (*plan.scratched, "IN"))
     for comparison in moment.comparisons:
         found.append(
             Step(moment.boundary, "look", max(comparison.signal, 0), None, (sample, where))
         )
     for bucket, (fall, rise) in enumerate(zip(moment.falls, moment.rises, strict=True)):
         register = plan.bucket_registers[bucket]
-        add = sample, op("bus", (register,), (plan.scratch, plan.reference))
+        add = sample, op("bus", (register,), plan.scratched)
         if fall:
             found.append(Step(moment.boundary, "fall", bucket, fall, add))
         if rise:

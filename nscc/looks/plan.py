@@ -13,11 +13,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.lower.plan import Misfit
+from nscc.operations import Op, op
 from nscc.program.program import Program
 from nscc.truth import vector
 from nscc.words.machine import Comparison, Machine
@@ -57,7 +60,11 @@ class Moment:
 
 @dataclass(frozen=True, eq=False)
 class LookingPlan:
-    """The moments of a frame in their order, and who holds which analog register."""
+    """The moments of a frame in their order, and who holds which analog register.
+
+    `reference` holds the reset level, or its negative where every exposure is one copy: each word
+    has an error of its own, and the negative takes one word less.
+    """
 
     program: Program
     machine: Machine
@@ -66,6 +73,33 @@ class LookingPlan:
     bucket_registers: tuple[str, ...]
     reference: str
     scratch: str
+
+    @cached_property
+    def latches(self) -> bool:
+        """Whether every shutter that closes copies, and none opens after the frame has begun."""
+        falls = (
+            each
+            for moment in self.moments
+            for each in zip(moment.falls, moment.copies, strict=True)
+        )
+        rises = chain.from_iterable(moment.rises for moment in self.moments)
+        return all(copy or not fall for fall, copy in falls) and not any(rises)
+
+    def sampled(self, *held: str) -> Op:
+        """Brings -(what is held + PIX) into scratch; the reset level is taken off as well if its
+        negative is at hand."""
+        level = (self.reference,) if self.latches else ()
+        return op("bus", (self.scratch,), (*held, "PIX", *level))
+
+    def kept(self, register: str) -> Op:
+        """Brings -what is held into scratch, as `sampled` does of a PIX without light."""
+        level = () if self.latches else (self.reference,)
+        return op("bus", (self.scratch,), (register, *level))
+
+    @property
+    def scratched(self) -> tuple[str, ...]:
+        """What adds up to -signal once either has run."""
+        return (self.scratch,) if self.latches else (self.scratch, self.reference)
 
 
 def plan_looks(program: Program, machine: Machine) -> LookingPlan | Misfit:

@@ -148,31 +148,25 @@ class _Moment:
             self._load(v, [each for each, _ in asked if each not in (0, moment.everything)])
             if words is RESET:
                 self.sampled = False
-            elif self.sampled and words[0] == self._sample():
+            elif self.sampled and words[0] == self.plan.sampled():
                 words = words[1:]
             else:
-                self.sampled = v == moment.everything and words[0] == self._sample()
+                self.sampled = v == moment.everything and words[0] == self.plan.sampled()
             self.found += words
         update(self.board, self.wanted)
         self.found += self.board.taken()
         return renamed(self.found)
 
-    def _sample(self) -> Op:
-        return op("bus", (self.plan.scratch,), ("PIX",))
-
     def _fall(self, bucket: int) -> tuple[Op, ...]:
-        """register += PIX - reference, or := where it is empty."""
-        register, scratch = self.plan.bucket_registers[bucket], self.plan.scratch
-        first = self._sample()
-        if not self.moment.copies[bucket]:
-            first = op("bus", (scratch,), (register, "PIX"))
-        return first, op("bus", (register,), (scratch, self.plan.reference))
+        """register += PIX - reset level, or := where it is empty."""
+        plan, register = self.plan, self.plan.bucket_registers[bucket]
+        first = plan.sampled() if self.moment.copies[bucket] else plan.sampled(register)
+        return first, op("bus", (register,), plan.scratched)
 
     def _rise(self, bucket: int) -> tuple[Op, ...]:
-        """register -= PIX - reference."""
-        register, scratch = self.plan.bucket_registers[bucket], self.plan.scratch
-        first = op("bus", (scratch,), (register, self.plan.reference))
-        return first, op("bus", (register,), (scratch, "PIX"))
+        """register -= PIX - reset level."""
+        plan, register = self.plan, self.plan.bucket_registers[bucket]
+        return plan.kept(register), op("bus", (register,), (plan.scratch, "PIX"))
 
     def _compare(self) -> None:
         """Brings the outcome of each comparison into a register, that of the last one into FLAG."""
@@ -187,7 +181,7 @@ class _Moment:
             elif self.target.where_obeys_flag:
                 self.found.append(op("all"))
             self.found.append(SetIn(comparison.level))
-            self.found.append(op("where", (), (self.plan.scratch, self.plan.reference, "IN")))
+            self.found.append(op("where", (), (*self.plan.scratched, "IN")))
             self.board.values[FLAG] = moment.below(number)
             if position + 1 < len(order):
                 self.board.keep(FLAG)
@@ -195,21 +189,21 @@ class _Moment:
                 del self.board.values[FLAG]
 
     def _take_signal(self, comparison: Comparison) -> None:
-        """Brings -signal - reference into the scratch register of every pixel."""
+        """Brings -signal into the scratch register of every pixel, or what adds up to it."""
         self.found.append(op("all"))
         if comparison.signal == LIGHT:
-            self.found.append(self._sample())
+            self.found.append(self.plan.sampled())
             self.sampled = True
             return
-        moment, scratch, bucket = self.moment, self.plan.scratch, comparison.signal
+        moment, bucket = self.moment, comparison.signal
         register = self.plan.bucket_registers[bucket]
         opens = self.plan.machine.opens[moment.before, bucket, moment.boundary - 1]
-        running = op("bus", (scratch,), (register, "PIX"))
+        running = self.plan.sampled(register)
         self.sampled = False
         if opens.all():
             self.found.append(running)
             return
-        self.found.append(op("bus", (scratch,), (register, self.plan.reference)))
+        self.found.append(self.plan.kept(register))
         if opens.any():
             made = self.board.load(vector(np.flatnonzero(opens)))
             if made is None:

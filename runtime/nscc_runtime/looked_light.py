@@ -41,8 +41,9 @@ LIGHT, DEVIATION = "light_e_per_s", "light_sd_e_per_s"
 OPEN = "open_slots"
 """The key of how many slots each bucket was open (buckets, rows, cols)."""
 
-_READS, _WORDS = 2, 4
-"""An exposure is PIX less its reset level: each is read once, and copied by two words."""
+_READS, _WORDS = 2, 3
+"""An exposure is PIX less its reset level: each is read once, and three words bring them together,
+four where shutters open again."""
 _PIXELS = np.arange(4096, dtype=np.int64)
 """Of a chip, for the mean and the spread of what differs from pixel to pixel."""
 
@@ -135,7 +136,7 @@ def light_of(
     step_e = sensor.electrons_per_lsb
     read_e = (frame.frame.astype(np.float64) - sensor.adc_offset_lsb) * step_e
     gain = _gain(container, sensor, effects, open_us, frame_us)
-    held_e = _unbent(read_e, sensor, effects)
+    held_e = _unbent(read_e, sensor, effects) - _offset_e(container, sensor, effects)
     open_s = np.where(open_us > 0, open_us, np.nan) * 1e-6
     dark_e = _dark_e_per_s(sensor, effects) * open_s
     electrons = held_e / gain
@@ -144,6 +145,15 @@ def light_of(
     deviation = np.where(frame.saturated, np.inf, np.sqrt(variance) / open_s)
     deviation[np.isnan(open_s)] = np.nan
     return {LIGHT: light_e / open_s, DEVIATION: deviation}
+
+
+def _offset_e(container: Container, sensor: Sensor, effects: Selection) -> float:
+    """The mean error of the words of an exposure: three of one copy, of which each adds its own.
+    Of four, with the reset level copied twice, they cancel."""
+    words = effects.part(WordGain)
+    if words is None or container.notes.get("lowering") != "latch":
+        return 0.0
+    return float(_WORDS * words.mean_e(sensor))
 
 
 def _gain(
