@@ -22,7 +22,6 @@ from nscc_cli.tradeoff_files import output_files, write_files
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
-    from nscc_runtime.sensor import Sensor
     from nscc_runtime.tradeoff.study import Scene, Settings, Study
 
 
@@ -36,7 +35,8 @@ if TYPE_CHECKING:
 @shared.csv_options
 @click.option("--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e",
               show_default=True,
-              help="Tolerances to plan for: electrons (5e) or codes (0.1lsb).")  # fmt: skip
+              help="Tolerances to plan for: electrons (5e), codes (0.1lsb), or a part of each "
+              "scene's mean signal (1%).")  # fmt: skip
 @click.option("--budget", metavar="T", default="5e", show_default=True,
               help="The tolerance whose plans are shown effect by effect.")  # fmt: skip
 @click.option("--frames", type=click.IntRange(2, 1000), default=2, show_default=True,
@@ -65,7 +65,7 @@ def command(program: Path | None, **options: Any) -> int:
     files = output_files(options, "calibration", "budget")
     container, messages = _container(program, options)
     sensor = sensor_of(container.target, options)
-    settings = _settings(options, sensor)
+    settings = _settings(options)
     scenes = _scenes(container, options, messages)
     made = Program.of(container, sensor)
     gb_per_s = copy_gb_per_s()
@@ -92,15 +92,13 @@ def _container(
     return with_pixels(made, path, options["pixels"]), ()
 
 
-def _settings(options: dict[str, Any], sensor: Sensor) -> Settings:
-    from nscc_runtime.planner.tolerance import tolerance_e
+def _settings(options: dict[str, Any]) -> Settings:
     from nscc_runtime.tradeoff.study import Settings
 
-    asked = {tolerance_e(part, sensor) for part in options["tolerances"].split(",")}
     named = ("frames", "repeats", "seed", "device_seed")
     return Settings(
-        tuple(sorted(asked)),
-        tolerance_e(options["budget"], sensor),
+        tuple(options["tolerances"].split(",")),
+        options["budget"],
         *(options[name] for name in named),
     )
 

@@ -41,6 +41,7 @@ from nscc_runtime.planless import planless
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.pool import processors
+from nscc_runtime.planner.tolerance import Given, Tolerance
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.fit import FITS, Fit
 from nscc_runtime.scenes.load import FramesAre
@@ -73,11 +74,11 @@ def capture(
     or numbers by name, as {"full_well_e": 20000}; by default that of the program's chip.
 
     `effects`: "none" (the default: exact sums of light), "auto", "all" or names, as `nscc run
-    --effects`; "auto" is meant where only a `tolerance` ("5e", "0.1lsb" or electrons), a `plan` or
-    an `audit` is given. A plan is one of `nscc_runtime.plan`, or a file of one, which is written
-    where there is none. `fidelity` "reference" executes words slot by slot. `seed` is that of a
-    frame's noise, `device_seed` of fixed patterns. `threads`, by default as many as there are
-    processors, change no bit.
+    --effects`; "auto" is meant where only a `tolerance` ("5e", "0.1lsb", "1%" of the mean
+    signal, or electrons), a `plan` or an `audit` is given. A plan is one of `nscc_runtime.plan`, or
+    a file of one, which is written where there is none. `fidelity` "reference" executes words slot
+    by slot. `seed` is that of a frame's noise, `device_seed` of fixed patterns. `threads`, by
+    default as many as there are processors, change no bit.
 
     Raises Rejected: WrongArgument for other kinds of values, NS0730 to NS0740 for light that does
     not fit or is none, NS0739 for options that exclude each other, NS0442 and NS0741 for programs
@@ -144,7 +145,7 @@ def plan(
     *,
     sensor: SensorLike = None,
     effects: str | Selection = "auto",
-    tolerance: str | float = Request.tolerance,
+    tolerance: Given = Request.tolerance,
     device_seed: int = Request.device_seed,
 ) -> Plan:
     """What of the sensor's effects a capture would simulate, and how wrong that makes it.
@@ -152,7 +153,6 @@ def plan(
     Arguments as of `capture`, which takes the plan for this scene and others. Nothing is exposed.
     """
     from nscc_runtime.emulator.capture import check
-    from nscc_runtime.planner.tolerance import tolerance_e
     from nscc_runtime.planning import planning_of
 
     call = "nscc_runtime.plan"
@@ -166,8 +166,8 @@ def plan(
     if container.target.streamed:
         raise planless(call)
     warn(said)
-    allowed_e = tolerance_e(request.tolerance, chip)
-    return planning_of(container, chip, scene, device_seed).plan(allowed_e, request.effects)
+    planning = planning_of(container, chip, scene, device_seed)
+    return planning.plan(request.tolerance, request.effects)
 
 
 def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
@@ -246,8 +246,8 @@ def _text(call: str, name: str, value: object, count: int) -> str | None:
     return ",".join(f"{number(call, name, each):.17g}" for each in given)
 
 
-def _tolerance(call: str, tolerance: object) -> str | float | None:
-    if tolerance is None or isinstance(tolerance, str):
+def _tolerance(call: str, tolerance: object) -> Given | None:
+    if tolerance is None or isinstance(tolerance, str | Tolerance):
         return tolerance
     return number(call, "tolerance", tolerance)
 

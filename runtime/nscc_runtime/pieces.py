@@ -55,7 +55,7 @@ def simulate_scene(
 
     The pieces are exposed on the same chip, with the same fixed patterns, one frame after the
     other: their noise has the seeds `request.seed`, and so on. Plan and audit are those of the
-    piece that is furthest off.
+    piece that is furthest off; a tolerance that is a part of the mean signal is of that of all.
     """
     listener = listener or Listener()
     where = scene[0].where
@@ -64,6 +64,7 @@ def simulate_scene(
     one = listener
     if len(lights) > 1:
         _refuse_once(request)
+        request = _for_all(container, lights, sensor, request)
         one = replace(listener, progress=unseen)
         numbered = listener.progress(numbered, "exposing pieces", len(lights))
     made = [
@@ -81,6 +82,25 @@ def simulate_scene(
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
     simulated = replace(worst, frame=frame, broken=broken)
     return Taken(simulated, where.widened(container), light, about, container, where)
+
+
+def _for_all(
+    container: Container, lights: Sequence[Light], sensor: Sensor, request: Request
+) -> Request:
+    """The request with one tolerance for all the lights, which are of one size."""
+    if not request.planned or container.target.streamed:
+        return request
+    from nscc_runtime.emulator.capture import check
+    from nscc_runtime.planner.tolerance import tolerance_of
+    from nscc_runtime.planning import planning_of
+
+    def signal_e() -> float:
+        for light in lights:
+            check(container, light)
+        each = (planning_of(container, sensor, one, request.device_seed) for one in lights)
+        return sum(one.signal_e() for one in each) / len(lights)
+
+    return replace(request, tolerance=tolerance_of(request.tolerance, sensor, signal_e))
 
 
 def _refuse_once(request: Request) -> None:

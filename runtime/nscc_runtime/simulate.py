@@ -27,6 +27,7 @@ from nscc_runtime.timings import Timings
 if TYPE_CHECKING:  # a frame without effects starts without the planner
     from nscc_runtime.planner.audit import Audit
     from nscc_runtime.planner.plan import Plan
+    from nscc_runtime.planner.tolerance import Given
 
 Fidelity = Literal["planned", "reference"]
 
@@ -35,16 +36,17 @@ Fidelity = Literal["planned", "reference"]
 class Request:
     """How to expose a scene.
 
-    With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, or electrons) by a plan: the
-    one given, that of a file, or one made now, whose text is given back if `plan` names a file that
-    does not exist. Otherwise words are executed slot by slot, without effects or with all of
-    `effects` exactly. `audit` compares a plan's frames with that reference. `repeat` frames, or one
-    (None). `threads`, by default as many as there are processors, change no bit.
+    With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal, or
+    electrons) by a plan: the one given, that of a file, or one made now, whose text is given back
+    if `plan` names a file that does not exist. Otherwise words are executed slot by slot, without
+    effects or with all of `effects` exactly. `audit` compares a plan's frames with that reference.
+    `repeat` frames, or one (None). `threads`, by default as many as there are processors, change no
+    bit.
     """
 
     effects: Selection
     planned: bool = True
-    tolerance: str | float = "5e"
+    tolerance: Given = "5e"
     audit: bool = False
     plan: Plan | Path | None = None
     seed: int = 0
@@ -57,7 +59,7 @@ class Request:
         cls,
         *,
         effects: str | Selection | None = None,
-        tolerance: str | float | None = None,
+        tolerance: Given | None = None,
         plan: Plan | Path | None = None,
         audit: bool = False,
         fidelity: Fidelity = "planned",
@@ -230,11 +232,9 @@ def _planned(
     """By a plan: made here, or read from its file."""
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.plan_file import plan_text, read_plan
-    from nscc_runtime.planner.tolerance import tolerance_e
     from nscc_runtime.planning import planning_of
 
     timings, device_seed = listener.timings, request.device_seed
-    tolerance = tolerance_e(request.tolerance, sensor)
     planning = planning_of(container, sensor, light, device_seed, request.threads)
     _say_compiling(listener, planning.compiled, "planner")
     check(container, light)
@@ -247,7 +247,7 @@ def _planned(
         if file is not None and given:
             plan = planning.predicted(read_plan(file, digest, sensor))
         elif request.plan is None or isinstance(request.plan, Path):
-            plan = planning.plan(tolerance, request.effects)
+            plan = planning.plan(request.tolerance, request.effects)
         else:
             assert not isinstance(request.plan, Path)
             plan = request.plan

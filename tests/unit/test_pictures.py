@@ -121,7 +121,7 @@ def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[
             for m, s, e, t in methods
         )
         asked = tuple(
-            Asked(plan(t, 0.8 * t), 0.9 * t if number else 2e-12, 0.0)
+            Asked(f"{t:g}e", plan(t, 0.8 * t), 0.9 * t if number else 2e-12, 0.0)
             for number, t in enumerate(tolerances)
         )
         return Study(name, points, asked, 300.0, 2.5, 5e-3, plan(5.0, 3.3, effects), ())

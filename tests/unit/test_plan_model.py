@@ -8,6 +8,7 @@ import math
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -18,28 +19,69 @@ from nscc.target.load import builtin_target
 from nscc_runtime.effects import optional, registered
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.planner.plan import Approximation, Plan
-from nscc_runtime.planner.tolerance import LEAST_E, tolerance_e
+from nscc_runtime.planner.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
 from nscc_runtime.sensor import default_sensor
 
 SENSOR = default_sensor(builtin_target("scamp5")).changed(electrons_per_lsb=100.0)
 
 
+def tolerance(given: str | float, signal_e: float | None = None) -> Tolerance:
+    """Where a scene's signal is asked for that is not given, the test fails."""
+
+    def signal() -> float:
+        assert signal_e is not None
+        return signal_e
+
+    return tolerance_of(given, SENSOR, signal)
+
+
 @given(st.floats(LEAST_E, MOST_E))
 def test_electrons_are_electrons(value: float) -> None:
-    assert tolerance_e(f"{value!r}e", SENSOR) == tolerance_e(value, SENSOR) == value
-    assert tolerance_e(f" {value!r} e ", SENSOR) == value
+    assert tolerance(f"{value!r}e").electrons == tolerance(value).electrons == value
+    assert tolerance(f" {value!r} e ").electrons == value
 
 
 @given(st.floats(LEAST_E, MOST_E / 100))
 def test_codes_are_so_many_electrons(value: float) -> None:
-    assert tolerance_e(f"{value!r}lsb", SENSOR) == value * 100.0
+    assert tolerance(f"{value!r}lsb").electrons == value * 100.0
 
 
-@pytest.mark.parametrize("text", ["5e", "5.e", ".5e1e", "5e0e", "05e", "1e2lsb", "5E0e"])
+@given(st.floats(1e-3, 1e3), st.floats(1e-3, 1e9))
+def test_percentages_are_parts_of_the_signal(value: float, signal_e: float) -> None:
+    found = tolerance(f" {value!r} %", signal_e)
+    assert found.electrons == pytest.approx(signal_e * value / 100)
+    assert found == Tolerance(f"{value!r}%", found.electrons, signal_e)
+
+
+@given(st.floats(LEAST_E, MOST_E) | st.floats(1e-3, 1e3).map(lambda x: f"{x!r}%"))
+def test_what_is_told_of_a_tolerance_is_a_way_to_ask_for_it(given: str | float) -> None:
+    found = tolerance(given, 700.0)
+    assert tolerance(found.text, 700.0) == found
+    assert tolerance_of(found, SENSOR, lambda: math.nan) is found
+
+
+@pytest.mark.parametrize("signal_e", [0.0, -1.0, math.nan])
+def test_a_part_of_no_signal_is_refused_and_electrons_are_offered(signal_e: float) -> None:
+    with pytest.raises(Rejected) as caught:
+        tolerance("1%", signal_e)
+    [said] = caught.value.diagnostics
+    assert (said.code, caught.value.status) == ("NS0746", 2)
+    assert "1% of this scene is nothing" in said.message
+    assert "--tolerance 5e" in said.helps[0]
+
+
+def test_a_signal_is_the_mean_size_within_the_well() -> None:
+    full_e = SENSOR.values["full_well_e"]
+    found = mean_signal_e(np.array([[100.0, -300.0, math.inf], [10 * full_e, math.nan, 0]]), SENSOR)
+    assert found == pytest.approx((100 + 300 + 2 * full_e) / 5)
+    assert mean_signal_e(np.full((1, 2), math.nan), SENSOR) == 0.0
+
+
+@pytest.mark.parametrize("text", ["5e", "5.e", ".5e1e", "5e0e", "05e", "1e2lsb", "5E0e", "5e1%"])
 def test_ways_to_write_it(text: str) -> None:
-    unit = "lsb" if text.endswith("lsb") else "e"
-    number = float(text.removesuffix(unit))
-    assert tolerance_e(text, SENSOR) == number * (100.0 if unit == "lsb" else 1.0)
+    [unit] = [unit for unit in ("lsb", "%", "e") if text.endswith(unit)]
+    size = {"e": 1.0, "lsb": 100.0, "%": 7.0}[unit]
+    assert tolerance(text, 700.0).electrons == float(text.removesuffix(unit)) * size
 
 
 @pytest.mark.parametrize(
@@ -47,13 +89,14 @@ def test_ways_to_write_it(text: str) -> None:
     [
         "", "e", "lsb", "5", "5 electrons", "-5e", "+5e", "0e", "0.0lsb", "nan e", "inf e", "infe",
         "1e999e", "5e5e5e", "1..2e", ".e", "5,5e", "0x5e", "5LSB", "5e\x00", "\u0665e", "5e lsb",
-        "1e-400e", "1e-10e", "1e16e", "1e200e", "1e14lsb", 1e-320, 1e200, 0, -1, math.nan,
+        "1e-400e", "1e-10e", "1e16e", "1e200e", "1e14lsb", "%", "0%", "-1%", "1 %%", "1%e",
+        "1e-99%", "1e99%", "1e999%", 1e-320, 1e200, 0, -1, math.nan,
         math.inf, "9" * 5000 + "e",
     ],
 )  # fmt: skip
 def test_what_is_no_tolerance(text: str | float) -> None:
     with pytest.raises(Rejected) as caught:
-        tolerance_e(text, SENSOR)
+        tolerance(text, 700.0)
     [said] = caught.value.diagnostics
     assert (said.code, caught.value.status) == ("NS0746", 2)
     assert len(said.message) < 120
@@ -62,7 +105,7 @@ def test_what_is_no_tolerance(text: str | float) -> None:
 @given(st.text())
 def test_any_text_is_a_tolerance_or_is_refused(text: str) -> None:
     try:
-        found = tolerance_e(text, SENSOR)
+        found = tolerance(text, 700.0).electrons
     except Rejected as rejected:
         assert [said.code for said in rejected.diagnostics] == ["NS0746"]  # noqa: PT017
     else:
@@ -74,7 +117,7 @@ numbers = st.floats(0, 1e9)
 
 @st.composite
 def plans(draw: st.DrawFn) -> Plan:
-    base = plan_of("all")
+    base, asked = plan_of("all"), draw(st.sampled_from(["", "5e", "0.1lsb", "1%"]))
     decisions = tuple(
         replace(
             each,
@@ -94,6 +137,7 @@ def plans(draw: st.DrawFn) -> Plan:
         draw(st.floats(0, 1)),
         tuple(draw(st.lists(st.builds(Approximation, st.text(max_size=9), numbers), max_size=3))),
         decisions, draw(st.integers(1, 8)), draw(st.booleans()),
+        tolerance=asked, signal_e=draw(numbers) if asked == "1%" else None,
     )  # fmt: skip
 
 

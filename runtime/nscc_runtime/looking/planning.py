@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from nscc.words.container import Container
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
@@ -19,6 +19,7 @@ from nscc_runtime.looking.ways import Ways
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.pool import processors
+from nscc_runtime.planner.tolerance import Given, mean_signal_e, tolerance_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,13 +45,22 @@ class PlanningByWays:
     def _ways(self) -> Ways:
         return ways_of(self.container, self.sensor)
 
-    def plan(self, tolerance_e: float, effects: Selection) -> Plan:
+    def signal_e(self) -> float:
+        """The mean signal of a frame: see `nscc_runtime.planner.tolerance.mean_signal_e`."""
+        [frame] = frames(
+            self.container, self.light, self.sensor, selected("none"),
+            device_seed=self.device_seed, threads=self.threads,
+        )  # fmt: skip
+        return mean_signal_e(frame.exposure_e, self.sensor)
+
+    def plan(self, tolerance: Given, effects: Selection) -> Plan:
         """The cheapest plan within the tolerance."""
-        return plan_for(self._ways, self.light, tolerance_e, effects)
+        allowed = tolerance_of(tolerance, self.sensor, self.signal_e)
+        return plan_for(self._ways, self.light, allowed.electrons, effects).asked(allowed)
 
     def predicted(self, plan: Plan) -> Plan:
         """What the decisions of a plan for another scene make of this one."""
-        return predicted_for(self._ways, self.light, plan)
+        return predicted_for(self._ways, self.light, plan.on(self.sensor, self.signal_e))
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
         """Frames 0 .. `count` - 1 under a plan."""

@@ -63,7 +63,7 @@ def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int =
     made = chooser.plan("taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
-    return replace(made, decisions=decisions)
+    return replace(made, decisions=decisions, tolerance=plan.tolerance, signal_e=plan.signal_e)
 
 
 @dataclass(frozen=True, eq=False)

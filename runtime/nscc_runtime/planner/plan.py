@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import asdict, dataclass, is_dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, is_dataclass, replace
 from functools import cached_property
 from types import UnionType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
@@ -14,8 +14,9 @@ from nscc_runtime.effects import CannotHave, Selection, registered
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.registry import always_on
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.planner import leak_nodes
-from nscc_runtime.planner.tolerance import LEAST_E
+from nscc_runtime.planner.tolerance import LEAST_E, Tolerance, tolerance_of
 
 Choice = Literal["kept", "dropped", "absent"]
 Loop = Literal["none", "some", "all", "reference"]
@@ -74,7 +75,8 @@ class Plan:
     many rates of leakage the sums over slots are made. `closed`: whether the charge of closed slots
     is counted. `other_states`: of a program that looks, the part of the pixels that end in other
     states than with every effect, at most MOST_OTHER_STATES; errors are those of the other pixels.
-    As text a plan is the table that `nscc run` prints.
+    `tolerance`: what was asked, as text, empty where that is not known; `signal_e`: the mean signal
+    that it is a part of, or None. As text a plan is the table that `nscc run` prints.
     """
 
     tolerance_e: float
@@ -88,6 +90,8 @@ class Plan:
     leak_nodes: int = 1
     closed: bool = False
     other_states: float | None = None
+    tolerance: str = ""
+    signal_e: float | None = None
 
     def __repr__(self) -> str:
         kept = [each.name for each in self.decisions if each.decision == "kept"]
@@ -110,7 +114,7 @@ class Plan:
         lines = [
             columns(rows, left=(0, 3, 4)),
             f"predicted error {self.predicted_e:.3g} e (at most {self.bound_e:.3g}), "
-            f"tolerance {self.tolerance_e:.4g} e, from {self.sampled_fraction:.1%} of the pixels",
+            f"tolerance {self._allowed}, from {self.sampled_fraction:.1%} of the pixels",
         ]
         if self.other_states is not None:
             lines.append(
@@ -123,8 +127,27 @@ class Plan:
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
-        said = f"predicted error {self.predicted_e:.3g} e, tolerance {self.tolerance_e:.4g} e"
+        said = f"predicted error {self.predicted_e:.3g} e, tolerance {self._allowed}"
         return html.card("plan", said, html.plain(str(self)))
+
+    @property
+    def _allowed(self) -> str:
+        """The tolerance in electrons, and what else it was asked as."""
+        electrons = f"{self.tolerance_e:.4g} e"
+        if self.signal_e is not None:
+            return f"{electrons} ({self.tolerance} of the mean signal, {self.signal_e:.4g} e)"
+        return f"{electrons} ({self.tolerance})" if self.tolerance.endswith("lsb") else electrons
+
+    def asked(self, tolerance: Tolerance) -> Plan:
+        """The same plan, with the words in which its tolerance was asked."""
+        return replace(self, tolerance=tolerance.text, signal_e=tolerance.signal_e)
+
+    def on(self, sensor: Sensor, signal_e: Callable[[], float]) -> Plan:
+        """The plan for another scene, whose mean signal `signal_e` finds: its tolerance follows."""
+        if self.signal_e is None:
+            return self
+        allowed = tolerance_of(self.tolerance, sensor, signal_e)
+        return replace(self, tolerance_e=allowed.electrons).asked(allowed)
 
     @property
     def breach(self) -> str | None:
@@ -169,7 +192,9 @@ class Plan:
     def as_json(self) -> dict[str, Any]:
         """The plan as a frame file's `meta` has it."""
         return {
+            "tolerance": self.tolerance,
             "tolerance_e": self.tolerance_e,
+            "signal_e": self.signal_e,
             "predicted_e": self.predicted_e,
             "bound_e": self.bound_e,
             "slot_loop": self.slot_loop != "none",
@@ -184,6 +209,15 @@ class Plan:
         }
 
     @classmethod
+    def of_nothing(cls) -> Plan:
+        """The plan that simulates no effect."""
+        decisions = tuple(
+            Decision(effect.name, effect.kind, "dropped", True, "", None, None, None, 0.0)
+            for effect in registered()
+        )
+        return cls(0.0, 0.0, 0.0, "none", (), 0.0, (), decisions)
+
+    @classmethod
     def from_json(cls, values: Mapping[str, Any]) -> Plan:
         """The plan that `as_json` wrote; KeyError, TypeError or ValueError for anything else."""
         names = {"slot_loop": "slot_loop_pixels", "closed": "closed_slots_counted"}
@@ -194,6 +228,8 @@ class Plan:
             raise ValueError("its effects are not those of this version")
         if not LEAST_E <= plan.tolerance_e <= MOST_E:
             raise ValueError(f"tolerance_e is {plan.tolerance_e}")
+        if plan.tolerance.endswith("%") != (plan.signal_e is not None):
+            raise ValueError(f"signal_e is {plan.signal_e}")
         if not 1 <= plan.leak_nodes <= leak_nodes.MOST:
             raise ValueError(f"leak_nodes is {plan.leak_nodes}")
         return plan

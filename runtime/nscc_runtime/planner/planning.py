@@ -20,6 +20,7 @@ from nscc_runtime.planner.fused_loop import fused
 from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.tolerance import Given, mean_signal_e, tolerance_of
 
 
 class Planning(Protocol):
@@ -34,12 +35,17 @@ class Planning(Protocol):
         """Analyse the program. Raises Rejected where it cannot run."""
         ...
 
-    def plan(self, tolerance_e: float, effects: Selection) -> Plan:
-        """The cheapest plan within the tolerance."""
+    def signal_e(self) -> float:
+        """The mean signal of a frame: see `nscc_runtime.planner.tolerance.mean_signal_e`."""
+        ...
+
+    def plan(self, tolerance: Given, effects: Selection) -> Plan:
+        """The cheapest plan within the tolerance. Raises Rejected (NS0746) where that is none."""
         ...
 
     def predicted(self, plan: Plan) -> Plan:
-        """What the decisions of a plan for another scene make of this one."""
+        """What the decisions of a plan for another scene make of this one. A tolerance that is a
+        part of the signal is one of this scene's."""
         ...
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
@@ -49,6 +55,12 @@ class Planning(Protocol):
     def audit(self, plan: Plan, seed: int, count: int) -> Audit:
         """A plan's frames against the reference's."""
         ...
+
+
+def signal_of(program: Program, light: Light, threads: int | None = None) -> float:
+    """The mean signal of a frame: see `nscc_runtime.planner.tolerance.mean_signal_e`."""
+    exposed = prepared(program, light, Plan.of_nothing(), threads=threads)
+    return mean_signal_e(exposed.expected, program.sensor)
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,12 +86,19 @@ class PlanningBySums:
     def _program(self) -> Program:
         return made_ready(self.container, self.sensor)
 
-    def plan(self, tolerance_e: float, effects: Selection) -> Plan:
+    def signal_e(self) -> float:
         """See `Planning`."""
-        return plan_for(self._program, self.light, tolerance_e, effects, self.device_seed)
+        return signal_of(self._program, self.light, self.threads)
+
+    def plan(self, tolerance: Given, effects: Selection) -> Plan:
+        """See `Planning`."""
+        allowed = tolerance_of(tolerance, self.sensor, self.signal_e)
+        made = plan_for(self._program, self.light, allowed.electrons, effects, self.device_seed)
+        return made.asked(allowed)
 
     def predicted(self, plan: Plan) -> Plan:
         """See `Planning`."""
+        plan = plan.on(self.sensor, self.signal_e)
         return predicted_for(self._program, self.light, plan, self.device_seed)
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:

@@ -18,7 +18,9 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.choose import plan_for
 from nscc_runtime.planner.frames import planned_frames
 from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.planning import signal_of
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.tolerance import Tolerance, tolerance_of
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.tradeoff.naive import Naive, floor_ms
@@ -51,14 +53,15 @@ class Scene:
 
 @dataclass(frozen=True)
 class Settings:
-    """`tolerances_e` to plan for; `budget_e`, the one whose plan is shown effect by effect.
+    """`tolerances` to plan for; `budget`, the one whose plan is shown effect by effect. Parts of
+    the mean signal are of each scene's own.
 
     Errors are of `frames` frames taken together, at least 2 and as many as make 65536 pixels, up to
     64; times are medians of `repeats`.
     """
 
-    tolerances_e: tuple[float, ...] = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
-    budget_e: float = 5.0
+    tolerances: tuple[str | float, ...] = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
+    budget: str | float = 5.0
     frames: int = 2
     repeats: int = 5
     seed: int = 0
@@ -69,6 +72,7 @@ class Settings:
 class Asked:
     """A plan, what was asked of it and what came of it: root mean square errors, worst bucket."""
 
+    setting: str
     plan: Plan
     measured_e: float
     measured_lsb: float
@@ -113,7 +117,8 @@ def measure(
     is spread over all.
 
     Everything random has the seeds of `settings`: plan and reference draw the same numbers. The
-    program is analysed before and costs no method time. ValueError for less than 2 frames.
+    program is analysed before and costs no method time. ValueError for less than 2 frames; Rejected
+    (NS0746) for what is no tolerance, before anything is measured.
     """
     if settings.frames < 2 or settings.repeats < 1:
         raise ValueError(f"{settings.frames} frames, {settings.repeats} repeats")
@@ -146,9 +151,17 @@ class _Bench:
         self.naive = Naive(self.program, self.scene.light)
         ((counting, _),) = everything().having(CountedLight)
         self.counted = counting.name
+        self.budget, *found = map(self._allowed, (self.settings.budget, *self.settings.tolerances))
+        by_name = {each.name: each for each in found}
+        self.tolerances = sorted(by_name.values(), key=lambda each: each.electrons)
         rows, cols = self.scene.light.shape
         pooled = math.ceil(_POOLED / max(1, rows * cols))
         self.frames = max(self.settings.frames, min(pooled, _MOST_POOLED))
+
+    def _allowed(self, given: str | float) -> Tolerance:
+        return tolerance_of(
+            given, self.program.sensor, lambda: signal_of(self.program, self.scene.light)
+        )
 
     def warm(self) -> None:
         """Loads what a process loads once."""
@@ -175,9 +188,9 @@ class _Bench:
             self.errors[DRAWN, self.counted] = error(drawn, self.truth)
         except ValueError as wrong:
             self.missing.append((DRAWN, f"numpy cannot draw this light: {wrong}"))
-        for tolerance_e in settings.tolerances_e:
-            setting = f"{tolerance_e:g}e"
-            plan = self.plans[setting] = self._plan(tolerance_e)
+        for tolerance in self.tolerances:
+            setting = tolerance.name
+            plan = self.plans[setting] = self._plan(tolerance)
             found = error(list(self._planned(plan, count)), self.truth)
             self.errors[PLANNED, setting] = self.errors[WITH_PLANNING, setting] = found
 
@@ -186,9 +199,10 @@ class _Bench:
         self._timed(SUMMED, "none", self.naive.summed)
         if (DRAWN, self.counted) in self.errors:
             self._timed(DRAWN, self.counted, partial(self.naive.drawn, self.settings.seed))
-        for setting, plan in self.plans.items():
+        for tolerance in self.tolerances:
+            setting, plan = tolerance.name, self.plans[tolerance.name]
             begin = perf_counter()
-            self._plan(plan.tolerance_e)
+            self._plan(tolerance)
             planning_ms = (perf_counter() - begin) * 1e3
             self._timed(PLANNED, setting, partial(self._first, plan))
             last_ms = self.times_ms[PLANNED, setting][-1]
@@ -202,14 +216,16 @@ class _Bench:
             for i, unit in enumerate((ELECTRONS, LSB))
             for key in errors
         ]
-        asked = (Asked(plan, *errors[PLANNED, setting]) for setting, plan in self.plans.items())
+        asked = (
+            Asked(setting, plan, *errors[PLANNED, setting]) for setting, plan in self.plans.items()
+        )
         return Study(
             self.scene.name,
             tuple(sorted(points, key=lambda p: (p.error_unit != ELECTRONS, rank(p.method)))),
             tuple(asked),
             *errors[OTHER_DRAWS, "all"],
             floor_ms(light, gb_per_s),
-            self._plan(self.settings.budget_e),
+            self._plan(self.budget),
             tuple(self.missing),
         )
 
@@ -218,9 +234,9 @@ class _Bench:
         run()
         self.times_ms.setdefault((method, setting), []).append((perf_counter() - begin) * 1e3)
 
-    def _plan(self, tolerance_e: float) -> Plan:
+    def _plan(self, tolerance: Tolerance) -> Plan:
         light, seed = unknown(self.scene.light), self.settings.device_seed
-        return plan_for(self.program, light, tolerance_e, None, seed)
+        return plan_for(self.program, light, tolerance.electrons, None, seed).asked(tolerance)
 
     def _first(self, plan: Plan) -> Frame:
         return next(iter(self._planned(plan, 1)))

@@ -30,7 +30,7 @@ def studies_text(studies: Sequence[Study], gb_per_s: float) -> str:
 
 
 def _methods_text(study: Study) -> str:
-    asked = {f"{each.tolerance_e:g}e": each for each in study.asked}
+    asked = {each.setting: each for each in study.asked}
     electrons = [p for p in study.points if p.error_unit == ELECTRONS]
     lsb = {(p.method, p.setting): p.error for p in study.points if p.error_unit != ELECTRONS}
     beaten = dict(zip(map(id, study.points), dominated(study.points), strict=True))
@@ -41,7 +41,7 @@ def _methods_text(study: Study) -> str:
         rows.append(
             (
                 point.method if point.method != before else "",
-                point.setting,
+                point.setting if mine is None else _setting(mine),
                 "" if mine is None else f"{mine.plan.predicted_e:.3g}",
                 f"{point.error:.3g}",
                 f"{lsb[point.method, point.setting]:.3g}",
@@ -58,6 +58,12 @@ def _methods_text(study: Study) -> str:
     )
     missing = [f"no {method}: {why}" for method, why in study.missing]
     return "\n".join([head, columns(rows, (0, 1, 7), "  "), *missing])
+
+
+def _setting(asked: Asked) -> str:
+    """What was asked, with its electrons where those differ from scene to scene."""
+    part = asked.plan.signal_e is not None
+    return f"{asked.setting}, {asked.tolerance_e:.3g}e" if part else asked.setting
 
 
 def _remark(point: Point, asked: Asked | None, beaten: bool) -> str:

@@ -51,7 +51,7 @@ def _keys() -> tuple[Key, ...]:
         axis("at_us", Number(0.01, 1e6, automatic=True), "slots that a bench is captured with; "
              "auto: the shortest", None),
         axis("effects", Text(), "of the sensor, as --effects", "auto"),
-        axis("tolerance", Text(), "the error that a plan may make", "5e"),
+        axis("tolerance", Text(), "the error that a plan may make, as --tolerance", "5e"),
         axis("fidelity", Text(("planned", "reference")), "how words are executed", "planned"),
         axis("audit", Flag(), "measure how far the plan is from the reference", False),
         axis("device_seed", Integer(0, 2**31 - 1), "of fixed patterns", 0),
@@ -101,7 +101,7 @@ def _capture(values: Values, threads: int) -> Figures:
     shot = capture(
         container, scene_of(values), sensor=sensor_of(values, container.target),
         effects=values["effects"],
-        tolerance=values["tolerance"] if plans and container.machine is None else None,
+        tolerance=values["tolerance"] if plans else None,
         fidelity=values["fidelity"], audit=values["audit"], seed=values["seed"],
         device_seed=values["device_seed"], threads=threads,
     )  # fmt: skip
