@@ -5,8 +5,7 @@
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -280,10 +279,13 @@ STREAM_PASSES = (
 """The same for chips without logic, whose pixels decode nothing: there are no gates."""
 
 
-def passes_after(program: Program) -> Sequence[Pass]:
-    """The passes that follow the two that read a program."""
+def _passes(made: Mapping[str, Any]) -> Iterator[Pass]:
+    """What runs on a program, which the first two passes have read by the time that it counts."""
+    read = len(_READING)
+    yield from PASSES[:read]
+    program: Program = made["program"]
     chip = STREAM_PASSES if program.target.streamed else PASSES
-    return (chip if program.machine is None else LOOKING_PASSES)[len(_READING) :]
+    yield from (chip if program.machine is None else LOOKING_PASSES)[read:]
 
 
 Observer = Callable[[str, Any], None]
@@ -373,9 +375,7 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
     made: dict[str, Any] = {}
     messages: list[Diagnostic] = []
     value: Any = source
-    steps = deque(_READING)
-    while steps:
-        each = steps.popleft()
+    for each in _passes(made):
         value, found = each.run(value, job)
         made[each.name] = value
         see(each.name, value)
@@ -388,8 +388,6 @@ def _run(source: Source, job: Job, see: Observer) -> Compiled:
             return _compiled(made, [*messages, *map(fit.as_note, wrong)], fits=False)
         messages += found
         each.verify(value)
-        if each is _READING[-1]:
-            steps.extend(passes_after(value))
     return _compiled(made, messages, fits=True)
 
 

@@ -171,7 +171,7 @@ class _Moment:
     def _compare(self) -> None:
         """Brings the outcome of each comparison into a register, that of the last one into FLAG."""
         moment = self.moment
-        order = sorted(range(len(moment.comparisons)), key=lambda c: -moment.comparisons[c].signal)
+        order = self.plan.machine.order(moment.boundary) if moment.comparisons else []
         signal: int | None = None
         for position, number in enumerate(order):
             comparison = moment.comparisons[number]

@@ -112,7 +112,7 @@ class Looks:
             self.boundary = boundary
             self.now_us = start_us + float(boundary_us[boundary])
             looks = stage < len(machine.looks) and machine.looks[stage] == boundary
-            self.pending = [*range(len(machine.at(boundary)))] if looks else []
+            self.pending = machine.order(boundary) if looks else []
             while launch is not None and launch.instant == boundary:
                 self.level = launch.level if launch.level is not None else self.level
                 for word in self.kernels[launch.kernel]:

@@ -102,6 +102,13 @@ class Machine:
         """The comparisons of a boundary."""
         return tuple(each for each in self.comparisons if each.boundary == boundary)
 
+    def order(self, boundary: int) -> list[int]:
+        """The numbers of a boundary's comparisons in the order in which words make them. Where two
+        signals are the same light, as PIX and a bucket that is not closed yet, it alone tells
+        which of them a word compares."""
+        asked = self.at(boundary)
+        return sorted(range(len(asked)), key=lambda number: -asked[number].signal)
+
     def starts(self, stage: int) -> int:
         """The boundary at which a stage begins."""
         return 0 if stage == 0 else self.looks[stage - 1]

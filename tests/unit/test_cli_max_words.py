@@ -215,12 +215,13 @@ def test_the_shortest_slot_counts_launches_and_is_printed(tmp_path):
         busy[launch.instant] += kernel_cost(container.kernels[launch.kernel], container.target).us
         launched[launch.instant] += 1
     worst = max(range(1, 16), key=busy.__getitem__)
-    assert report["shortest_slot_us"] == pytest.approx(busy[worst])
+    shortest_us = busy[worst] + container.target.wait_us
+    assert report["shortest_slot_us"] == pytest.approx(shortest_us)
     assert report["launches"] == {
         "frame": len(container.launches),
         "shortest_slot": launched[worst],
         "us_each": container.target.launch_us,
     }
-    assert f"shortest legal slot {busy[worst]:.4g} us, with {launched[worst]} kernel" in outcome.err
+    assert f"shortest legal slot {shortest_us:.4g} us, with {launched[worst]} kernel" in outcome.err
     frame = f"frame 16 slots of {report['shortest_slot_us']:.6f}us"
     assert built(tmp_path, book_program(BOOK.tolist(), frame=frame))[1] is not None

@@ -92,7 +92,7 @@ def test_a_slot_too_short_for_the_light_is_proved():
     for name in ("b 1..N", "d", "e", "c len 4"):
         limit = limits[name, "1us"]
         assert limit.impossible == limit.family.least + 1
-        assert "analog words and one launch" in limit.impossible_reason
+        assert "analog words, one launch and the loop" in limit.impossible_reason
         assert limit.unknown_reason == ""
     assert limits["a", "1us"].impossible is None
 

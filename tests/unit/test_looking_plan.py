@@ -77,8 +77,11 @@ def test_the_promise_is_kept_and_foreseen(
     if report.measured_rms_e > 0.1 * tolerance:
         assert plan.predicted_e == pytest.approx(report.measured_rms_e, rel=0.25)
     assert report.std_ratio == pytest.approx(1.0, abs=0.02)
-    dropped = [each.name for each in plan.decisions if each.decision == "dropped"]
-    assert bool(dropped) == (full_wells < 1.0 or tolerance > 10.0)
+    dropped = {each.name for each in plan.decisions if each.decision == "dropped"}
+    if full_wells < 1.0 or tolerance > 10.0:
+        assert dropped
+    else:
+        assert dropped <= {"reset"}  # a quarter of an electron
     assert plan.slot_loop == "all"
 
 

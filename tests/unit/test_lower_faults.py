@@ -198,7 +198,7 @@ def test_what_check_cannot_tell():
 
 
 @pytest.mark.parametrize(
-    ("slot", "proved"), [("1us", True), ("1.39us", True), ("1.41us", False), ("1.7us", False)]
+    ("slot", "proved"), [("1us", True), ("2.39us", True), ("2.41us", False), ("2.7us", False)]
 )
 def test_slots_that_are_too_short(slot, proved):
     found = fault(f"frame 64 slots of {slot}\n{STOPS}", level=1)

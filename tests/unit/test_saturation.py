@@ -105,12 +105,13 @@ def test_of_a_chip_codes_alone_tell_it(lit: tuple[Container, np.ndarray], knee: 
     sensor = sensor_of(container, crosstalk_fraction=0.0, register_knee_fraction=knee)
     found = capture(container, still, sensor=sensor, effects="all", seed=2, device_seed=4)
     size = found.frame.shape
-    told = frame_of(found.frame.tobytes(), 1, size, sensor, container.target, container)
+    sent = found.frame.transpose(0, 2, 1).tobytes()  # column by column
+    told = frame_of(sent, 1, size, sensor, container.target, container)
     most = np.where(found.saturated, 0, found.frame).max()
     assert told.saturated[found.frame > most].all()
     assert (found.frame > most).mean() > 0.01
     assert (told.saturated & ~found.saturated).mean() < 0.03
-    blind = frame_of(found.frame.tobytes(), 1, size, sensor, container.target)
+    blind = frame_of(sent, 1, size, sensor, container.target)
     assert np.array_equal(blind.saturated, found.frame == 255)
 
 

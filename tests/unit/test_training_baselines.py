@@ -318,7 +318,6 @@ def test_what_does_not_pair_is_refused(tmp_path: Path) -> None:
         ),
         (["sci8", "square.mat", "--iterations", "0"], "NS0783"),
         (["sci8"], "NS0780"),
-        (["tables"], "NS0780"),
         (["tables", "--data", "none"], "NS0811"),
         (["tables", "--data", ".", "--runs", "none"], "NS0818"),
         (["tables", "--data", ".", "--results", "none"], "NS0807"),

@@ -48,6 +48,7 @@ def test_frames_are_those_of_run_like(run: nscc_training.Run, tmp_path: Path) ->
     assert np.percentile(bright.truth_e, 99) == pytest.approx(1e6, rel=1e-3)
 
 
+@pytest.mark.filterwarnings(r"ignore:warning\[NS0842\]")
 def test_what_is_there_in_the_dark_is_taken_away(run: nscc_training.Run, tmp_path: Path) -> None:
     taken = run.capture("builtin:hdr", effects="auto")
     dark = run.capture("builtin:dark", effects="auto", repeat=3)

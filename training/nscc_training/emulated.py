@@ -17,7 +17,7 @@ from torch import Tensor
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
-from nscc_runtime.effects.crosstalk import CROSSTALK, FRACTION
+from nscc_runtime.effects.parts import Exchange
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request, simulate
@@ -112,7 +112,8 @@ def emulated_sensor(
     dense = np.geomspace(first, last, 2 + int(np.log(last / first) / np.log(_DENSE)))
     light_e = np.concatenate([[0.0], weak, dense])
     code, spread = _measured(container, tile, light_e, sensor, chosen)
-    crosstalk = FRACTION(sensor) if CROSSTALK in chosen.effects else 0.0
+    exchange = chosen.part(Exchange)
+    crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
     levels, codes, spreads = (torch.from_numpy(each) for each in (light_e, code, spread))
     return EmulatedSensor(levels, codes, spreads, crosstalk)
 
