@@ -1,6 +1,7 @@
 # make demo       set up, compile every example, expose a still and a clip, say where the pictures are
 # make test       set up the test environment (torch included); lint, types and tests
 # make quick      lint and the tests of the compiler's front and of the house: within a minute
+# make test-pages what docs, messages and README show, run as it stands
 # make test-slow  the tests that take minutes
 # make docs       the site in build/site: runs the tutorials, draws the gallery; some minutes
 # make bench      measure: speed beside numpy, words of logic beside the best known; minutes
@@ -25,7 +26,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test quick test-slow bench docs linkcheck pictures vsix lint format types clean
+.PHONY: help demo test quick test-pages test-slow bench docs linkcheck pictures vsix lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -106,6 +107,10 @@ QUICK := tests/e2e/test_cases.py tests/e2e/test_imports.py \
 
 quick: lint
 	$(BIN)/pytest --quiet --numprocesses auto --dist loadgroup $(QUICK)
+
+# What pages show, run as it stands.
+test-pages: $(VENV)/.test-installed $(VENV)/.compiled
+	$(BIN)/pytest --numprocesses auto --dist loadgroup -m "pages and not slow"
 
 test-slow: $(VENV)/.test-installed $(VENV)/.compiled
 	$(BIN)/pytest --numprocesses auto --dist loadgroup -m slow

@@ -11,6 +11,8 @@ from typing import Any
 import pytest
 from nscc_command import invoke
 
+pytestmark = pytest.mark.pages
+
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = (
     "README.md",

@@ -15,6 +15,8 @@ from pathlib import Path
 import pytest
 from nscc_command import Outcome, invoke
 
+pytestmark = pytest.mark.pages
+
 ROOT = Path(__file__).resolve().parent.parent.parent
 PAGES = sorted((ROOT / "nscc/diagnostics/pages").glob("*.md"))
 SOURCES = sorted(

@@ -97,6 +97,7 @@ def test_compiles_an_example_and_says_what_running_needs(elsewhere: Path, root: 
         assert f"pip install 'nscc[{extra}]'" in refused.stderr
 
 
+@pytest.mark.slow
 def test_runs_an_example_with_what_the_extra_names(elsewhere: Path, root: Path) -> None:
     nscc = elsewhere / "venv" / "bin" / "nscc"
     program = root / "examples" / "hdr_2x2.nsl"

@@ -81,6 +81,7 @@ def test_ends_of_ranges_together(values: dict[str, bool], folder: Path) -> None:
     judge(folder, "--effects", "auto", *changes)
 
 
+@pytest.mark.slow
 @settings(max_examples=120)
 @given(option=st.sampled_from([*OPTIONS]), value=NUMBERS)
 @example(option="--tolerance", value="1e200")

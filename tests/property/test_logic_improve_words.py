@@ -40,6 +40,7 @@ def tables(draw):
     return (ends[0] <= n) & (n < ends[1])
 
 
+@pytest.mark.slow
 @given(
     tables(),
     st.sampled_from(LOWERINGS),

@@ -134,6 +134,7 @@ def test_long_frames_are_a_table_and_not_thousands_of_lines(codes: str, tmp_path
     assert len(written.splitlines()) < 1600
 
 
+@pytest.mark.slow
 @needs_compiler
 def test_every_slot_of_a_long_frame_is_repetition(tmp_path: Path) -> None:
     text = "nsl 1\nframe 4096 slots of 20us\nopen when n % 2 == 0 or n < 7\n"
@@ -192,6 +193,7 @@ def test_tiles_need_no_image_and_pictures_do(tmp_path: Path) -> None:
     assert not list(tiled.glob("*.bmp"))
 
 
+@pytest.mark.slow
 @needs_compiler
 def test_bits_that_fade_fast_are_refreshed_while_images_come(tmp_path: Path) -> None:
     chip = chip_file(tmp_path, 256, 256, digital_retention_us="120000.0")

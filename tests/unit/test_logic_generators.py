@@ -189,7 +189,7 @@ def test_every_family_serves_something():
     assert served == set(range(len(FAMILIES)))
 
 
-@pytest.mark.parametrize("level", [0, 1, 2])
+@pytest.mark.parametrize("level", [0, 1, pytest.param(2, marks=pytest.mark.slow)])
 def test_solutions_are_the_same_every_time(level):
     asked = problem("book", "edges")
     first = list(solutions(asked, MACHINES["scamp5"], level))

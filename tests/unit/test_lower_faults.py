@@ -73,6 +73,7 @@ def test_more_shutters_than_states(chip, text, codes, required, what):
     assert found.ways_out
 
 
+@pytest.mark.slow
 def test_a_large_codebook(tmp_path):
     found = fault(book_file(tmp_path, 8200, 20))
     assert (found.code, found.data["required"]) == ("NS0412", 14)
@@ -124,6 +125,7 @@ def test_ways_out_of_free_bits():
     assert offered[:2] == ["`--codes fixed`", "frame 13 slots"]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("slots", "code"), [(200, "NS0412"), (127, "NS0502")])
 def test_ways_out_of_bumps(slots, code):
     found = fault(f"frame {slots} slots of 1ms\n{BUMPS}")
@@ -135,6 +137,7 @@ def test_ways_out_of_bumps(slots, code):
         bump(most + 1)
 
 
+@pytest.mark.slow
 def test_a_codebook_of_random_rows_costs_no_more_than_its_stand_in(tmp_path):
     (text,) = (text for text in fault(E16).ways_out if text.startswith("`code id"))
     assert "pseudo-random" in text

@@ -55,7 +55,7 @@ def word_us(name, target):
 
 
 EVERY = [
-    pytest.param(name, chip, marks=[pytest.mark.slow] * (name == "b_many" and chip != CHIPS[0]))
+    pytest.param(name, chip, marks=[pytest.mark.slow] * (name == "b_many"))
     for name in TEXTS
     for chip in CHIPS
 ]

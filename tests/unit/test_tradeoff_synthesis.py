@@ -98,6 +98,7 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 def test_command_writes_table_csv_and_picture(folder: Path) -> None:
     arguments = ["tradeoff", "synthesis", "stops.nsl", "--repeats", "2", "-o", "out"]
     done = invoke(arguments, folder)
