@@ -171,7 +171,7 @@ class _Moment:
     def _compare(self) -> None:
         """Brings the outcome of each comparison into a register, that of the last one into FLAG."""
         moment = self.moment
-        order = self.plan.machine.order(moment.boundary) if moment.comparisons else []
+        order = self.plan.machine.order(moment.boundary)
         signal: int | None = None
         for position, number in enumerate(order):
             comparison = moment.comparisons[number]

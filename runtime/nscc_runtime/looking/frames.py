@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Scene
 from nscc_runtime.emulator.capture import check
 from nscc_runtime.frame_file import Frame, check_adc
 from nscc_runtime.light import Light
@@ -18,7 +17,7 @@ from nscc_runtime.looking.ways import Ways
 from nscc_runtime.planner.pool import processors
 from nscc_runtime.ready import MadeReady
 from nscc_runtime.reference.capture import scene_of
-from nscc_runtime.reference.looks import Executed, LookingReference, next_planes, told_frame
+from nscc_runtime.reference.looks import Exposing, LookingReference, film
 
 Planes = Mapping[str, NDArray[np.bool_]]
 
@@ -26,9 +25,7 @@ ways_of = MadeReady(Ways)
 """The ways of a program on a sensor."""
 
 
-def exposer(
-    ways: Ways, effects: Selection, threads: int = 1
-) -> Callable[[Scene, Planes, tuple[int, int], int, range | None], Executed]:
+def exposer(ways: Ways, effects: Selection, threads: int = 1) -> Exposing:
     """What exposes (scene, loaded, seeds, frame, rows) with these effects."""
     if ways.lacks(effects):
         return LookingReference(ways.container, ways.sensor, effects).expose
@@ -56,12 +53,4 @@ def frames(
     ways = ways_of(container, sensor)
     expose = exposer(ways, effects, processors() if threads is None else threads)
     scene = scene_of(container, light, previous)
-
-    def made() -> Iterator[Frame]:
-        loaded: Planes = container.planes()
-        for number in range(count):
-            executed = expose(scene, loaded, (seed, device_seed), number, None)
-            loaded = next_planes(container, loaded, executed.planes)
-            yield told_frame(container, executed, sensor, effects, (seed, device_seed), number)
-
-    return made()
+    return film(expose, container, scene, sensor, effects, (seed, device_seed), count)

@@ -12,7 +12,7 @@ Without effects every slot is added by itself, as the exposure is defined.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from math import inf
@@ -172,18 +172,23 @@ def looking_frames(
     check(container, light)
     reference = LookingReference(container, sensor, effects)
     scene = scene_of(container, light, previous)
-    return _frames(reference, scene, (seed, device_seed), count)
+    return film(reference.expose, container, scene, sensor, effects, (seed, device_seed), count)
 
 
-def _frames(
-    reference: LookingReference, scene: Scene, seeds: tuple[int, int], count: int
-) -> Iterator[Frame]:
-    container = reference.container
-    loaded = container.planes()
+Exposing = Callable[[Scene, Mapping[str, Bits], tuple[int, int], int, range | None], "Executed"]
+"""What exposes (scene, loaded, seeds, frame, rows) as `LookingReference.expose` does."""
+
+
+def film(
+    expose: Exposing, container: Container, scene: Scene, sensor: Sensor, effects: Selection,
+    seeds: tuple[int, int], count: int,
+) -> Iterator[Frame]:  # fmt: skip
+    """Frames 0 .. `count` - 1, one after the other: kept states go on from frame to frame."""
+    loaded: Mapping[str, Bits] = container.planes()
     for number in range(count):
-        executed = reference.expose(scene, loaded, seeds, number)
+        executed = expose(scene, loaded, seeds, number, None)
         loaded = next_planes(container, loaded, executed.planes)
-        yield told_frame(container, executed, reference.sensor, reference.effects, seeds, number)
+        yield told_frame(container, executed, sensor, effects, seeds, number)
 
 
 def told_frame(
