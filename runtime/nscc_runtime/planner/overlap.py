@@ -28,17 +28,16 @@ _NEIGHBOURS = (
 
 @dataclass(frozen=True, eq=False)
 class Overlap:
-    """Weights of own and neighbours' deviations in the exposures; see `smeared`."""
+    """Weights of the deviations of a group's counts in the exposures: of a pixel's `own` (buckets,
+    rows, cols), and of those of its `neighbours` above, below, left and right, the same of each.
+    """
 
-    fraction: float
-    shape: tuple[int, int]
     own: dict[int, Weights]
     neighbours: dict[int, tuple[Weights, ...]]
 
     @classmethod
     def of(
         cls,
-        fraction: float,
         lanes: NDArray[np.int32],
         slot_s: Values,
         weights: Values,
@@ -57,20 +56,7 @@ class Overlap:
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
             own[group] = means.T[:, lanes.reshape(-1)].reshape(-1, rows, cols).astype(np.float32)
             neighbours[group] = tuple(_pairs(seconds, parts, lanes, *each) for each in _NEIGHBOURS)
-        return cls(fraction, (rows, cols), own, neighbours)
-
-    def smeared(self, away: dict[int, Values]) -> Values:
-        """What deviations (pixels,) of the groups' counts make of exposures (buckets, pixels)."""
-        total: Values | float = 0.0
-        for group, flat in away.items():
-            each = flat.reshape(self.shape)
-            own = self.own[group] * each
-            total = total + own
-            for (to, source), weight in zip(_NEIGHBOURS, self.neighbours[group], strict=True):
-                total[(..., *to)] += self.fraction * (
-                    weight[(..., *to)] * each[source] - own[(..., *to)]
-                )
-        return np.asarray(total).reshape(len(next(iter(self.own.values()))), -1)
+        return cls(own, neighbours)
 
 
 def _pairs(
