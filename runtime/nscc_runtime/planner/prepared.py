@@ -26,6 +26,7 @@ from nscc_runtime.effects.parts import (
     WordGain,
 )
 from nscc_runtime.effects.selection import Selection
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.light import Light
 from nscc_runtime.planner import leak_nodes
@@ -40,6 +41,19 @@ _MOST_LIGHT = 1e36
 """Sums of float32 may have no end."""
 _SIGMAS = 6.0
 """How far from its mean a pixel is taken to come when it is asked whether it may saturate."""
+
+
+@dataclass(frozen=True)
+class _SmearedDark:
+    """The dark current of pixels (rows, cols) that exchange charge: fixed on a chip."""
+
+    dark: CountedDark
+    exchange: Exchange
+    shape: tuple[int, int]
+
+    def __call__(self, sensor: Sensor, device_seed: int, places: NDArray[np.int64]) -> Values:
+        current = self.dark.per_s(sensor, device_seed, places).reshape(self.shape)
+        return self.exchange.smeared(current, self.exchange.fraction(sensor)).reshape(-1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,8 +187,8 @@ class Prepared:
         if self.kept.part(CountedDark) is not None:
             current = self.current
             if exchange is not None:
-                shaped = current.reshape(self.light.shape)
-                current = exchange.smeared(shaped, self._fraction(exchange)).reshape(-1)
+                dark = self.kept.the(CountedDark)
+                current = self.device.fixed(_SmearedDark(dark, exchange, self.light.shape))
             weights = program.tables.weights(program.model(self.kept)).slots
             open_s = np.einsum("n,nlb->bl", program.slot_s, weights)
             found = found + current * open_s[:, program.lanes]

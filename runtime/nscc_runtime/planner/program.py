@@ -114,14 +114,14 @@ class Program:
         return {}
 
     @remembered
-    def overlap(self, model: Model) -> Overlap:
+    def overlap(self, model: Model, groups: tuple[int, ...]) -> Overlap:
         """How much of the neighbours' groups falls on a pixel's open slots; kept."""
         means = self.mean_weights(model)
         return Overlap.of(
             self.lanes.reshape(self.reference.groups.lane.shape),
             self.slot_s,
             self.tables.weights(model).slots,
-            {group: (self.members(group), means[group]) for group in means},
+            [(self.members(group), means[group]) for group in groups],
         )
 
     @remembered

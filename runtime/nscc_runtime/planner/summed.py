@@ -161,9 +161,8 @@ class Summed:
         weights = np.array([means[group].T for group in scene.counted]).reshape(shape)
         own = neighbours = _NONE_32
         if self._sizes["exchanges"]:
-            overlap = program.overlap(model)
-            own = np.array([overlap.own[group] for group in scene.counted])
-            neighbours = np.array([overlap.neighbours[group] for group in scene.counted])
+            overlap = program.overlap(model, tuple(scene.counted))
+            own, neighbours = overlap.own, overlap.neighbours
         return add_up.bound(
             lanes=program.lanes,
             expected=np.ascontiguousarray(scene.expected),
