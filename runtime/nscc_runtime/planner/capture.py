@@ -19,10 +19,10 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.planner.fused import Fused
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.pool import processors
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.summed import Readout, Summed
+from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, scene_of
 
 Values = NDArray[np.float64]
@@ -44,8 +44,9 @@ class Planned(Prepared):
             return Exposure(simple.exposure_e, simple.valid, simple.saturated_by)
         if self.plan.slot_loop == "reference":
             return self._reference.expose(
-                scene_of(self.program.container, self.light), seed, self.device_seed, frame
-            )
+                scene_of(self.program.container, self.light), seed, self.device_seed, frame,
+                self.threads,
+            )  # fmt: skip
         shape = (len(self.program.container.buckets), *self.light.shape)
         if self.plan.slot_loop == "all":
             found, marked = self._words(self.places, self.kept, seed, frame)
@@ -106,4 +107,4 @@ def prepared(
 ) -> Planned:
     """A scene made ready; raises Rejected as `nscc_runtime.emulator.expose` does."""
     check_size(program.container, light)
-    return Planned(program, light, plan, device_seed, processors() if threads is None else threads)
+    return Planned(program, light, plan, device_seed, threads_of(threads))

@@ -34,8 +34,8 @@ from nscc_runtime.planner.frame_loop import (
     convert,
     draw_counts,
 )
-from nscc_runtime.planner.pool import in_parts
 from nscc_runtime.planner.prepared import Prepared
+from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.noise import SUM
 
 Values = NDArray[np.float64]

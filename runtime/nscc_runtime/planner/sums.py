@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.planner import sum_loop
-from nscc_runtime.planner.pool import in_parts
 from nscc_runtime.planner.sum_loop import SceneSizes, SumSizes
+from nscc_runtime.pool import in_parts
 
 _MOST_ENTRIES = 1 << 23
 """Of tables in memory at once, unless a single one is larger."""
