@@ -14,7 +14,7 @@ from nscc_training.encoders.base import Codes, ShutterSpec
 _SIDE = 4
 """Rows and columns after which each of them repeats."""
 _RANKS = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])
-"""Bayer's order of 4 x 4 places: the four of each of its 2 x 2 blocks are a quarter of all apart."""
+"""Bayer's order of 4 x 4 places: those of each 2 x 2 block of it are a quarter of all apart."""
 
 Places = NDArray[np.int64]
 
