@@ -2,17 +2,30 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
+from nscc_command import invoke
 
 torch = pytest.importorskip("torch")
 
+from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.code_choices import ORDERED  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.design import Frame  # noqa: E402
+from nscc_training.design.motion import design_motion  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.loop import searching  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
-from nscc_training.search import MOVING, Motion, moved, told_db  # noqa: E402
+from nscc_training.search import (  # noqa: E402
+    MOVING,
+    Motion,
+    moved,
+    speeds_of,
+    texture_of,
+    told_db,
+)
 
 SPECS = {
     "b": ShutterSpec("b", 16, (4, 8)),
@@ -152,3 +165,49 @@ def test_a_search_keeps_within_its_words(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setattr(searching, "_words", lambda _parts, _codes: 3.0)
     searching.search(parts, None, 0)  # type: ignore[arg-type]
     assert parts.encoder.codes()["start"].sum() > before.sum()
+
+
+def moving(speed: float, seed: int = 0) -> np.ndarray:
+    """Light (16, 64, 96) of a texture that moves by `speed` pixels over the frame; by shifting its
+    phases, so that what is found is not found by what made it."""
+    noise = np.random.default_rng(seed).standard_normal((64, 96))
+    y, x = np.fft.fftfreq(64)[:, None], np.fft.fftfreq(96)[None]
+    smooth = np.fft.fft2(noise) * (y**2 + x**2 + 1e-3) ** -0.7
+    steps = np.exp(-2j * np.pi * x * speed / 16 * np.arange(16)[:, None, None])
+    clip = np.fft.ifft2(smooth * steps).real
+    return np.asarray(1000 * (1 + 0.3 * clip / clip.std()).clip(min=0))
+
+
+def test_speeds_are_those_of_the_scene() -> None:
+    for speed in (3.0, 16.0, 48.0):
+        assert np.median(speeds_of(moving(speed))) == pytest.approx(speed, rel=0.15)
+    still = np.broadcast_to(moving(0)[:1], (16, 64, 96))
+    assert max(speeds_of(still)) < 0.5
+    assert speeds_of(np.ones((4, 8, 8))) == (0.0,) * 5
+    fine, coarse = (np.kron(moving(0)[0], np.ones((k, k))) for k in (1, 4))
+    assert texture_of(coarse)[0] > 2 * texture_of(fine)[0]
+    assert texture_of(np.ones((1, 1))) == (1.0, 0.1)
+
+
+def test_the_design_follows_the_motion() -> None:
+    slow, fast = (
+        design_motion("scene", [moving(speed)], Frame(slots=16, level=0)) for speed in (2.0, 48.0)
+    )
+    assert slow.expected[slow.name] > slow.expected[fast.name]
+    assert fast.expected[fast.name] > fast.expected[slow.name]
+    assert design_motion("fast", frame=Frame(slots=16, level=0)).name == fast.name
+    assert "start <= n < start + len" in fast.text
+    many = design_motion("fast", frame=Frame(slots=16, level=0), most_words=20)
+    assert many.expected[many.name] > many.expected[fast.name]
+    with pytest.raises(Rejected, match="NS0843"):
+        design_motion("fast", frame=Frame(slots=16, level=0), most_words=0.5)
+
+
+def test_the_command_says_what_it_chose(tmp_path: Path) -> None:
+    done = invoke(["design", "--motion", "slow", "-O", "1"], tmp_path)
+    assert done.status == 0, done.err
+    assert "code      quad" in done.out
+    assert invoke(["check", "motion-slow.nsl"], tmp_path).status == 0
+    assert "NS0744" in invoke(["design", "--motion", "scene"], tmp_path).err
+    both = ["design", "--motion", "slow", "--looks", "4", "--scene", "builtin:hdr"]
+    assert invoke(both, tmp_path).status == 2

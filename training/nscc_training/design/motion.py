@@ -55,12 +55,12 @@ def design_motion(
     """The program of bumps in a 4 x 4 tile that tells most of light that moves as `kind` says, or
     as the `scenes` do: light (N or fewer parts, rows, cols), electrons in each.
 
-    Codes of more than `most_words` a slot are passed over. Raises Rejected: NS0844 where no code is
+    Codes of more than `most_words` a slot are passed over. Raises Rejected: NS0843 where no code is
     left, or `scene` names none, and as the compiler.
     """
     frame = frame or Frame(slots=16)
     if kind == "scene" and not scenes:
-        raise rejected("NS0844", "there is no scene whose motion could be looked at",
+        raise rejected("NS0843", "there is no scene whose motion could be looked at",
                        helps=("name one with --scene, or --motion slow or fast",))  # fmt: skip
     motions = [_motion(kind, scene, frame.chip()) for scene in scenes or (None,)]
     specs = _specs(frame.slots)
@@ -81,7 +81,7 @@ def design_motion(
             lines = _lines(name, expected, motions, passed)
             return MotionDesign(text, made, lines, name, expected)
     raise rejected(
-        "NS0844", f"no code for clips takes at most {most_words:g} words a slot here",
+        "NS0843", f"no code for clips takes at most {most_words:g} words a slot here",
         notes=(f"passed over: {'; '.join(passed)}",),
         helps=("allow more with --max-words, or take longer slots",),
     )  # fmt: skip

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 from math import log
 from typing import Any
 
@@ -14,13 +13,15 @@ Clip = NDArray[np.floating]
 _BLOCK = 32
 _LEAST_CONTRAST = 0.02
 """Blocks with less, standard deviation over mean, say nothing of motion."""
+_SEEN = 4.0
+"""Pixels that phases tell well, of blocks of this size."""
 _SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)
 """Speeds that stand for all: those that so much of the contrast stays below."""
 
 
 def speeds_of(clip: Clip) -> tuple[float, ...]:
-    """Five speeds in pixels over the whole clip (T, rows, cols) that stand for those of its blocks:
-    from the phase of blocks in frames that follow each other. Zeros for one frame, or none that
+    """Five speeds in pixels over the whole clip (T, rows, cols) that stand for those of its blocks,
+    from their phases. Zeros for one frame, or none that
     has any contrast."""
     import cv2
 
@@ -35,9 +36,8 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
                 contrast = float(block.std(axis=(1, 2)).mean() / max(block.mean(), 1e-30))
                 if contrast < _LEAST_CONTRAST:
                     continue
-                for one, other in pairwise(block):
-                    moves.append(_shift(cv2, one, other, window))
-                    weights.append(contrast)
+                moves.append(_speed(cv2, block, window))
+                weights.append(contrast)
     order = np.argsort(moves)
     share = np.cumsum(np.array(weights)[order])
     places = np.searchsorted(share / share[-1], _SHARES)
@@ -56,7 +56,19 @@ def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
     return float(np.clip(-1 / log(np.clip(alike, 0.1, 0.99)), 0.5, 50)), max(contrast, 0.1)
 
 
-def _shift(cv2: Any, one: NDArray[Any], other: NDArray[Any], window: NDArray[Any]) -> float:
-    """How far a block has moved, in pixels."""
-    (across, down), _ = cv2.phaseCorrelate(one, other, window)
-    return float(np.hypot(across, down))
+def _speed(cv2: Any, block: NDArray[np.float64], window: NDArray[Any]) -> float:
+    """How far a block (T, rows, cols) moves from frame to frame, in pixels: the median over its
+    frames; of what hardly moves, over as many of them as it takes to see it."""
+
+    def median(gap: int) -> float:
+        shifts = [
+            np.hypot(*cv2.phaseCorrelate(one, other, window)[0])
+            for one, other in zip(block, block[gap:], strict=False)
+        ]
+        return float(np.median(shifts)) / gap
+
+    last = len(block) - 1
+    if last < 1:
+        return 0.0
+    gap = int(_SEEN / max(median(1), _SEEN / last))
+    return median(max(1, gap))
