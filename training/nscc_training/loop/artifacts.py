@@ -79,7 +79,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
         "data range the patch's peak, without noise",
         "robustness": _robustness(parts, batches),
         "words_per_slot": words_per_slot(container_of),
-        "codes": _codes_report(parts),
+        "codes": _codes_report(parts, batches),
         "parameters": parameter_count(parts.decoder),
         "flops": flops(parts.decoder, parts.slots, side, side),
         "flops_size": [side, side],
@@ -206,14 +206,16 @@ def _robustness(parts: Parts, batches: Batches) -> list[dict[str, Any]]:
     return found
 
 
-def _codes_report(parts: Parts) -> dict[str, Any]:
-    """How many shutters there are, how far from dependent they are, and at how many places of the
-    tile they are not those that the run began with."""
+def _codes_report(parts: Parts, batches: Batches) -> dict[str, Any]:
+    """How many shutters there are, how far from dependent they are, at how many places of the tile
+    they are not those that the run began with, and what these alone are worth to the decoder."""
     if parts.encoder.spec.kind == LOOKS:
         return looking_codes(parts)
     chosen = parts.settings.shutter
-    start = started_encoder(chosen, parts.chip, parts.target, parts.settings.train.seed)
+    seed = parts.settings.train.seed
+    start = started_encoder(chosen, parts.chip, parts.target, seed)
     moved = (start.hard() != parts.encoder.hard().cpu()).any(dim=0)
+    alone = scored(parts, batches.val(), start.hard(), parts.model, seed)
     shutters = parts.encoder.hard().reshape(parts.slots, -1).T.double().cpu().numpy()
     distinct = np.unique(shutters, axis=0)
     system = solve(distinct, np.zeros(len(distinct)))
@@ -222,6 +224,7 @@ def _codes_report(parts: Parts) -> dict[str, Any]:
         "places": len(shutters),
         "start": chosen.init,
         "moved": int(moved.sum()),
+        "start_alone_psnr_db": decibels(alone.psnr_db),
         "shutters": len(distinct),
         "rank": system.rank,
         "condition": None if np.isinf(system.condition) else system.condition,
@@ -236,6 +239,12 @@ def _card(parts: Parts, scenes: Scenes, result: dict[str, Any]) -> str:
     def db(value: float | str) -> str:
         return value if isinstance(value, str) else f"{value:.2f}"
 
+    alone = ""
+    if result["codes"]["moved"] and "start_alone_psnr_db" in result["codes"]:
+        # Pixels that look have no such score: their report is another.
+        alone = (f"\nBehind this decoder the start alone gives "
+                 f"{db(result['codes']['start_alone_psnr_db'])} dB where these shutters give "
+                 f"{db(result['robustness'][0]['psnr_db'])}.")  # fmt: skip
     stages = " | ".join(db(result["stages"][k]) for k in ("soft", "hard", "compiled", "emulated"))
     rows = "\n".join(f"| {r['change']} | {db(r['psnr_db'])} |" for r in result["robustness"])
     return f"""# Model card
@@ -244,7 +253,7 @@ A decoder `{settings.decoder.name}` ({settings.decoder.sized}, {result["paramete
 and shutters of class {settings.shutter.kind} for `{settings.shutter.target}`: \
 {settings.shutter.slots} slots of {settings.shutter.slot_us:g} us, \
 {result["codes"]["shutters"]} shutters. Of {result["codes"]["places"]} places \
-{result["codes"]["moved"]} moved from the start, `{result["codes"]["start"]}`.
+{result["codes"]["moved"]} moved from the start, `{result["codes"]["start"]}`.{alone}
 
 * **For** {"stills of high dynamic range" if parts.still else "clips from one exposure"} as the
   protocol {parts.protocol.name} exposes them; `capture.toml` says how. Frames of another program

@@ -17,6 +17,7 @@ from nscc.target.target import Target
 from nscc_runtime.effects import selected
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training import programs
+from nscc_training.code_choices import STARTS
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import Task
 from nscc_training.decoders.make import make_decoder
@@ -25,7 +26,6 @@ from nscc_training.emulated import EmulatedSensor, emulated_sensor
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.looks import LOOKS
-from nscc_training.encoders.make import STARTS
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
