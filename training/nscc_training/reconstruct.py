@@ -33,7 +33,7 @@ from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.sensor_model import filled, laid
 
-_OF_MODEL = ("shot", "full_well", "adc_noise", "adc")
+_OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "adc")
 """Effects that training has without `[sensor] effects`."""
 _DARK_HELPS = ("`--dark FRAME` takes away what words and dark current add",)
 _BLOCK, _MARGIN = 256, 32

@@ -15,6 +15,7 @@ from torch import Tensor
 from torch.autograd import Function
 
 from nscc.target.target import Target
+from nscc_runtime.effects import everything
 from nscc_runtime.sensor import Sensor
 from nscc_training.draws import normal
 from nscc_training.encoders.base import Encoder
@@ -54,7 +55,7 @@ class SensorModel:
             electrons_per_lsb=sensor.electrons_per_lsb,
             adc_offset_lsb=sensor.adc_offset_lsb,
             adc_bits=target.code_bits,
-            adc_noise_lsb=sensor.adc_noise_lsb,
+            adc_noise_lsb=everything().converter_lsb(sensor),
             shot_noise=True,
         )
 
