@@ -73,6 +73,10 @@ class ShutterSettings:
         "learns them", 0.0,
     )  # fmt: skip
     target: str = key(Text(), "the chip: a name or a file, as --target takes it", "scamp5")
+    buckets: int = key(
+        Integer(1, 2),
+        "2: the light that a code leaves out goes to a second bucket, and none is lost (clips)", 1,
+    )  # fmt: skip
     require: str = key(Text(), "a condition that legal codes fulfil, as in a program (b, c, d)", "")
     codes: str = key(
         Text(("fixed", "open")), "open: every legal code must compile, not only those learned",

@@ -26,6 +26,7 @@ class ShutterSpec:
     `kind` is a, b, c, d, e, codebook or looks; `slots` N; `tile` (rows, cols) repeats over the
     array, and is the array itself for free codes. `length` is the bump of class c, `rows` the
     number of a codebook's shapes. Of looks the tile is (1, looks), `levels` the largest step of IN.
+    With two `buckets` the second has the light that the shutters leave out.
     """
 
     kind: str
@@ -34,6 +35,7 @@ class ShutterSpec:
     length: int | None = None
     rows: int | None = None
     levels: int | None = None
+    buckets: int = 1
 
     @property
     def places(self) -> int:

@@ -12,9 +12,8 @@ import numpy as np
 import torch
 
 from nscc import __version__
-from nscc.prove.replay import shutters as replayed
+from nscc.prove.shutters import shutters_of_pixels
 from nscc.words.container import Container
-from nscc.words.legality import decoded as decoded_words
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import sensor_sha256
@@ -29,7 +28,7 @@ from nscc_training.loop.steps import scored
 from nscc_training.measures import decibels
 from nscc_training.metrics import finite_mean, psnr
 from nscc_training.programs import CODES_FILE, compiled, program_of, words_per_slot
-from nscc_training.sensor_model import laid, read_out
+from nscc_training.sensor_model import laid, read_out, shared_out
 from nscc_training.settings import Settings
 
 _CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
@@ -81,7 +80,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
         "words_per_slot": words_per_slot(container_of),
         "codes": _codes_report(parts, batches),
         "parameters": parameter_count(parts.decoder),
-        "flops": flops(parts.decoder, parts.slots, side, side),
+        "flops": flops(parts.decoder, parts.slots, side, side, parts.buckets),
         "flops_size": [side, side],
         "files": {name: sha256(data).hexdigest() for name, data in sorted(files.items())},
     }
@@ -149,20 +148,16 @@ def _stages(parts: Parts, batches: Batches, container: Container) -> dict[str, A
     with torch.no_grad():
         soft = parts.encoder.shutters(None, soft=True)
     found: dict[str, Any] = {}
-    table = replayed(container, decoded_words(container))
-    assert table is not None
-    pixels = container.pixel_codes
-    lanes = container.table.shutter_of_code[pixels] if pixels is not None else np.zeros(
-        (container.target.rows, container.target.cols), np.int64
-    )  # fmt: skip
     rows, cols = parts.encoder.spec.tile
-    words = torch.from_numpy(
-        table[:, 0][lanes[:rows, :cols]].astype(np.float32).transpose(2, 0, 1).copy()
-    )
-    for name, shutters in (("soft", soft), ("hard", parts.encoder.hard()), ("compiled", words)):
+    packed = shutters_of_pixels(container)["shutter"][:, :rows, :cols]
+    opened = np.unpackbits(packed, axis=-1, count=parts.slots, bitorder="little")
+    words = torch.from_numpy(opened.astype(np.float32).transpose(0, 3, 1, 2).copy())
+    hard = parts.encoder.hard()
+    for name, shutters in (("soft", soft), ("hard", hard), ("compiled", words[0])):
         found[name] = decibels(scored(parts, val, shutters, ideal, seed).psnr_db)
     found["emulated"] = decibels(_emulated(parts, batches, container))
-    found["compiled_equals_hard"] = bool(torch.equal(words, parts.encoder.hard().cpu()))
+    wanted = shared_out(hard.cpu(), parts.buckets).reshape(words.shape)
+    found["compiled_equals_hard"] = bool(torch.equal(words, wanted))
     return found
 
 
@@ -186,6 +181,8 @@ def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
         else:
             light = Light.of_clip(whole)
         exposure = torch.from_numpy(expose(container, light).exposure_e[:, :down, :across].copy())
+        if parts.buckets > 1:
+            exposure = exposure[None]
         frame = ideal.relative(read_out(exposure, ideal) - ideal.adc_offset_lsb)
         shutters = laid(tile[:, :down, :across], down, across).to(parts.device)
         prediction = parts.decoder(frame.to(parts.device), shutters).float()

@@ -63,6 +63,11 @@ class Parts:
         """N."""
         return self.encoder.spec.slots
 
+    @property
+    def buckets(self) -> int:
+        """How many frames an exposure gives."""
+        return self.encoder.spec.buckets
+
     @cached_property
     def emulated(self) -> EmulatedSensor | None:
         """What the emulator makes of the shutters that the run began with, where `[sensor] effects`
@@ -102,14 +107,17 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     if chosen.kind == LOOKS:
         _check_looks(settings, still)
+    if chosen.buckets > 1:
+        _check_buckets(settings, still)
     sensor = default_sensor(target)
     if settings.sensor.file:
         path = Path(settings.sensor.file)
         files[programs.SENSOR_FILE] = read_sensor(path)
         sensor = parse_sensor(target, files[programs.SENSOR_FILE], str(path))
     task = Task(
-        "still" if still else "clip", chosen.slots, encoder.spec.tile, settings.decoder.sees_code
-    )
+        "still" if still else "clip", chosen.slots, encoder.spec.tile, settings.decoder.sees_code,
+        chosen.buckets,
+    )  # fmt: skip
     # Parameters of a decoder are drawn from torch's own generator: its state is nobody else's.
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
@@ -158,6 +166,7 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
         length=chosen.length if chosen.kind == "c" else None,
         rows=chosen.rows if chosen.kind == "codebook" else None,
         levels=most_steps(target, target.full_well_e) if chosen.kind == LOOKS else None,
+        buckets=chosen.buckets,
     )  # fmt: skip
     named = chosen.init in _STARTS
     start = {"learned": "quad"}.get(chosen.init, chosen.init) if named else "quad"
@@ -203,6 +212,18 @@ def _check_looks(settings: Settings, still: bool) -> None:
     if settings.shutter.words_weight:
         raise _wrong("shutter.words_weight", "every look takes as many words: there is nothing to "
                      "weigh")  # fmt: skip
+
+
+def _check_buckets(settings: Settings, still: bool) -> None:
+    """Rejected (NS0815) for what two buckets do not have in training."""
+    if settings.shutter.kind in ("a", LOOKS):
+        reason = f"class {settings.shutter.kind} has no light to leave to a second bucket"
+        raise _wrong("shutter.buckets", reason)
+    if still:
+        raise _wrong("shutter.buckets", "two are for clips: [data] protocol is two-bucket-v1")
+    if settings.sensor.effects:
+        raise _wrong("sensor.effects", "two buckets are learned under noise, full well and "
+                     "converter alone")  # fmt: skip
 
 
 def _loss(names: str) -> Loss:
