@@ -56,7 +56,7 @@ def _same_numbers() -> None:
 
 @pytest.fixture(scope="session", autouse=True)
 def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Search results are kept in a folder of this run, which its workers share; never the user's."""
+    """Search results lie in a folder of this run, which its workers share; never the user's."""
     run = tmp_path_factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
         run = run.parent
