@@ -267,4 +267,4 @@ class SampledScene:
         other = self.program.lanes[beside.place]
         if seen.shape[1] ** 2 <= len(other) * len(seen):
             return np.asarray((seen.T @ parts)[self.lanes, other])
-        return np.einsum("np,np->p", seen[:, self.lanes], parts[:, other])
+        return np.asarray(np.einsum("np,np->p", seen[:, self.lanes], parts[:, other]))
