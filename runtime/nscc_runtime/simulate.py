@@ -20,6 +20,7 @@ from nscc_runtime.effects import Selection, selected
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
+from nscc_runtime.planner.tolerance import DEFAULT, Given
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
@@ -27,7 +28,6 @@ from nscc_runtime.timings import Timings
 if TYPE_CHECKING:  # a frame without effects starts without the planner
     from nscc_runtime.planner.audit import Audit
     from nscc_runtime.planner.plan import Plan
-    from nscc_runtime.planner.tolerance import Given
 
 Fidelity = Literal["planned", "reference"]
 
@@ -36,17 +36,17 @@ Fidelity = Literal["planned", "reference"]
 class Request:
     """How to expose a scene.
 
-    With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal, or
-    electrons) by a plan: the one given, that of a file, or one made now, whose text is given back
-    if `plan` names a file that does not exist. Otherwise words are executed slot by slot, without
-    effects or with all of `effects` exactly. `audit` compares a plan's frames with that reference.
-    `repeat` frames, or one (None). `threads`, by default as many as there are processors, change no
-    bit.
+    With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal,
+    0.1noise of the frame's own, or electrons) by a plan: the one given, that of a file, or one made
+    now, whose text is given back if `plan` names a file that does not exist. Otherwise words are
+    executed slot by slot, without effects or with all of `effects` exactly. `audit` compares a
+    plan's frames with that reference. `repeat` frames, or one (None). `threads`, by default as many
+    as there are processors, change no bit.
     """
 
     effects: Selection
     planned: bool = True
-    tolerance: Given = "5e"
+    tolerance: Given = DEFAULT
     audit: bool = False
     plan: Plan | Path | None = None
     seed: int = 0

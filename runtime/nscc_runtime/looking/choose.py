@@ -16,11 +16,10 @@ import numpy as np
 from nscc_runtime.effects import AfterExposure, Effect, Selection, everything, registered, selected
 from nscc_runtime.effects.parts import Fading, Moving
 from nscc_runtime.effects.registry import always_on, optional
-from nscc_runtime.light import Light
 from nscc_runtime.looking.sample import Difference, Sample
-from nscc_runtime.looking.ways import Ways
 from nscc_runtime.planner.choose import MARGIN, after_exposure
 from nscc_runtime.planner.plan import MOST_OTHER_STATES, Choice, Decision, Plan
+from nscc_runtime.planner.tolerance import Tolerance
 
 _LEFT_OUT = 0.5
 """Effects are left out while this part of the most other states is predicted: a sample shows few
@@ -30,25 +29,19 @@ _REFERENCE_NS = 1000.0
 LOOKS = "pixels look at the light: each runs through the words that act in it"
 
 
-def plan_for(
-    ways: Ways,
-    light: Light,
-    tolerance_e: float,
-    effects: Selection | None = None,
-) -> Plan:
+def plan_for(sample: Sample, tolerance: Tolerance, effects: Selection | None = None) -> Plan:
     """As `nscc_runtime.planner.choose.plan_for`."""
-    return Chooser(Sample.of(ways, light), tolerance_e, effects or selected("auto")).plan()
+    return Chooser(sample, tolerance, effects or selected("auto")).plan()
 
 
-def predicted_for(ways: Ways, light: Light, plan: Plan) -> Plan:
-    """The same decisions for another scene: what they make wrong there."""
+def predicted_for(sample: Sample, plan: Plan, tolerance: Tolerance) -> Plan:
+    """The same decisions for another scene: what they make wrong there, of a tolerance there."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
     chosen = Selection(always_on() | on, frozenset(optional()))
-    chooser = Chooser(Sample.of(ways, light), plan.tolerance_e, chosen)
-    made = chooser.plan("taken from the plan given")
+    made = Chooser(sample, tolerance, chosen).plan("taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
-    return replace(made, decisions=decisions, tolerance=plan.tolerance, signal_e=plan.signal_e)
+    return replace(made, decisions=decisions)
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,8 +49,13 @@ class Chooser:
     """One search."""
 
     sample: Sample
-    tolerance_e: float
+    allowed: Tolerance
     effects: Selection
+
+    @property
+    def tolerance_e(self) -> float:
+        """The tolerance in electrons."""
+        return self.allowed.electrons
 
     @cached_property
     def alone(self) -> dict[str, Difference]:
@@ -123,7 +121,7 @@ class Chooser:
             approximations=(),
             decisions=decisions,
             other_states=now.other_states,
-        )
+        ).told(self.allowed)
         lacking = ways.lacks(plan.kept)
         if lacking:
             return replace(plan, slot_loop="reference", slot_loop_reasons=lacking)

@@ -14,12 +14,18 @@ from nscc_runtime.light import Light
 from nscc_runtime.looking.audit import audit
 from nscc_runtime.looking.choose import plan_for, predicted_for
 from nscc_runtime.looking.frames import frames, ways_of
+from nscc_runtime.looking.sample import Sample
 from nscc_runtime.looking.way_loop import run_ways
 from nscc_runtime.looking.ways import Ways
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.pool import processors
-from nscc_runtime.planner.tolerance import Given, mean_signal_e, tolerance_of
+from nscc_runtime.planner.tolerance import (
+    Given,
+    mean_signal_e,
+    tolerance_of,
+    with_readout_e,
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,21 +52,29 @@ class PlanningByWays:
         return ways_of(self.container, self.sensor)
 
     def signal_e(self) -> float:
-        """The mean signal of a frame: see `nscc_runtime.planner.tolerance.mean_signal_e`."""
+        """See `Planning`."""
         [frame] = frames(
             self.container, self.light, self.sensor, selected("none"),
             device_seed=self.device_seed, threads=self.threads,
         )  # fmt: skip
         return mean_signal_e(frame.exposure_e, self.sensor)
 
+    def noise_e(self) -> float:
+        """See `Planning`."""
+        return with_readout_e(self._sample.noise_e, self.sensor)
+
+    @cached_property
+    def _sample(self) -> Sample:
+        return Sample.of(self._ways, self.light)
+
     def plan(self, tolerance: Given, effects: Selection) -> Plan:
         """The cheapest plan within the tolerance."""
-        allowed = tolerance_of(tolerance, self.sensor, self.signal_e)
-        return plan_for(self._ways, self.light, allowed.electrons, effects).asked(allowed)
+        return plan_for(self._sample, tolerance_of(tolerance, self.sensor, self), effects)
 
     def predicted(self, plan: Plan) -> Plan:
         """What the decisions of a plan for another scene make of this one."""
-        return predicted_for(self._ways, self.light, plan.on(self.sensor, self.signal_e))
+        allowed = tolerance_of(plan.asked, self.sensor, self)
+        return predicted_for(self._sample, plan, allowed)
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
         """Frames 0 .. `count` - 1 under a plan."""

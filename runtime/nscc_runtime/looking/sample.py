@@ -125,6 +125,13 @@ class Sample:
         full = self._executed(everything())
         return difference(self._executed(everything().without(*dropped)), full, self.weight)
 
+    @cached_property
+    def noise_e(self) -> float:
+        """The root mean square over pixels and buckets of the standard deviation of exposures with
+        every effect: of those that end in the same states."""
+        square = difference(self._exposed(everything(), 1), self._full, self.weight).square
+        return float(np.sqrt(square.mean() / 2))
+
     def _executed(self, effects: Selection) -> Executed:
         """The sample with these effects; those of all effects are kept."""
         if effects == everything():
@@ -135,15 +142,15 @@ class Sample:
     def _full(self) -> Executed:
         return self._exposed(everything())
 
-    def _exposed(self, effects: Selection) -> Executed:
+    def _exposed(self, effects: Selection, frame: int = 0) -> Executed:
         rows = range(self.light.shape[0])
         if self.ways.lacks(effects):
             reference = LookingReference(self.ways.container, self.ways.sensor, effects)
-            return reference.expose(self._scene, self.loaded, _SEEDS, 0)
+            return reference.expose(self._scene, self.loaded, _SEEDS, frame)
         before = frozenset(e.name for e in effects.effects if e.reference.keys() & BEFORE_WORDS)
-        fallen = self._fallen(before, effects.noiseless)
+        fallen = self._fallen(before, effects.noiseless, frame)
         return self.ways.run(
-            self._scene, self.loaded, effects, _SEEDS, 0, rows,
+            self._scene, self.loaded, effects, _SEEDS, frame, rows,
             lambda part: fallen.rows(slice(part.start, part.stop)), among=self.weight > 0,
         )  # fmt: skip
 
@@ -153,13 +160,13 @@ class Sample:
         return Scene(self.light, self.light, slot_s)
 
     @remembered
-    def _fallen(self, before: frozenset[str], every_slot: bool) -> Fallen:
+    def _fallen(self, before: frozenset[str], every_slot: bool, frame: int) -> Fallen:
         """The charge under the effects that make it, which are fewer than all."""
         effects = everything()
         effects = effects.without(*(e.name for e in effects.effects if e.name not in before))
         joined = Intervals.of(self.ways.container, every_slot).joined(self._scene)
         rows = range(self.light.shape[0])
-        return charge_of_rows(joined, None, self.ways.sensor, effects, _SEEDS, 0, rows)
+        return charge_of_rows(joined, None, self.ways.sensor, effects, _SEEDS, frame, rows)
 
 
 def _corners(light: Light) -> tuple[list[tuple[int, int]], list[float]]:

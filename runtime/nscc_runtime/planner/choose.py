@@ -25,8 +25,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.plan import Approximation, Choice, Decision, Loop, Plan
 from nscc_runtime.planner.predict import Forecast
 from nscc_runtime.planner.program import Program
-
-DEFAULT_TOLERANCE_E = 5.0
+from nscc_runtime.planner.tolerance import DEFAULT, Given
 
 MARGIN = 0.9
 """Effects are left out while the prediction stays below this part of the tolerance."""
@@ -43,27 +42,29 @@ _WORD_NS, _SLOT_NS = 300.0, 60.0
 def plan_for(
     program: Program,
     light: Light,
-    tolerance_e: float = DEFAULT_TOLERANCE_E,
+    tolerance: Given = DEFAULT,
     effects: Selection | None = None,
     device_seed: int = 0,
 ) -> Plan:
     """The cheapest plan whose predicted error is within the tolerance, by the fewest effects.
 
     `effects`, by default `auto`, decides on what it names; without `auto` on everything. Errors are
-    against the reference with all effects, those that were forced off included.
+    against the reference with all effects, those that were forced off included. Raises Rejected
+    (NS0746) where the tolerance is none.
     """
-    return Chooser(program, light, tolerance_e, device_seed, effects or selected("auto")).plan()
+    return Chooser(program, light, tolerance, device_seed, effects or selected("auto")).plan()
 
 
 def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int = 0) -> Plan:
-    """The same decisions for another scene: what they make wrong there."""
+    """The same decisions for another scene: what they make wrong there. A tolerance that is a part
+    of the scene is one of this scene."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
     chosen = Selection(always_on() | on, frozenset(optional()))
-    chooser = Chooser(program, light, plan.tolerance_e, device_seed, chosen)
+    chooser = Chooser(program, light, plan.asked, device_seed, chosen)
     made = chooser.plan("taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
-    return replace(made, decisions=decisions, tolerance=plan.tolerance, signal_e=plan.signal_e)
+    return replace(made, decisions=decisions)
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,7 +188,7 @@ class Chooser(Forecast):
             tuple(self._decision(each, dropped, forced_reason) for each in registered()),
             self.leak_nodes,
             self.closed,
-        )
+        ).told(self.allowed)
 
     def _reasons(self, dropped: frozenset[str]) -> Iterable[str]:
         """Why pixels run through their words one by one, or why the reference runs."""

@@ -43,7 +43,8 @@ _SIGMAS = 8
 class Fields:
     """Predictions for a sample; arrays are (buckets, pixels of the sample).
 
-    `fixed` and `variance` by effect; `shifts`: the electrons by which an effect changes the counts;
+    `fixed` and `variance` by effect; `noise`: by how much each makes the variance over frames
+    larger; `shifts`: the electrons by which an effect changes the counts;
     `expected`: the exposure with every effect; `thinning[closed]`: the variance that sums leave out
     because counts are not spread over the slots, with closed slots counted or not;
     `neighbours[closed]`: the same of crosstalk; `noise_cut`: that the noise of words is drawn as at
@@ -56,6 +57,7 @@ class Fields:
     expected: Values
     fixed: dict[str, Values]
     variance: dict[str, Values]
+    noise: dict[str, Values]
     shifts: dict[str, Values]
     thinning: dict[bool, Values]
     neighbours: dict[bool, Values]
@@ -87,6 +89,7 @@ def fields_of(
         expected,
         fixed,
         {name: each.variance for name, each in found.items() if each.variance is not None},
+        {name: each.noise for name, each in found.items() if each.noise is not None},
         {name: each.shift for name, each in found.items() if each.shift is not None},
         thinning,
         neighbours,
@@ -111,7 +114,8 @@ def _field(effect: Effect, scene: SampledScene) -> Field:
         return None if values is None else np.broadcast_to(np.asarray(values, np.float64), shape)
 
     try:
-        parts = (found.fixed, found.variance, found.shift, found.behind_well)
+        noise = found.variance if found.noise is None else found.noise
+        parts = (found.fixed, found.variance, found.shift, found.behind_well, noise)
         return Field(*(whole(values) for values in parts))
     except ValueError as error:
         raise ValueError(f"the field of the effect {effect.name!a}: {error}") from None

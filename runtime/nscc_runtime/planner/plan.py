@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, is_dataclass, replace
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
-from types import UnionType
+from types import MappingProxyType, UnionType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from nscc import html
@@ -14,9 +14,8 @@ from nscc_runtime.effects import CannotHave, Selection, registered
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.registry import always_on
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.planner import leak_nodes
-from nscc_runtime.planner.tolerance import LEAST_E, Tolerance, tolerance_of
+from nscc_runtime.planner.tolerance import LEAST_E, Given, Tolerance
 
 Choice = Literal["kept", "dropped", "absent"]
 Loop = Literal["none", "some", "all", "reference"]
@@ -31,6 +30,10 @@ _LOOPS: Mapping[Loop, str] = {
     "all": "all pixels run through the words one by one",
     "reference": "the reference runs, slot by slot",
 }
+
+
+_LATER = MappingProxyType({"later": True})
+"""Of what files of plans did not have at first: one without it is a plan, too."""
 
 
 @dataclass(frozen=True)
@@ -75,8 +78,9 @@ class Plan:
     many rates of leakage the sums over slots are made. `closed`: whether the charge of closed slots
     is counted. `other_states`: of a program that looks, the part of the pixels that end in other
     states than with every effect, at most MOST_OTHER_STATES; errors are those of the other pixels.
-    `tolerance`: what was asked, as text, empty where that is not known; `signal_e`: the mean signal
-    that it is a part of, or None. As text a plan is the table that `nscc run` prints.
+    `tolerance`: what was asked, as text, empty where that is not known; `signal_e`, `noise_e`: the
+    mean signal or the frame's own noise that it is a part of, or None. As text a plan is the table
+    that `nscc run` prints.
     """
 
     tolerance_e: float
@@ -92,6 +96,7 @@ class Plan:
     other_states: float | None = None
     tolerance: str = ""
     signal_e: float | None = None
+    noise_e: float | None = field(default=None, metadata=_LATER)
 
     def __repr__(self) -> str:
         kept = [each.name for each in self.decisions if each.decision == "kept"]
@@ -114,7 +119,7 @@ class Plan:
         lines = [
             columns(rows, left=(0, 3, 4)),
             f"predicted error {self.predicted_e:.3g} e (at most {self.bound_e:.3g}), "
-            f"tolerance {self._allowed}, from {self.sampled_fraction:.1%} of the pixels",
+            f"tolerance {self.allowed}, from {self.sampled_fraction:.1%} of the pixels",
         ]
         if self.other_states is not None:
             lines.append(
@@ -127,27 +132,24 @@ class Plan:
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
-        said = f"predicted error {self.predicted_e:.3g} e, tolerance {self._allowed}"
+        said = f"predicted error {self.predicted_e:.3g} e, tolerance {self.allowed}"
         return html.card("plan", said, html.plain(str(self)))
 
     @property
-    def _allowed(self) -> str:
-        """The tolerance in electrons, and what else it was asked as."""
-        electrons = f"{self.tolerance_e:.4g} e"
-        if self.signal_e is not None:
-            return f"{electrons} ({self.tolerance} of the mean signal, {self.signal_e:.4g} e)"
-        return f"{electrons} ({self.tolerance})" if self.tolerance.endswith("lsb") else electrons
+    def allowed(self) -> Tolerance:
+        """The tolerance on the scene that the plan was made for."""
+        return Tolerance(self.tolerance, self.tolerance_e, self.signal_e, self.noise_e)
 
-    def asked(self, tolerance: Tolerance) -> Plan:
+    @property
+    def asked(self) -> Given:
+        """The tolerance as one for any scene."""
+        return self.tolerance if self.allowed.follows else self.allowed
+
+    def told(self, allowed: Tolerance) -> Plan:
         """The same plan, with the words in which its tolerance was asked."""
-        return replace(self, tolerance=tolerance.text, signal_e=tolerance.signal_e)
-
-    def on(self, sensor: Sensor, signal_e: Callable[[], float]) -> Plan:
-        """The plan for another scene, whose mean signal `signal_e` finds: its tolerance follows."""
-        if self.signal_e is None:
-            return self
-        allowed = tolerance_of(self.tolerance, sensor, signal_e)
-        return replace(self, tolerance_e=allowed.electrons).asked(allowed)
+        return replace(
+            self, tolerance=allowed.text, signal_e=allowed.signal_e, noise_e=allowed.noise_e
+        )
 
     @property
     def breach(self) -> str | None:
@@ -195,6 +197,7 @@ class Plan:
             "tolerance": self.tolerance,
             "tolerance_e": self.tolerance_e,
             "signal_e": self.signal_e,
+            "noise_e": self.noise_e,
             "predicted_e": self.predicted_e,
             "bound_e": self.bound_e,
             "slot_loop": self.slot_loop != "none",
@@ -228,8 +231,11 @@ class Plan:
             raise ValueError("its effects are not those of this version")
         if not LEAST_E <= plan.tolerance_e <= MOST_E:
             raise ValueError(f"tolerance_e is {plan.tolerance_e}")
-        if plan.tolerance.endswith("%") != (plan.signal_e is not None):
-            raise ValueError(f"signal_e is {plan.signal_e}")
+        for unit, name, part_of_e in (
+            ("%", "signal_e", plan.signal_e), ("noise", "noise_e", plan.noise_e)
+        ):  # fmt: skip
+            if plan.tolerance.endswith(unit) != (part_of_e is not None):
+                raise ValueError(f"{name} is {part_of_e}")
         if not 1 <= plan.leak_nodes <= leak_nodes.MOST:
             raise ValueError(f"leak_nodes is {plan.leak_nodes}")
         return plan
@@ -239,7 +245,9 @@ def _read(kind: Any, value: Any) -> Any:
     """A value of JSON as what an annotation names. Numbers are finite: JSON's own have no end."""
     origin, parts = get_origin(kind), get_args(kind)
     if isinstance(kind, type) and is_dataclass(kind):
-        return kind(**{name: _read(of, value[name]) for name, of in get_type_hints(kind).items()})
+        hints = get_type_hints(kind)
+        known = [e for e in fields(kind) if e.name in value or e.metadata is not _LATER]
+        return kind(**{each.name: _read(hints[each.name], value[each.name]) for each in known})
     if origin is tuple and isinstance(value, list):
         return tuple(_read(parts[0], each) for each in value)
     if origin is UnionType:

@@ -8,19 +8,20 @@ from functools import cached_property
 from typing import Protocol
 
 from nscc.words.container import Container
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.planner.audit import Audit, audit
 from nscc_runtime.planner.capture import prepared
-from nscc_runtime.planner.choose import plan_for, predicted_for
+from nscc_runtime.planner.choose import Chooser, plan_for, predicted_for
 from nscc_runtime.planner.frames import made_ready, planned_frames
 from nscc_runtime.planner.fused_loop import fused
 from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.tolerance import Given, mean_signal_e, tolerance_of
+from nscc_runtime.planner.tolerance import DEFAULT, Given
 
 
 class Planning(Protocol):
@@ -36,7 +37,11 @@ class Planning(Protocol):
         ...
 
     def signal_e(self) -> float:
-        """The mean signal of a frame: see `nscc_runtime.planner.tolerance.mean_signal_e`."""
+        """See `nscc_runtime.planner.tolerance.Follows`."""
+        ...
+
+    def noise_e(self) -> float:
+        """See `nscc_runtime.planner.tolerance.Follows`."""
         ...
 
     def plan(self, tolerance: Given, effects: Selection) -> Plan:
@@ -45,7 +50,7 @@ class Planning(Protocol):
 
     def predicted(self, plan: Plan) -> Plan:
         """What the decisions of a plan for another scene make of this one. A tolerance that is a
-        part of the signal is one of this scene's."""
+        part of the scene is one of this scene."""
         ...
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
@@ -55,12 +60,6 @@ class Planning(Protocol):
     def audit(self, plan: Plan, seed: int, count: int) -> Audit:
         """A plan's frames against the reference's."""
         ...
-
-
-def signal_of(program: Program, light: Light, threads: int | None = None) -> float:
-    """The mean signal of a frame: see `nscc_runtime.planner.tolerance.mean_signal_e`."""
-    exposed = prepared(program, light, Plan.of_nothing(), threads=threads)
-    return mean_signal_e(exposed.expected, program.sensor)
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,17 +87,24 @@ class PlanningBySums:
 
     def signal_e(self) -> float:
         """See `Planning`."""
-        return signal_of(self._program, self.light, self.threads)
+        return self._forecast.signal_e()
+
+    def noise_e(self) -> float:
+        """See `Planning`."""
+        return self._forecast.noise_e()
+
+    @property
+    def _forecast(self) -> Chooser:
+        check_size(self.container, self.light)
+        auto = selected("auto")
+        return Chooser(self._program, self.light, DEFAULT, self.device_seed, auto)
 
     def plan(self, tolerance: Given, effects: Selection) -> Plan:
         """See `Planning`."""
-        allowed = tolerance_of(tolerance, self.sensor, self.signal_e)
-        made = plan_for(self._program, self.light, allowed.electrons, effects, self.device_seed)
-        return made.asked(allowed)
+        return plan_for(self._program, self.light, tolerance, effects, self.device_seed)
 
     def predicted(self, plan: Plan) -> Plan:
         """See `Planning`."""
-        plan = plan.on(self.sensor, self.signal_e)
         return predicted_for(self._program, self.light, plan, self.device_seed)
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:

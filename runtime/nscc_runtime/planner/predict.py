@@ -31,9 +31,17 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner import leak_nodes
 from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, fields_of
 from nscc_runtime.planner.plan import Decision, Plan
+from nscc_runtime.planner.pool import processors
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import sample_of
+from nscc_runtime.planner.tolerance import (
+    Given,
+    Tolerance,
+    mean_signal_e,
+    tolerance_of,
+    with_readout_e,
+)
 from nscc_runtime.remembered import remembered
 
 _CLIP = "clip"
@@ -49,12 +57,38 @@ _NOTHING = np.zeros(1)
 
 @dataclass(frozen=True, eq=False)
 class Forecast(ABC):
-    """What a scene makes of a program's effects; `tolerance_e` decides on short cuts only."""
+    """What a scene makes of a program's effects; the tolerance decides on short cuts only."""
 
     program: Program
     light: Light
-    tolerance_e: float
+    tolerance: Given
     device_seed: int
+
+    @cached_property
+    def allowed(self) -> Tolerance:
+        """What the tolerance means here. Raises Rejected (NS0746) where it is none."""
+        return tolerance_of(self.tolerance, self.program.sensor, self)
+
+    @property
+    def tolerance_e(self) -> float:
+        """The tolerance in electrons."""
+        return self.allowed.electrons
+
+    def signal_e(self) -> float:
+        """See `nscc_runtime.planner.tolerance.Follows`."""
+        plan = Plan.of_nothing()
+        exact = Prepared(self.program, self.light, plan, self.device_seed, processors())
+        return mean_signal_e(exact.expected, self.program.sensor)
+
+    def noise_e(self) -> float:
+        """See `nscc_runtime.planner.tolerance.Follows`. Where the full well is passed, charge is
+        not random."""
+        found, mean = self.fields, self.fields.sample.mean
+        square = sum(
+            mean(each if name in found.after else np.where(found.clipped, 0.0, each))
+            for name, each in found.noise.items()
+        )
+        return with_readout_e(math.sqrt(float(np.mean(square))), self.program.sensor)
 
     @property
     @abstractmethod
