@@ -56,7 +56,7 @@ def simulate_scene(
 
     The pieces are exposed on the same chip, with the same fixed patterns, one frame after the
     other: their noise has the seeds `request.seed`, and so on. Plan and audit are those of the
-    piece that is furthest off; a tolerance that is a part of the mean signal is of that of all.
+    piece that is furthest off; a tolerance that is a part of the scene is of that of all.
     """
     listener = listener or Listener()
     where = scene[0].where
@@ -97,7 +97,7 @@ def _for_all(
     from nscc_runtime.planning import planning_of
 
     class All:
-        """Of all the lights together."""
+        """All the lights together."""
 
         def each(self) -> Iterator[Planning]:
             for light in lights:
@@ -110,7 +110,12 @@ def _for_all(
         def noise_e(self) -> float:
             return math.sqrt(sum(one.noise_e() ** 2 for one in self.each()) / len(lights))
 
-    return replace(request, tolerance=tolerance_of(request.tolerance, sensor, All()))
+    most = request.tolerance_max
+    return replace(
+        request,
+        tolerance=tolerance_of(request.tolerance, sensor, All()),
+        tolerance_max=None if most is None else tolerance_of(most, sensor, All()),
+    )
 
 
 def _refuse_once(request: Request) -> None:

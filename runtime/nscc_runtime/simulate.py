@@ -37,16 +37,18 @@ class Request:
     """How to expose a scene.
 
     With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal,
-    0.1noise of the frame's own, or electrons) by a plan: the one given, that of a file, or one made
-    now, whose text is given back if `plan` names a file that does not exist. Otherwise words are
-    executed slot by slot, without effects or with all of `effects` exactly. `audit` compares a
-    plan's frames with that reference. `repeat` frames, or one (None). `threads`, by default as many
-    as there are processors, change no bit.
+    0.1noise of the frame's own, or electrons), the worst pixel to `tolerance_max`, where there is
+    one, by a plan: the one given, that of a file, or one made now, whose text is given back if
+    `plan` names a file that does not exist. Otherwise words are executed slot by slot, without
+    effects or with all of `effects` exactly. `audit` compares a plan's frames with that reference.
+    `repeat` frames, or one (None). `threads`, by default as many as there are processors, change no
+    bit.
     """
 
     effects: Selection
     planned: bool = True
     tolerance: Given = DEFAULT
+    tolerance_max: Given | None = None
     audit: bool = False
     plan: Plan | Path | None = None
     seed: int = 0
@@ -60,6 +62,7 @@ class Request:
         *,
         effects: str | Selection | None = None,
         tolerance: Given | None = None,
+        tolerance_max: Given | None = None,
         plan: Plan | Path | None = None,
         audit: bool = False,
         fidelity: Fidelity = "planned",
@@ -72,13 +75,15 @@ class Request:
         for options that contradict each other, which messages name with `mark` before them, NS0756
         for effects that there are not.
         """
-        given = {"tolerance": tolerance is not None, "audit": audit, "plan": plan is not None}
-        asked = [name for name, is_given in given.items() if is_given]
+        tolerances = {"tolerance": tolerance, "tolerance_max": tolerance_max}
+        tolerances = {name: each for name, each in tolerances.items() if each is not None}
+        given = {"audit": audit, "plan": plan is not None}
+        asked = [*tolerances, *(name for name, is_given in given.items() if is_given)]
         text = effects if effects is not None else "auto" if asked else "none"
         chosen = selected(text) if isinstance(text, str) else text
         reference = fidelity == "reference"
         if reference and (asked or chosen.auto):
-            named = ", ".join(mark + name for name in asked) or f"{mark}effects auto"
+            named = ", ".join(_option(mark, name) for name in asked) or f"{mark}effects auto"
             raise _contradiction(
                 f"{named} with {mark}fidelity reference",
                 "the reference simulates what it is told to, without a plan",
@@ -86,18 +91,17 @@ class Request:
             )
         file = plan if isinstance(plan, Path) else None
         there = file.exists() if file is not None else plan is not None
-        if there and (effects is not None or tolerance is not None):
-            named = mark + ("effects" if effects is not None else "tolerance")
+        if there and (effects is not None or tolerances):
+            first = next(iter(["effects"] if effects is not None else tolerances))
+            named = _option(mark, first)
             which = "a plan" if file is None else f"the plan '{file}'"
             raise _contradiction(
                 f"{named} with {which}",
                 "a plan that is used has decided on effects and tolerance",
                 f"leave {named} out, or name a file that does not exist to write a new plan",
             )
-        if tolerance is not None:
-            others["tolerance"] = tolerance
         planned = not reference and (bool(asked) or not chosen.noiseless)
-        return cls(chosen, planned=planned, plan=plan, audit=audit, **others)
+        return cls(chosen, planned=planned, plan=plan, audit=audit, **tolerances, **others)
 
 
 @dataclass(frozen=True)
@@ -247,7 +251,8 @@ def _planned(
         if file is not None and given:
             plan = planning.predicted(read_plan(file, digest, sensor))
         elif request.plan is None or isinstance(request.plan, Path):
-            plan = planning.plan(request.tolerance, request.effects)
+            most = request.tolerance_max
+            plan = planning.plan(request.tolerance, request.effects, most)
         else:
             assert not isinstance(request.plan, Path)
             plan = request.plan
@@ -297,7 +302,7 @@ def _broken(plan: Plan, report: Audit) -> Rejected:
     """The promise did not hold (status 1)."""
     return rejected(
         "NS0749",
-        report.breach(plan.tolerance_e),
+        report.breach(plan) or "the promise is broken",
         notes=(f"predicted were {plan.predicted_e:.3g} e",),
         helps=(
             "use --fidelity reference for this scene; a plan in which nothing was forced "
@@ -310,6 +315,11 @@ def _broken(plan: Plan, report: Audit) -> Rejected:
         },
         status=1,
     )
+
+
+def _option(mark: str, name: str) -> str:
+    """An argument as a message calls it: of the command line where there is a mark before it."""
+    return mark + (name.replace("_", "-") if mark else name)
 
 
 def _contradiction(what: str, note: str, help_text: str) -> Rejected:

@@ -29,16 +29,23 @@ _REFERENCE_NS = 1000.0
 LOOKS = "pixels look at the light: each runs through the words that act in it"
 
 
-def plan_for(sample: Sample, tolerance: Tolerance, effects: Selection | None = None) -> Plan:
+def plan_for(
+    sample: Sample,
+    tolerance: Tolerance,
+    effects: Selection | None = None,
+    tolerance_max: Tolerance | None = None,
+) -> Plan:
     """As `nscc_runtime.planner.choose.plan_for`."""
-    return Chooser(sample, tolerance, effects or selected("auto")).plan()
+    return Chooser(sample, tolerance, tolerance_max, effects or selected("auto")).plan()
 
 
-def predicted_for(sample: Sample, plan: Plan, tolerance: Tolerance) -> Plan:
-    """The same decisions for another scene: what they make wrong there, of a tolerance there."""
+def predicted_for(
+    sample: Sample, plan: Plan, tolerance: Tolerance, tolerance_max: Tolerance | None = None
+) -> Plan:
+    """The same decisions for another scene: what they make wrong there, of the tolerances there."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
     chosen = Selection(always_on() | on, frozenset(optional()))
-    made = Chooser(sample, tolerance, chosen).plan("taken from the plan given")
+    made = Chooser(sample, tolerance, tolerance_max, chosen).plan("taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
     return replace(made, decisions=decisions)
@@ -50,6 +57,7 @@ class Chooser:
 
     sample: Sample
     allowed: Tolerance
+    allowed_max: Tolerance | None
     effects: Selection
 
     @property
@@ -81,10 +89,15 @@ class Chooser:
         most_square = most + (now.square.max() if now.square.max() > most else 0.0)
         most_other = _LEFT_OUT * MOST_OTHER_STATES
         most_other += now.other_states if now.other_states > most_other else 0.0
+        most_e = math.inf
+        if self.allowed_max is not None:
+            most_e = max(MARGIN * self.allowed_max.electrons, now.worst.max_e)
         for name in self._free(dropped):
             if self.alone[name].square.max() > most_square:
                 break
             then = self.sample.without(dropped | {name})
+            if then.worst.max_e > most_e:
+                continue
             if then.square.max() <= most_square and then.other_states <= most_other:
                 dropped, now = dropped | {name}, then
         return self._made(dropped, now, forced_reason)
@@ -121,7 +134,9 @@ class Chooser:
             approximations=(),
             decisions=decisions,
             other_states=now.other_states,
-        ).told(self.allowed)
+            predicted_p999_e=now.worst.p999_e,
+            predicted_max_e=now.worst.max_e,
+        ).told(self.allowed, self.allowed_max)
         lacking = ways.lacks(plan.kept)
         if lacking:
             return replace(plan, slot_loop="reference", slot_loop_reasons=lacking)

@@ -22,6 +22,7 @@ from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.pool import processors
 from nscc_runtime.planner.tolerance import (
     Given,
+    Tolerance,
     mean_signal_e,
     tolerance_of,
     with_readout_e,
@@ -67,14 +68,21 @@ class PlanningByWays:
     def _sample(self) -> Sample:
         return Sample.of(self._ways, self.light)
 
-    def plan(self, tolerance: Given, effects: Selection) -> Plan:
-        """The cheapest plan within the tolerance."""
-        return plan_for(self._sample, tolerance_of(tolerance, self.sensor, self), effects)
+    def plan(
+        self, tolerance: Given, effects: Selection, tolerance_max: Given | None = None
+    ) -> Plan:
+        """The cheapest plan within the tolerances."""
+        allowed, most = self._allowed(tolerance, tolerance_max)
+        return plan_for(self._sample, allowed, effects, most)
 
     def predicted(self, plan: Plan) -> Plan:
         """What the decisions of a plan for another scene make of this one."""
-        allowed = tolerance_of(plan.asked, self.sensor, self)
-        return predicted_for(self._sample, plan, allowed)
+        return predicted_for(self._sample, plan, *self._allowed(plan.asked, plan.asked_max))
+
+    def _allowed(self, tolerance: Given, most: Given | None) -> tuple[Tolerance, Tolerance | None]:
+        """What tolerances mean on this scene."""
+        allowed = tolerance_of(tolerance, self.sensor, self)
+        return allowed, None if most is None else tolerance_of(most, self.sensor, self)
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
         """Frames 0 .. `count` - 1 under a plan."""

@@ -25,7 +25,9 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.plan import Approximation, Choice, Decision, Loop, Plan
 from nscc_runtime.planner.predict import Forecast
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.tolerance import DEFAULT, Given
+from nscc_runtime.planner.tolerance import DEFAULT, Given, most_change
+from nscc_runtime.planner.worst import Worst
+from nscc_runtime.remembered import remembered
 
 MARGIN = 0.9
 """Effects are left out while the prediction stays below this part of the tolerance."""
@@ -45,14 +47,17 @@ def plan_for(
     tolerance: Given = DEFAULT,
     effects: Selection | None = None,
     device_seed: int = 0,
+    tolerance_max: Given | None = None,
 ) -> Plan:
-    """The cheapest plan whose predicted error is within the tolerance, by the fewest effects.
+    """The cheapest plan whose predicted error is within the tolerance, by the fewest effects, and
+    that of its worst pixel within `tolerance_max`.
 
     `effects`, by default `auto`, decides on what it names; without `auto` on everything. Errors are
     against the reference with all effects, those that were forced off included. Raises Rejected
     (NS0746) where the tolerance is none.
     """
-    return Chooser(program, light, tolerance, device_seed, effects or selected("auto")).plan()
+    chosen = effects or selected("auto")
+    return Chooser(program, light, tolerance, tolerance_max, device_seed, chosen).plan()
 
 
 def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int = 0) -> Plan:
@@ -60,7 +65,7 @@ def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int =
     of the scene is one of this scene."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
     chosen = Selection(always_on() | on, frozenset(optional()))
-    chooser = Chooser(program, light, plan.asked, device_seed, chosen)
+    chooser = Chooser(program, light, plan.asked, plan.asked_max, device_seed, chosen)
     made = chooser.plan("taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
@@ -94,7 +99,7 @@ class Chooser(Forecast):
             fits = []
             for names in self._moves(dropped):
                 then = self._square(dropped | names)
-                if then <= max(limit, now):
+                if then <= max(limit, now) and self._bounded(dropped | names):
                     saved = self._saved_ns(names, dropped)
                     if saved > 0:
                         fits.append((saved / max(then - now, 1e-12), sorted(names)))
@@ -119,6 +124,27 @@ class Chooser(Forecast):
         """The predicted mean square error of the worst bucket, in square electrons."""
         return self.square(dropped, self._path(dropped) != "sums")
 
+    def _bounded(self, dropped: frozenset[str]) -> bool:
+        """Whether the worst pixels and the noise keep to what was asked, or to what is forced."""
+        forced, most, part = self.forced_off, self.allowed_max, self.allowed.noise_part
+        if most is not None:
+            limit_e = max(MARGIN * most.electrons, self._worst(forced).max_e)
+            if self._worst(dropped).max_e > limit_e:
+                return False
+        if part is None:
+            return True
+        limit = max(most_change(part), self._noise_change(forced))
+        return self._noise_change(dropped) <= limit
+
+    def _worst(self, dropped: frozenset[str]) -> Worst:
+        return self.worst(dropped, self._path(dropped) != "sums")
+
+    @remembered
+    def _noise_change(self, dropped: frozenset[str]) -> float:
+        """By what part the standard deviation of what is read out changes."""
+        ratio = self.noise_ratio(dropped, self._path(dropped) != "sums", readout=True)
+        return 0.0 if ratio is None else abs(ratio - 1.0)
+
     def _path(self, dropped: frozenset[str]) -> Literal["sums", "words", "reference"]:
         """What has all effects that are left: sums over slots, the loop over the words of single
         pixels for all of them, or the reference alone.
@@ -136,7 +162,11 @@ class Chooser(Forecast):
         """Whether short cuts would cost too much, so that all pixels run through their words."""
         cuts = self.short_cuts(self.forced_off)
         total = sum((square for _, square in cuts), _NOTHING)
-        return math.sqrt(float(np.max(total))) > _SHORT_CUTS * self.tolerance_e
+        if math.sqrt(float(np.max(total))) > _SHORT_CUTS * self.tolerance_e:
+            return True
+        most = self.allowed_max
+        # Their own part: what is forced off is beside it.
+        return most is not None and self.worst(frozenset(), False).max_e > MARGIN * most.electrons
 
     def _forced(self, effect: Effect) -> bool:
         return not self.effects.auto or effect.name in self.effects.forced
@@ -188,7 +218,10 @@ class Chooser(Forecast):
             tuple(self._decision(each, dropped, forced_reason) for each in registered()),
             self.leak_nodes,
             self.closed,
-        ).told(self.allowed)
+            predicted_p999_e=self._worst(dropped).p999_e,
+            predicted_max_e=self._worst(dropped).max_e,
+            noise_ratio=self.noise_ratio(dropped, path != "sums"),
+        ).told(self.allowed, self.allowed_max)
 
     def _reasons(self, dropped: frozenset[str]) -> Iterable[str]:
         """Why pixels run through their words one by one, or why the reference runs."""

@@ -79,8 +79,11 @@ class Plan:
     is counted. `other_states`: of a program that looks, the part of the pixels that end in other
     states than with every effect, at most MOST_OTHER_STATES; errors are those of the other pixels.
     `tolerance`: what was asked, as text, empty where that is not known; `signal_e`, `noise_e`: the
-    mean signal or the frame's own noise that it is a part of, or None. As text a plan is the table
-    that `nscc run` prints.
+    mean signal or the frame's own noise that it is a part of, or None. `predicted_p999_e`,
+    `predicted_max_e`: the error that one pixel in a thousand passes, and the largest of a frame;
+    `tolerance_max`, `tolerance_max_e`: what was asked of the largest, empty and None where nothing
+    was. `noise_ratio`: the standard deviation of exposures over frames by that with every effect;
+    None where it is not predicted. As text a plan is the table that `nscc run` prints.
     """
 
     tolerance_e: float
@@ -97,6 +100,11 @@ class Plan:
     tolerance: str = ""
     signal_e: float | None = None
     noise_e: float | None = field(default=None, metadata=_LATER)
+    predicted_p999_e: float | None = field(default=None, metadata=_LATER)
+    predicted_max_e: float | None = field(default=None, metadata=_LATER)
+    tolerance_max: str = field(default="", metadata=_LATER)
+    tolerance_max_e: float | None = field(default=None, metadata=_LATER)
+    noise_ratio: float | None = field(default=None, metadata=_LATER)
 
     def __repr__(self) -> str:
         kept = [each.name for each in self.decisions if each.decision == "kept"]
@@ -121,6 +129,13 @@ class Plan:
             f"predicted error {self.predicted_e:.3g} e (at most {self.bound_e:.3g}), "
             f"tolerance {self.allowed}, from {self.sampled_fraction:.1%} of the pixels",
         ]
+        if self.predicted_max_e is not None and self.predicted_p999_e is not None:
+            lines.append(
+                f"predicted of 99.9 % of the pixels: within {self.predicted_p999_e:.3g} e; of the "
+                f"worst: {self.predicted_max_e:.3g} e"
+                + ("" if self.allowed_max is None else f", tolerance {self.allowed_max}")
+                + ("" if self.noise_ratio is None else f"; noise x {self.noise_ratio:.4f}")
+            )
         if self.other_states is not None:
             lines.append(
                 f"predicted to end in other states: {self.other_states:.2%} of the pixels, at most "
@@ -138,17 +153,40 @@ class Plan:
     @property
     def allowed(self) -> Tolerance:
         """The tolerance on the scene that the plan was made for."""
-        return Tolerance(self.tolerance, self.tolerance_e, self.signal_e, self.noise_e)
+        signal_e = self.signal_e if self.tolerance.endswith("%") else None
+        noise_e = self.noise_e if self.tolerance.endswith("noise") else None
+        return Tolerance(self.tolerance, self.tolerance_e, signal_e, noise_e)
 
     @property
     def asked(self) -> Given:
         """The tolerance as one for any scene."""
         return self.tolerance if self.allowed.follows else self.allowed
 
-    def told(self, allowed: Tolerance) -> Plan:
-        """The same plan, with the words in which its tolerance was asked."""
+    @property
+    def allowed_max(self) -> Tolerance | None:
+        """The tolerance of the worst pixel, where there is one."""
+        if self.tolerance_max_e is None:
+            return None
+        signal_e = self.signal_e if self.tolerance_max.endswith("%") else None
+        noise_e = self.noise_e if self.tolerance_max.endswith("noise") else None
+        return Tolerance(self.tolerance_max, self.tolerance_max_e, signal_e, noise_e)
+
+    @property
+    def asked_max(self) -> Given | None:
+        """The same as one for any scene."""
+        most = self.allowed_max
+        return most.text if most is not None and most.follows else most
+
+    def told(self, allowed: Tolerance, most: Tolerance | None = None) -> Plan:
+        """The same plan, with the words in which its tolerances were asked."""
+        beside = most or allowed
         return replace(
-            self, tolerance=allowed.text, signal_e=allowed.signal_e, noise_e=allowed.noise_e
+            self,
+            tolerance=allowed.text,
+            signal_e=beside.signal_e if allowed.signal_e is None else allowed.signal_e,
+            noise_e=beside.noise_e if allowed.noise_e is None else allowed.noise_e,
+            tolerance_max="" if most is None else most.text,
+            tolerance_max_e=None if most is None else most.electrons,
         )
 
     @property
@@ -158,6 +196,11 @@ class Plan:
             return (
                 f"the predicted error is {self.predicted_e:.3g} e, "
                 f"the tolerance {self.tolerance_e:.4g} e"
+            )
+        if self.tolerance_max_e is not None and (self.predicted_max_e or 0) > self.tolerance_max_e:
+            return (
+                f"the predicted error of the worst pixel is {self.predicted_max_e:.3g} e, "
+                f"its tolerance {self.tolerance_max_e:.4g} e"
             )
         if self.other_states is not None and self.other_states > MOST_OTHER_STATES:
             return (
@@ -200,6 +243,11 @@ class Plan:
             "noise_e": self.noise_e,
             "predicted_e": self.predicted_e,
             "bound_e": self.bound_e,
+            "predicted_p999_e": self.predicted_p999_e,
+            "predicted_max_e": self.predicted_max_e,
+            "tolerance_max": self.tolerance_max,
+            "tolerance_max_e": self.tolerance_max_e,
+            "noise_ratio": self.noise_ratio,
             "slot_loop": self.slot_loop != "none",
             "slot_loop_pixels": self.slot_loop,
             "slot_loop_reasons": list(self.slot_loop_reasons),
@@ -234,7 +282,8 @@ class Plan:
         for unit, name, part_of_e in (
             ("%", "signal_e", plan.signal_e), ("noise", "noise_e", plan.noise_e)
         ):  # fmt: skip
-            if plan.tolerance.endswith(unit) != (part_of_e is not None):
+            asked = plan.tolerance.endswith(unit) or plan.tolerance_max.endswith(unit)
+            if asked != (part_of_e is not None):
                 raise ValueError(f"{name} is {part_of_e}")
         if not 1 <= plan.leak_nodes <= leak_nodes.MOST:
             raise ValueError(f"leak_nodes is {plan.leak_nodes}")

@@ -44,8 +44,11 @@ class Planning(Protocol):
         """See `nscc_runtime.planner.tolerance.Follows`."""
         ...
 
-    def plan(self, tolerance: Given, effects: Selection) -> Plan:
-        """The cheapest plan within the tolerance. Raises Rejected (NS0746) where that is none."""
+    def plan(
+        self, tolerance: Given, effects: Selection, tolerance_max: Given | None = None
+    ) -> Plan:
+        """The cheapest plan within the tolerance, its worst pixel within `tolerance_max`. Raises
+        Rejected (NS0746) where one of them is none."""
         ...
 
     def predicted(self, plan: Plan) -> Plan:
@@ -97,11 +100,14 @@ class PlanningBySums:
     def _forecast(self) -> Chooser:
         check_size(self.container, self.light)
         auto = selected("auto")
-        return Chooser(self._program, self.light, DEFAULT, self.device_seed, auto)
+        return Chooser(self._program, self.light, DEFAULT, None, self.device_seed, auto)
 
-    def plan(self, tolerance: Given, effects: Selection) -> Plan:
+    def plan(
+        self, tolerance: Given, effects: Selection, tolerance_max: Given | None = None
+    ) -> Plan:
         """See `Planning`."""
-        return plan_for(self._program, self.light, tolerance, effects, self.device_seed)
+        program, seed = self._program, self.device_seed
+        return plan_for(program, self.light, tolerance, effects, seed, tolerance_max)
 
     def predicted(self, plan: Plan) -> Plan:
         """See `Planning`."""

@@ -42,6 +42,7 @@ from nscc_runtime.planner.tolerance import (
     tolerance_of,
     with_readout_e,
 )
+from nscc_runtime.planner.worst import Worst, worst_of
 from nscc_runtime.remembered import remembered
 
 _CLIP = "clip"
@@ -53,6 +54,15 @@ _FORMULA_E = 0.015
 _LEAK_PART = 0.05
 _CLOSED_PART = 0.1
 _NOTHING = np.zeros(1)
+_CUTS = {
+    "thinning": "counts are not spread over the slots of a group",
+    "formula": "counts from a rate of 10 on by formula",
+    "neighbours": "neighbours' counts are taken as even over their slots",
+    "noise": "the noise of words as at the mean leakage",
+    "leak": "leakage from sums at {rates}",
+}
+_UNDRAWN = ("thinning", "neighbours", "noise")
+"""Short cuts whose squares are variance that is not drawn."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,12 +72,19 @@ class Forecast(ABC):
     program: Program
     light: Light
     tolerance: Given
+    tolerance_max: Given | None
     device_seed: int
 
     @cached_property
     def allowed(self) -> Tolerance:
         """What the tolerance means here. Raises Rejected (NS0746) where it is none."""
         return tolerance_of(self.tolerance, self.program.sensor, self)
+
+    @cached_property
+    def allowed_max(self) -> Tolerance | None:
+        """The same of the tolerance of the worst pixel; None: it may be anything."""
+        asked = self.tolerance_max
+        return None if asked is None else tolerance_of(asked, self.program.sensor, self)
 
     @property
     def tolerance_e(self) -> float:
@@ -166,10 +183,8 @@ class Forecast(ABC):
         """Predicted mean squares (buckets,), and the most that they can be: fixed parts add up."""
         state = self.state(dropped)
         names, products = self._products(state)
-        # Saturation is a field of its own: in `BOTH` where neither is simulated.
-        lost = self.saturation & dropped
-        inside = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
-        at = [i for i, name in enumerate(names) if name in inside or name in (_CLIP, FORCED)]
+        inside = self._inside(dropped)
+        at = [i for i, name in enumerate(names) if name in inside]
         part = products[:, at][:, :, at]
         variances = self._variances(state)
         random = sum((variances[name] for name in variances if name in dropped), _NOTHING)
@@ -178,6 +193,50 @@ class Forecast(ABC):
             random = random + sum((square for _, square in self.short_cuts(dropped)), _NOTHING)
         sizes = np.sqrt(np.maximum(np.diagonal(part, axis1=1, axis2=2), 0.0)).sum(axis=1)
         return part.sum(axis=(1, 2)) + random, sizes**2 + random
+
+    def _inside(self, dropped: frozenset[str]) -> frozenset[str]:
+        """The fixed fields that a plan lacks which leaves these effects out."""
+        # Saturation is a field of its own: in `BOTH` where neither is simulated.
+        lost = self.saturation & dropped
+        found = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
+        return frozenset({*found, _CLIP, FORCED})
+
+    @remembered
+    def worst(self, dropped: frozenset[str], everywhere: bool) -> Worst:
+        """The predicted errors of the worst pixels."""
+        state, sample = self.state(dropped), self.fields.sample
+        names = self._inside(dropped) & {*self.fields.fixed, _CLIP}
+        blank = np.zeros(self.fields.expected.shape)
+        mean = sum((self._left(name, state) for name in sorted(names)), blank)
+        random = self._random(state)
+        variance = sum((random[name] for name in random if name in dropped), blank)
+        variance = variance + self._rounding_of(dropped)
+        if not everywhere:
+            variance = variance + sum((each for _, each in self._cuts(dropped)), blank)
+        return worst_of(mean, variance, sample.weight, len(self.program.lanes))
+
+    def noise_ratio(
+        self, dropped: frozenset[str], everywhere: bool, readout: bool = False
+    ) -> float | None:
+        """The predicted standard deviation of a plan's exposures over frames by that with every
+        effect, in root mean square over pixels and buckets; of what is read out with `readout`.
+        None where nothing is random."""
+        found, state = self.fields, self.state(dropped)
+        full, mine = (np.zeros(found.expected.shape) for _ in range(2))
+        near = found.sample.near if state == "words" and not everywhere else np.zeros_like(0.0)
+        for name, each in found.noise.items():
+            there = each if name in found.after else np.where(found.clipped, 0.0, each)
+            full += there
+            kept = each if state == "sums" else there
+            lost = np.where(near, name in self.forced_off, name in dropped)
+            mine += np.where(lost, 0.0, kept)
+        if not everywhere:
+            mine -= sum((each for name, each in self._cuts(dropped) if name in _UNDRAWN), 0.0)
+        square, kept_e2 = (float(np.mean(found.sample.mean(each))) for each in (full, mine))
+        added = with_readout_e(0.0, self.program.sensor) ** 2 if readout else 0.0
+        if not square + added > 0:
+            return None
+        return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))
 
     def state(self, dropped: frozenset[str]) -> str:
         """What becomes of pixels that may saturate: they run through their words with all effects,
@@ -225,15 +284,19 @@ class Forecast(ABC):
             return field * (state == "words")
         return field * self._where(state, name)
 
-    @remembered
-    def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
+    def _random(self, state: str) -> dict[str, NDArray[np.float64]]:
+        """The variances (buckets, pixels) of random effects as far as a state does not simulate
+        them."""
         behind = self.fields.after if state == "clip" else ()
         return {
-            name: self.fields.sample.mean(
-                variance if name in behind else variance * self._where(state, name)
-            )
+            name: variance if name in behind else variance * self._where(state, name)
             for name, variance in self.fields.variance.items()
         }
+
+    @remembered
+    def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
+        random, mean = self._random(state), self.fields.sample.mean
+        return {name: mean(variance) for name, variance in random.items()}
 
     def _rounding(self, dropped: frozenset[str]) -> NDArray[np.float64]:
         """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""
@@ -244,8 +307,16 @@ class Forecast(ABC):
 
     @remembered
     def _rounded(self, shifting: frozenset[str]) -> NDArray[np.float64]:
-        part = np.abs(sum((self.fields.shifts[name] for name in shifting), _NOTHING)) % 1.0
-        return self.fields.sample.mean(part * (1.0 - part))
+        return self.fields.sample.mean(self._rounding_of(shifting))
+
+    def _rounding_of(self, dropped: frozenset[str]) -> NDArray[np.float64]:
+        """The same of each pixel (buckets, pixels)."""
+        shifting = sorted(dropped & set(self.fields.shifts))
+        if self._dropped(CountedLight, dropped):
+            return np.zeros(self.fields.expected.shape)
+        part = sum((self.fields.shifts[name] for name in shifting), _NOTHING)
+        part = np.abs(part) % 1.0
+        return np.broadcast_to(part * (1.0 - part), self.fields.expected.shape)
 
     @cached_property
     def closed(self) -> bool:
@@ -272,27 +343,41 @@ class Forecast(ABC):
     def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
         """The short cuts of a plan by sums, with their mean squares (buckets,)."""
         means = self._means(self.state(dropped))
+        for name in self._taken(dropped):
+            rates = f"{self.leak_nodes} rate{'s' * (self.leak_nodes > 1)}"
+            yield _CUTS[name].format(rates=rates), means[name]
+
+    def _taken(self, dropped: frozenset[str]) -> Iterable[str]:
+        """The short cuts by the names of `_CUTS`."""
         if not self._dropped(Counted, dropped):
-            yield "counts are not spread over the slots of a group", means["thinning"]
-            yield "counts from a rate of 10 on by formula", np.full(1, _FORMULA_E**2)
+            yield from ("thinning", "formula")
             if self._stays(Exchange, dropped):
-                yield "neighbours' counts are taken as even over their slots", means["neighbours"]
+                yield "neighbours"
         if not self._dropped(Errors, dropped):
-            yield "the noise of words as at the mean leakage", means["noise"]
+            yield "noise"
         if self._stays(Leak, dropped):
-            many = "s" * (self.leak_nodes > 1)
-            yield f"leakage from sums at {self.leak_nodes} rate{many}", means["leak"]
+            yield "leak"
+
+    def _cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
+        """The squares (buckets, pixels) that the short cuts of a plan leave."""
+        squares = self._squares(self.state(dropped))
+        return ((name, squares[name]) for name in self._taken(dropped))
 
     @remembered
     def _means(self, state: str) -> dict[str, NDArray[np.float64]]:
         """The mean squares of the short cuts."""
-        fields, mean, where = self.fields, self.fields.sample.mean, self._where(state)
+        mean = self.fields.sample.mean
+        return {name: mean(square) for name, square in self._squares(state).items()}
+
+    def _squares(self, state: str) -> dict[str, NDArray[np.float64]]:
+        fields, where = self.fields, self._where(state)
         after = np.ones(1) if state == "clip" else where
         return {
-            "thinning": mean(fields.thinning[self.closed] * where),
-            "neighbours": mean(fields.neighbours[self.closed] * where),
-            "noise": mean(fields.noise_cut * after),
-            "leak": self._leak_error(self.leak_nodes) ** 2 * mean(fields.expected**2 * after),
+            "thinning": fields.thinning[self.closed] * where,
+            "formula": np.full(where.shape, _FORMULA_E**2),
+            "neighbours": fields.neighbours[self.closed] * where,
+            "noise": fields.noise_cut * after,
+            "leak": self._leak_error(self.leak_nodes) ** 2 * fields.expected**2 * after,
         }
 
     def contribution(self, effect: Effect) -> tuple[float, float]:

@@ -137,6 +137,12 @@ def with_readout_e(noise_e: float, sensor: Sensor) -> float:
     return math.hypot(noise_e, *added)
 
 
+def most_change(noise_part: float) -> float:
+    """By what part such a tolerance lets the noise's standard deviation change: errors of that part
+    of the noise, added in quadrature, make it 1 + part^2 / 2 times as large."""
+    return noise_part**2
+
+
 def _within(found: Tolerance, shown: str) -> Tolerance:
     if not LEAST_E <= found.electrons <= MOST_E:
         raise _malformed(shown)
