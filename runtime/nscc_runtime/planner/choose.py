@@ -23,8 +23,9 @@ from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.planner.plan import Approximation, Choice, Decision, Loop, Plan
-from nscc_runtime.planner.predict import Forecast
+from nscc_runtime.planner.predict import WORDS
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.promises import Promises
 from nscc_runtime.planner.tolerance import DEFAULT, Given, most_change
 from nscc_runtime.planner.worst import Worst
 from nscc_runtime.remembered import remembered
@@ -35,6 +36,8 @@ _SHORT_CUTS = 0.6
 """Short cuts may take this part of the tolerance; beyond it, all pixels run through their words."""
 
 _NOTHING = np.zeros(1)
+_ERRORS = 3.0
+"""Standard errors of a sample that a bound allows for."""
 _REFERENCE = 2.0
 """The reference, by the cost of the loop over words."""
 _WORD_NS, _SLOT_NS = 300.0, 60.0
@@ -57,7 +60,7 @@ def plan_for(
     (NS0746) where the tolerance is none.
     """
     chosen = effects or selected("auto")
-    return Chooser(program, light, tolerance, tolerance_max, device_seed, chosen).plan()
+    return Chooser(program, light, device_seed, tolerance, tolerance_max, chosen).plan()
 
 
 def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int = 0) -> Plan:
@@ -65,7 +68,7 @@ def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int =
     of the scene is one of this scene."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
     chosen = Selection(always_on() | on, frozenset(optional()))
-    chooser = Chooser(program, light, plan.asked, plan.asked_max, device_seed, chosen)
+    chooser = Chooser(program, light, device_seed, plan.asked, plan.asked_max, chosen)
     made = chooser.plan("taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
@@ -73,7 +76,7 @@ def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int =
 
 
 @dataclass(frozen=True, eq=False)
-class Chooser(Forecast):
+class Chooser(Promises):
     """One search; see `plan_for`."""
 
     effects: Selection
@@ -151,7 +154,7 @@ class Chooser(Forecast):
         """
         left = [effect for effect in self.present if effect.name not in dropped]
         summed = not (self._everywhere or any(isinstance(e.sums, CannotHave) for e in left))
-        if summed and self.state(dropped) != "words":
+        if summed and not self.state(dropped).startswith(WORDS):
             return "sums"
         if any(effect.name in self.slow for effect in left):
             return "reference"
@@ -182,8 +185,7 @@ class Chooser(Forecast):
         """Nanoseconds a pixel that the way of simulating what is left costs."""
         path = self._path(dropped)
         if path == "sums":
-            near = self.near if self.state(dropped) == "words" else ()
-            return self._words_ns(len(near))
+            return self._words_ns(len(self.running(self.state(dropped))))
         return self._words_ns(len(self.program.lanes)) * (_REFERENCE if path == "reference" else 1)
 
     def _saved_ns(self, names: frozenset[str], dropped: frozenset[str]) -> float:
@@ -201,6 +203,7 @@ class Chooser(Forecast):
         """The plan of these decisions."""
         path = self._path(dropped)
         square, most = self.squares(dropped, path != "sums")
+        most = most + _ERRORS * self.sampling_error(dropped, path != "sums")
         taken = self.short_cuts(dropped) if path == "sums" else ()
         cuts = [Approximation(name, math.sqrt(float(np.max(part)))) for name, part in taken]
         reasons = [*self._reasons(dropped)]
@@ -240,8 +243,9 @@ class Chooser(Forecast):
                 "counts would have to be spread over the slots of most pixels: the weights of a "
                 "code's slots differ too much for this tolerance"
             )
-        if self.state(dropped) == "words":
-            yield f"{len(self.near)} pixels may saturate"
+        running = len(self.running(self.state(dropped)))
+        if running:
+            yield f"{running} pixels may saturate"
 
     def _decision(self, effect: Effect, dropped: frozenset[str], forced_reason: str) -> Decision:
         forced = self._forced(effect)

@@ -174,7 +174,10 @@ class _Near:
         lanes = scene.lanes[scene.sample.near]
         z = np.linspace(-_SIGMAS, _SIGMAS, 16 * _SIGMAS + 1)[:, None, None]
         density = np.exp(-z * z / 2)
-        size = np.abs(expected) + reach.offset_e[lanes]
+        # What a register held at most, before words and leakage took their part of it.
+        gain = scene.slots.max(axis=0)[lanes].T
+        held = np.abs(expected) / np.where(gain > 0, gain, 1.0)
+        size = held + reach.offset_e[lanes]
         sigma = np.sqrt(reach.sigma_e[lanes] ** 2 + np.abs(expected))
         lost = soft.lost_e(scene.sensor, size + sigma * z)
         # Of many pixels the one that goes farthest may carry all of it.

@@ -100,7 +100,7 @@ class PlanningBySums:
     def _forecast(self) -> Chooser:
         check_size(self.container, self.light)
         auto = selected("auto")
-        return Chooser(self._program, self.light, DEFAULT, None, self.device_seed, auto)
+        return Chooser(self._program, self.light, self.device_seed, DEFAULT, None, auto)
 
     def plan(
         self, tolerance: Given, effects: Selection, tolerance_max: Given | None = None

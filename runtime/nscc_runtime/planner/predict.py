@@ -31,21 +31,12 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner import leak_nodes
 from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, fields_of
 from nscc_runtime.planner.plan import Decision, Plan
-from nscc_runtime.planner.pool import processors
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import sample_of
-from nscc_runtime.planner.tolerance import (
-    Given,
-    Tolerance,
-    mean_signal_e,
-    tolerance_of,
-    with_readout_e,
-)
-from nscc_runtime.planner.worst import Worst, worst_of
 from nscc_runtime.remembered import remembered
 
-_CLIP = "clip"
+CLIP = "clip"
 """Sums that are clipped know nothing of light that falls before the level of a reset is read; that
 is about as much as all of the gates' switching does.
 """
@@ -53,6 +44,8 @@ _FORMULA_E = 0.015
 """RMS of counts by formula against exact ones: one electron in some five thousand pixels."""
 _LEAK_PART = 0.05
 _CLOSED_PART = 0.1
+WORDS = "words"
+"""The state where pixels run through their words; without some of saturation it begins so."""
 _NOTHING = np.zeros(1)
 _CUTS = {
     "thinning": "counts are not spread over the slots of a group",
@@ -61,8 +54,6 @@ _CUTS = {
     "noise": "the noise of words as at the mean leakage",
     "leak": "leakage from sums at {rates}",
 }
-_UNDRAWN = ("thinning", "neighbours", "noise")
-"""Short cuts whose squares are variance that is not drawn."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,41 +62,12 @@ class Forecast(ABC):
 
     program: Program
     light: Light
-    tolerance: Given
-    tolerance_max: Given | None
     device_seed: int
 
-    @cached_property
-    def allowed(self) -> Tolerance:
-        """What the tolerance means here. Raises Rejected (NS0746) where it is none."""
-        return tolerance_of(self.tolerance, self.program.sensor, self)
-
-    @cached_property
-    def allowed_max(self) -> Tolerance | None:
-        """The same of the tolerance of the worst pixel; None: it may be anything."""
-        asked = self.tolerance_max
-        return None if asked is None else tolerance_of(asked, self.program.sensor, self)
-
     @property
+    @abstractmethod
     def tolerance_e(self) -> float:
         """The tolerance in electrons."""
-        return self.allowed.electrons
-
-    def signal_e(self) -> float:
-        """See `nscc_runtime.planner.tolerance.Follows`."""
-        plan = Plan.of_nothing()
-        exact = Prepared(self.program, self.light, plan, self.device_seed, processors())
-        return mean_signal_e(exact.expected, self.program.sensor)
-
-    def noise_e(self) -> float:
-        """See `nscc_runtime.planner.tolerance.Follows`. Where the full well is passed, charge is
-        not random."""
-        found, mean = self.fields, self.fields.sample.mean
-        square = sum(
-            mean(each if name in found.after else np.where(found.clipped, 0.0, each))
-            for name, each in found.noise.items()
-        )
-        return with_readout_e(math.sqrt(float(np.mean(square))), self.program.sensor)
 
     @property
     @abstractmethod
@@ -183,7 +145,7 @@ class Forecast(ABC):
         """Predicted mean squares (buckets,), and the most that they can be: fixed parts add up."""
         state = self.state(dropped)
         names, products = self._products(state)
-        inside = self._inside(dropped)
+        inside = self.inside(dropped)
         at = [i for i, name in enumerate(names) if name in inside]
         part = products[:, at][:, :, at]
         variances = self._variances(state)
@@ -194,49 +156,12 @@ class Forecast(ABC):
         sizes = np.sqrt(np.maximum(np.diagonal(part, axis1=1, axis2=2), 0.0)).sum(axis=1)
         return part.sum(axis=(1, 2)) + random, sizes**2 + random
 
-    def _inside(self, dropped: frozenset[str]) -> frozenset[str]:
+    def inside(self, dropped: frozenset[str]) -> frozenset[str]:
         """The fixed fields that a plan lacks which leaves these effects out."""
         # Saturation is a field of its own: in `BOTH` where neither is simulated.
         lost = self.saturation & dropped
         found = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
-        return frozenset({*found, _CLIP, FORCED})
-
-    @remembered
-    def worst(self, dropped: frozenset[str], everywhere: bool) -> Worst:
-        """The predicted errors of the worst pixels."""
-        state, sample = self.state(dropped), self.fields.sample
-        names = self._inside(dropped) & {*self.fields.fixed, _CLIP}
-        blank = np.zeros(self.fields.expected.shape)
-        mean = sum((self._left(name, state) for name in sorted(names)), blank)
-        random = self._random(state)
-        variance = sum((random[name] for name in random if name in dropped), blank)
-        variance = variance + self._rounding_of(dropped)
-        if not everywhere:
-            variance = variance + sum((each for _, each in self._cuts(dropped)), blank)
-        return worst_of(mean, variance, sample.weight, len(self.program.lanes))
-
-    def noise_ratio(
-        self, dropped: frozenset[str], everywhere: bool, readout: bool = False
-    ) -> float | None:
-        """The predicted standard deviation of a plan's exposures over frames by that with every
-        effect, in root mean square over pixels and buckets; of what is read out with `readout`.
-        None where nothing is random."""
-        found, state = self.fields, self.state(dropped)
-        full, mine = (np.zeros(found.expected.shape) for _ in range(2))
-        near = found.sample.near if state == "words" and not everywhere else np.zeros_like(0.0)
-        for name, each in found.noise.items():
-            there = each if name in found.after else np.where(found.clipped, 0.0, each)
-            full += there
-            kept = each if state == "sums" else there
-            lost = np.where(near, name in self.forced_off, name in dropped)
-            mine += np.where(lost, 0.0, kept)
-        if not everywhere:
-            mine -= sum((each for name, each in self._cuts(dropped) if name in _UNDRAWN), 0.0)
-        square, kept_e2 = (float(np.mean(found.sample.mean(each))) for each in (full, mine))
-        added = with_readout_e(0.0, self.program.sensor) ** 2 if readout else 0.0
-        if not square + added > 0:
-            return None
-        return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))
+        return frozenset({*found, CLIP, FORCED})
 
     def state(self, dropped: frozenset[str]) -> str:
         """What becomes of pixels that may saturate: they run through their words with all effects,
@@ -244,7 +169,23 @@ class Forecast(ABC):
         """
         if not len(self.near) or dropped >= self.saturation:
             return "sums"
-        return "clip" if self._dropped(Soft, dropped) and self._all_single else "words"
+        if self._dropped(Soft, dropped) and self._all_single:
+            return "clip"
+        # With less that saturates fewer pixels run through their words.
+        return " without ".join((WORDS, *sorted(self.saturation & dropped)))
+
+    @remembered
+    def running(self, state: str) -> NDArray[np.int64]:
+        """The places of pixels that run through their words because they may saturate."""
+        if not state.startswith(WORDS):
+            return np.empty(0, np.int64)
+        lost = state.split(" without ")[1:]
+        return self._everything.saturating_with(everything().without(*lost))
+
+    @remembered
+    def runs(self, state: str) -> NDArray[np.bool_]:
+        """Which pixels of the sample are among them."""
+        return np.isin(self.fields.sample.places, self.running(state))
 
     @cached_property
     def _all_single(self) -> bool:
@@ -258,20 +199,20 @@ class Forecast(ABC):
             return np.ones(fields.expected.shape)
         if state == "clip":
             return np.where(fields.clipped, 0.0, 1.0)
-        return np.broadcast_to(np.where(fields.sample.near, 0.0, 1.0), fields.expected.shape)
+        return np.broadcast_to(np.where(self.runs(state), 0.0, 1.0), fields.expected.shape)
 
     @remembered
     def _products(self, state: str) -> tuple[list[str], NDArray[np.float64]]:
         """Names of the fixed fields, and the means (buckets, ., .) of their products."""
-        names = [*self.fields.fixed, _CLIP]
-        stack = np.stack([self._left(name, state) for name in names], axis=1)
+        names = [*self.fields.fixed, CLIP]
+        stack = np.stack([self.left(name, state) for name in names], axis=1)
         weight = self.fields.sample.weight
         return names, (stack * (weight / weight.sum())) @ stack.transpose(0, 2, 1)
 
-    def _left(self, name: str, state: str) -> NDArray[np.float64]:
+    def left(self, name: str, state: str) -> NDArray[np.float64]:
         """The field (buckets, pixels) of a fixed effect as far as a state does not simulate it."""
         fixed, clipped = self.fields.fixed, self.fields.clipped
-        if name == _CLIP:
+        if name == CLIP:
             slow = everything().names(SlowWords)
             field = sum((fixed[name] for name in sorted(slow)), np.zeros(clipped.shape))
             return np.where(clipped, field, 0.0) if state == "clip" else np.zeros_like(field)
@@ -281,10 +222,10 @@ class Forecast(ABC):
         if state == "clip":
             return np.where(clipped, self.fields.after.get(name, 0.0), field)
         if name == FORCED:
-            return field * (state == "words")
+            return np.where(self.runs(state), field, 0.0)
         return field * self._where(state, name)
 
-    def _random(self, state: str) -> dict[str, NDArray[np.float64]]:
+    def random(self, state: str) -> dict[str, NDArray[np.float64]]:
         """The variances (buckets, pixels) of random effects as far as a state does not simulate
         them."""
         behind = self.fields.after if state == "clip" else ()
@@ -295,7 +236,7 @@ class Forecast(ABC):
 
     @remembered
     def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
-        random, mean = self._random(state), self.fields.sample.mean
+        random, mean = self.random(state), self.fields.sample.mean
         return {name: mean(variance) for name, variance in random.items()}
 
     def _rounding(self, dropped: frozenset[str]) -> NDArray[np.float64]:
@@ -307,9 +248,9 @@ class Forecast(ABC):
 
     @remembered
     def _rounded(self, shifting: frozenset[str]) -> NDArray[np.float64]:
-        return self.fields.sample.mean(self._rounding_of(shifting))
+        return self.fields.sample.mean(self.rounding_of(shifting))
 
-    def _rounding_of(self, dropped: frozenset[str]) -> NDArray[np.float64]:
+    def rounding_of(self, dropped: frozenset[str]) -> NDArray[np.float64]:
         """The same of each pixel (buckets, pixels)."""
         shifting = sorted(dropped & set(self.fields.shifts))
         if self._dropped(CountedLight, dropped):
@@ -324,7 +265,7 @@ class Forecast(ABC):
         sample, fields = self.fields.sample, self.fields
         more = fields.thinning[False] - fields.thinning[True]
         more = more + fields.neighbours[False] - fields.neighbours[True]
-        more = sample.mean(more * self._where("words"))
+        more = sample.mean(more * self._where(WORDS))
         return bool(np.max(more) > (_CLOSED_PART * self.tolerance_e) ** 2)
 
     @cached_property
@@ -358,7 +299,7 @@ class Forecast(ABC):
         if self._stays(Leak, dropped):
             yield "leak"
 
-    def _cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
+    def cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
         """The squares (buckets, pixels) that the short cuts of a plan leave."""
         squares = self._squares(self.state(dropped))
         return ((name, squares[name]) for name in self._taken(dropped))
@@ -384,7 +325,7 @@ class Forecast(ABC):
         """RMS and mean of what an effect does, in the bucket where it does most."""
         mean = self.fields.sample.mean
         field, variance = self.fields.fixed.get(effect.name), self.fields.variance.get(effect.name)
-        where = self._where("words" if len(self.near) else "sums", effect.name)
+        where = self._where(WORDS if len(self.near) else "sums", effect.name)
         if effect.name in self.saturation:
             where = np.ones_like(where)
         square = _NOTHING if field is None else mean(field**2 * where)

@@ -159,7 +159,7 @@ class _Bench:
 
     def _allowed(self, given: str | float) -> Tolerance:
         seed = self.settings.device_seed
-        return Chooser(self.program, self.scene.light, given, None, seed, selected("auto")).allowed
+        return Chooser(self.program, self.scene.light, seed, given, None, selected("auto")).allowed
 
     def warm(self) -> None:
         """Loads what a process loads once."""
