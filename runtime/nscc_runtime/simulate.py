@@ -11,12 +11,14 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+import numpy as np
+
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime import frame_file
-from nscc_runtime.effects import Selection, selected
+from nscc_runtime.effects import Selection, marks, selected
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
@@ -101,7 +103,8 @@ class Request:
                 f"leave {named} out, or name a file that does not exist to write a new plan",
             )
         planned = not reference and (bool(asked) or not chosen.noiseless)
-        return cls(chosen, planned=planned, plan=plan, audit=audit, **tolerances, **others)
+        others.update(tolerances)
+        return cls(chosen, planned=planned, plan=plan, audit=audit, **others)
 
 
 @dataclass(frozen=True)
@@ -144,6 +147,16 @@ def simulate(
 ) -> Simulated:
     """Expose the scene. Raises Rejected where the program, the scene or the plan is unfit."""
     listener = listener or Listener()
+    simulated = _simulated(container, light, sensor, request, listener)
+    eaten = _eaten(simulated.frame)
+    if eaten is not None:
+        listener.warn(eaten)
+    return simulated
+
+
+def _simulated(
+    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
+) -> Simulated:
     if container.target.streamed and (request.plan is not None or request.audit):
         raise planless("--plan" if request.plan is not None else "--audit")
     if container.target.streamed and not request.effects.noiseless:
@@ -278,6 +291,24 @@ def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> 
     """The frame, or all of `repeat` with an axis in front."""
     found = list(listener.progress(made, "exposing", repeat or 1))
     return frame_file.stacked(found) if repeat else found[0]
+
+
+def _eaten(frame: Frame) -> Diagnostic | None:
+    """The warning that light has eaten reset levels."""
+    marked = frame.saturated_by & marks()["subtracted"].bit != 0
+    pixels = marked.reshape(-1, *marked.shape[-2:]).any(axis=0)
+    count = int(np.count_nonzero(pixels))
+    if not count:
+        return None
+    many = "pixel reads" if count == 1 else "pixels read"
+    return Diagnostic(
+        "NS0793",
+        f"{count} {many} less than they saw, down to nothing: light has eaten the reset level",
+        severity=Severity.WARNING,
+        notes=(f"{count / pixels.size:.2%} of the pixels: PIX was full when it was subtracted",),
+        helps=("saturated_by has the bit 8 there; less light makes them fewer",),
+        data={"pixels": count},
+    )
 
 
 def _over(plan: Plan, breach: str, given: bool) -> Diagnostic:

@@ -165,6 +165,8 @@ class Chooser:
             reason = "costs nothing"
         elif then_e > MARGIN * self.tolerance_e:
             reason = f"left out, the error would be {then_e:.3g} e"
+        elif self.allowed_max and found.worst.max_e > MARGIN * self.allowed_max.electrons:
+            reason = f"left out, the worst pixel would be {found.worst.max_e:.3g} e off"
         else:
             reason = f"left out, {found.other_states:.2%} would end in other states"
         bias = float(found.mean[int(np.argmax(found.square))])

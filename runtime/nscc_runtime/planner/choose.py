@@ -139,6 +139,13 @@ class Chooser(Promises):
         limit = max(most_change(part), self._noise_change(forced))
         return self._noise_change(dropped) <= limit
 
+    def _unbounded(self, dropped: frozenset[str]) -> str:
+        """What would become of that which `_bounded` finds too much."""
+        worst_e, most = self._worst(dropped).max_e, self.allowed_max
+        if most is not None and worst_e > MARGIN * most.electrons:
+            return f"left out, the worst pixel would be {worst_e:.3g} e off"
+        return f"left out, the noise would change by {self._noise_change(dropped):.1%}"
+
     def _worst(self, dropped: frozenset[str]) -> Worst:
         return self.worst(dropped, self._path(dropped) != "sums")
 
@@ -261,6 +268,8 @@ class Chooser(Promises):
             choice, reason = "dropped", f"{rms:.3g} e fits into the tolerance"
         elif then > MARGIN * self.tolerance_e:
             reason = f"left out, the error would be {then:.3g} e"
+        elif cost > 0 and not self._bounded(dropped | {effect.name}):
+            reason = self._unbounded(dropped | {effect.name})
         else:
             reason = "costs nothing"
         if forced and choice != "absent":

@@ -274,9 +274,7 @@ class Plan:
         names = {"slot_loop": "slot_loop_pixels", "closed": "closed_slots_counted"}
         names |= {"decisions": "effects"}
         plan: Plan = _read(cls, {**values, **{ours: values[its] for ours, its in names.items()}})
-        named = [(each.name, each.kind) for each in plan.decisions]
-        if named != [(effect.name, effect.kind) for effect in registered()]:
-            raise ValueError("its effects are not those of this version")
+        plan = replace(plan, decisions=_of_this_version(plan.decisions))
         if not LEAST_E <= plan.tolerance_e <= MOST_E:
             raise ValueError(f"tolerance_e is {plan.tolerance_e}")
         for unit, name, part_of_e in (
@@ -290,12 +288,27 @@ class Plan:
         return plan
 
 
+def _of_this_version(found: tuple[Decision, ...]) -> tuple[Decision, ...]:
+    """Decisions on all effects that there are, in their order; those that an older file does not
+    know are simulated. ValueError for others."""
+    named = {(each.name, each.kind): each for each in found}
+    known = [(effect.name, effect.kind) for effect in registered()]
+    if len(named) < len(found) or not named.keys() <= {*known}:
+        raise ValueError("its effects are not those of this version")
+    reason = "the plan's file does not know it"
+    return tuple(
+        named.get((name, kind))
+        or Decision(name, kind, "kept", False, reason, None, None, None, 0.0)
+        for name, kind in known
+    )
+
+
 def _read(kind: Any, value: Any) -> Any:
     """A value of JSON as what an annotation names. Numbers are finite: JSON's own have no end."""
     origin, parts = get_origin(kind), get_args(kind)
     if isinstance(kind, type) and is_dataclass(kind):
         hints = get_type_hints(kind)
-        known = [e for e in fields(kind) if e.name in value or e.metadata is not _LATER]
+        known = [e for e in fields(kind) if e.name in value or not e.metadata]
         return kind(**{each.name: _read(hints[each.name], value[each.name]) for each in known})
     if origin is tuple and isinstance(value, list):
         return tuple(_read(parts[0], each) for each in value)

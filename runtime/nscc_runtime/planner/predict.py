@@ -22,6 +22,7 @@ from nscc_runtime.effects.parts import (
     Errors,
     Exchange,
     Leak,
+    LitLevel,
     Part,
     Saturates,
     SlowWords,
@@ -161,6 +162,8 @@ class Forecast(ABC):
         # Saturation is a field of its own: in `BOTH` where neither is simulated.
         lost = self.saturation & dropped
         found = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
+        if self._dropped(SlowWords, dropped):
+            found |= everything().names(LitLevel)
         return frozenset({*found, CLIP, FORCED})
 
     def state(self, dropped: frozenset[str]) -> str:
@@ -213,7 +216,7 @@ class Forecast(ABC):
         """The field (buckets, pixels) of a fixed effect as far as a state does not simulate it."""
         fixed, clipped = self.fields.fixed, self.fields.clipped
         if name == CLIP:
-            slow = everything().names(SlowWords)
+            slow = everything().names(SlowWords) | everything().names(LitLevel)
             field = sum((fixed[name] for name in sorted(slow)), np.zeros(clipped.shape))
             return np.where(clipped, field, 0.0) if state == "clip" else np.zeros_like(field)
         field = fixed[name]
@@ -326,7 +329,8 @@ class Forecast(ABC):
         mean = self.fields.sample.mean
         field, variance = self.fields.fixed.get(effect.name), self.fields.variance.get(effect.name)
         where = self._where(WORDS if len(self.near) else "sums", effect.name)
-        if effect.name in self.saturation:
+        if effect.name in self.saturation or effect.parts(LitLevel):
+            # What happens where pixels saturate is what these are about.
             where = np.ones_like(where)
         square = _NOTHING if field is None else mean(field**2 * where)
         square = np.atleast_1d(square + (0.0 if variance is None else mean(variance * where)))

@@ -38,6 +38,8 @@ def worst_of(mean: Values, variance: Values, weight: Values, pixels: int) -> Wor
     frame's largest error a sample shows little: it is taken to be at least as far beyond that of
     99.9 % as with normal errors.
     """
+    if not (mean.any() or variance.any()):
+        return Worst(0.0, 0.0)
     part = weight / weight.sum()
     sigma = np.sqrt(np.maximum(variance, 1e-12))
     common, rare = 1.0 / ONE_IN, min(1.0 / ONE_IN, 1.0 / (_FRAMES * pixels * len(mean)))
