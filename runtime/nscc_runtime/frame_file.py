@@ -227,7 +227,21 @@ def unplanned(
     """
     nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
     return {
-        **dict.fromkeys(("tolerance", "tolerance_e", "signal_e", "predicted_e", "bound_e")),
+        **dict.fromkeys(
+            (
+                "tolerance",
+                "tolerance_e",
+                "signal_e",
+                "noise_e",
+                "predicted_e",
+                "bound_e",
+                "predicted_p999_e",
+                "predicted_max_e",
+                "tolerance_max",
+                "tolerance_max_e",
+                "noise_ratio",
+            )
+        ),
         "slot_loop": True,
         "slot_loop_reasons": ["words are executed slot by slot"],
         "sampled_fraction": 0.0,

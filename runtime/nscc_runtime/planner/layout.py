@@ -38,6 +38,7 @@ class Sizes:
     reset_errors: int
     read_errors: int
     slow_words: int
+    lit_level: int
     word_errors: int
     bends: int
     leaks: int

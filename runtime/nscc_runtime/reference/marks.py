@@ -55,11 +55,14 @@ class Marks:
         """PIX is reset there."""
         self.full["PIX"] = np.where(here, np.uint8(0), self.full["PIX"])
 
-    def gathered(self, op: Op) -> tuple[Full, Values]:
-        """What the result of a bus word has of its sources'."""
+    def gathered(self, op: Op, unseen: NDArray[np.bool_]) -> tuple[Full, Values]:
+        """What the result of a bus word has of its sources', but where it does not see what PIX
+        holds."""
         full, lost = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
         for name in op.sources:
-            full, lost = full | self.full[name], lost + self.lost[name]
+            held = self.full[name]
+            full |= np.where(unseen, np.uint8(0), held) if name == "PIX" else held
+            lost = lost + self.lost[name]
         return inverted(full), lost / op.operation.divisor
 
     def write(self, name: str, here: NDArray[np.bool_], full: Full, lost: Values) -> None:
