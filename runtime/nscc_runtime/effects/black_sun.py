@@ -26,7 +26,7 @@ def _field(sample: Sampled) -> Field:
 
 BLACK_SUN = Effect(
     name="black_sun",
-    stream=19,
+    stream=20,
     kind="fixed",
     title="light that eats the level of a reset",
     model="Light goes on falling while words run. A word that reads the level of PIX after a reset "
