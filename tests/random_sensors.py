@@ -84,7 +84,7 @@ def promises(seed: int, plans: int = 4, side: int = 48, frames: int = 6) -> list
 
 
 def _any_scene(rng: np.random.Generator, slots: int, side: int, full_e: float) -> tuple[str, Light]:
-    """A scene by its name, dimmer or brighter than it is; at about a full well; or one with suns."""
+    """A scene by its name, dimmer or brighter; one at about a full well; or one with suns."""
     kind = rng.choice(["known", "known", "well", "suns"])
     name = str(rng.choice(list(SCENES)))
     frames = np.array(scene(name, slots, side, side).frames) * np.float32(10 ** rng.uniform(-1, 1))

@@ -299,18 +299,18 @@ def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> 
 
 def _eaten(frame: Frame) -> Diagnostic | None:
     """The warning that light has eaten reset levels."""
-    marked = frame.saturated_by & marks()["subtracted"].bit != 0
+    marked = frame.saturated_by & marks()["level"].bit != 0
     pixels = marked.reshape(-1, *marked.shape[-2:]).any(axis=0)
     count = int(np.count_nonzero(pixels))
     if not count:
         return None
-    many = "pixel reads" if count == 1 else "pixels read"
+    many = "pixel reads less than it" if count == 1 else "pixels read less than they"
     return Diagnostic(
         "NS0793",
-        f"{count} {many} less than they saw, down to nothing: light has eaten the reset level",
+        f"{count} {many} saw, down to nothing: light has eaten the reset level",
         severity=Severity.WARNING,
-        notes=(f"{count / pixels.size:.2%} of the pixels: PIX was full when it was subtracted",),
-        helps=("saturated_by has the bit 8 there; less light makes them fewer",),
+        notes=(f"black suns are {count / pixels.size:.2%} of the pixels",),
+        helps=("saturated_by has the bit 16 there; less light makes them fewer",),
         data={"pixels": count},
     )
 

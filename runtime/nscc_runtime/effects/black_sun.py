@@ -7,6 +7,7 @@ import numpy as np
 from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
 from nscc_runtime.effects.field import Field, Sampled, Values
 from nscc_runtime.effects.full_well import FULL
+from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parts import LitLevel
 from nscc_runtime.effects.views import Pixels, Word
 
@@ -40,4 +41,5 @@ BLACK_SUN = Effect(
     sums=(LitLevel(),),
     fused=CannotHave("it takes slots wholly or not at all"),
     words=InLoop("lit_level"),
+    marks={"level": Mark(16, "black sun")},
 )

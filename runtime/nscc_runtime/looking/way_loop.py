@@ -23,8 +23,8 @@ from nscc_runtime.noise.loops import uniform
 
 BLOCK = 512
 """Pixels that are taken along together."""
-_ADDED, _SUBTRACTED = 1, 2
-"""Of what a register holds: it has a full PIX in it."""
+_ADDED, _SUBTRACTED, _LEVEL = 1, 2, 4
+"""Of what a register holds: it has a full PIX in it, or that of a reset's level."""
 _bent = in_loop("bends")
 """What a register holds of a value, by the effect that bends it."""
 
@@ -135,9 +135,12 @@ def _gathered(
             fresh = source == sizes.registers and stamp[at] == word.time_s
             if sizes.lit_level or not fresh:
                 found |= full[at]
+            if sizes.lit_level and fresh and full[at]:
+                found |= _LEVEL
             lost_e += lost[at]
         # What is added of the negative was subtracted.
-        marks[j] = (found & _ADDED) * _SUBTRACTED | found // _SUBTRACTED
+        exchanged = (found & _ADDED) * _SUBTRACTED | (found & _SUBTRACTED) // _SUBTRACTED
+        marks[j] = exchanged | found & _LEVEL
         much[j] = lost_e / word.divisor
 
 
@@ -218,6 +221,8 @@ def _read_out(
                 found |= sizes.subtracted_bit if negative else sizes.well_bit
             if full[at] & _SUBTRACTED:
                 found |= sizes.well_bit if negative else sizes.subtracted_bit
+            if full[at] & _LEVEL:
+                found |= sizes.level_bit
             out[bucket * sizes.pixels + first + i] = held + 0.0
             marked[bucket * sizes.pixels + first + i] = np.uint8(found)
 

@@ -36,8 +36,8 @@ from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
 _READS, _RESETS, _WORDS = 0, 1, 2
 ERRORS = 3
 """Kinds of small errors."""
-_ADDED, _SUBTRACTED = 1, 2
-"""Of what a register holds: it has a full PIX in it."""
+_ADDED, _SUBTRACTED, _LEVEL = 1, 2, 4
+"""Of what a register holds: it has a full PIX in it, or that of a reset's level."""
 _bent = in_loop("bends")
 """What a register holds of a value, by the effect that bends it."""
 
@@ -122,6 +122,8 @@ def _execute(
         if not (source == pix and unseen):
             total += registers[source]
             gathered |= full[source]
+            if source == pix and fresh and full[source]:
+                gathered |= _LEVEL
         lost_e += lost[source]
         if source == pix:
             total += registers[pix + 1]
@@ -143,7 +145,8 @@ def _execute(
             value = held
         registers[register] = value
         # What is added of the negative was subtracted.
-        full[register] = (gathered & _ADDED) * _SUBTRACTED | (gathered // _SUBTRACTED)
+        exchanged = (gathered & _ADDED) * _SUBTRACTED | (gathered & _SUBTRACTED) // _SUBTRACTED
+        full[register] = exchanged | gathered & _LEVEL
         lost[register] = here_e
 
 
@@ -255,6 +258,8 @@ def _read_out(
             bits |= sizes.subtracted_bit if negative else sizes.well_bit
         if full[register] & _SUBTRACTED:
             bits |= sizes.well_bit if negative else sizes.subtracted_bit
+        if full[register] & _LEVEL:
+            bits |= sizes.level_bit
         marked[bucket * sizes.pixels + i] = np.uint8(bits)
         if sizes.leaks:
             value *= math.exp(-leak * readout_wait_s[bucket])

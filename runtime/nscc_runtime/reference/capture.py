@@ -273,7 +273,8 @@ class _Pixels(Pixels):
         for name in word.op.sources:
             total = total + self._source(name, word)
         result = total / -word.op.operation.divisor
-        full, lost = self.marks.gathered(word.op, self.resets.unseen(word.boundary))
+        at = word.boundary
+        full, lost = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
         for index, name in enumerate(word.op.destinations):
             value = result
             for written in self.at("words"):

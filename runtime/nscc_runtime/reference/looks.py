@@ -341,7 +341,8 @@ class _LookingPixels(Pixels):
         word = self._running(op)
         here = self._read("FLAG")
         result = self._total(word) / -op.operation.divisor
-        full, lost = self.marks.gathered(op, self.resets.unseen(self.now_us))
+        at = self.now_us
+        full, lost = self.marks.gathered(op, self.resets.unseen(at), self.resets.lit(at))
         for index, name in enumerate(op.destinations):
             value = result
             for written in self.at("words"):

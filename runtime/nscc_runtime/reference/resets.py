@@ -31,6 +31,10 @@ class Resets:
         """Where words do not see what PIX holds: no effect lets light into the level."""
         return np.asarray((self._last == boundary) & (not self._letting_in))
 
+    def lit(self, boundary: float) -> Bits:
+        """Where words see the level of a reset with the light that fell since."""
+        return np.asarray((self._last == boundary) & bool(self._letting_in))
+
     def found(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:
         """What a word finds on PIX, which holds this charge."""
         found = np.where(self.unseen(boundary), 0.0, charge)
