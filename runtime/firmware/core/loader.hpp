@@ -41,7 +41,7 @@ private:
     static constexpr uint32_t shared_bytes =
         ring > Program::plane_bytes ? ring : Program::plane_bytes;
 
-    enum class Stage : uint8_t { NONE, LAUNCHING, READING_OUT, READY, FAILED };
+    enum class Stage : uint8_t { NONE, ASKED, LAUNCHING, READING_OUT, READY, FAILED };
     struct Frame {
         Stage stage;
         Fault fault;
@@ -83,7 +83,7 @@ private:
     Verdict commit(bool &again);
     Verdict refuse(Verdict verdict);
     bool exposing() const {
-        return frame_.stage == Stage::LAUNCHING || frame_.stage == Stage::READING_OUT;
+        return frame_.stage >= Stage::ASKED && frame_.stage <= Stage::READING_OUT;
     }
     uint8_t shown_state() const { return uint8_t(exposing() ? State::EXPOSING : state_); }
     const uint8_t *entry(size_t number) const { return entries_ + entry_size * number; }
