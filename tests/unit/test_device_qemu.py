@@ -41,8 +41,8 @@ from nscc_runtime.device.objects import (
     Upload,
 )
 from nscc_runtime.device.packets import Kind, Unpacker
-from nscc_runtime.light import Light
 from nscc_runtime.device.serving import Loaded
+from nscc_runtime.light import Light
 
 pytestmark = pytest.mark.skipif(
     qemu.missing() is not None, reason=f"{qemu.missing()} is not installed: nothing to emulate with"
