@@ -116,8 +116,9 @@ def test_a_frame_without_a_breath_is_cancelled_at_once(
 
 
 @pytest.mark.slow
-def test_a_board_that_is_stuck_starts_anew() -> None:
+def test_a_board_that_is_stuck_starts_anew(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its emulator takes nothing more, so that it waits for ever: nobody feeds the watchdog."""
+    monkeypatch.setattr(qemu, "_TIME", "shift=8,sleep=off")  # four seconds are soon over
     loader, chip = qemu.built(TARGET, "m4"), chip_of(examples(SLOT_US)[0])
     with qemu.Emulated(loader, chip, "m4") as board:
         host, packets = new_host(1, patience_s=300.0), Unpacker()
