@@ -159,7 +159,7 @@ def test_in_the_workbench_itself(tmp_path: Path) -> None:
             serving.terminate()
     assert re.search(r"\d+ words a frame, shortest slot", seen["remark"].replace("\xa0", " "))
     assert seen["language"] == "Shutter program"
-    assert [tab.strip() for tab in seen["tabs"]][0] == "class_b.nsl"
+    assert seen["tabs"][0].strip() == "class_b.nsl"
     assert len(seen["tabs"]) == 2
     assert any("NS0205" in each and "given twice" in each for each in seen["problems"])
 
