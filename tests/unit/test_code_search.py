@@ -14,7 +14,6 @@ from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.code_choices import ORDERED  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.design import Frame  # noqa: E402
-from nscc_training.design.motion import design_motion  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.loop import searching  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
@@ -26,6 +25,7 @@ from nscc_training.search import (  # noqa: E402
     texture_of,
     told_db,
 )
+from nscc_training.search.choose import design_motion  # noqa: E402
 
 SPECS = {
     "b": ShutterSpec("b", 16, (4, 8)),

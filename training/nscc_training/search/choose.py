@@ -24,7 +24,8 @@ from nscc_training.design.make import Design, Frame
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.programs import Chip as Place
 from nscc_training.programs import program_of, words_per_slot
-from nscc_training.search import Motion, speeds_of, texture_of, told_db
+from nscc_training.search.expected import Motion, told_db
+from nscc_training.search.scene_motion import speeds_of, texture_of
 
 Kind = Literal["slow", "fast", "scene"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
