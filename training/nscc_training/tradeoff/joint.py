@@ -19,7 +19,7 @@ NEAR = 1.05
 """Where no setting is within the target, the fastest one of at most so many times the least error
 is advised."""
 
-_STAGES: dict[str, tuple[str, str, Callable[[Bench], Found]]] = {
+STAGES: dict[str, tuple[str, str, Callable[[Bench], Found]]] = {
     "compile": ("to compile", "the chip's frame", compiling),
     "lowering": ("shortest frame of the chip", "the chip's frame", lowering),
     "slots": ("a frame of the chip", "the chip's frame", slots),
@@ -51,6 +51,7 @@ class Joint:
     program: str
     scene: str
     target: str
+    stages: tuple[str, ...]
     target_percent: float
     shot_percent: float
     signal_e: float
@@ -64,7 +65,7 @@ class Joint:
         """A setting for each stage."""
         return tuple(
             advised(stage, [p for p in self.points if p.case == stage], self.target_percent)
-            for stage in _STAGES
+            for stage in self.stages
         )
 
 
@@ -78,16 +79,16 @@ def measure(
     said: Callable[[Diagnostic], None] = lambda _: None,
     progress: Progress = iter,
 ) -> Joint:
-    """Measures every stage. Raises Rejected for a program, scene or target that is none, before
+    """Measures the stages that are asked for. Raises Rejected for a program, scene or target that is none, before
     anything is timed; a setting, or a stage, that cannot be had is a misfit with its reason."""
     bench = Bench(asked, rows or Rows(), said)
     target = bench.target
     points: list[Point] = []
     misfits: list[Misfit] = []
     notes: list[str] = []
-    for name in progress([*_STAGES]):
+    for name in progress(asked.stages):
         try:
-            found = _STAGES[name][2](bench)
+            found = STAGES[name][2](bench)
         except (Rejected, ModuleNotFoundError) as why:
             misfits.append(Misfit.of(name, "", why))
             continue
@@ -95,7 +96,7 @@ def measure(
         misfits += found.misfits
         notes += [f"{name}: {note}" for note in found.notes]
     return Joint(
-        asked.program.name, asked.scene.name, asked.target_error,
+        asked.program.name, asked.scene.name, asked.target_error, asked.stages,
         100 * target.electrons / bench.signal_e, bench.shot_percent, bench.signal_e,
         tuple(points), bench.largest, tuple(misfits), tuple(notes),
     )  # fmt: skip
@@ -120,7 +121,7 @@ def joint_text(joint: Joint) -> str:
     )
     rows = [("stage", "setting", "time", "error %", "time of", "error of", "")]
     for each in joint.advice:
-        time_of, error_of, _ = _STAGES[each.stage]
+        time_of, error_of, _ = STAGES[each.stage]
         if each.point is None:
             rows.append((each.stage, "none", "", "", time_of, error_of, "not measured: see below"))
             continue
