@@ -179,6 +179,19 @@ def test_tables_without_arguments_are_of_what_is_shipped(tmp_path: Path) -> None
     assert "--data" in runs.err
 
 
+def test_results_under_effects_stand_in_no_table(tmp_path: Path) -> None:
+    """What a chip costs is not what the protocol's sensor gives: rows do not mix the two."""
+    name = "vid_learned_0.json"
+    found = json.loads((shipped_evaluations() / name).read_text())
+    (tmp_path / name).write_text(json.dumps(found))
+    chip = {**found, "mean": 1.0, "settings": {**found["settings"], "effects": "all"}}
+    for item in chip["items"]:
+        item["psnr_db"] = 1.0
+    (tmp_path / "chip.json").write_text(json.dumps(chip))
+    [row] = [row for row in tables(results=tmp_path) if row["row"] == "2D U-Net, d learned"]
+    assert row["psnr_db"] > 30
+
+
 def test_baselines_on_other_codes(tmp_path: Path) -> None:
     """GAP-TV on the 2 x 2 pattern is not GAP-TV on random bits, and rows know which is which."""
     clip(tmp_path / "c.mat", 16, 256)

@@ -86,7 +86,9 @@ def reconstruct(
     """What a run's decoder makes of a frame file, with warnings.
 
     `dark` is a frame file of the same program without light, of many repeats: their mean, which
-    offsets of words and charge without light have left, is taken from the frame.
+    offsets of words and charge without light have left, is taken from the frame. A run that was
+    trained under effects knows the mean of each place of its tile: only what pixels differ from
+    that is taken.
 
     Raises Rejected: what `load_run` raises for the run, NS0819 for a file that is no frame, or one
     of another program or sensor (with `force` that is a warning, unless its size differs).
@@ -118,6 +120,8 @@ def reconstructed(
         raise _no_frame(name, f"it is of {read.frame[0].shape} pixels, the run's chip has {size}")
     if offset is not None and offset.shape != size:
         raise _no_frame(name, f"without light it is of {offset.shape} pixels, not {size}")
+    if offset is not None and folder.parts.settings.sensor.effects:
+        offset = _of_pixels(offset, folder.parts.encoder.spec.tile)
     shares: list[NDArray[np.float32] | None] = [None] * len(read.frame)
     if folder.parts.encoder.spec.kind == LOOKS:
         if read.opened is None or read.opened.shape != read.frame.shape:
@@ -130,6 +134,15 @@ def reconstructed(
         for codes, saturated, share in zip(read.frame, read.saturated, shares, strict=True)
     ]
     return np.stack(made, axis=-1) if len(made) > 1 else made[0], messages
+
+
+def _of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
+    """What pixels (rows, cols) read without light above the mean of their place of a tile."""
+    found = np.empty_like(offset)
+    for row, col in np.ndindex(tile):
+        place = offset[row :: tile[0], col :: tile[1]]
+        found[row :: tile[0], col :: tile[1]] = place - place.mean()
+    return found
 
 
 def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:

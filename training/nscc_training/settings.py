@@ -33,8 +33,8 @@ class ShutterSettings:
     exposures: int = key(Integer(2, 32), "of a pixel that looks: one more than it has looks", 5)
     init: str = key(
         Text(),
-        "random, uniform, quad (2 x 2 geometric), learned (as quad), or a file: codes, .npz or "
-        ".mat, or a program of the class, .nsl", "quad",
+        "random, uniform, quad (2 x 2 geometric), learned (as quad), a run, or a file: codes, .npz "
+        "or .mat, or a program of the class, .nsl", "quad",
     )  # fmt: skip
     learn: bool = key(Flag(), "false keeps the codes as they start", True)
     relaxation: str = key(
@@ -80,6 +80,10 @@ class DecoderSettings:
     size: str = key(Text(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
     width: float = key(Number(0.01, 1), "of its layers, as a part of the size's", 1.0)
     sees_code: bool = key(Flag(), "whether the decoder knows the code of each pixel", True)
+    init: str = key(
+        Text(), "the run, a folder or one that comes with nscc, whose weights it begins with; "
+        "empty: drawn from the seed", "",
+    )  # fmt: skip
     learn: bool = key(
         Flag(), "false keeps it as it begins; with `any`, codes are judged by what favours none",
         True,
