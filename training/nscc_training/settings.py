@@ -124,7 +124,10 @@ class DataSettings:
     together: int = key(_COUNT, "patches of a batch that are cut from one exposure of a scene", 1)
     scenes: int = key(_COUNT, "procedural scenes for training; a quarter as many to validate", 16)
     frames: int = key(_COUNT, "frames read of a clip", 128)
-    paths: int = key(_COUNT, "clips that a camera makes of a panorama, turning inside it", 4)
+    paths: int = key(
+        _COUNT, "clips that are made of a panorama, in which a camera turns, or of a photograph, "
+        "whose parts move", 4,
+    )  # fmt: skip
     val_items: int = key(_COUNT, "exposures in a validation, of `together` patches", 8)
     augment: bool = key(
         Flag(), "turn and mirror; contrast of stills; time of clips backwards", True
