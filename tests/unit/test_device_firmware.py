@@ -188,12 +188,13 @@ def test_the_scamp5d_layer_does_what_it_is_told(
     launched = [i for i, line in enumerate(events[:end]) if line.startswith("launch ")]
     # Before readout FLAG is set everywhere, and A made 2 x exposure - full well; the frame's
     # launches are those before.
-    frame = launched[-6 - len(expected) : -6]
+    frame = launched[-3 - len(expected) : -3]
     assert [kernels[events[i].split()[1]] for i in frame] == expected
     [level] = [line.split()[1] for line in events[frame[-1] : end] if line.startswith("in ")]
     for electrons, code in ((0, 0), (15_000, 128), (30_000, 255)):
         held = {"A": electrons, "F": 7, "NEWS": 9, "IN": int(level) * 30_000 / 127}
-        words = [decode(tuple(kernels[events[i].split()[1]])) for i in launched[-6:]]  # type: ignore[arg-type]
+        stored = [part for i in launched[-3:] for part in kernels[events[i].split()[1]]]
+        words = [decode(tuple(stored[i : i + 5])) for i in range(0, len(stored), 5)]  # type: ignore[arg-type]
         assert [str(word) for word in (words[0], words[-1])] == ["all", "all"]
         for word in words[1:-1]:
             held[word.destinations[0]] = -sum(held[name] for name in word.sources)

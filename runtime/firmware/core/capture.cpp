@@ -89,8 +89,10 @@ Verdict Loader::capture(const Packet &packet) {
 
 // Goes on with an exposure as far as it goes without waiting for long.
 void Loader::expose() {
+    hurries_ = false;
     if (frame_.stage == Stage::LAUNCHING) {
         const Schedule::Now now = program_.schedule().go_on();
+        hurries_ = now == Schedule::Now::GLANCE;
         if (now == Schedule::Now::TOO_LATE) {
             frame_.stage = Stage::FAILED;
             frame_.fault = LATE;

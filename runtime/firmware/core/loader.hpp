@@ -18,6 +18,11 @@ public:
     void receive(const uint8_t *data, size_t count, uint64_t now_us);
     // Go on with what is being done. How many bytes to send were written to `out`, at most `room`.
     size_t poll(uint8_t *out, size_t room, uint64_t now_us);
+    // Whether a frame's next boundary is too near for anything but a look at the line.
+    bool hurries() const { return hurries_; }
+    // What was seen there: CANCEL is heard, and everything else lost, so that the host asks again.
+    // Goes on with the frame.
+    void glance(const uint8_t *data, size_t count, uint64_t now_us);
     // Whether poll has something to do without new bytes.
     bool busy() const { return waiting_ > 0 || reads_ > 0 || exposing(); }
 
@@ -55,6 +60,9 @@ private:
     };
 
     void refresh();
+    bool spoken_to(const Packet &packet) const {
+        return packet.kind == HELLO || (session_ != 0 && packet.session == session_);
+    }
     void handle(const Packet &packet);
     Verdict answer(const Packet &packet);
     Verdict hello(const Packet &packet);
@@ -90,7 +98,7 @@ private:
     Program program_;
     Unpacker unpacker_;
     State state_;
-    bool announced_;
+    bool announced_, hurries_;
     Verdict refusal_;
     uint32_t session_, boot_, packets_;
     uint64_t now_us_, started_us_, refreshed_us_;

@@ -46,7 +46,8 @@ STAGES = {
     "registers": "(pixels, value) -> what a register holds of what is written to it",
     "hold": "(pixels, seconds) -> the part of its value that a register keeps so long",
     "readout": "(pixels, exposure, bucket) -> exposure as it leaves the pixels",
-    "converter": "(where, bucket) -> codes by which the converter is off before it rounds",
+    "converter": "(sensor) -> codes, the standard deviation of a code before it is rounded; all "
+    "effects' errors are one draw",
     "codes": "(sensor, exposure, noise, top) -> codes of exposures, `noise` codes off",
 }
 """Where in a frame effects act, in the order in which a frame comes to them, and the function that

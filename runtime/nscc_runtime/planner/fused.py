@@ -88,7 +88,7 @@ class Fused:
             "electrons_per_code": codes.electrons(sensor) if codes else 1.0,
             "offset": codes.offset(sensor) if codes else 0.0,
             "top": float(target.top_code),
-            "readout_noise": sum(part.sigma_lsb(sensor) for _, part in converters),
+            "readout_noise": kept.converter_lsb(sensor),
             "count": len(frames),
             "lane_count": shape[1],
             "sources": len(sources),

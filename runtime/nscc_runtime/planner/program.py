@@ -90,6 +90,11 @@ class Program:
         return self.reference.groups.lane.reshape(-1).astype(np.int32)
 
     @cached_property
+    def all_single(self) -> bool:
+        """Whether all charge reaches its bucket through one read: then sums can be clipped."""
+        return not np.isnan(self.tables.single(self.full)).any()
+
+    @cached_property
     def overlapping(self) -> bool:
         """Whether some slot is open in several buckets at once."""
         return any(group & (group - 1) for group in self.group_ids.tolist())

@@ -181,7 +181,7 @@ class Readout:
     0 where it has none.
     """
 
-    given: dict[str, float]
+    given: dict[str, Any]
     stream: int
 
     @classmethod
@@ -211,7 +211,12 @@ class Readout:
         assert marked is not None  # plans mark what they cut off
         buckets = len(values)
         frame, valid = np.empty(values.shape, np.uint8), np.empty(values.shape, np.bool_)
-        flat = {"exposure": values, "frame": frame, "valid": valid.view(np.uint8), "marked": marked}
+        flat: dict[str, NDArray[Any]] = {
+            "exposure": values,
+            "frame": frame,
+            "valid": valid.view(np.uint8),
+            "marked": marked,
+        }
         filled = {name: each.reshape(buckets, -1) for name, each in flat.items()}
         keys = [key(seed, self.stream, frame=number, group=bucket) for bucket in range(buckets)]
         pixels = values[0].size

@@ -24,6 +24,7 @@ from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
+from nscc.words.readout import converter_of
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.sensor import Sensor
@@ -139,7 +140,7 @@ def executed(
     """One frame without effects, of a container that a loader has checked."""
     check_size(container, light)
     reference = LookingReference(
-        container, sensor or default_sensor(container.target), selected("none")
+        container, sensor or default_sensor(converter_of(container)), selected("none")
     )
     return reference.expose(
         scene_of(container, light, None), container.planes(), (0, device_seed), 0
