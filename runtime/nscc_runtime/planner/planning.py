@@ -19,9 +19,9 @@ from nscc_runtime.planner.frames import made_ready, planned_frames
 from nscc_runtime.planner.fused_loop import fused
 from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.pool import processors
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.tolerance import Given, mean_signal_e, tolerance_of
+from nscc_runtime.pool import processors
 
 
 class Planning(Protocol):
