@@ -41,8 +41,8 @@ from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.planless import planless
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.pool import processors
 from nscc_runtime.planner.tolerance import Given, Tolerance
+from nscc_runtime.pool import processors
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.fit import FITS, Fit
 from nscc_runtime.scenes.load import FramesAre

@@ -36,18 +36,22 @@ def scene(seed: int, frames: int, size: int, share: float = 0.5) -> tuple[np.nda
     return clip, (generator.random(clip.shape) < share).astype(np.float32)
 
 
-def random_measured(buckets: int) -> Measured:
+def random_measured(buckets: int, disjoint: bool = False) -> Measured:
     generator = torch.Generator().manual_seed(buckets)
     mask = torch.rand(2, buckets, 5, 3, 4, generator=generator)
+    if disjoint:
+        owner = torch.randint(buckets, (2, 1, 5, 3, 4), generator=generator)
+        mask = mask * (owner == torch.arange(buckets).reshape(1, -1, 1, 1, 1))
     value = torch.rand(2, buckets, 3, 4, generator=generator) * 3
     variance = torch.rand(2, buckets, 3, 4, generator=generator) + 0.1
     return Measured(value, mask, variance, torch.zeros_like(value, dtype=torch.bool))
 
 
-@pytest.mark.parametrize("buckets", [1, 2, 3])
-def test_a_correction_is_the_most_likely_error(buckets: int) -> None:
+@pytest.mark.parametrize(("buckets", "disjoint"), [(1, False), (2, False), (3, False), (3, True)])
+def test_a_correction_is_the_most_likely_error(buckets: int, disjoint: bool) -> None:
     """Beside the posterior mean of one pixel's slots, by dense algebra in float64."""
-    measured = random_measured(buckets)
+    measured = random_measured(buckets, disjoint)
+    assert measured.disjoint == (disjoint or buckets == 1)
     sigma = torch.tensor([0.5, 2.0])
     found = measured.correction(measured.value, sigma)
     for place in ((0, 0, 0), (1, 2, 3)):

@@ -62,6 +62,7 @@ class Selection:
         """Those that have a part of that kind in sums over slots, with the part."""
         return [(effect, part) for effect in self.effects for part in effect.parts(kind)]
 
+    @remembered
     def names(self, kind: type[Part]) -> frozenset[str]:
         """The names of those that have a part of that kind."""
         return frozenset(effect.name for effect, _ in self.having(kind))

@@ -26,7 +26,7 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.looking.layout import Keys, Numbers, Sizes, Word
 from nscc_runtime.looking.paths import AnalogWord, Pathless, Paths
 from nscc_runtime.looking.way_loop import BLOCK, run_ways
-from nscc_runtime.planner.pool import in_parts
+from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import most_destinations
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.intervals import Intervals

@@ -25,6 +25,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.plan import Approximation, Choice, Decision, Loop, Plan
 from nscc_runtime.planner.predict import Forecast
 from nscc_runtime.planner.program import Program
+from nscc_runtime.remembered import remembered
 
 DEFAULT_TOLERANCE_E = 5.0
 
@@ -46,20 +47,24 @@ def plan_for(
     tolerance_e: float = DEFAULT_TOLERANCE_E,
     effects: Selection | None = None,
     device_seed: int = 0,
+    threads: int = 1,
 ) -> Plan:
     """The cheapest plan whose predicted error is within the tolerance, by the fewest effects.
 
     `effects`, by default `auto`, decides on what it names; without `auto` on everything. Errors are
     against the reference with all effects, those that were forced off included.
     """
-    return Chooser(program, light, tolerance_e, device_seed, effects or selected("auto")).plan()
+    wanted = effects or selected("auto")
+    return Chooser(program, light, tolerance_e, device_seed, threads, wanted).plan()
 
 
-def predicted_for(program: Program, light: Light, plan: Plan, device_seed: int = 0) -> Plan:
+def predicted_for(
+    program: Program, light: Light, plan: Plan, device_seed: int = 0, threads: int = 1
+) -> Plan:
     """The same decisions for another scene: what they make wrong there."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
     chosen = Selection(always_on() | on, frozenset(optional()))
-    chooser = Chooser(program, light, plan.tolerance_e, device_seed, chosen)
+    chooser = Chooser(program, light, plan.tolerance_e, device_seed, threads, chosen)
     made = chooser.plan("taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
@@ -118,6 +123,7 @@ class Chooser(Forecast):
         """The predicted mean square error of the worst bucket, in square electrons."""
         return self.square(dropped, self._path(dropped) != "sums")
 
+    @remembered
     def _path(self, dropped: frozenset[str]) -> Literal["sums", "words", "reference"]:
         """What has all effects that are left: sums over slots, the loop over the words of single
         pixels for all of them, or the reference alone.

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.parts import Exchange, Fading, Leak, SlowWords, WordGain
+from nscc_runtime.effects.parts import Fading, Leak, SlowWords, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.emulator.capture import check_program
@@ -90,6 +90,11 @@ class Program:
         return self.reference.groups.lane.reshape(-1).astype(np.int32)
 
     @cached_property
+    def all_single(self) -> bool:
+        """Whether all charge reaches its bucket through one read: then sums can be clipped."""
+        return not np.isnan(self.tables.single(self.full)).any()
+
+    @cached_property
     def overlapping(self) -> bool:
         """Whether some slot is open in several buckets at once."""
         return any(group & (group - 1) for group in self.group_ids.tolist())
@@ -114,15 +119,14 @@ class Program:
         return {}
 
     @remembered
-    def overlap(self, model: Model, exchange: Exchange) -> Overlap:
+    def overlap(self, model: Model, groups: tuple[int, ...]) -> Overlap:
         """How much of the neighbours' groups falls on a pixel's open slots; kept."""
         means = self.mean_weights(model)
         return Overlap.of(
-            exchange.fraction(self.sensor),
             self.lanes.reshape(self.reference.groups.lane.shape),
             self.slot_s,
             self.tables.weights(model).slots,
-            {group: (self.members(group), means[group]) for group in means},
+            [(self.members(group), means[group]) for group in groups],
         )
 
     @remembered

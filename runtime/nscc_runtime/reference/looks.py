@@ -35,6 +35,7 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import told_by
 from nscc_runtime.noise import key, normals, uniforms
+from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
 from nscc_runtime.reference.charge import charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
@@ -74,6 +75,7 @@ class Running:
 @dataclass(frozen=True, eq=False)
 class LookingReference:
     """A container whose pixels compare, made ready. Raises Rejected for words that cannot run.
+    `threads`, None for all processors, change no bit.
 
     Without a machine (what a loader has of a program) `before` is of no use: what registers hold
     when the frame starts are the container's own planes.
@@ -82,6 +84,7 @@ class LookingReference:
     container: Container
     sensor: Sensor
     effects: Selection
+    threads: int | None = None
     kernels: tuple[tuple[Op, ...], ...] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -117,9 +120,8 @@ class LookingReference:
         saturated_by = np.empty(exposure.shape, np.uint8)
         valid = np.empty((len(rows), cols), np.bool_)
         planes = {name: np.empty((len(rows), cols), np.bool_) for name in sorted(told)}
-        step = max(1, _CELLS // (len(self.intervals) * cols))
-        for begin in range(rows.start, rows.stop, step):
-            part = range(begin, min(begin + step, rows.stop))
+
+        def fill(part: range) -> None:
             fallen = charge_of_rows(scene, None, self.sensor, self.effects, seeds, frame, part)
             here = slice(part.start, part.stop)
             places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
@@ -135,6 +137,8 @@ class LookingReference:
             valid[chunk] = fallen.valid
             for name, plane in planes.items():
                 plane[chunk] = pixels.bits[name].reshape(len(part), cols)
+
+        in_strips(fill, rows, _CELLS // (len(self.intervals) * cols), threads_of(self.threads))
         valid_here = np.isfinite(exposure) & valid
         return Executed(Exposure(exposure, valid_here, saturated_by), planes)
 
@@ -167,11 +171,12 @@ def executed(
 def looking_frames(
     container: Container, light: Light, sensor: Sensor, effects: Selection, *,
     seed: int = 0, device_seed: int = 0, count: int = 1, previous: Light | None = None,
+    threads: int | None = None,
 ) -> Iterator[Frame]:  # fmt: skip
     """Frames 0 .. `count` - 1 of `light`, one after the other: kept states go on from frame to
     frame. What can be refused is refused before the first one."""
     check(container, light)
-    reference = LookingReference(container, sensor, effects)
+    reference = LookingReference(container, sensor, effects, threads)
     scene = scene_of(container, light, previous)
     return film(reference.expose, container, scene, sensor, effects, (seed, device_seed), count)
 

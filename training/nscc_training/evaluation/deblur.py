@@ -30,6 +30,8 @@ Picture = NDArray[np.float64]
 BASELINES = ("long", "short", "any")
 _START = "poisson-disc"
 _TILE = (8, 8)
+_PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)
+"""Photons of 555 nm a second on a square metre: 683 lumens are a watt of them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,6 +73,17 @@ def panoramas(folder: Path) -> list[Path]:
     )
 
 
+def mid_grey_e(protocol: Protocol) -> float:
+    """Electrons over the whole frame of what reflects as the median of a view does.
+
+    A lens of f-number A lights the sensor with 1 / (4 A^2) of what a matt surface sends back.
+    """
+    lux = protocol["illuminance_lux"] * protocol["reflectance"] / (4 * protocol["f_number"] ** 2)
+    counted_m2 = protocol["photosite_um2"] * 1e-12 * protocol["quantum_efficiency"]
+    seconds = protocol["frames"] * protocol["slot_us"] * 1e-6
+    return float(lux * _PHOTONS_OF_LUX * counted_m2 * seconds)
+
+
 def moments(files: list[Path], protocol: Protocol) -> Iterator[Moment | Unusable]:
     """The views of panoramas, in order; a motion hangs on the numbers of panorama and view."""
     weights, slots = np.array(protocol["luminance"]), int(protocol["frames"])
@@ -85,11 +98,11 @@ def moments(files: list[Path], protocol: Protocol) -> Iterator[Moment | Unusable
             drawn = np.random.default_rng((protocol["view_seed"], index, number))
             seen = np.maximum(light, 0.0).astype(np.float32)
             clip = turned(seen, drawn, slots, int(protocol["size"])).astype(np.float64)
-            level = float(np.quantile(clip.sum(axis=0), 1 - protocol["saturated_fraction"]))
-            if not (np.isfinite(clip).all() and level > 0):
-                yield Unusable(path.name, {"view": number}, "its light fills no well")
+            grey = float(np.median(clip.sum(axis=0)))
+            if not (np.isfinite(clip).all() and grey > 0):
+                yield Unusable(path.name, {"view": number}, "half of it is dark")
                 continue
-            yield Moment(path, number, clip * (protocol["full_well_e"] / level), protocol)
+            yield Moment(path, number, clip * (mid_grey_e(protocol) / grey), protocol)
 
 
 def evaluate_deblur(

@@ -12,9 +12,8 @@ import numpy as np
 import torch
 
 from nscc import __version__
-from nscc.prove.replay import shutters as replayed
+from nscc.prove.shutters import shutters_of_pixels
 from nscc.words.container import Container
-from nscc.words.legality import decoded as decoded_words
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import sensor_sha256
@@ -29,7 +28,7 @@ from nscc_training.loop.steps import scored
 from nscc_training.measures import decibels
 from nscc_training.metrics import finite_mean, psnr
 from nscc_training.programs import CODES_FILE, compiled, program_of, words_per_slot
-from nscc_training.sensor_model import laid, read_out
+from nscc_training.sensor_model import laid, read_out, shared_out
 from nscc_training.settings import Settings
 
 _CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
@@ -79,9 +78,9 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
         "data range the patch's peak, without noise",
         "robustness": _robustness(parts, batches),
         "words_per_slot": words_per_slot(container_of),
-        "codes": _codes_report(parts),
+        "codes": _codes_report(parts, batches),
         "parameters": parameter_count(parts.decoder),
-        "flops": flops(parts.decoder, parts.slots, side, side),
+        "flops": flops(parts.decoder, parts.slots, side, side, parts.buckets),
         "flops_size": [side, side],
         "files": {name: sha256(data).hexdigest() for name, data in sorted(files.items())},
     }
@@ -149,20 +148,16 @@ def _stages(parts: Parts, batches: Batches, container: Container) -> dict[str, A
     with torch.no_grad():
         soft = parts.encoder.shutters(None, soft=True)
     found: dict[str, Any] = {}
-    table = replayed(container, decoded_words(container))
-    assert table is not None
-    pixels = container.pixel_codes
-    lanes = container.table.shutter_of_code[pixels] if pixels is not None else np.zeros(
-        (container.target.rows, container.target.cols), np.int64
-    )  # fmt: skip
     rows, cols = parts.encoder.spec.tile
-    words = torch.from_numpy(
-        table[:, 0][lanes[:rows, :cols]].astype(np.float32).transpose(2, 0, 1).copy()
-    )
-    for name, shutters in (("soft", soft), ("hard", parts.encoder.hard()), ("compiled", words)):
+    packed = shutters_of_pixels(container)["shutter"][:, :rows, :cols]
+    opened = np.unpackbits(packed, axis=-1, count=parts.slots, bitorder="little")
+    words = torch.from_numpy(opened.astype(np.float32).transpose(0, 3, 1, 2).copy())
+    hard = parts.encoder.hard()
+    for name, shutters in (("soft", soft), ("hard", hard), ("compiled", words[0])):
         found[name] = decibels(scored(parts, val, shutters, ideal, seed).psnr_db)
     found["emulated"] = decibels(_emulated(parts, batches, container))
-    found["compiled_equals_hard"] = bool(torch.equal(words, parts.encoder.hard().cpu()))
+    wanted = shared_out(hard.cpu(), parts.buckets).reshape(words.shape)
+    found["compiled_equals_hard"] = bool(torch.equal(words, wanted))
     return found
 
 
@@ -186,6 +181,8 @@ def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
         else:
             light = Light.of_clip(whole)
         exposure = torch.from_numpy(expose(container, light).exposure_e[:, :down, :across].copy())
+        if parts.buckets > 1:
+            exposure = exposure[None]
         frame = ideal.relative(read_out(exposure, ideal) - ideal.adc_offset_lsb)
         shutters = laid(tile[:, :down, :across], down, across).to(parts.device)
         prediction = parts.decoder(frame.to(parts.device), shutters).float()
@@ -206,14 +203,16 @@ def _robustness(parts: Parts, batches: Batches) -> list[dict[str, Any]]:
     return found
 
 
-def _codes_report(parts: Parts) -> dict[str, Any]:
-    """How many shutters there are, how far from dependent they are, and at how many places of the
-    tile they are not those that the run began with."""
+def _codes_report(parts: Parts, batches: Batches) -> dict[str, Any]:
+    """How many shutters there are, how far from dependent they are, at how many places of the tile
+    they are not those that the run began with, and what these alone are worth to the decoder."""
     if parts.encoder.spec.kind == LOOKS:
         return looking_codes(parts)
     chosen = parts.settings.shutter
-    start = started_encoder(chosen, parts.chip, parts.target, parts.settings.train.seed)
+    seed = parts.settings.train.seed
+    start = started_encoder(chosen, parts.chip, parts.target, seed)
     moved = (start.hard() != parts.encoder.hard().cpu()).any(dim=0)
+    alone = scored(parts, batches.val(), start.hard(), parts.model, seed)
     shutters = parts.encoder.hard().reshape(parts.slots, -1).T.double().cpu().numpy()
     distinct = np.unique(shutters, axis=0)
     system = solve(distinct, np.zeros(len(distinct)))
@@ -222,6 +221,7 @@ def _codes_report(parts: Parts) -> dict[str, Any]:
         "places": len(shutters),
         "start": chosen.init,
         "moved": int(moved.sum()),
+        "start_alone_psnr_db": decibels(alone.psnr_db),
         "shutters": len(distinct),
         "rank": system.rank,
         "condition": None if np.isinf(system.condition) else system.condition,
@@ -236,6 +236,12 @@ def _card(parts: Parts, scenes: Scenes, result: dict[str, Any]) -> str:
     def db(value: float | str) -> str:
         return value if isinstance(value, str) else f"{value:.2f}"
 
+    alone = ""
+    if result["codes"]["moved"] and "start_alone_psnr_db" in result["codes"]:
+        # Pixels that look have no such score: their report is another.
+        alone = (f"\nBehind this decoder the start alone gives "
+                 f"{db(result['codes']['start_alone_psnr_db'])} dB where these shutters give "
+                 f"{db(result['robustness'][0]['psnr_db'])}.")  # fmt: skip
     stages = " | ".join(db(result["stages"][k]) for k in ("soft", "hard", "compiled", "emulated"))
     rows = "\n".join(f"| {r['change']} | {db(r['psnr_db'])} |" for r in result["robustness"])
     return f"""# Model card
@@ -244,7 +250,7 @@ A decoder `{settings.decoder.name}` ({settings.decoder.sized}, {result["paramete
 and shutters of class {settings.shutter.kind} for `{settings.shutter.target}`: \
 {settings.shutter.slots} slots of {settings.shutter.slot_us:g} us, \
 {result["codes"]["shutters"]} shutters. Of {result["codes"]["places"]} places \
-{result["codes"]["moved"]} moved from the start, `{result["codes"]["start"]}`.
+{result["codes"]["moved"]} moved from the start, `{result["codes"]["start"]}`.{alone}
 
 * **For** {"stills of high dynamic range" if parts.still else "clips from one exposure"} as the
   protocol {parts.protocol.name} exposes them; `capture.toml` says how. Frames of another program

@@ -17,6 +17,7 @@ from nscc.target.target import Target
 from nscc_runtime.effects import selected
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training import programs
+from nscc_training.code_choices import STARTS
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import Task
 from nscc_training.decoders.make import make_decoder
@@ -25,7 +26,6 @@ from nscc_training.emulated import EmulatedSensor, emulated_sensor
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.looks import LOOKS
-from nscc_training.encoders.make import STARTS
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
@@ -62,6 +62,11 @@ class Parts:
     def slots(self) -> int:
         """N."""
         return self.encoder.spec.slots
+
+    @property
+    def buckets(self) -> int:
+        """How many frames an exposure gives."""
+        return self.encoder.spec.buckets
 
     @cached_property
     def emulated(self) -> EmulatedSensor | None:
@@ -102,14 +107,17 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     if chosen.kind == LOOKS:
         _check_looks(settings, still)
+    if chosen.buckets > 1:
+        _check_buckets(settings, still)
     sensor = default_sensor(target)
     if settings.sensor.file:
         path = Path(settings.sensor.file)
         files[programs.SENSOR_FILE] = read_sensor(path)
         sensor = parse_sensor(target, files[programs.SENSOR_FILE], str(path))
     task = Task(
-        "still" if still else "clip", chosen.slots, encoder.spec.tile, settings.decoder.sees_code
-    )
+        "still" if still else "clip", chosen.slots, encoder.spec.tile, settings.decoder.sees_code,
+        chosen.buckets,
+    )  # fmt: skip
     # Parameters of a decoder are drawn from torch's own generator: its state is nobody else's.
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
@@ -158,6 +166,7 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
         length=chosen.length if chosen.kind == "c" else None,
         rows=chosen.rows if chosen.kind == "codebook" else None,
         levels=most_steps(target, target.full_well_e) if chosen.kind == LOOKS else None,
+        buckets=chosen.buckets,
     )  # fmt: skip
     named = chosen.init in _STARTS
     start = {"learned": "quad"}.get(chosen.init, chosen.init) if named else "quad"
@@ -203,6 +212,18 @@ def _check_looks(settings: Settings, still: bool) -> None:
     if settings.shutter.words_weight:
         raise _wrong("shutter.words_weight", "every look takes as many words: there is nothing to "
                      "weigh")  # fmt: skip
+
+
+def _check_buckets(settings: Settings, still: bool) -> None:
+    """Rejected (NS0815) for what two buckets do not have in training."""
+    if settings.shutter.kind in ("a", LOOKS):
+        reason = f"class {settings.shutter.kind} has no light to leave to a second bucket"
+        raise _wrong("shutter.buckets", reason)
+    if still:
+        raise _wrong("shutter.buckets", "two are for clips: [data] protocol is two-bucket-v1")
+    if settings.sensor.effects:
+        raise _wrong("sensor.effects", "two buckets are learned under noise, full well and "
+                     "converter alone")  # fmt: skip
 
 
 def _loss(names: str) -> Loss:
