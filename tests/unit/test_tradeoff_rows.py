@@ -38,7 +38,6 @@ def test_a_row_that_was_cut_short_is_measured_again(tmp_path: Path, cut: int) ->
     whole = file.read_bytes()
     file.write_bytes(whole[:-cut])
     with Rows(file, "digest") as rows:
-        assert len(rows) == 1
         assert [rows.once("a", lambda: 3), rows.once("b", lambda: 2.25)] == [1, 2.25]
     assert file.read_bytes() == whole
 
