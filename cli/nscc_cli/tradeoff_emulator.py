@@ -58,6 +58,7 @@ def command(program: Path | None, **options: Any) -> int:
     holds the error measured against the tolerance asked, a third says what each effect does and
     which are left out. Ends with status 1 where a plan broke its promise.
     """
+    from nscc.words.readout import converter_of
     from nscc_runtime.planner.program import Program
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
     from nscc_runtime.tradeoff.study import measure
@@ -65,7 +66,7 @@ def command(program: Path | None, **options: Any) -> int:
 
     files = output_files(options, "calibration", "budget")
     container, messages = _container(program, options)
-    sensor = sensor_of(container.target, options)
+    sensor = sensor_of(converter_of(container), options)
     settings = _settings(options)
     scenes = _scenes(container, options, messages)
     _refuse(container)

@@ -12,8 +12,9 @@ from nscc_command import invoke
 from numpy.typing import NDArray
 
 from nscc_training.any_code.measured import Measured
+from nscc_training.code_choices import SCATTERED
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.encoders.scattered import SCATTERED, scattered
+from nscc_training.encoders.scattered import scattered
 from nscc_training.evaluation import several_frames
 from nscc_training.evaluation.deblur import Moment, moments, panoramas
 from nscc_training.evaluation.results import Unusable
@@ -62,8 +63,10 @@ def test_a_moment_is_what_is_scored(tmp_path: Path) -> None:
     assert np.array_equal(first.light_e, again.light_e)
     assert not np.array_equal(first.light_e, second.light_e)
     assert first.light_e.shape == (8, 256, 256)
+    # 50 lux on grey paper behind f/1.8 are 0.69 lux on the sensor, and a lux is 0.26 photons a
+    # square micrometre in 64 us: 3.6 thousand electrons in 40 ms, 454 in a slot.
     open_e = first.light_e.sum(axis=0)
-    assert np.mean(open_e > protocol["full_well_e"]) == pytest.approx(0.10, abs=0.01)
+    assert np.median(open_e) == pytest.approx(3640, rel=0.01)
     assert np.array_equal(first.truth_e, first.light_e[0] * 8)
     perfect = first.scores(first.light_e)
     assert perfect["psnr_db"] == "inf"

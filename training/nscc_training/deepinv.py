@@ -27,9 +27,10 @@ from torch import Tensor
 from nscc.diagnostics.arguments import shown, wrong_argument
 from nscc.shutter_program import ShutterProgram
 from nscc.words.container import Container
+from nscc.words.readout import converter_of
 from nscc_runtime.given import SensorLike, sensor_of
 from nscc_training.encoders.base import Encoder
-from nscc_training.sensor_model import SensorModel, laid, read_out
+from nscc_training.sensor_model import SensorModel, laid, read_out, shared_out
 
 
 class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no types
@@ -120,7 +121,7 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         """What light counts, (buckets, slots, rows, cols); a still has one slot, the frame."""
         found: Tensor = self.shutters
         if self.encoder is not None:
-            found = laid(self.encoder().unsqueeze(0), *self.img_size[-2:])
+            found = laid(_of_buckets(self.encoder(), self.encoder), *self.img_size[-2:])
         if self.still:
             found = torch.einsum("kthw,t->khw", found, self.slot_share.to(found)).unsqueeze(1)
         return found.to(like)
@@ -151,7 +152,7 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
     ) -> SensorNoise:
         """The noise of a program's chip, or of another `sensor`, as `nscc_runtime.capture` takes
         it."""
-        chip = sensor_of("SensorNoise.of", sensor, program.container.target)
+        chip = sensor_of("SensorNoise.of", sensor, converter_of(program.container))
         return cls(SensorModel.of(chip, program.container.target), rng)
 
     def forward(self, input: Tensor, seed: int | None = None, **_parameters: Any) -> Tensor:
@@ -168,7 +169,7 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
 def _tile(shutters: object) -> Tensor:
     """Shutters (buckets, N, rows, cols), of an encoder those that it has now."""
     if isinstance(shutters, Encoder):
-        return shutters.hard().unsqueeze(0)
+        return _of_buckets(shutters.hard(), shutters)
     if isinstance(shutters, Container):
         shutters = ShutterProgram("the program", shutters)
     if isinstance(shutters, ShutterProgram):
@@ -180,6 +181,12 @@ def _tile(shutters: object) -> Tensor:
         f"not {shown(shutters)}",
         helps=("nscc.compile gives programs, nscc_training.make_encoder encoders",),
     )
+
+
+def _of_buckets(shutters: Tensor, encoder: Encoder) -> Tensor:
+    """An encoder's shutters (N, rows, cols) as those of its buckets, (buckets, N, rows, cols)."""
+    found = shared_out(shutters, encoder.spec.buckets)
+    return found if found.ndim == 4 else found.unsqueeze(0)
 
 
 def _shares(shutters: object, slots: int) -> Tensor:

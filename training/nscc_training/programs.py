@@ -99,7 +99,7 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
         lines.append(f"let len = {spec.length}")
     elif spec.kind == "codebook":
         lines += _book(codes["book"], packed)
-    lines += _RULES[spec.kind]
+    lines += _rules(spec)
     if chip.require is not None:
         lines.append(f"require {chip.require}")
     fields = [name for name in codes if name != "book"]
@@ -178,6 +178,18 @@ _RULES = {
     "codebook": ["code id : row of book", "open when book[id]"],
 }  # fmt: skip
 """The code's fields and when a pixel is open, by class."""
+
+
+def _rules(spec: ShutterSpec) -> list[str]:
+    """The code's fields and when a pixel is open; with two buckets, where its light goes."""
+    *fields, opened = _RULES[spec.kind]
+    if spec.buckets == 1:
+        return [*fields, opened]
+    rule = opened.removeprefix("open when ")
+    rest = f"({rule})" if "<" in rule else rule
+    return [
+        *fields, f"bucket first open when {rule}", f"bucket second open when not {rest}",
+    ]  # fmt: skip
 
 
 def _book(book: NDArray[np.int64], packed: bytes) -> list[str]:

@@ -20,6 +20,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
 from nscc.pipeline import LEVELS, Options
+from nscc.program.problems import counted
 from nscc.source import Source
 from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
@@ -31,9 +32,10 @@ from nscc_runtime.sensor import sensor_sha256
 from nscc_training.encoders.looks import LOOKS
 from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
-from nscc_training.sensor_model import filled, laid
+from nscc_training.sensor_model import filled, laid, shared_out
 
-_OF_MODEL = ("shot", "full_well", "adc_noise", "adc")
+Array = NDArray[Any]
+_OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "adc")
 """Effects that training has without `[sensor] effects`."""
 _DARK_HELPS = ("`--dark FRAME` takes away what words and dark current add",)
 _BLOCK, _MARGIN = 256, 32
@@ -44,8 +46,14 @@ that are seen too: more than decoders reach."""
 @dataclass(frozen=True, eq=False)
 class FrameRead:
     """What reconstruction needs of a frame file: codes (colours, rows, cols), one colour or red,
-    green and blue, whether they are saturated, meta, shutters (N, rows, cols) if kept; of pixels
-    that looked, for how many slots each was open (colours, rows, cols)."""
+    green and blue, of two buckets (colours, 2, rows, cols), whether they are saturated, meta, the
+    first bucket's shutters (N, rows, cols) if kept; of pixels that looked, for how many slots each
+    was open (colours, rows, cols)."""
+
+    @property
+    def buckets(self) -> int:
+        """How many frames an exposure gave."""
+        return 1 if self.frame.ndim == 3 else self.frame.shape[1]
 
     frame: NDArray[np.uint8]
     saturated: NDArray[np.bool_]
@@ -86,14 +94,16 @@ def reconstruct(
     """What a run's decoder makes of a frame file, with warnings.
 
     `dark` is a frame file of the same program without light, of many repeats: their mean, which
-    offsets of words and charge without light have left, is taken from the frame.
+    offsets of words and charge without light have left, is taken from the frame. A run that was
+    trained under effects knows the mean of each place of its tile: only what pixels differ from
+    that is taken.
 
     Raises Rejected: what `load_run` raises for the run, NS0819 for a file that is no frame, or one
     of another program or sensor (with `force` that is a warning, unless its size differs).
     """
     folder = load_run(run, trust_code=trust_code)
     read, begin = read_frame(frame), perf_counter()
-    offset = None if dark is None else read_dark(dark)
+    offset = None if dark is None else read_dark(dark, folder.parts.buckets)
     light, messages = reconstructed(folder, read, str(frame), force=force, offset=offset)
     seconds = perf_counter() - begin
     return Reconstruction(light, folder.parts.still, len(read.frame) > 1, messages, seconds)
@@ -114,10 +124,16 @@ def reconstructed(
         raise Rejected(messages, status=2)
     messages += tuple(_unlearned(folder, read, name))
     size = (folder.parts.target.rows, folder.parts.target.cols)
-    if read.frame.shape[1:] != size and "laid" not in read.meta:
-        raise _no_frame(name, f"it is of {read.frame[0].shape} pixels, the run's chip has {size}")
-    if offset is not None and offset.shape != size:
+    found = read.frame.shape[-2:]
+    if found != size and "laid" not in read.meta:
+        raise _no_frame(name, f"it is of {found} pixels, the run's chip has {size}")
+    if read.buckets != folder.parts.buckets:
+        have = f"it has {counted(read.buckets, 'bucket')}"
+        raise _no_frame(name, f"{have}, the run's program {folder.parts.buckets}")
+    if offset is not None and offset.shape[-2:] != size:
         raise _no_frame(name, f"without light it is of {offset.shape} pixels, not {size}")
+    if offset is not None and folder.parts.settings.sensor.effects:
+        offset = _of_pixels(offset, folder.parts.encoder.spec.tile)
     shares: list[NDArray[np.float32] | None] = [None] * len(read.frame)
     if folder.parts.encoder.spec.kind == LOOKS:
         if read.opened is None or read.opened.shape != read.frame.shape:
@@ -132,35 +148,53 @@ def reconstructed(
     return np.stack(made, axis=-1) if len(made) > 1 else made[0], messages
 
 
+def _of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
+    """What pixels (rows, cols) read without light above the mean of their place of a tile."""
+    found = np.empty_like(offset)
+    for row, col in np.ndindex(tile):
+        place = offset[row :: tile[0], col :: tile[1]]
+        found[row :: tile[0], col :: tile[1]] = place - place.mean()
+    return found
+
+
 def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
-    """Codes without what the array (rows, cols) reads in the dark; arrays lie side by side."""
+    """Codes ([2,] rows, cols) without what the array ([2,] rows, cols) reads in the dark; arrays
+    lie side by side."""
     times = [-(-side // most) for side, most in zip(codes.shape, offset.shape, strict=True)]
-    laid_offset = np.tile(offset, times)[: codes.shape[0], : codes.shape[1]]
-    return np.asarray(codes - laid_offset, np.float32)
+    rows, cols = codes.shape[-2:]
+    return np.asarray(codes - np.tile(offset, times)[..., :rows, :cols], np.float32)
 
 
-def read_dark(path: Path) -> NDArray[np.float64]:
-    """The mean code (rows, cols) above the ADC's offset of a frame file without light.
+def read_dark(path: Path, buckets: int) -> NDArray[np.float64]:
+    """The mean code (rows, cols), of two buckets (2, rows, cols), above the ADC's offset of a frame
+    file without light.
 
-    Rejected (NS0819) for one that is not of one bucket.
+    Rejected (NS0819) for one of another number of buckets.
     """
     file = _frame_arrays(path)
     codes = file.frame.reshape(-1, *file.frame.shape[-3:])
-    if codes.shape[1] != 1 or 0 in codes.shape:
-        raise _no_frame(path, f"its frames are {codes.shape[1:]}, not of one bucket")
-    return np.asarray(codes.mean(axis=0)[0] - float(file.meta["adc_offset"]))
+    if codes.shape[1] != buckets or 0 in codes.shape:
+        wanted = counted(buckets, "bucket")
+        raise _no_frame(path, f"its frames are {codes.shape[1:]}, not of {wanted}")
+    return mean_dark(codes, float(file.meta["adc_offset"]))
+
+
+def mean_dark(codes: NDArray[Any], adc_offset: float) -> NDArray[np.float64]:
+    """The same of the codes (repeats, buckets, rows, cols) of such a file."""
+    return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)
 
 
 def decoded_frame(
     folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32],
     saturated: NDArray[np.bool_], share: NDArray[np.float32] | None = None,
 ) -> NDArray[np.float32]:  # fmt: skip
-    """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes.
+    """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes, of
+    two buckets (2, rows, cols).
 
     `share` (rows, cols) is the part of the frame that each pixel was open, where pixels looked.
     Frames larger than the array are decoded block by block.
     """
-    rows, cols = frame.shape
+    rows, cols = frame.shape[-2:]
     found: NDArray[np.float32] | None = None
     array = (folder.parts.target.rows, folder.parts.target.cols)
     shutters = lru_cache(maxsize=4)(partial(_shutters, folder))
@@ -170,10 +204,10 @@ def decoded_frame(
                 slice(max(at - _MARGIN, 0), min(at + _BLOCK + _MARGIN, most))
                 for at, most in ((top, rows), (left, cols))
             )
-            codes, full = frame[down, across], saturated[down, across]
+            codes, full = frame[..., down, across], saturated[..., down, across]
             corner = (down.start % array[0], across.start % array[1])
             if share is None:
-                opened = shutters(codes.shape, corner)
+                opened = shutters(codes.shape[-2:], corner)
             else:
                 opened = torch.from_numpy(share[None, down, across].copy())
             made = _decoded(folder, codes, full, opened)
@@ -198,7 +232,7 @@ def _decoded(
     # The knee of registers, and light that eats the reset level, make full pixels read less.
     full = torch.from_numpy(np.ascontiguousarray(saturated)).to(parts.device)
     if parts.encoder.spec.kind != LOOKS:
-        relative = filled(relative, full, shutters)
+        relative = filled(relative, full, shared_out(shutters, parts.buckets))
     found = parts.decoder(relative[None], shutters)[0].float().cpu().numpy()
     slots = 1 if parts.still else parts.slots
     return np.asarray(found * (parts.model.full_e / slots), np.float32)
@@ -218,20 +252,29 @@ def _shutters(
 
 
 def read_frame(path: Path) -> FrameRead:
-    """A frame file of one bucket and one exposure, or three in colours; Rejected (NS0819) else."""
+    """A frame file of one exposure, or three in colours, in one bucket or two; Rejected (NS0819)
+    for another."""
     file = _frame_arrays(path)
     found, saturated, kept = file.frame, file.saturated, file.shutter
     if saturated.shape != found.shape or saturated.dtype != np.bool_:
         raise _no_frame(path, f"`saturated` is {saturated.dtype} {saturated.shape}, no bool of it")
-    if "colours" in file.meta and found.ndim == 4 and found.shape[:2] == (len(COLOURS), 1):
-        opened = None if file.opened is None else file.opened[:, 0]
-        return FrameRead(found[:, 0], saturated[:, 0], file.meta, None, opened)
-    if found.ndim != 3 or found.shape[0] != 1 or 0 in found.shape:
-        raise _no_frame(path, f"its frame is {found.shape}, not one bucket of one exposure")
-    if kept is not None and kept.shape[:-1] != found.shape:
+    in_colours = "colours" in file.meta and found.shape[:1] == (len(COLOURS),)
+    if found.ndim != 3 + in_colours or found.shape[-3] not in (1, 2) or 0 in found.shape:
+        raise _no_frame(path, f"its frame is {found.shape}, not one exposure in a bucket or two")
+    if kept is not None and kept.shape[:-1] != found.shape[-3:]:
         raise _no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
     shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
-    return FrameRead(found, saturated, file.meta, shutter, file.opened)
+    opened = None if file.opened is None else by_colour(file.opened, in_colours)
+    codes, full = (by_colour(part, in_colours) for part in (found, saturated))
+    return FrameRead(codes, full, file.meta, shutter, opened)
+
+
+def by_colour(values: Array, in_colours: bool) -> Array:
+    """What frame files hold of an exposure, ([colours,] buckets, rows, cols), as `FrameRead` has
+    it: (colours, rows, cols), of two buckets (colours, 2, rows, cols)."""
+    if values.shape[-3] == 1:
+        return values[:, 0] if in_colours else values
+    return values if in_colours else values[None]
 
 
 def _frame_arrays(path: Path) -> FrameRead:
@@ -261,7 +304,7 @@ def _frame_arrays(path: Path) -> FrameRead:
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     """Reasons to think that the frame was exposed with other shutters."""
     if read.shutter is not None:
-        hard = _shutters(folder, read.frame.shape[1:]).numpy().astype(bool)
+        hard = _shutters(folder, read.frame.shape[-2:]).numpy().astype(bool)
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
             yield "it was exposed with other shutters than the run's"
     elif not _is_program(folder, read.meta.get("program_sha256")):

@@ -26,7 +26,15 @@ from nscc_training import run_folder
 from nscc_training.curve_chart import curve_chart
 from nscc_training.encoders import Encoder
 from nscc_training.encoders.looks import LOOKS
-from nscc_training.reconstruct import FrameRead, decoded_frame, read_dark, read_frame, reconstructed
+from nscc_training.reconstruct import (
+    FrameRead,
+    by_colour,
+    decoded_frame,
+    mean_dark,
+    read_dark,
+    read_frame,
+    reconstructed,
+)
 from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder
 
@@ -111,23 +119,25 @@ class Run:
         electrons a slot (T, rows, cols): the unit of `Capture.truth_e`. Of a frame in colours red,
         green and blue are an axis at the end.
 
-        `frame`: a capture, a frame file, or codes of the converter (rows, cols), of which nothing
-        is known and which are believed. `dark` is a capture or file without light, of many
-        repeats, whose mean is taken from a capture or file. Raises Rejected (NS0819) for a frame of
-        another program or sensor, which with `force` is a warning; WrongArgument for what is no
-        frame.
+        `frame`: a capture, a frame file, or codes of the converter (rows, cols), of two buckets (2,
+        rows, cols), of which nothing is known and which are believed. `dark` is a capture or file
+        without light, of many repeats, whose mean is taken from a capture or file. Raises Rejected
+        (NS0819) for a frame of another program or sensor, which with `force` is a warning;
+        WrongArgument for what is no frame.
         """
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
         elif isinstance(frame, Capture):
             about = frame.meta
             in_colours = "colours" in about
-            if frame.frame.shape[-3] != 1 or (frame.frame.ndim != 3 and not in_colours):
+            buckets = self.folder.parts.buckets
+            if frame.frame.shape[-3] != buckets or (frame.frame.ndim != 3 and not in_colours):
+                wanted = "one bucket" if buckets == 1 else "two buckets"
                 raise wrong_argument(
-                    f"reconstruct takes one bucket of one exposure, not {shown(frame.frame)}"
+                    f"reconstruct takes {wanted} of one exposure, not {shown(frame.frame)}"
                 )
-            one = (slice(None), 0) if in_colours else ...
-            read = FrameRead(frame.frame[one], frame.saturated[one], about, None)
+            codes, full = (by_colour(part, in_colours) for part in (frame.frame, frame.saturated))
+            read = FrameRead(codes, full, about, None)
             name = "the capture"
         else:
             codes = self._codes(frame)
@@ -173,19 +183,23 @@ class Run:
             for at in first
         ]
         slot_us = [self.folder.parts.chip.slot_us] * spec.slots
-        return shutter_chart(rows[:, None], labels, slot_us, ("exposure",))
+        if spec.buckets == 1:
+            return shutter_chart(rows[:, None], labels, slot_us, ("exposure",))
+        return shutter_chart(np.stack([rows, ~rows], axis=1), labels, slot_us, ("first", "second"))
 
     def _offset(self, dark: Capture | str | os.PathLike[str]) -> NDArray[np.float64]:
-        """What the array (rows, cols) reads without light, codes above the ADC's offset."""
+        """What the array ([2,] rows, cols) reads without light, codes above the ADC's offset."""
         if not isinstance(dark, Capture):
-            return read_dark(Path(dark))
+            return read_dark(Path(dark), self.folder.parts.buckets)
         codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
-        return np.asarray(codes.mean(axis=0)[0] - self.folder.parts.model.adc_offset_lsb)
+        return mean_dark(codes, self.folder.parts.model.adc_offset_lsb)
 
     def _codes(self, frame: object) -> NDArray[np.uint8]:
         """Codes that were given as an array."""
         target = self.folder.parts.target
-        size = (target.rows, target.cols)
+        size: tuple[int, ...] = (target.rows, target.cols)
+        if self.folder.parts.buckets > 1:
+            size = (self.folder.parts.buckets, *size)
         values = np.asarray(frame)
         if values.shape == (1, *size):
             values = values[0]

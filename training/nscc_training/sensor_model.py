@@ -15,6 +15,7 @@ from torch import Tensor
 from torch.autograd import Function
 
 from nscc.target.target import Target
+from nscc_runtime.effects import everything
 from nscc_runtime.sensor import Sensor
 from nscc_training.draws import normal
 from nscc_training.encoders.base import Encoder
@@ -54,7 +55,7 @@ class SensorModel:
             electrons_per_lsb=sensor.electrons_per_lsb,
             adc_offset_lsb=sensor.adc_offset_lsb,
             adc_bits=target.code_bits,
-            adc_noise_lsb=sensor.adc_noise_lsb,
+            adc_noise_lsb=everything().converter_lsb(sensor),
             shot_noise=True,
         )
 
@@ -132,7 +133,8 @@ class _Masked(Function):
 class Captured(NamedTuple):
     """What a capture gives: electrons before saturation and noise, and the frame's codes.
 
-    Both (batch, rows, cols): `exposure_e` float64, `frame` float32, whole numbers 0..top code.
+    Both (batch, rows, cols), of two buckets (batch, 2, rows, cols): `exposure_e` float64, `frame`
+    float32, whole numbers 0..top code.
     """
 
     exposure_e: Tensor
@@ -147,7 +149,8 @@ def differentiable_capture(
     generator: torch.Generator | None = None,
     slot_share: Tensor | None = None,
 ) -> Captured:
-    """Expose a batch of scenes with the shutters of an encoder, or with (N, rows, cols) of them.
+    """Expose a batch of scenes with the shutters of an encoder, or with (N, rows, cols) of them, or
+    with (buckets, N, rows, cols).
 
     `light` is (batch, N, rows, cols), electrons of each slot, or (batch, rows, cols), a still's
     electrons over the whole frame, of which slot n has the part `slot_share[n]` (default: 1 / N).
@@ -156,14 +159,18 @@ def differentiable_capture(
     finite gives a frame that is not. ValueError for arrays of other shapes.
     """
     with torch.autocast(light.device.type, enabled=False):
-        shutters = codes(generator) if isinstance(codes, Encoder) else codes
+        if isinstance(codes, Encoder):
+            shutters = shared_out(codes(generator), codes.spec.buckets)
+        else:
+            shutters = codes
         _check_shapes(light, shutters, slot_share)
         exposure = exposed(light.float(), shutters.to(light.device), slot_share)
         return Captured(exposure, read_out(exposure, sensor, generator))
 
 
 def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
-    """One scene's frame (rows, cols), codes above the ADC's offset, with the noise of that seed.
+    """One scene's frame (rows, cols), codes above the ADC's offset, with the noise of that seed; of
+    several buckets (buckets, rows, cols).
 
     `light` and `tile` as in `differentiable_capture`, without the batch.
     """
@@ -177,8 +184,8 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
 
 def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:
     """ValueError for what would be broadcast into some other capture than the one meant."""
-    if shutters.ndim != 3 or 0 in shutters.shape:
-        raise ValueError(f"shutters are (N, rows, cols), and not {tuple(shutters.shape)}")
+    if shutters.ndim not in (3, 4) or 0 in shutters.shape:
+        raise ValueError(f"shutters are ([buckets,] N, rows, cols), not {tuple(shutters.shape)}")
     if light.ndim not in (3, 4):
         wanted = "(batch, N, rows, cols), or of stills (batch, rows, cols)"
         raise ValueError(f"light is {wanted}, and not {tuple(light.shape)}")
@@ -186,8 +193,9 @@ def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) ->
         return
     if light.ndim == 4:
         raise ValueError("light of every slot already has its share of the frame: no slot_share")
-    if slot_share.shape != shutters.shape[:1]:
-        raise ValueError(f"shares of {tuple(slot_share.shape)}, shutters of {len(shutters)} slots")
+    slots = shutters.shape[-3]
+    if slot_share.shape != (slots,):
+        raise ValueError(f"shares of {tuple(slot_share.shape)}, shutters of {slots} slots")
 
 
 def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
@@ -198,11 +206,20 @@ def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
     return tile.repeat(*[1] * (tile.ndim - 2), down, across)[..., :rows, :cols]
 
 
+def shared_out(shutters: Tensor, buckets: int) -> Tensor:
+    """The shutters (N, rows, cols) of a pixel's one bucket; with two (2, N, rows, cols): the second
+    has what the first leaves out."""
+    return shutters if buckets == 1 else torch.stack([shutters, 1 - shutters])
+
+
 def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -> Tensor:
     """Electrons (batch, rows, cols), float64: the light of the slots that each pixel is open in.
 
-    `shutters` (N, r, c) is a tile that repeats over the array.
+    `shutters` (N, r, c) is a tile that repeats over the array; of (buckets, N, r, c) come
+    (batch, buckets, rows, cols).
     """
+    if shutters.ndim == 4:
+        return torch.stack([exposed(light, each, slot_share) for each in shutters], dim=1)
     slots = shutters.shape[0]
     rows, cols = light.shape[-2:]
     if light.ndim == 3:
@@ -223,7 +240,7 @@ def read_out(
 ) -> Tensor:
     """The frame's codes: photon noise, full well, readout noise, rounding half to even, ends.
 
-    `exposure` float64 (batch, rows, cols); the result is float32.
+    `exposure` float64, of any shape; the result is float32.
     """
     charge = exposure
     if generator is not None and sensor.shot_noise:
@@ -243,14 +260,16 @@ def read_out(
 def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
     """A frame as decoders see it, whose saturated pixels are at least what full ones would be.
 
-    `frame` (.., rows, cols) as `SensorModel.relative` gives it, `saturated` bool, `shutters` (N,
-    rows, cols). PIX also fills while a shutter is yet to open: of steady light that fills it until
-    the shutter closes for the last time, the frame has the part in which it was open.
+    `frame` (.., rows, cols) as `SensorModel.relative` gives it, `saturated` bool, `shutters`
+    ([buckets,] N, r, c) a tile that repeats. PIX also fills while a shutter is yet to open: of
+    steady light that fills it until the shutter closes for the last time, the frame has the part in
+    which it was open.
     """
-    slots = torch.arange(1, len(shutters) + 1, device=shutters.device).reshape(-1, 1, 1)
+    slots = torch.arange(1, shutters.shape[-3] + 1, device=shutters.device).reshape(-1, 1, 1)
     opened = shutters > 0.5
-    least = opened.sum(dim=0) / (opened * slots).amax(dim=0).clamp(min=1)
-    return torch.where(saturated, torch.maximum(frame, least.to(frame)), frame)
+    least = opened.sum(dim=-3) / (opened * slots).amax(dim=-3).clamp(min=1)
+    least = laid(least, *frame.shape[-2:]).to(frame)
+    return torch.where(saturated, torch.maximum(frame, least), frame)
 
 
 def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:

@@ -106,7 +106,9 @@ def audit(
     for frame in range(count):
         plans.append(planned.expose(seed, frame).exposure_e[:, rows])
         parts = [
-            reference.expose_rows(scene, band, seed, planned.device_seed, frame).exposure_e
+            reference.expose_rows(
+                scene, band, seed, planned.device_seed, frame, planned.threads
+            ).exposure_e
             for band in bands(rows)
         ]
         fulls.append(np.concatenate(parts, axis=1))

@@ -13,7 +13,7 @@ from nscc_training.any_code.network import ClipDenoiser
 from nscc_training.any_code.stages import schedule, stage, started
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
 from nscc_training.decoders.declared import Task
-from nscc_training.sensor_model import laid
+from nscc_training.sensor_model import laid, shared_out
 
 _STAGES = {"paper": 8, "small": 4}
 _NOISE = (1e-5, 3e-5)
@@ -29,9 +29,10 @@ def any_code(channels: Sequence[int], task: Task, size: str) -> AnyCode:
 class AnyCode(nn.Module):
     """`stages` of the data term and a denoiser, with the weights of nscc's to begin with.
 
-    Frames (batch, rows, cols) on 1 for a full well, saturated from there on; shutters (N, r, c) a
-    tile. Gives light in full wells over the frame (batch, rows, cols), or of clips full wells / N a
-    slot (batch, N, rows, cols). Clips begin with GAP-TV, which no gradient passes.
+    Frames (batch, rows, cols), of two buckets (batch, 2, rows, cols), on 1 for a full well,
+    saturated from there on; shutters (N, r, c), those of the first bucket, a tile. Gives light in
+    full wells over the frame (batch, rows, cols), or of clips full wells / N a slot (batch, N,
+    rows, cols). Clips begin with GAP-TV, which no gradient passes.
     """
 
     def __init__(self, channels: Sequence[int], still: bool, stages: int) -> None:
@@ -45,11 +46,13 @@ class AnyCode(nn.Module):
         opened = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
         slots = 1 if self.still else len(opened)
         mask = opened.mean(dim=0, keepdim=True) if self.still else opened
+        if frame.ndim == 3:
+            frame, masks = frame.unsqueeze(1), mask.unsqueeze(0)
+        else:
+            masks = shared_out(mask, frame.shape[1])
         dark, gained = self.noise.exp()
         variance = slots**2 * (dark + gained * frame.clamp(min=0))
-        parts = (slots * frame, variance, frame >= 1)
-        value, variance, saturated = (part.unsqueeze(1) for part in parts)
-        measured = Measured(value, mask[None, None], variance, saturated)
+        measured = Measured(slots * frame, masks.unsqueeze(0), variance, frame >= 1)
         return self._still(measured) if self.still else self._clip(measured)
 
     def _clip(self, measured: Measured) -> Tensor:

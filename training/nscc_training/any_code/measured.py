@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -76,14 +77,22 @@ class Measured:
 
     def correction(self, gap: Tensor, sigma: Tensor) -> Tensor:
         """What to add to a clip for frames that differ by `gap`: its most likely error if that has
-        the standard deviation `sigma` everywhere. With one frame and no noise this is the
-        projection onto all clips that give the frame."""
-        if self.mask.shape[1] == 1:
+        the standard deviation `sigma` everywhere. Without noise, and with frames that share no
+        light, this is the projection onto all clips that give the frames."""
+        if self.disjoint:
             noise = self.variance / sigma.reshape(-1, 1, 1, 1).square()
-            return (self.mask * (gap / (self.energy + noise).clamp(min=1e-6)).unsqueeze(2))[:, 0]
+            shares = gap / (self.energy + noise).clamp(min=1e-6)
+            return (self.mask * shares.unsqueeze(2)).sum(dim=1)
         weights = torch.linalg.solve(self._joint(sigma), gap.permute(0, 2, 3, 1))
         found: Tensor = (self.mask * weights.permute(0, 3, 1, 2).unsqueeze(2)).sum(dim=1)
         return found
+
+    @cached_property
+    def disjoint(self) -> bool:
+        """Whether no light of a pixel is in two frames, as in those of a film: then what one frame
+        lacks says nothing of the others."""
+        shared = (self.mask != 0).sum(dim=1) > 1
+        return self.mask.shape[1] == 1 or not bool(shared.any())
 
     def _joint(self, sigma: Tensor) -> Tensor:
         """(batch, rows, cols, B, B): how frames of a pixel vary together, over sigma squared."""

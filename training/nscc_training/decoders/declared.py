@@ -13,12 +13,14 @@ SIZES = ("paper", "small")
 
 @dataclass(frozen=True)
 class Task:
-    """What a decoder is for: stills or clips of `slots`, coded by a `tile`; what it may see."""
+    """What a decoder is for: stills or clips of `slots`, coded by a `tile`, in one bucket or two;
+    what it may see."""
 
     kind: str
     slots: int
     tile: tuple[int, int]
     sees_code: bool = True
+    buckets: int = 1
 
 
 @dataclass(frozen=True)
@@ -30,6 +32,8 @@ class Decoder:
     reconstructs those. `needs_code` says why it cannot do without the code, ""
     if it can. `any_code`: whether it decodes codes that it was not trained with. `given`: whether
     it has the declared channels alone, for it begins with weights that come with nscc, or has none.
+    `two_buckets`: whether it takes frames (batch, 2, rows, cols) of clips, with the shutters of the
+    first bucket.
     """
 
     name: str
@@ -40,6 +44,7 @@ class Decoder:
     needs_code: str = ""
     any_code: bool = True
     given: bool = False
+    two_buckets: bool = False
 
 
 _HERE = "nscc_training.decoders"
@@ -52,6 +57,7 @@ _OWN = (
         f"{_HERE}.unet:flat",
         {"paper": (32, 64, 128, 256, 512, 1024), "small": (16, 32, 64, 128)},
         stills=True,
+        two_buckets=True,
     ),
     # The paper says "24 up to 768", doubling; five levels end at 384.
     Decoder(
@@ -59,6 +65,7 @@ _OWN = (
         f"{_HERE}.unet:deep",
         {"paper": (24, 48, 96, 192, 384), "small": (8, 16, 32, 64)},
         needs_code="is fed with S^T E, which holds the code: it cannot do without",
+        two_buckets=True,
     ),
     Decoder("fcnet", f"{_HERE}.blocks:fcnet", {"paper": (4096,), "small": (96,)}, any_code=False),
     Decoder("unrolled", f"{_HERE}.unrolled:unrolled", _UNROLLED, needs_code=_PROJECTS),
@@ -69,6 +76,7 @@ _OWN = (
         stills=True,
         needs_code="asks what a clip would have given behind its code: it cannot do without",
         given=True,
+        two_buckets=True,
     ),
     Decoder(
         "divided",

@@ -39,13 +39,13 @@ def still_guess(frame: Tensor, share: Tensor) -> Tensor:
     return torch.where(saturated, torch.maximum(found, alone), found)
 
 
-def clip_guess(volume: Tensor, opened: Tensor) -> Tensor:
+def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
     """Light slot by slot of S^T E, `volume` (batch, N, rows, cols), as `lifted` gives it.
 
-    `opened` (N, rows, cols) are the shutters. A pixel says more of a slot the fewer slots it was
-    open in: it counts with the inverse of their number.
+    `opened` (N, rows, cols) are the shutters, of each bucket. A pixel says more of a slot the fewer
+    slots that bucket was open in: it counts with the inverse of their number.
     """
-    weight = opened / opened.sum(dim=0).clamp(min=1)
+    weight = torch.stack([each / each.sum(dim=0).clamp(min=1) for each in opened]).sum(dim=0)
     return averaged(volume, weight.unsqueeze(0).expand_as(volume))
 
 

@@ -24,9 +24,9 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
     """A decoder of `DECODERS` in a size of `SIZES`, or one of `others`, or `module:name`.
 
     `width`, up to 1, makes all layers of the size narrower. One that is not nscc's is called as
-    name(size=.., kind=.., slots=.., tile=.., sees_code=..); Rejected (NS0822), here and whenever it
-    decodes, where it fails. ValueError for what a decoder cannot be, and where slots and tile leave
-    none of that size.
+    name(size=.., kind=.., slots=.., tile=.., sees_code=..), for two buckets with buckets=2 as well;
+    Rejected (NS0822), here and whenever it decodes, where it fails. ValueError for what a decoder
+    cannot be, and where slots and tile leave none of that size.
     """
     declared = DECODERS.get(name)
     if declared is None or size not in SIZES:
@@ -42,6 +42,9 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
         raise ValueError(f"{name} reconstructs stills, not clips")
     if declared.needs_code and not task.sees_code:
         raise ValueError(f"{name} {declared.needs_code}")
+    if task.buckets > 1 and not declared.two_buckets:
+        takers = [each.name for each in DECODERS.values() if each.two_buckets]
+        raise ValueError(f"{name} takes one bucket; {', '.join(takers)} take two")
     if declared.given and width != 1:
         raise ValueError(f"{name} has one width: leave decoder.width at 1")
     if declared.given or size != "small":
@@ -72,10 +75,12 @@ def _built(declared: Decoder, size: str, task: Task, width: float) -> nn.Module:
 
 def _own_decoder(name: str, size: str, task: Task) -> nn.Module:
     make = imported(name, "decoder") if is_import_path(name) else others()[name]
+    more = {"buckets": task.buckets} if task.buckets > 1 else {}
     with own_code(name, "decoder"):
         made = make(
-            size=size, kind=task.kind, slots=task.slots, tile=task.tile, sees_code=task.sees_code
-        )
+            size=size, kind=task.kind, slots=task.slots, tile=task.tile, sees_code=task.sees_code,
+            **more,
+        )  # fmt: skip
     if not isinstance(made, nn.Module):
         raise ValueError(f"'{name}' gave a {type(made).__name__}, not a torch module")
     # Not a module around it: weights keep the names that they have in the user's own.
@@ -90,7 +95,7 @@ def _called(
     """What the user's decoder gives; NS0822 where later steps would misunderstand it."""
     with own_code(name, "decoder"):
         found = forward(frame, shutters)
-    wanted = tuple(frame.shape)
+    wanted = (len(frame), *frame.shape[-2:])
     if task.kind != "still":
         wanted = (wanted[0], task.slots, *wanted[1:])
     if not isinstance(found, Tensor):
@@ -109,12 +114,13 @@ def parameter_count(module: nn.Module) -> int:
     return sum(p.numel() for p in module.parameters())
 
 
-def flops(module: nn.Module, slots: int, rows: int, cols: int) -> int:
-    """Floating-point operations, multiplications and additions each, for one frame of that size."""
+def flops(module: nn.Module, slots: int, rows: int, cols: int, buckets: int = 1) -> int:
+    """Floating-point operations, multiplications and additions each, for one exposure."""
     from torch.utils.flop_counter import FlopCounterMode
 
     device = next((p.device for p in module.parameters()), torch.device("cpu"))
     with FlopCounterMode(display=False) as counter, torch.no_grad():
-        frame = torch.zeros(1, rows, cols, device=device)
+        several = (buckets,) if buckets > 1 else ()
+        frame = torch.zeros(1, *several, rows, cols, device=device)
         module(frame, torch.ones(slots, rows, cols, device=device))
     return int(counter.get_total_flops())

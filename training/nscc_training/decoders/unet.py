@@ -11,7 +11,7 @@ from torch.nn import functional
 from nscc_training.curves import log_curve_inverse
 from nscc_training.decoders.declared import Task
 from nscc_training.decoders.guess import clip_guess, still_guess
-from nscc_training.sensor_model import laid, lifted
+from nscc_training.sensor_model import laid, lifted, shared_out
 
 LOG_FLOOR = 1e-3
 """Stills are predicted as log(1 + light / LOG_FLOOR)."""
@@ -22,12 +22,12 @@ _GUESSES = {"paper": False, "small": True}
 def flat(channels: Sequence[int], task: Task, size: str) -> StillUNet:
     """The declared decoder `unet2d`."""
     slots = None if task.kind == "still" else task.slots
-    return StillUNet(channels, slots, task.sees_code, _GUESSES[size])
+    return StillUNet(channels, slots, task.sees_code, _GUESSES[size], task.buckets)
 
 
 def deep(channels: Sequence[int], task: Task, size: str) -> ClipUNet:
     """The declared decoder `unet3d`."""
-    return ClipUNet(channels, task.slots, _GUESSES[size])
+    return ClipUNet(channels, task.slots, _GUESSES[size], task.buckets)
 
 
 class UNet(nn.Module):
@@ -102,8 +102,9 @@ class _Convolution3d(nn.Conv3d):
 
 
 class StillUNet(nn.Module):
-    """2D U-Net. Sees the frame; with `sees_code`, for stills also the part of the frame that each
-    pixel was open for and its light by itself, for clips S^T E, a channel a slot.
+    """2D U-Net. Sees the frame, or those of two buckets; with `sees_code`, for stills also the part
+    of the frame that each pixel was open for and its light by itself, for clips S^T E, a channel a
+    slot.
 
     The result of stills is the logarithm of light, that of clips (`slots`) has a channel a slot.
     With `guesses` the network sees the first guess, too, and says what must be added to it, for
@@ -111,14 +112,15 @@ class StillUNet(nn.Module):
     """
 
     def __init__(
-        self, widths: Sequence[int], slots: int | None, sees_code: bool, guesses: bool = False
-    ) -> None:
+        self, widths: Sequence[int], slots: int | None, sees_code: bool, guesses: bool = False,
+        buckets: int = 1,
+    ) -> None:  # fmt: skip
         super().__init__()
         self.slots, self.sees_code, self.guesses = slots, sees_code, guesses and sees_code
-        known = (2 if slots is None else slots) if sees_code else 0
+        known = (2 if slots is None else buckets * slots) if sees_code else 0
         guessed = (slots or 1) if self.guesses else 0
         gates = slots if slots is not None and self.guesses else 0
-        network = UNet(1 + known + guessed, (slots or 1) + gates, widths, 2)
+        network = UNet(buckets + known + guessed, (slots or 1) + gates, widths, 2)
         self.network = begin_with_nothing(network) if self.guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
@@ -139,34 +141,36 @@ class StillUNet(nn.Module):
 
     def _clip(self, frame: Tensor, shutters: Tensor) -> Tensor:
         assert self.slots is not None
-        seen, guess = [frame.unsqueeze(1)], None
+        seen, guess = [frame if frame.ndim == 4 else frame.unsqueeze(1)], None
         if self.sees_code:
-            volume, opened = _lifted(frame, shutters, self.slots)
-            seen.append(volume)
+            volumes, opened = _lifted(frame, shutters, self.slots)
+            seen += volumes
             if self.guesses:
-                guess = clip_guess(volume, opened)
+                guess = clip_guess(_added(volumes), *opened)
                 seen.append(guess)
         found: Tensor = self.network(torch.cat(seen, dim=1)).float()
         return found if guess is None else gated(guess, *found.chunk(2, dim=1))
 
 
 class ClipUNet(nn.Module):
-    """3D U-Net on S^T E: the frame copied over time and masked by the shutters.
+    """3D U-Net on S^T E of each bucket: the frame copied over time and masked by the shutters.
 
     With `guesses` it sees the first guess, too, and says what must be added to it and how much of
     it is to stay (`gated`).
     """
 
-    def __init__(self, widths: Sequence[int], slots: int, guesses: bool = False) -> None:
+    def __init__(
+        self, widths: Sequence[int], slots: int, guesses: bool = False, buckets: int = 1
+    ) -> None:
         super().__init__()
         self.slots, self.guesses = slots, guesses
-        network = UNet(2 if guesses else 1, 2 if guesses else 1, widths, 3)
+        network = UNet(buckets + guesses, 2 if guesses else 1, widths, 3)
         self.network = begin_with_nothing(network) if guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        volume, opened = _lifted(frame, shutters, self.slots)
-        guess = clip_guess(volume, opened) if self.guesses else None
-        seen = [volume] if guess is None else [volume, guess]
+        volumes, opened = _lifted(frame, shutters, self.slots)
+        guess = clip_guess(_added(volumes), *opened) if self.guesses else None
+        seen = volumes if guess is None else [*volumes, guess]
         found: Tensor = self.network(torch.stack(seen, dim=1)).float()
         return found[:, 0] if guess is None else gated(guess, found[:, 0], found[:, 1])
 
@@ -180,11 +184,20 @@ def gated(guess: Tensor, added: Tensor, more: Tensor) -> Tensor:
     return added + guess * (1 + more)
 
 
-def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[Tensor, Tensor]:
-    """S^T E (batch, N, rows, cols) and the shutters over the frame (N, rows, cols)."""
-    opened = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
+def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], tuple[Tensor, ...]]:
+    """S^T E (batch, N, rows, cols) of each bucket, and its shutters over the frame (N, rows, cols).
+
+    Added up, two buckets' have something in every slot; apart they show where their light went.
+    """
+    frames = frame.unbind(1) if frame.ndim == 4 else (frame,)
+    whole = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
+    opened = shared_out(whole, len(frames)).unbind() if len(frames) > 1 else (whole,)
     # A frame is the sum over its open slots; S^T E is in light a slot, so 1 is full well / N.
-    return lifted(frame * slots, opened)[0], opened
+    return [lifted(e * slots, way)[0] for e, way in zip(frames, opened, strict=True)], opened
+
+
+def _added(volumes: Sequence[Tensor]) -> Tensor:
+    return volumes[0] if len(volumes) == 1 else torch.stack([*volumes]).sum(dim=0)
 
 
 def begin_with_nothing(network: UNet) -> UNet:

@@ -74,6 +74,8 @@ def panoramas(folder: Path) -> list[Path]:
 def moments(files: list[Path], protocol: Protocol) -> Iterator[Moment | Unusable]:
     """The views of panoramas, in order; a motion hangs on the numbers of panorama and view."""
     weights, slots = np.array(protocol["luminance"]), int(protocol["frames"])
+    wanted_e = protocol.mid_grey_e
+    assert wanted_e is not None
     for index, path in enumerate(files):
         picture = linear(read_picture(path), "linear")
         light = picture @ weights if picture.ndim == 3 else picture
@@ -85,11 +87,11 @@ def moments(files: list[Path], protocol: Protocol) -> Iterator[Moment | Unusable
             drawn = np.random.default_rng((protocol["view_seed"], index, number))
             seen = np.maximum(light, 0.0).astype(np.float32)
             clip = turned(seen, drawn, slots, int(protocol["size"])).astype(np.float64)
-            level = float(np.quantile(clip.sum(axis=0), 1 - protocol["saturated_fraction"]))
-            if not (np.isfinite(clip).all() and level > 0):
-                yield Unusable(path.name, {"view": number}, "its light fills no well")
+            grey = float(np.median(clip.sum(axis=0)))
+            if not (np.isfinite(clip).all() and grey > 0):
+                yield Unusable(path.name, {"view": number}, "half of it is dark")
                 continue
-            yield Moment(path, number, clip * (protocol["full_well_e"] / level), protocol)
+            yield Moment(path, number, clip * (wanted_e / grey), protocol)
 
 
 def evaluate_deblur(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
@@ -33,8 +33,11 @@ from nscc_training.problems import listed
 from nscc_training.protocols import Protocol
 from nscc_training.reconstruct import decoded_frame
 from nscc_training.run_folder import RunFolder
-from nscc_training.sensor_model import frame_of, laid
+from nscc_training.sensor_model import frame_of, laid, shared_out
 from nscc_training.settings import Settings
+
+_SIZE = (256, 256)
+"""Rows and columns of what protocols expose."""
 
 Key = tuple[str, str, str]
 """What rows of tables know runs by: decoder, class, and what became of the codes: learned, words,
@@ -73,13 +76,13 @@ def evaluate_run(
     run has seen a file of `data`, or with `skip_seen` all of them, NS0821 where it was trained for
     something else than the protocol exposes, NS0811 for a folder without data.
     """
-    parts = folder.parts
     _check_kind(folder, protocol)
     find = {
         "hdr-v1": hdr.panoramas,
         "video-v1": video.clips_of,
         "sci8": sci_clips,
         "deblur-v1": deblur.panoramas,
+        "two-bucket-v1": video.clips_of,
     }
     files = find[protocol.name](data)
     seen = seen_of(folder, files)
@@ -97,7 +100,7 @@ def evaluate_run(
                 "NS0841", "sci8 brings its own measurements, which no chip has made",
                 helps=("leave --effects out, or take video-v1",),
             )  # fmt: skip
-        decode = partial(_made_by_chip, folder, seed, _container(folder), effects)
+        decode = partial(_made_by_chip, folder, seed, container_of(folder), effects)
     if protocol.name == "hdr-v1":
         crops, unusable = hdr.parted(files, protocol)
         left_out += [crop.as_json() for crop in unusable]
@@ -105,18 +108,26 @@ def evaluate_run(
         more["also_saturated"] = hdr.also_saturated(
             files, protocol, lambda others: [each.item for each in scored(others, decode, [])]
         )
-    elif protocol.name == "video-v1":
+    elif protocol.name in ("video-v1", "two-bucket-v1"):
         every = list(scored(video.windows(files, protocol), decode, left_out))
     elif protocol.name == "deblur-v1":
         every = list(scored(deblur.moments(files, protocol), decode, left_out))
     else:
         every = list(_sci(folder, files, protocol))
-    size, settings = (256, 256), parts.settings
-    subject = Subject(
+    subject = _subject(folder, every, seed, effects)
+    more["flops_size"] = [*_SIZE]
+    return with_arrays(protocol, subject, files, every, left_out, **more)
+
+
+def _subject(folder: RunFolder, every: Sequence[Scored], seed: int, effects: str) -> Subject:
+    """What a result says of the run."""
+    parts, settings = folder.parts, folder.parts.settings
+    return Subject(
         f"{settings.decoder.name} ({settings.decoder.sized})",
         {
             "run": folder.path.name,
             "row": list(key_of(settings)),
+            "buckets": parts.buckets,
             "size": settings.decoder.sized,
             "steps": settings.train.steps,
             "train_seed": settings.train.seed,
@@ -131,18 +142,16 @@ def evaluate_run(
         decoder_ms=1e3 * float(np.median([each.seconds for each in every])) if every else None,
         device=parts.device.type,
         parameters=parameter_count(parts.decoder),
-        flops=flops(parts.decoder, parts.slots, *size),
+        flops=flops(parts.decoder, parts.slots, *_SIZE, parts.buckets),
     )  # fmt: skip
-    more["flops_size"] = list(size)
-    return with_arrays(protocol, subject, files, every, left_out, **more)
 
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
     parts = folder.parts
-    if protocol.name in several_frames.ROWS:
+    if protocol.name == "staggered-v1":
         raise rejected(
             "NS0821",
-            f"'{folder.path}' was trained for one frame; protocol {protocol.name} gives several",
+            f"'{folder.path}' was trained for one exposure; protocol {protocol.name} has several",
             helps=(f"its rows are {', '.join(several_frames.ROWS[protocol.name])}",),
         )
     kind = parts.encoder.spec.kind
@@ -161,6 +170,11 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
             helps=("train with [data] protocol and [shutter] slots of the protocol",),
         )
     name = parts.settings.decoder.name
+    if protocol.name == "sci8" and parts.buckets > 1:
+        raise rejected(
+            "NS0821", f"'{folder.path}' was trained with two buckets, and clips of sci8 have one",
+            helps=("protocol two-bucket-v1 has two",),
+        )  # fmt: skip
     if protocol.name == "sci8" and name in DECODERS and not DECODERS[name].any_code:
         raise rejected(
             "NS0821",
@@ -195,7 +209,7 @@ def check_unseen(folder: RunFolder, files: list[Path]) -> None:
 
 @torch.no_grad()
 def _decoded(folder: RunFolder, frame: Tensor, shutters: Tensor) -> tuple[NDArray[Any], float]:
-    """What the decoder makes of a frame (rows, cols), 1 where saturated, and its seconds."""
+    """What the decoder makes of a frame ([2,] rows, cols), 1 where saturated, and its seconds."""
     parts = folder.parts
     begin = perf_counter()
     made = parts.decoder(frame[None].to(parts.device), shutters.to(parts.device))
@@ -209,12 +223,15 @@ def _made(folder: RunFolder, seed: int, scene: Scene, index: int) -> tuple[NDArr
     tile = parts.encoder.hard().cpu()
     if parts.encoder.spec.kind == LOOKS:
         return _looked(folder, scene, 1000 * seed + index)
-    codes = frame_of(scene.light_e, tile, parts.model, 1000 * seed + index)
-    made, seconds = _decoded(folder, parts.model.relative(codes), laid(tile, *codes.shape))
+    opened = shared_out(tile, parts.buckets)
+    codes = frame_of(scene.light_e, opened, parts.model, 1000 * seed + index)
+    made, seconds = _decoded(folder, parts.model.relative(codes), laid(tile, *codes.shape[-2:]))
     return made * (parts.model.full_e / (1 if parts.still else parts.slots)), seconds
 
 
-def _container(folder: RunFolder) -> Container:
+def container_of(folder: RunFolder) -> Container:
+    """A run's program, compiled."""
+    """A run's program, compiled."""
     chip = folder.parts.chip
     found = programs.compiled(programs.program_of(folder.parts.encoder, chip), chip).container
     assert found is not None
@@ -238,7 +255,8 @@ def _made_by_chip(
     begin = perf_counter()
     opened = frame.told.get(OPEN)
     share = None if opened is None else (opened[0] / slots).astype(np.float32)
-    made = decoded_frame(folder, frame.frame[0], frame.saturated[0], share)
+    one = 0 if folder.parts.buckets == 1 else ...
+    made = decoded_frame(folder, frame.frame[one], frame.saturated[one], share)
     seconds = perf_counter() - begin
     return made[..., : size[0], : size[1]].astype(np.float64), seconds
 

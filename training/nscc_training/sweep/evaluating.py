@@ -24,6 +24,8 @@ def _keys() -> tuple[Key, ...]:
         axis("protocol", Text(NAMES), "what the numbers mean", "hdr-v1"),
         axis("data", Text(), "the folder of scenes"),
         axis("seed", Integer(0, 2**31 - 1), "of random codes and noise", 0),
+        axis("shutter", Text(), "other codes of a baseline that takes any, as --shutter", ""),
+        axis("effects", Text(), "of the emulated chip that exposes a run's scenes", ""),
         axis("skip_seen", Flag(), "leave out files that a run has seen", False),
         axis("iterations", Integer(1, 10000), "of a method", 40),
         axis("weight", Number(0, 10, low_excluded=True), "of total variation", 0.1),
@@ -80,7 +82,10 @@ def _result(values: Values, place: Place) -> dict[str, Any]:
         return evaluate_sci8(sci_clips(data), subject, count, weight)[0]
     # The run of a point is of this grid, whose configuration names its code.
     name = subject if place.run is None else str(place.run)
-    chosen = {"trust_code": place.run is not None, "skip_seen": values["skip_seen"]}
+    chosen = {
+        "trust_code": place.run is not None, "skip_seen": values["skip_seen"],
+        "codes": values["shutter"], "effects": values["effects"],
+    }  # fmt: skip
     return evaluate(name, data, values["protocol"], values["seed"], **chosen)[0]
 
 
