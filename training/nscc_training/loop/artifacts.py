@@ -69,6 +69,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
     files["capture.toml"] = capture_toml(parts).encode()
     val = batches.val()
     side, count = parts.settings.data.patch, sum(len(batch.peak) for batch in val)
+    stages = _stages(parts, batches, container_of.container)
     robustness = _robustness(parts, batches)
     result = {
         "schema": "nscc-run-1",
@@ -78,7 +79,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
         "config_sha256": config_digest(parts.settings),
         "split_sha256": split_digest(scenes),
         "step": step,
-        "stages": _stages(parts, batches, container_of.container),
+        "stages": stages,
         "stages_note": f"mean PSNR in dB of {count} validation patches of {side} x {side}, "
         "data range the patch's peak, without noise",
         "robustness": robustness,
