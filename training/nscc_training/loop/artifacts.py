@@ -69,7 +69,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
     files["capture.toml"] = capture_toml(parts).encode()
     val = batches.val()
     side, count = parts.settings.data.patch, sum(len(batch.peak) for batch in val)
-    stages = _stages(parts, batches, container_of.container)
+    stages, codes = _stages(parts, batches, container_of.container), _codes_report(parts, batches)
     robustness = _robustness(parts, batches)
     result = {
         "schema": "nscc-run-1",
@@ -84,7 +84,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
         "data range the patch's peak, without noise",
         "robustness": robustness,
         "words_per_slot": words_per_slot(container_of),
-        "codes": _codes_report(parts, batches),
+        "codes": codes,
         "parameters": parameter_count(parts.decoder),
         "flops": flops(parts.decoder, parts.slots, side, side, parts.buckets),
         "flops_size": [side, side],
