@@ -290,7 +290,7 @@ def meta(
         "exposure_scale_e": light.exposure_scale_e if light else None,
         "open_us": open_us(container) if container else None,
         **({"frame_us": float(sum(container.slot_us))} if container and container.machine else {}),
-        "invalid_pixels": int(np.count_nonzero(~frame.valid)),
+        "invalid_pixels": frame.valid.size - int(np.count_nonzero(frame.valid)),
         "plan": origin.plan,
         "audit": origin.audit,
     }

@@ -17,6 +17,7 @@ from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime import frame_file
 from nscc_runtime.effects import Selection, selected
+from nscc_runtime.films import gathered
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
@@ -275,8 +276,11 @@ def _planned(
 
 def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
     """The frame, or all of `repeat` with an axis in front."""
-    found = list(listener.progress(made, "exposing", repeat or 1))
-    return frame_file.stacked(found) if repeat else found[0]
+    frames = listener.progress(made, "exposing", repeat or 1)
+    if repeat:
+        return gathered(frames, repeat)
+    (frame,) = frames
+    return frame
 
 
 def _over(plan: Plan, breach: str, given: bool) -> Diagnostic:

@@ -51,6 +51,15 @@ def random_light(*shape: int, seed: int = 1) -> Any:
     return np.exp(np.random.default_rng(seed).normal(0, 2, shape))
 
 
+def test_clips_of_a_protocol_with_a_light_are_as_bright_as_that() -> None:
+    """50 lux: grey gathers 3636 electrons, whatever the unit of the source."""
+    light = random_light(8, 24, 24)
+    for factor in (1.0, 1e3):
+        of = {"s": factor * light}
+        (cut,) = batches(of, batch=1, slots=8, patch=24, protocol="deblur-v1").val()[:1]
+        assert np.median(cut.light[0].sum(dim=0).numpy()) == pytest.approx(3636, rel=1e-3)
+
+
 @pytest.mark.parametrize("size", [(40, 40), (300, 290)])
 def test_patches_of_one_exposure_share_level_and_peak(size: tuple[int, int]) -> None:
     """30 % of all that is exposed saturates, and 1 is its 99.9th percentile, in every patch."""

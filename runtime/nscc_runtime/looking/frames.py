@@ -17,7 +17,8 @@ from nscc_runtime.looking.ways import Ways
 from nscc_runtime.pool import threads_of
 from nscc_runtime.ready import MadeReady
 from nscc_runtime.reference.capture import scene_of
-from nscc_runtime.reference.looks import Exposing, LookingReference, film
+from nscc_runtime.reference.film import Exposing, film
+from nscc_runtime.reference.looks import LookingReference
 
 Planes = Mapping[str, NDArray[np.bool_]]
 
@@ -28,7 +29,7 @@ ways_of = MadeReady(Ways)
 def exposer(ways: Ways, effects: Selection, threads: int = 1) -> Exposing:
     """What exposes (scene, loaded, seeds, frame, rows) with these effects."""
     if ways.lacks(effects):
-        return LookingReference(ways.container, ways.sensor, effects).expose
+        return LookingReference(ways.container, ways.sensor, effects, threads).expose
     return lambda scene, loaded, seeds, frame, rows: ways.expose(
         scene, loaded, effects, seeds, frame, rows, threads
     )

@@ -12,8 +12,8 @@ Without effects every slot is added by itself, as the exposure is defined.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf
 
@@ -30,14 +30,14 @@ from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
 from nscc_runtime.emulator.capture import check, check_size
-from nscc_runtime.frame_file import Frame, converted
+from nscc_runtime.frame_file import Frame
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.looked_light import told_by
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
 from nscc_runtime.reference.charge import charge_of_rows
+from nscc_runtime.reference.film import Executed, film
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.weights import error_sign
@@ -52,15 +52,6 @@ _CELLS = 1 << 21
 """Most slots x pixels of a chunk of rows."""
 _FIRST_BIT = 256
 """The group of the first digital register among the streams of START; analog ones stand before."""
-
-
-@dataclass(frozen=True, eq=False)
-class Executed:
-    """One frame: the exposure, and the digital registers that are read, kept or hold code, as
-    planes."""
-
-    exposure: Exposure
-    planes: Mapping[str, Bits]
 
 
 @dataclass(frozen=True)
@@ -143,18 +134,6 @@ class LookingReference:
         return Executed(Exposure(exposure, valid_here, saturated_by), planes)
 
 
-def next_planes(
-    container: Container, loaded: Mapping[str, Bits], left: Mapping[str, Bits]
-) -> dict[str, Bits]:
-    """The registers with which a frame starts after one that has `left` these planes: kept states
-    go on, the codes that were `loaded` stay."""
-    machine = container.machine
-    assert machine is not None
-    names = (state.name for state in machine.states if state.kept)
-    kept = {register for name in names for register in container.state_planes[name].registers}
-    return {**loaded, **{name: plane for name, plane in left.items() if name in kept}}
-
-
 def executed(
     container: Container, light: Light, sensor: Sensor | None = None, device_seed: int = 0
 ) -> Executed:
@@ -179,31 +158,6 @@ def looking_frames(
     reference = LookingReference(container, sensor, effects, threads)
     scene = scene_of(container, light, previous)
     return film(reference.expose, container, scene, sensor, effects, (seed, device_seed), count)
-
-
-Exposing = Callable[[Scene, Mapping[str, Bits], tuple[int, int], int, range | None], "Executed"]
-"""What exposes (scene, loaded, seeds, frame, rows) as `LookingReference.expose` does."""
-
-
-def film(
-    expose: Exposing, container: Container, scene: Scene, sensor: Sensor, effects: Selection,
-    seeds: tuple[int, int], count: int,
-) -> Iterator[Frame]:  # fmt: skip
-    """Frames 0 .. `count` - 1, one after the other: kept states go on from frame to frame."""
-    loaded: Mapping[str, Bits] = container.planes()
-    for number in range(count):
-        executed = expose(scene, loaded, seeds, number, None)
-        loaded = next_planes(container, loaded, executed.planes)
-        yield told_frame(container, executed, sensor, effects, seeds, number)
-
-
-def told_frame(
-    container: Container, executed: Executed, sensor: Sensor, effects: Selection,
-    seeds: tuple[int, int], number: int,
-) -> Frame:  # fmt: skip
-    """Frame number `number` as its file has it."""
-    frame = converted(executed.exposure, container.target, sensor, effects, seeds, number)
-    return replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
 
 
 @dataclass(eq=False, kw_only=True)

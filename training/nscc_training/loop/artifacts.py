@@ -136,13 +136,22 @@ def capture_toml(parts: Parts) -> str:
         "effects": parts.settings.sensor.effects,
         "scenes": "stills" if parts.still else "clips",
         "transfer": parts.settings.data.transfer,
-        "exposure": "30 % of the pixels saturate when always open" if parts.still
-        else "percentile 99 of the all-open sum is a full well",
+        "exposure": _exposure(parts),
         "normalisation": f"1 is a full well{slots or ' over the frame'}",
     }  # fmt: skip
     head = "# What the decoder was trained on; `nscc reconstruct` refuses frames of something else."
     lines = [head, *(f"{key} = {json.dumps(value)}" for key, value in values.items())]
     return "\n".join(lines) + "\n"
+
+
+def _exposure(parts: Parts) -> str:
+    """How bright scenes are."""
+    if parts.still:
+        return "30 % of the pixels saturate when always open"
+    grey_e = parts.protocol.mid_grey_e
+    if grey_e is None:
+        return "percentile 99 of the all-open sum is a full well"
+    return f"the median of the all-open sum is {grey_e:.0f} e"
 
 
 def _stages(parts: Parts, batches: Batches, container: Container) -> dict[str, Any]:
