@@ -56,10 +56,13 @@ def _same_numbers() -> None:
 
 @pytest.fixture(scope="session", autouse=True)
 def _own_cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[None]:
-    """Search results are kept in a folder of this run, never in the user's."""
+    """Search results lie in a folder of this run, which its workers share; never the user's."""
+    run = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        run = run.parent
     with pytest.MonkeyPatch.context() as patch:
         patch.delenv("NSCC_CACHE", raising=False)
-        patch.setenv("NSCC_CACHE_DIR", str(tmp_path_factory.mktemp("cache")))
+        patch.setenv("NSCC_CACHE_DIR", str(run / "cache"))
         yield
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -18,10 +19,16 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from nscc.target.target import Target
+    from nscc_runtime.scenes.load import Laid
     from nscc_training.design import Design
+    from nscc_training.search.choose import Kind
 
 _CURVES = ("mu", "linear", "log")
 _SVE_RISK = "sve-risk"
+_MOTIONS = ("slow", "fast", "scene")
+_CLIP_SLOTS, _STILL_SLOTS = 16, 256
+_CLIP_PARTS = 16
+"""Motion is looked at in so many parts of a frame."""
 _MOST_LOOKS = 32
 _MOST_SLOTS = 4096
 
@@ -35,8 +42,13 @@ _MOST_SLOTS = 4096
 @click.option("--criterion", type=click.Choice([*_CURVES, _SVE_RISK]), help="What is least: the "
               "square error of the light on a mu-law curve (default), as it is, of its logarithm; "
               "sve-risk designs a fixed 2 x 2 tile of stops instead.")  # fmt: skip
-@click.option("--slots", type=click.IntRange(2, _MOST_SLOTS), default=256, show_default=True,
-              help="Slots of the frame.")  # fmt: skip
+@click.option("--motion", type=click.Choice(_MOTIONS), help="Choose a code for clips by how "
+              "things move: slow, fast, or as in the scenes.")  # fmt: skip
+@click.option("--max-words", type=NumberRange(0.1, 1000), default=4.0, show_default=True,
+              help="With --motion: words a slot, in the mean, that the code may take.")  # fmt: skip
+@click.option("--slots", type=click.IntRange(2, _MOST_SLOTS),
+              help=f"Slots of the frame (default: {_STILL_SLOTS}, for clips "
+              f"{_CLIP_SLOTS}).")  # fmt: skip
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), default=125.0, show_default=True,
               help="The length of each.")  # fmt: skip
 @click.option("--target", type=TARGET, default="scamp5", show_default=True,
@@ -49,16 +61,17 @@ _MOST_SLOTS = 4096
 @click.option("-o", "out", type=OUT, help="The program (default: looks-K.nsl or sve-risk.nsl in "
               "this folder).")  # fmt: skip
 def command(
-    scenes: tuple[str, ...], looks: int | None, criterion: str | None, level: int,
-    out: Path | None, **options: Any,
+    scenes: tuple[str, ...], looks: int | None, criterion: str | None, motion: Kind | None,
+    level: int, out: Path | None, **options: Any,
 ) -> None:  # fmt: skip
     """Write a program that is made for scenes, and say what it is expected to do.
 
     With --looks, pixels close at the first look that finds them above a level. Moments and levels
     are those of the least error that noise, converter, copies and comparators of the sensor let
     expect over the light that the scenes have, without a decoder. With --criterion sve-risk, every
-    2 x 2 tile of half stops is tried for what an ideal decoder could not make good. The program is
-    compiled and proved before it is written.
+    2 x 2 tile of half stops is tried for what an ideal decoder could not make good. With --motion,
+    bumps of several lengths and patterns are compared by what a frame of theirs tells of moving
+    light. The program is compiled and proved before it is written.
     """
     from nscc.emit.summary import cost_text
     from nscc.files import refuse_inputs, write_together
@@ -66,24 +79,34 @@ def command(
     from nscc_training.design import Frame, design_looks, design_tile
 
     tile = criterion == _SVE_RISK
-    if tile == (looks is not None):
+    if tile + (looks is not None) + (motion is not None) != 1:
         raise click.UsageError(
-            "name what to design: --looks K for pixels that look, or --criterion sve-risk for a "
-            "fixed 2 x 2 tile"
+            "name what to design: --looks K for pixels that look, --criterion sve-risk for a fixed "
+            "2 x 2 tile, or --motion slow, fast or scene for clips"
         )
+    if motion and criterion:
+        raise click.UsageError("--criterion is for stills: leave it out, or --motion")
+    options["slots"] = options["slots"] or (_CLIP_SLOTS if motion else _STILL_SLOTS)
     slots, slot_us, name = options["slots"], options["slot_us"], options["target"]
     if looks is not None and looks > slots:
         raise click.UsageError(f"{looks} exposures end at as many boundaries; there are {slots}")
-    path = out or Path("sve-risk.nsl" if tile else f"looks-{looks}.nsl")
+    default = f"motion-{motion}.nsl" if motion else f"looks-{looks}.nsl"
+    path = out or Path("sve-risk.nsl" if tile else default)
     target = load_target(name, Path())
     sensor = sensor_of(target, options)
-    seen = _seen(scenes, target, options)
-    refuse_inputs(path)
     frame = Frame(slots, slot_us, name, sensor, level)
-    if looks is None:
-        made: Design = design_tile(seen, frame)
+    refuse_inputs(path)
+    if motion:
+        from nscc_training.search.choose import design_motion
+
+        # What moves slow or fast needs no scene, and of one takes light and texture.
+        moving = _moving(scenes, target, options) if scenes or motion == "scene" else []
+        made: Design = design_motion(motion, moving, frame, options["max_words"])
+    elif looks is None:
+        made = design_tile(_seen(scenes, target, options), frame)
     else:
         curve = criterion or "mu"
+        seen = _seen(scenes, target, options)
         made = design_looks(seen, looks, frame, curve)  # type: ignore[arg-type]  # Choice
     say(made.compiled.diagnostics)
     write_together({path: made.text.encode()})
@@ -97,10 +120,25 @@ def _seen(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any]
 ) -> list[NDArray[np.float64]]:
     """The light of each scene (rows, cols): electrons over the frame."""
+    return [laid.where.cut(laid.light.total_e()) for laid in _laid(scenes, target, options)]
+
+
+def _moving(
+    scenes: tuple[str, ...], target: Target, options: dict[str, Any]
+) -> list[NDArray[np.float64]]:
+    """The light of each scene (parts, rows, cols): electrons in each of some parts of the frame."""
+    slots = options["slots"]
+    starts = [slots * part // _CLIP_PARTS for part in range(_CLIP_PARTS)]
+    starts = sorted(set(starts))
+    return [
+        laid.where.cut(laid.light.joined(starts).dense()) for laid in _laid(scenes, target, options)
+    ]
+
+
+def _laid(scenes: tuple[str, ...], target: Target, options: dict[str, Any]) -> Iterator[Laid]:
+    """Each scene in the slots of the frame on the chip's array."""
     slot_us = [options["slot_us"]] * options["slots"]
-    found = []
     for name in scenes or (None,):
         scene = scene_of({**options, "scene": name}, "no scene to design for: --scene is missing")
         [laid] = scene.laid(slot_us, target, lambda told: say([told]), progress)
-        found.append(laid.where.cut(laid.light.total_e()))
-    return found
+        yield laid

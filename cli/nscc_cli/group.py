@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from importlib import import_module
 
 import click
@@ -41,6 +42,9 @@ class LazyGroup(click.Group):
         command = self.get_command(ctx, name)
         if command is None:
             raise Rejected(_unknown(name, self.list_commands(ctx)), status=2)
+        if not gc.isenabled():  # `main` turned it off for the imports
+            gc.freeze()
+            gc.enable()
         return name, command, args[1:]
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:

@@ -20,6 +20,7 @@ _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
 def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
     """Expose on the device at `options["place"]`, as `nscc run` does on the emulator."""
+    from nscc.words.readout import converter_of
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.frames import exposed
     from nscc_runtime.device.link import Link
@@ -33,7 +34,7 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     with timings.part("compile_s"):
         container, messages = load_program(program, options)
     check_adc(container.target)
-    sensor = sensor_of(container.target, options)
+    sensor = sensor_of(converter_of(container), options)
     light, said = None, list(messages)
     if scene:
         said.append(_scene_note(scene))

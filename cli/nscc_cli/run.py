@@ -99,6 +99,7 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
 def _run_on_emulator(
     program: Path, options: dict[str, Any], keep: tuple[str, ...], of_run: RunCapture | None
 ) -> None:
+    from nscc.words.readout import converter_of
     from nscc_runtime.frame_file import meta
     from nscc_runtime.pieces import simulate_scene
     from nscc_runtime.simulate import Listener
@@ -110,7 +111,7 @@ def _run_on_emulator(
         container, messages = load_program(program, options)
     if of_run is not None:
         of_run.check(container, program)
-    sensor = sensor_of(container.target, options)
+    sensor = sensor_of(converter_of(container), options)
     with timings.part("scene_s"):
         scene, said = scene_of(options), list(messages)
         laid = scene.laid(container.slot_us, container.target, said.append, progress)

@@ -51,7 +51,7 @@ def command(
     nscc sweep grid.toml --out results
     nscc sweep grid.toml --out results --scheduler tcp://10.0.0.1:8786
     """
-    from nscc_runtime.planner.pool import processors
+    from nscc_runtime.pool import processors
     from nscc_training.sweep.grid import read_grid
     from nscc_training.sweep.run import How, failures, known, sweep, told
 

@@ -134,28 +134,34 @@ class Covers:
         if outside & ~union(values[i] for i in zeros):
             return None
         # What alone keeps out a part of `outside` stays: whatever goes, it does so ever after.
-        free, once, twice = list(zeros), 0, 0
+        free, once, twice = [(values[i], i) for i in zeros], 0, 0
         kept: list[int] = []
+        steps = 1 + self.everything.bit_length() // 512
         while True:
-            self.budget.spend((len(free) + len(kept)) * (1 + self.everything.bit_length() // 512))
+            self.budget.spend((len(free) + len(kept)) * steps)
             covered, again = once, twice  # by at least one literal, by at least two
-            for i in free:
-                again |= covered & values[i]
-                covered |= values[i]
+            for v, _ in free:
+                again |= covered & v
+                covered |= v
             alone = covered & ~again
             needed = alone & outside
             may_go = []
-            for i in free:
-                if values[i] & needed:
-                    kept.append(i)
-                    twice |= once & values[i]
-                    once |= values[i]
+            for literal in free:
+                v = literal[0]
+                if v & needed:
+                    kept.append(literal[1])
+                    twice |= once & v
+                    once |= v
                 else:
-                    may_go.append(i)
+                    may_go.append(literal)
             if not may_go:
                 return tuple(sorted(kept)), self.everything & ~covered
-            gained = alone & rest
-            may_go.remove(max(may_go, key=lambda i: (values[i] & gained).bit_count()))
+            gained, most, gone = alone & rest, -1, 0
+            for place, (v, _) in enumerate(may_go):
+                count = (v & gained).bit_count()
+                if count > most:
+                    most, gone = count, place
+            del may_go[gone]
             free = may_go
 
 

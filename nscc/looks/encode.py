@@ -56,7 +56,7 @@ def encodings(machine: Machine, registers: int) -> Iterator[Encoding]:
     codes = [Held("code", kind, every, bits) for kind, bits in _of_code(behaviours)]
     states = []
     for k, state in enumerate(machine.states):
-        reached = np.unique(machine.values[:, k]).tolist()
+        reached = sorted(set(machine.values[:, k].tolist()))
         values = tuple(dict.fromkeys([state.start, *reached]))
         found = list(_of_state(len(values)))
         if state.sense and not _outlasts(machine, k):
@@ -84,8 +84,8 @@ def _outlasts(machine: Machine, k: int) -> bool:
             machine.resets[span, begin + 1 :],
             after[span],
         ]
-        distinct = np.unique(np.column_stack(does), axis=0)
-        if len(distinct) > len(np.unique(alike[span])):
+        distinct = {row.tobytes() for row in np.column_stack(does)}
+        if len(distinct) > len(set(alike[span].tolist())):
             return True
     return False
 

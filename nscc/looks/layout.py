@@ -32,18 +32,11 @@ _MOST_CLEARED = 4
 def lay_out_looks(
     plan: LookingPlan, solution: LookingSolution, time: Timeline, most_words: int | None
 ) -> Lowered | None:
-    """The words of a solution over the frame's boundaries; None where its registers are too many,
-    or where the mask would lose what it holds. `most_words` as in Lowered.
+    """The words of a solution over the frame's boundaries; None where the mask would lose what it
+    holds. `most_words` as in Lowered.
     """
     target = plan.program.target
     general = _general(solution, plan)
-    count = len(general.planes) + general.states + general.scratch
-    # Without code that rests, the masked register stays unused: every write to it needs its mask.
-    room = len(target.digital_registers) - (
-        target.masked_register is not None and not general.planes
-    )
-    if count > room:
-        return None
     allocation = allocate(general, target)
     if _mask_is_lost(solution, allocation):
         return None

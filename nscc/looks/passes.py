@@ -19,8 +19,8 @@ from nscc.program.program import Program
 from nscc.words.container import Container
 from nscc.words.machine import StatePlanes
 
-MOST_ENCODINGS = {0: 32, 1: 32, 2: 128, 3: 1024}
-"""So many encodings are tried at each level; level 0 takes the first one that fits."""
+ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
+"""So many encodings are tried at each level, and so many until one fits."""
 
 
 @dataclass(frozen=True)
@@ -53,8 +53,9 @@ def lowered_of(
     time = frame_time(program)
     found: list[LookingLowered] = []
     reasons: dict[str, None] = {}
+    enough, most = ENCODINGS[level]
     for tried, encoding in enumerate(encodings(plan.machine, registers)):
-        if tried == MOST_ENCODINGS[level] or (level == 0 and found and found[-1].fits):
+        if tried >= (enough if any(each.fits for each in found) else most):
             break
         try:
             solution = solve(plan, encoding, program.target)
@@ -63,7 +64,7 @@ def lowered_of(
             continue
         lowered = lay_out_looks(plan, solution, time, most_words)
         if lowered is None:
-            reasons[f"{encoding.name}: no register is left for scratch"] = None
+            reasons[f"{encoding.name}: the mask would lose what its register holds"] = None
         else:
             found.append(_with(lowered, solution))
     found.sort(key=lambda each: (each.price, len(each.schedule.allocation.places)))

@@ -49,8 +49,15 @@ class LookingSolution:
     items: dict[int, tuple[Item, ...]]
 
 
+def room_of(target: Target, planes: int) -> int:
+    """The digital registers that a program with so many planes has: without code that rests, the
+    masked register stays unused, since every write to it needs its mask."""
+    return len(target.digital_registers) - (target.masked_register is not None and not planes)
+
+
 def solve(plan: LookingPlan, encoding: Encoding, target: Target) -> LookingSolution:
-    """The words of a plan. Raises GaveUp where no gates are found for some moment."""
+    """The words of a plan. Raises GaveUp where no gates are found for some moment, or where they
+    need more scratch than there are registers."""
     return _Solver(plan, encoding, target).solve()
 
 
@@ -82,14 +89,17 @@ class _Solver:
 
     def solve(self) -> LookingSolution:
         items: dict[int, tuple[Item, ...]] = {}
+        scratch = 0
+        room = room_of(self.target, len(self.holders)) - len(self.holders) - len(self.states)
         for moment in self.plan.moments:
             found = tuple(_Moment(self, moment).items())
             if found:
                 items[moment.boundary] = found
-        scratch = 0
-        for item in (item for each in items.values() for item in each):
-            if isinstance(item, Gate) and item.destination.startswith("t"):
-                scratch = max(scratch, int(item.destination[1:]) + 1)
+            for item in found:
+                if isinstance(item, Gate) and item.destination.startswith("t"):
+                    scratch = max(scratch, int(item.destination[1:]) + 1)
+            if scratch > room:
+                raise GaveUp("no register is left for scratch")
         start = self.machine.start_nodes()
         held = self.vectors(start)
         planes = tuple(held[f"p{i}"] for i in range(len(self.holders)))

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from math import inf
 
 from nscc.logic.cover import Cover, Covers
 from nscc.logic.cubes import Budget
@@ -94,16 +95,20 @@ class Board:
             parts = [p for part in parts for p in (part & v, part & ~v) if p]
         return all(not part & each or not part & ~each for each in wanted for part in parts)
 
-    def make(self, wanted: int, destination: str) -> Made | None:
-        """The fewest words found that leave `wanted` in a register, whatever it held."""
-        return min(self._ways(wanted, destination), key=lambda made: made.price, default=None)
+    def make(self, wanted: int, destination: str, most: float = inf) -> Made | None:
+        """The fewest words found, at most `most`, that leave `wanted` in a register, whatever it
+        held."""
+        if most < 1:
+            return None
+        ways = (made for made in self._ways(wanted, destination, most) if made.words <= most)
+        return min(ways, key=lambda made: made.price, default=None)
 
     def load(self, wanted: int) -> Made | None:
         """The fewest words found that bring `wanted` into FLAG."""
         if self.values.get(FLAG) == wanted:
             return Made((), ())
         name = self.fresh()
-        found = [self._through(made, name, wanted) for made in self._ways(wanted, name)]
+        found = [self._through(made, name, wanted) for made in self._ways(wanted, name, inf)]
         return min(found, key=lambda made: made.price, default=None)
 
     def _through(self, made: Made, name: str, wanted: int) -> Made:
@@ -120,8 +125,9 @@ class Board:
             return Made((*made.gates[:-1], Gate("WHERE", FLAG, last.sources)), made.scratch)
         return Made((*made.gates, Gate("WHERE", FLAG, (name,))), (*made.scratch, (name, wanted)))
 
-    def _ways(self, wanted: int, destination: str) -> Iterator[Made]:
-        """Several ways to make a vector, by a cover of it and of its complement."""
+    def _ways(self, wanted: int, destination: str, most: float) -> Iterator[Made]:
+        """Several ways to make a vector, by a cover of it and of its complement; those of at most
+        `most` words are among them."""
         # Of registers that hold the same, the first: those of code and states stand before scratch.
         first = {v: name for name, v in reversed(self.values.items()) if v}
         names, values = list(first.values()), list(first)
@@ -129,8 +135,10 @@ class Board:
         for made in self._covers(names, values, wanted, destination):
             fewest = made.words if fewest is None else min(fewest, made.words)
             yield made
+            if made.price == (1, 0):
+                return
         # A complement takes a word, and what reads it another.
-        if fewest is None or fewest > 2:
+        if most >= 2 and (fewest is None or fewest > 2):
             for v, name in tuple(first.items()):
                 if self.everything & ~v not in first:
                     names.append(f"~{name}")
@@ -226,34 +234,42 @@ def _ordered(board: Board, wanted: dict[str, int], best: Board | None) -> Board 
         return best  # every value takes a word at least
     if not wanted:
         return board
-    tried: list[tuple[str, Board]] = []
+    # Every value takes a word at least.
+    most = inf if best is None else best.words - len(wanted)
+    greedy = len(wanted) > _MOST_ORDERED
+    cheapest: tuple[str, Board] | None = None
     for name in wanted:
-        after = _written(board, name, wanted)
-        if after is not None:
-            tried.append((name, after))
-            if len(wanted) > _MOST_ORDERED and after.words == board.words + 1:
-                break  # none is cheaper
-    if len(wanted) > _MOST_ORDERED:
-        tried = sorted(tried, key=lambda each: each[1].words)[:1]
-    for name, after in tried:
-        left = {other: v for other, v in wanted.items() if other != name}
-        best = _ordered(after, left, best)
+        after = _written(board, name, wanted, most)
+        if after is None:
+            continue
+        if greedy:
+            cheapest, most = (name, after), after.words - 1
+            continue
+        best = _ordered(after, _without(name, wanted), best)
+        most = inf if best is None else best.words - len(wanted)
+    if cheapest is not None:
+        name, after = cheapest
+        best = _ordered(after, _without(name, wanted), best)
     return best
 
 
-def _written(board: Board, name: str, wanted: dict[str, int]) -> Board | None:
+def _without(name: str, wanted: dict[str, int]) -> dict[str, int]:
+    return {other: v for other, v in wanted.items() if other != name}
+
+
+def _written(board: Board, name: str, wanted: dict[str, int], most: float) -> Board | None:
     """The board with one new value, and the old one saved if others need it; None: it cannot be
-    had."""
-    made = board.make(wanted[name], name)
+    had in at most so many words in all."""
+    made = board.make(wanted[name], name, most - board.words)
     if made is None:
         return None
     after = board.copy()
     after.take(made, (name, wanted[name]))
-    if after.tells(v for other, v in wanted.items() if other != name):
+    if after.tells(_without(name, wanted).values()):
         return after
     after = board.copy()
     after.keep(name)
-    made = after.make(wanted[name], name)
+    made = after.make(wanted[name], name, most - after.words)
     if made is None:
         return None
     after.take(made, (name, wanted[name]))

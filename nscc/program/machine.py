@@ -198,7 +198,7 @@ class _Builder:
             else:
                 names = [field.name for field in self.rules.fields]
                 values = self.codes[:, names.index(sense.field or "")]
-                steps = {v: self._field_step(sense, v) for v in np.unique(values).tolist()}
+                steps = {v: self._field_step(sense, v) for v in sorted(set(values.tolist()))}
                 levels = np.array([steps[v] for v in values.tolist()])
             numbers = []
             for level in levels.tolist():

@@ -6,7 +6,8 @@ random values in everything that a program may not rely on tell it from any othe
 certainty for every practical purpose: a wrong coefficient would have to meet a hyperplane of
 measure zero to within 1e-9. Nothing but FLAG could make it other than linear, and a FLAG that hangs
 on analog values counts as unknown. The second frame shows what decays from frame to frame; as the
-first one started from nothing but the code and leaves the code behind, all others are like it.
+first one started from nothing but the code and leaves the code behind, all others are like it. Last
+come the words before readout.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from numpy.typing import NDArray
 from nscc.operations import Op
 from nscc.prove.looks import Looks, Wrong
 from nscc.prove.noise import Noise
+from nscc.prove.readout import readout_fault
 from nscc.prove.replay import Replay
 from nscc.words.container import Container
 from nscc.words.legality import target_fault
@@ -79,7 +81,14 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
         return _prove_looks(container, kernels, noise.levels(slots, 1)[:, 0])
     replay = Replay(container, kernels, lights=1)
     frames = (_frame(replay, noise.levels(slots, 1), n) for n in range(1, FRAMES + 1))
-    return Proof(codes, slots, FRAMES, next(filter(None, frames), None))
+    failure = next(filter(None, frames), None) or _readout(container)
+    return Proof(codes, slots, FRAMES, failure)
+
+
+def _readout(container: Container) -> Failure | None:
+    """What is wrong with the words between frame and readout."""
+    fault = readout_fault(container)
+    return Failure(fault[1], FRAMES, fault[0]) if fault else None
 
 
 def _prove_looks(
@@ -95,7 +104,7 @@ def _prove_looks(
         except Wrong as wrong:
             failure = Failure(wrong.what, frame, wrong.bucket, wrong.behaviour)
             break
-    return Proof(codes, slots, FRAMES, failure, looks.transitions)
+    return Proof(codes, slots, FRAMES, failure or _readout(container), looks.transitions)
 
 
 def _frame(replay: Replay, light: NDArray[np.float64], frame: int) -> Failure | None:

@@ -106,6 +106,13 @@ class Replay:
         self._now_us += self.target.readout_us * len(container.readouts)
         return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
 
+    def prepared(self, words: Sequence[Op], in_e: Lights) -> dict[str, Lights]:
+        """What analog registers hold after more words, with IN at `in_e` electrons."""
+        self._sources["IN"] = in_e
+        for word in words:
+            self._run(word)
+        return self.analog
+
     @property
     def code_kept(self) -> bool:
         """Whether the code registers hold what they held when the first frame started."""

@@ -188,21 +188,29 @@ class Target:
     @property
     def wells_read(self) -> int:
         """How many full wells all codes of the converter span: 2 where it is symmetric around 0."""
-        return 1 if self.readout == "spread" else 2
+        return 1 if self.conversion == "spread" else 2
+
+    @property
+    def conversion(self) -> Literal["spread", "full", "half"]:
+        """The `readout` that exposures really have: the converter's own where IN, or a register,
+        does not reach as far as it takes to spread them."""
+        reached = self.streamed or self.spread_level is not None
+        return "full" if self.readout == "spread" and not reached else self.readout
 
     @property
     def spread_level(self) -> int | None:
-        """Steps of IN that are a full well less than nothing, which spread exposures over all
-        codes; None where they are not to be spread, or IN does not reach so far."""
+        """Steps of IN that are a full well less than nothing, to half a step, which spread
+        exposures over all codes; None where they are not to be spread, or nothing reaches so far.
+        """
         level = round(-self.full_well_e / self.electrons_per_step)
-        off_e = abs(level * self.electrons_per_step + self.full_well_e)
-        reached = self.in_low <= level <= self.in_high and off_e <= self.electrons_per_lsb
+        held_e = min(self.register_max_e, -self.register_min_e)
+        reached = self.in_low <= level < 0 and self.full_well_e <= held_e
         return level if self.readout == "spread" and reached else None
 
     @property
     def code_bits(self) -> int:
         """Bits of the largest code that is read out."""
-        return self.adc_bits - (self.readout == "half")
+        return self.adc_bits - (self.conversion == "half")
 
     @property
     def top_code(self) -> int:
@@ -212,8 +220,14 @@ class Target:
     @property
     def zero_lsb(self) -> float:
         """The code of a register that holds nothing."""
-        symmetric = 1 << (self.adc_bits - 1) if self.readout == "full" else 0
-        return symmetric + self.adc_offset_lsb
+        zero = 0.0
+        if self.conversion == "full":
+            zero = 1 << (self.adc_bits - 1)
+        elif self.spread_level is not None and not self.streamed:
+            # IN has steps: the full well that it takes away may be half a step too much or little.
+            taken_e = -self.spread_level * self.electrons_per_step
+            zero = (self.full_well_e - taken_e) / (2 * self.electrons_per_lsb)
+        return zero + self.adc_offset_lsb
 
     @property
     def analog_available(self) -> tuple[str, ...]:

@@ -134,9 +134,8 @@ def _squares(found: Backward, at: str, shape: tuple[int, ...]) -> Weights:
 def _flat_e2(sensor: Sensor, kept: Selection, plan: Mapping[str, Any] | None) -> float:
     """The variance that all shutters share: of the converter, and of what only the plan knows."""
     lsb2 = 1 / 12
-    converter = kept.part(Converter)
-    if converter and not kept.noiseless:
-        lsb2 += converter.sigma_lsb(sensor) ** 2
+    if not kept.noiseless:
+        lsb2 += kept.converter_lsb(sensor) ** 2
     known = set().union(*(kept.names(kind) for kind in _KNOWN))
     others = [] if plan is None else plan["effects"]
     return lsb2 * sensor.electrons_per_lsb**2 + sum(

@@ -7,6 +7,7 @@ from math import sqrt
 import numpy as np
 
 from nscc.words.container import Container
+from nscc.words.readout import converter_of
 from nscc_runtime.decode_table import decode_arrays
 from nscc_runtime.sensor import Sensor, default_sensor
 
@@ -20,7 +21,7 @@ def expected_noise(
     the figures of `sensor` (default: the chip's own), as light that fell while pixels were open.
     None for a program without pixels or without shutters that codes alone tell.
     """
-    sensor = sensor or default_sensor(container.target)
+    sensor = sensor or default_sensor(converter_of(container))
     arrays = decode_arrays(container, sensor, None) if container.machine is None else {}
     if not arrays:
         return None

@@ -22,6 +22,7 @@ from typing import Any, get_args
 from nscc.diagnostics.arguments import one_of, shown, warn, whole, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.files import write_whole
+from nscc.words.readout import converter_of
 from nscc_runtime.captured import Capture
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
@@ -40,8 +41,8 @@ from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.planless import planless
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.pool import processors
 from nscc_runtime.planner.tolerance import Given, Tolerance
+from nscc_runtime.pool import processors
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.fit import FITS, Fit
 from nscc_runtime.scenes.load import FramesAre
@@ -101,7 +102,7 @@ def capture(
         fidelity=fidelity, audit=audit, seed=int(seed), device_seed=int(device_seed),
         repeat=repeat, threads=threads,
     )  # fmt: skip
-    chip = sensor_of(call, sensor, container.target)
+    chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=said.append))
     warn(said)
     if exposed.simulated.plan_file is not None and isinstance(file, Path):
@@ -159,7 +160,7 @@ def plan(
     container = container_of(call, program)
     said: list[Diagnostic] = []
     scene = laid_of(call, light, container, said.append)[0].light
-    chip = sensor_of(call, sensor, container.target)
+    chip = sensor_of(call, sensor, converter_of(container))
     whole(call, "device_seed", device_seed)
     request = Request.of(effects=_effects(call, effects), tolerance=_tolerance(call, tolerance))
     check(container, scene)
@@ -230,7 +231,7 @@ def sensor_for(program: ProgramLike, file: str | Path | None = None, **values: f
     """The sensor of a program's chip, or of a file of `nscc effects --toml` or `nscc calibrate`,
     with other values of the numbers that are named: `sensor_for(p, full_well_e=20000)`."""
     call = "nscc_runtime.sensor_for"
-    target = container_of(call, program).target
+    target = converter_of(container_of(call, program))
     path = None if file is None else Path(file)
     return load_sensor(target, path, changes_of(call, values))
 

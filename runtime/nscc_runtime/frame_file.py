@@ -27,6 +27,7 @@ import json
 import zipfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from math import hypot
 from types import MappingProxyType
 from typing import IO, Any
 
@@ -38,9 +39,9 @@ from nscc.target.target import Target
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc_runtime.effects import Effect, Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving
-from nscc_runtime.effects.views import Where
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
+from nscc_runtime.noise import key, normals
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256
 
@@ -130,10 +131,12 @@ def converted(
     noise: NDArray[np.float64] | float = 0.0
     shape = exposure.exposure_e.shape
     places = np.arange(shape[1] * shape[2], dtype=np.int64)
-    where = Where(sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame, places=places)
-    for off in effects.at("converter"):
-        drawn = [off(where, bucket) for bucket in range(shape[0])]
-        noise = noise + np.stack(drawn).reshape(shape)
+    found = effects.acting("converter")
+    if found:
+        sigma_lsb = hypot(*(each(sensor) for _, each in found))
+        # The first effect's stream is that of all: a sum of normal errors is one.
+        keys = (key(seeds[0], found[0][0].stream, frame=frame, group=k) for k in range(shape[0]))
+        noise = sigma_lsb * np.stack([normals(each, places) for each in keys]).reshape(shape)
     return read_out(exposure, target, sensor, noise)
 
 
@@ -287,7 +290,7 @@ def meta(
         "exposure_scale_e": light.exposure_scale_e if light else None,
         "open_us": open_us(container) if container else None,
         **({"frame_us": float(sum(container.slot_us))} if container and container.machine else {}),
-        "invalid_pixels": int(np.count_nonzero(~frame.valid)),
+        "invalid_pixels": frame.valid.size - int(np.count_nonzero(frame.valid)),
         "plan": origin.plan,
         "audit": origin.audit,
     }

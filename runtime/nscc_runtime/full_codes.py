@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.effects import everything
-from nscc_runtime.effects.parts import Converter, Leak, SlowWords, Soft, Well, WordGain
+from nscc_runtime.effects.parts import Leak, SlowWords, Soft, Well, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.planner.frames import made_ready
 from nscc_runtime.planner.program import Program
@@ -98,7 +98,7 @@ def _noise_e(program: Program) -> Values:
         factor, rest = program.tables.noise(part.at, model)
         variance += part.sigma_e(sensor) ** 2 * ((factor * factor).sum(axis=2) + rest)
     variance += (effects.the(WordGain).spread_e(sensor) * program.tables.pattern(model)) ** 2
-    converter = effects.the(Converter).sigma_lsb(sensor)
+    converter = effects.converter_lsb(sensor)
     return np.asarray(np.sqrt(variance + sensor.electrons_per_lsb**2 * (converter**2 + 1 / 12)))
 
 

@@ -23,7 +23,6 @@ from nscc.words.container import Container
 from nscc.words.machine import Machine
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import (
-    Converter,
     CountedDark,
     CountedLight,
     Leak,
@@ -192,9 +191,7 @@ def _dark_e_per_s(sensor: Sensor, effects: Selection) -> float:
 def variance_e2(electrons: Values, gain: Values, sensor: Sensor, effects: Selection) -> Values:
     """Of the estimate, in square electrons on PIX."""
     found = np.full(electrons.shape, sensor.electrons_per_lsb**2 / 12.0)
-    converter = effects.part(Converter)
-    if converter is not None:
-        found += (converter.sigma_lsb(sensor) * sensor.electrons_per_lsb) ** 2
+    found += (effects.converter_lsb(sensor) * sensor.electrons_per_lsb) ** 2
     times = {"reads": _READS, "words": _WORDS, "resets": 0}
     for _, errors in effects.errors():
         found += times[errors.at] * errors.sigma_e(sensor) ** 2

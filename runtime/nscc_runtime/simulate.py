@@ -17,10 +17,12 @@ from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime import frame_file
 from nscc_runtime.effects import Selection, selected
+from nscc_runtime.films import gathered
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
 from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.ready import OfContainer
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
 
@@ -149,7 +151,7 @@ def simulate(
     with listener.timings.part("expose_s"):
         frame = _exact(container, light, sensor, request, listener)
     fidelity = "planned" if request.effects.noiseless else "reference"
-    digest = sha256(to_bytes(container)).hexdigest()
+    digest = _digest(container)
     plan = frame_file.unplanned(request.effects, light.motion is not None)
     seeds = request.seed, request.device_seed
     return Simulated(frame, Provenance(digest, sensor, *seeds, fidelity, plan), request.effects)
@@ -169,9 +171,10 @@ def _streamed(
         made = stream_frames(
             container, light, sensor, effects,
             seed=request.seed, device_seed=request.device_seed, count=request.repeat or 1,
+            threads=request.threads,
         )  # fmt: skip
         frame = _gathered(made, request.repeat, listener)
-    digest = sha256(to_bytes(container)).hexdigest()
+    digest = _digest(container)
     plan = frame_file.unplanned(request.effects, light.motion is not None, absent)
     plan["slot_loop_reasons"] = ["light is sorted slot by slot, as planes of bits say"]
     seeds = request.seed, request.device_seed
@@ -190,7 +193,7 @@ def _exact(
         from nscc_runtime.emulator.loops import expose_block
 
         _say_compiling(listener, expose_block.is_compiled(), "emulator")
-        exact = expose(container, light, device_seed=request.device_seed)
+        exact = expose(container, light, device_seed=request.device_seed, threads=request.threads)
         frame = frame_file.read_out(exact, container.target, sensor)
         return frame_file.repeated(frame, repeat) if repeat else frame
     from nscc_runtime.noise.loops import fill_normals
@@ -200,6 +203,7 @@ def _exact(
     made = frames(
         container, light, sensor, request.effects,
         seed=request.seed, device_seed=request.device_seed, count=repeat or 1,
+        threads=request.threads,
     )  # fmt: skip
     return _gathered(made, repeat, listener)
 
@@ -222,8 +226,9 @@ def _looking(
         )  # fmt: skip
     _say_compiling(listener, fill_normals.is_compiled(), "noise")
     return looking_frames(
-        container, light, sensor, request.effects, seed=seed, device_seed=device_seed, count=count
-    )
+        container, light, sensor, request.effects,
+        seed=seed, device_seed=device_seed, count=count, threads=request.threads,
+    )  # fmt: skip
 
 
 def _planned(
@@ -238,7 +243,7 @@ def _planned(
     planning = planning_of(container, sensor, light, device_seed, request.threads)
     _say_compiling(listener, planning.compiled, "planner")
     check(container, light)
-    digest = sha256(to_bytes(container)).hexdigest()
+    digest = _digest(container)
     with timings.part("analyse_s"):
         planning.ready()
     file = request.plan if isinstance(request.plan, Path) else None
@@ -271,8 +276,11 @@ def _planned(
 
 def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
     """The frame, or all of `repeat` with an axis in front."""
-    found = list(listener.progress(made, "exposing", repeat or 1))
-    return frame_file.stacked(found) if repeat else found[0]
+    frames = listener.progress(made, "exposing", repeat or 1)
+    if repeat:
+        return gathered(frames, repeat)
+    (frame,) = frames
+    return frame
 
 
 def _over(plan: Plan, breach: str, given: bool) -> Diagnostic:
@@ -310,6 +318,14 @@ def _broken(plan: Plan, report: Audit) -> Rejected:
         },
         status=1,
     )
+
+
+def _sha256(container: Container) -> str:
+    return sha256(to_bytes(container)).hexdigest()
+
+
+_digest = OfContainer(_sha256)
+"""By which frames and plans name a program."""
 
 
 def _contradiction(what: str, note: str, help_text: str) -> Rejected:

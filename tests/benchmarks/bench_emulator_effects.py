@@ -1,4 +1,4 @@
-"""The emulator with sensor effects against numpy, side by side in one run: issue 4's times.
+"""The emulator with sensor effects against numpy, side by side in one run.
 
     python tests/benchmarks/bench_emulator_effects.py [--rounds 15] [--slots 16]
 
@@ -9,6 +9,9 @@ cache:
 * one frame under a plan, against `L.sum(0)`: without noise, and with shot noise, read noise, the
   full well and the ADC, for a mean charge above and below 20 electrons;
 * the same noisy frame against numpy's Poisson drawn for every slot;
+* whole captures, planning included, single-thread against numpy's Poisson drawn for every slot;
+  of 1024 x 1024 pixels, with all threads, against copying the scene in memory; each of 20 repeats
+  against a single capture;
 * planning against a whole run of at least 20 ms (a batch of frames of one scene is one run);
 * peak memory of a capture, its scene included, beyond that of a process that has captured a tiny
   scene, against the scene as float32.
@@ -28,6 +31,7 @@ from math import ceil
 from pathlib import Path
 from statistics import median
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 
@@ -50,6 +54,9 @@ QUIET_GOAL, BRIGHT_GOAL, DIM_GOAL = 1.5, 6.0, 15.0
 PER_SLOT_GOAL = 20.0
 PLANNING_GOAL, RUN_MS = 0.15, 20.0
 MEMORY_GOAL = 4.0
+WHOLE_GOALS = {"auto, 5 e": 0.25, "all": 0.35}
+COPIES_GOAL = 10.0
+REPEATS, REPEAT_GOAL = 20, 0.4
 NOISY = "shot,read,full_well"
 PROGRAMS = {
     "all open": "open when true\n",
@@ -58,8 +65,10 @@ PROGRAMS = {
 }
 
 
-def container(name: str, slots: int, target: str = "target scamp5\n") -> Container:
-    """One of PROGRAMS, compiled."""
+def container(
+    name: str, slots: int, target: str = "target scamp5\n", side: int = SIDE
+) -> Container:
+    """One of PROGRAMS, compiled, for side x side pixels."""
     text = "nsl 1\n" + target + f"frame {slots} slots of 1ms\n" + PROGRAMS[name]
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "program.nsl"
@@ -68,7 +77,10 @@ def container(name: str, slots: int, target: str = "target scamp5\n") -> Contain
     assert found is not None
     if found.pixel_codes is None:
         found = replace(found, pixel_codes=np.zeros((SIDE, SIDE), np.int32))
-    return found
+    times = -(-side // SIDE)
+    codes = np.tile(found.pixel_codes, (times, times))[:side, :side]
+    chip = replace(found.target, rows=side, cols=side)
+    return replace(found, target=chip, pixel_codes=np.ascontiguousarray(codes))
 
 
 def times_ms(runs: dict[str, Callable[[], object]], rounds: int) -> dict[str, tuple[float, float]]:
@@ -135,6 +147,52 @@ def frames(name: str, slots: int, rounds: int) -> None:
                 f"  {'':<14} Poisson slot by slot in numpy: {found['numpy'][0]:6.1f} ms, "
                 f"{times:5.1f} x slower (goal {PER_SLOT_GOAL:g}){verdict(times >= PER_SLOT_GOAL)}"
             )
+
+
+def whole(slots: int, rounds: int) -> None:
+    """Captures with their planning: of SIDE x SIDE pixels by one thread, of 1024 x 1024 by all."""
+    program = container("4 stops", slots)
+    array = np.random.default_rng(1).random((slots, SIDE, SIDE), dtype=np.float32) * 200
+    light = light_of_array(array, slot_us=program.slot_us, rows=SIDE, cols=SIDE)
+    random = np.random.default_rng(2)
+    asked: dict[str, dict[str, Any]] = {"auto, 5 e": {"tolerance": 5.0}, "all": {"effects": "all"}}
+    print(f"whole captures, 4 stops, {slots} slots, one thread")
+    runs: dict[str, Callable[[], object]] = {"numpy": lambda: random.poisson(array).sum(0)}
+    for name, how in asked.items():
+        runs[name] = partial(_fresh, program, light, threads=1, **how)
+        runs[f"{name}, repeats"] = partial(_fresh, program, light, threads=1, repeat=REPEATS, **how)
+    found = times_ms(runs, min(5, rounds))
+    for name, goal in WHOLE_GOALS.items():
+        ratio = found[name][0] / found["numpy"][0]
+        each = found[f"{name}, repeats"][0] / REPEATS / found[name][0]
+        print(
+            f"  {name:<14} {found[name][0]:6.1f} ms, numpy's Poisson {found['numpy'][0]:6.1f} ms, "
+            f"x{ratio:5.3f} (goal x{goal:g}){verdict(ratio <= goal)}\n"
+            f"  {'':<14} each of {REPEATS} repeats x{each:5.3f} of it (goal x{REPEAT_GOAL:g})"
+            f"{verdict(each <= REPEAT_GOAL)}"
+        )
+    side = 1024
+    program = container("4 stops", slots, side=side)
+    array = np.random.default_rng(1).random((slots, side, side), dtype=np.float32) * 200
+    light = light_of_array(array, slot_us=program.slot_us, rows=side, cols=side)
+    room = np.empty_like(array)
+    found = times_ms(
+        {
+            "copy": lambda: np.copyto(room, array),
+            "auto": lambda: _fresh(program, light, tolerance=5.0),
+        },
+        min(3, rounds),
+    )
+    copies = found["auto"][0] / found["copy"][0]
+    print(
+        f"  {side} x {side}, 5 e, all threads: {found['auto'][0]:6.1f} ms, {copies:5.1f} copies of "
+        f"the scene (goal {COPIES_GOAL:g}){verdict(copies <= COPIES_GOAL)}"
+    )
+
+
+def _fresh(program: Container, light: Light, **how: Any) -> None:
+    """A capture of light about which nothing is known yet."""
+    capture(program, unknown(light), **how)
 
 
 def planning(slots: int, rounds: int) -> None:
@@ -226,6 +284,7 @@ def main() -> None:
     arguments = parser.parse_args()
     for name in PROGRAMS:
         frames(name, arguments.slots, arguments.rounds)
+    whole(arguments.slots, arguments.rounds)
     planning(arguments.slots, arguments.rounds)
     memories(arguments.slots)
 

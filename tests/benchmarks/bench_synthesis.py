@@ -20,7 +20,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from nscc_runtime.planner.pool import processors
+from nscc_runtime.pool import processors
 from nscc_training.sweep.grid import Grid, read_grid
 from nscc_training.sweep.run import How, sweep
 from nscc_training.sweep.store import TIMES

@@ -20,9 +20,9 @@ public:
     uint32_t ticks() override { return mps2::ticks(); }
     void begin_frame() override {}
     void pass(uint32_t) override {}
-    int32_t past(uint32_t deadline) override {
+    int32_t past(uint32_t deadline, uint32_t left) override {
         int32_t late = int32_t(ticks() - deadline);
-        if (late < -int32_t(breath_us * limits::ticks_per_us)) {
+        if (late < -int32_t(left)) {
             return late;
         }
         while (late < 0) {

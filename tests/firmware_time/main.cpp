@@ -2,7 +2,7 @@
 //
 // Reads from standard input: how many ticks a launch takes, how often it is told that a boundary is
 // far away; then the SCHEDULE and KERNELS objects as lengths and bytes. Prints for each launch the
-// tick at which it began, then how the frame ended.
+// tick at which it began, then how the frame ended, and the most ticks without a look at the line.
 
 #include <cstdio>
 #include <cstdlib>
@@ -32,9 +32,9 @@ public:
     uint32_t ticks() override { return now; }
     void begin_frame() override {}
     void pass(uint32_t) override {}
-    int32_t past(uint32_t deadline) override {
+    int32_t past(uint32_t deadline, uint32_t left) override {
         const int32_t late = int32_t(now - deadline);
-        if (late < -int32_t(breath_us) && !told_) {
+        if (late < -int32_t(left) && !told_) {
             told_ = true;
             return late;
         }
@@ -88,10 +88,13 @@ int main() {
     schedule.begin_frame();
     unsigned turns = 1;
     Schedule::Now now;
-    while ((now = schedule.go_on()) == Schedule::Now::WAITING) {
-        ++turns;
+    uint32_t looked = board.now, longest = 0;
+    while ((now = schedule.go_on()) == Schedule::Now::WAITING || now == Schedule::Now::GLANCE) {
+        turns += now == Schedule::Now::WAITING;
+        longest = board.now - looked > longest ? board.now - looked : longest;
+        looked = board.now;
     }
-    std::printf("%s %u %u %u %u\n", now == Schedule::Now::ENDED ? "ended" : "late", turns,
+    std::printf("%s %u %u %u %u %u\n", now == Schedule::Now::ENDED ? "ended" : "late", turns,
                 unsigned(schedule.lasted_ticks()), unsigned(schedule.late()),
-                unsigned(schedule.latest_ticks()));
+                unsigned(schedule.latest_ticks()), unsigned(longest));
 }

@@ -75,13 +75,14 @@ def test_bad_choices(text: str) -> None:
 
 
 def test_the_readouts_figures() -> None:
-    sensor = SENSOR.changed(adc_noise_lsb=2.0, electrons_per_lsb=6.0)
+    sensor = SENSOR.changed(adc_noise_lsb=2.0, spread_noise_lsb=0.5, electrons_per_lsb=6.0)
     found = {
         effect.name: effect.field.rms_e(sensor)
         for effect in registered()
         if isinstance(effect.field, AfterExposure)
     }
-    assert found == {"adc_noise": 12.0, "adc": pytest.approx(3**0.5)}
+    noise_e = {"adc_noise": 12.0, "spreading": 3.0}
+    assert found == {**noise_e, "adc": pytest.approx(3**0.5)}
 
 
 def test_what_people_read_is_said_by_the_function_that_the_planner_calls() -> None:

@@ -40,8 +40,9 @@ PUBLISHED = json.loads((ROOT / "tests/data/icw_examples.json").read_text())
 
 
 def build(folder: Path, text: str, *options: str) -> tuple[Path, Container]:
-    """The C++ file and the container of a program."""
+    """The C++ file and the container of a program, without a search for gates."""
     (folder / "p.nsl").write_text(text)
+    options = ("-O1", *options)
     outcome = invoke(["build", "p.nsl", "-o", "p.icw", "--emit", "cpp,icw", *options], folder)
     assert outcome.status == 0, outcome.err
     return folder / "p.cpp", read_container(folder / "p.icw")
@@ -107,7 +108,7 @@ def test_no_compiler_has_anything_to_say(name: str, standard: str, tmp_path: Pat
 @needs_compiler
 def test_tables_run_where_the_library_has_a_function_for_them(tmp_path: Path) -> None:
     text = (ROOT / "examples" / "class_c.nsl").read_text()
-    file, container = build(tmp_path, text, "-O", "1")
+    file, container = build(tmp_path, text)
     assert "_words[][5]" in file.read_text()
     check(record(file, "-std=c++11", CHIP, "-DDEVKIT_STUB_TABLE_FUNCTION"), container)
 
@@ -290,7 +291,7 @@ def test_a_program_for_the_scamp7(tmp_path: Path) -> None:
 def test_a_word_that_no_call_says_on_the_scamp7(tmp_path: Path) -> None:
     """Its word is not public, and neither are constant tables of it."""
     text = (ROOT / "examples" / "class_b.nsl").read_text()
-    file, container = build(tmp_path, text, "--target", "scamp7", "-O1")
+    file, container = build(tmp_path, text, "--target", "scamp7")
     wide = [k for k in container.kernels if any(len(decode(w).sources) > 4 for w in k.words)]
     assert wide
     recording = record(file, "-std=c++11", CHIP)
@@ -309,6 +310,15 @@ def test_codes_of_a_converter_as_it_is(readout: str, tmp_path: Path) -> None:
     recording, _, written = checked(tmp_path, A, "--target", chip)
     assert "scamp5_load_in" not in written
     assert not [name for name, _ in recording.events if name == "in"]
+
+
+@needs_compiler
+def test_codes_where_no_register_is_left_to_spread_with(tmp_path: Path) -> None:
+    rules = "".join(f"bucket b{n} open when n == {n} + k\n" for n in range(6))
+    text = f"nsl 1\nframe 8 slots of 1ms\ncode k : 0..1\n{rules}pixels k = x % 2\n"
+    _, container, written = checked(tmp_path, text)
+    assert len(container.readouts) == 6
+    assert "scamp5_load_in" not in written
 
 
 @needs_compiler

@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections import Counter
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -39,6 +40,7 @@ TEXTS = {
 CHIPS = ("scamp5", "scamp5-algorithm1", "scamp7")
 
 
+@cache
 def built(text, lowering="auto", chip="scamp5", **changes):
     """The compiled program and its report; None where the lowering does not serve."""
     target = replace(load_target(chip, Path()), **changes)

@@ -45,7 +45,9 @@ def test_defaults_are_the_targets_and_within_their_ranges() -> None:
             assert row.kind.low <= getattr(found, row.name) <= row.kind.high
     wide = replace(TARGET, full_well_e=1000.0, adc_bits=4, adc_offset_lsb=2.0)
     assert default_sensor(wide).electrons_per_lsb == 1000 / 15
-    assert default_sensor(wide).adc_offset_lsb == 2.0
+    # IN takes four steps away in place of a full well.
+    off_e = 1000 - 4 * 30000 / 127
+    assert default_sensor(wide).adc_offset_lsb == pytest.approx(2.0 + off_e / (2000 / 15))
 
 
 def test_a_printed_file_reads_back_to_the_bit(tmp_path: Path) -> None:

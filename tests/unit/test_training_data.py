@@ -221,6 +221,28 @@ def test_clips_of_panoramas_are_encoded_where_values_are_taken_as_light(tmp_path
         assert (three.name, three.sha256) == (one.name, one.sha256)
 
 
+def test_a_photograph_gives_clips_whose_parts_move(tmp_path: Path) -> None:
+    """Of itself alone: what is in no photograph of the training's files is in none of its clips."""
+    import cv2
+
+    rng = np.random.default_rng(1)
+    for name, low in (("a.png", 0), ("b.jpg", 0), ("c.png", 128)):
+        picture = cv2.resize(rng.integers(low, low + 128, (40, 60), np.uint8), (480, 320))
+        cv2.imwrite(str(tmp_path / name), picture)
+    found = loaded(tmp_path, paths=4)
+    assert {s.name.partition(",")[0] for s in found.train} == {"b.jpg", "c.png"}
+    assert {s.name.partition(",")[0] for s in found.val} == {"a.png"}
+    moved = 0
+    for scene, again in zip(found.train, loaded(tmp_path, paths=4).train, strict=True):
+        assert np.array_equal(scene.light, again.light)
+        assert scene.light.shape == (3, 256, 256)
+        assert 0 <= scene.light.min() < scene.light.max() <= 1
+        moved += bool(np.abs(np.diff(scene.light, axis=0)).mean() > 1e-4)
+    assert moved >= 4
+    stored = loaded(tmp_path, paths=4, transfer="linear").train[0].light
+    assert np.all(stored >= found.train[0].light - 1e-6)
+
+
 def smooth_panorama() -> Any:
     """Light that a direction (ahead, right, down) has: 2 + 0.9 ahead - 0.6 right + 0.5 down."""
     rows, cols = np.mgrid[:512, :1024] + 0.5

@@ -12,8 +12,9 @@ from nscc_command import invoke
 from numpy.typing import NDArray
 
 from nscc_training.any_code.measured import Measured
+from nscc_training.code_choices import SCATTERED
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.encoders.scattered import SCATTERED, scattered
+from nscc_training.encoders.scattered import scattered
 from nscc_training.evaluation import several_frames
 from nscc_training.evaluation.deblur import Moment, moments, panoramas
 from nscc_training.evaluation.results import Unusable

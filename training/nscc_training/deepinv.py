@@ -27,6 +27,7 @@ from torch import Tensor
 from nscc.diagnostics.arguments import shown, wrong_argument
 from nscc.shutter_program import ShutterProgram
 from nscc.words.container import Container
+from nscc.words.readout import converter_of
 from nscc_runtime.given import SensorLike, sensor_of
 from nscc_training.encoders.base import Encoder
 from nscc_training.sensor_model import SensorModel, laid, read_out, shared_out
@@ -151,7 +152,7 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
     ) -> SensorNoise:
         """The noise of a program's chip, or of another `sensor`, as `nscc_runtime.capture` takes
         it."""
-        chip = sensor_of("SensorNoise.of", sensor, program.container.target)
+        chip = sensor_of("SensorNoise.of", sensor, converter_of(program.container))
         return cls(SensorModel.of(chip, program.container.target), rng)
 
     def forward(self, input: Tensor, seed: int | None = None, **_parameters: Any) -> Tensor:

@@ -15,6 +15,7 @@ from torch import Tensor
 from torch.autograd import Function
 
 from nscc.target.target import Target
+from nscc_runtime.effects import everything
 from nscc_runtime.sensor import Sensor
 from nscc_training.draws import normal
 from nscc_training.encoders.base import Encoder
@@ -54,7 +55,7 @@ class SensorModel:
             electrons_per_lsb=sensor.electrons_per_lsb,
             adc_offset_lsb=sensor.adc_offset_lsb,
             adc_bits=target.code_bits,
-            adc_noise_lsb=sensor.adc_noise_lsb,
+            adc_noise_lsb=everything().converter_lsb(sensor),
             shot_noise=True,
         )
 
@@ -260,14 +261,15 @@ def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
     """A frame as decoders see it, whose saturated pixels are at least what full ones would be.
 
     `frame` (.., rows, cols) as `SensorModel.relative` gives it, `saturated` bool, `shutters`
-    ([buckets,] N, rows, cols). PIX also fills while a shutter is yet to open: of steady light that
-    fills it until the shutter closes for the last time, the frame has the part in which it was
-    open.
+    ([buckets,] N, r, c) a tile that repeats. PIX also fills while a shutter is yet to open: of
+    steady light that fills it until the shutter closes for the last time, the frame has the part in
+    which it was open.
     """
     slots = torch.arange(1, shutters.shape[-3] + 1, device=shutters.device).reshape(-1, 1, 1)
     opened = shutters > 0.5
     least = opened.sum(dim=-3) / (opened * slots).amax(dim=-3).clamp(min=1)
-    return torch.where(saturated, torch.maximum(frame, least.to(frame)), frame)
+    least = laid(least, *frame.shape[-2:]).to(frame)
+    return torch.where(saturated, torch.maximum(frame, least), frame)
 
 
 def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:

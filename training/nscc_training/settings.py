@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from nscc.toml.kinds import Flag, Integer, Number, Several, Text
 from nscc.toml.schema import Codes, Schema, key, keys_of
+from nscc_training.code_choices import RELAXATIONS, STARTS
 from nscc_training.decoders.declared import DECODERS, SIZES
 from nscc_training.protocols import NAMES
 
@@ -33,13 +34,14 @@ class ShutterSettings:
     exposures: int = key(Integer(2, 32), "of a pixel that looks: one more than it has looks", 5)
     init: str = key(
         Text(),
-        "random, uniform, quad (2 x 2 geometric), learned (as quad), or a file: codes, .npz or "
-        ".mat, or a program of the class, .nsl", "quad",
+        f"{', '.join(STARTS)}, learned (as quad), a run, or a file: codes, .npz or .mat, or a "
+        "program of the class, .nsl", "quad",
     )  # fmt: skip
     learn: bool = key(Flag(), "false keeps the codes as they start", True)
     relaxation: str = key(
-        Text(("straight-through", "sigmoid", "gumbel", "tried")),
-        "how gradients pass the quantisation", "straight-through",
+        Text(RELAXATIONS),
+        "how codes are learned: ways for gradients to pass the quantisation, or a search",
+        "straight-through",
     )  # fmt: skip
     temperature: tuple[float, ...] = key(
         Several(Number(1e-6, 1e6), 2), "of a relaxation, at the first step and at the last",
@@ -52,6 +54,13 @@ class ShutterSettings:
     )
     tried_share: float = key(
         Number(1e-4, 1), "the part of the pixels that a trial moves, with `tried`", 1.0
+    )
+    moves: int = key(_COUNT, "codes with places moved together that a step of a search draws", 64)
+    judged: int = key(
+        _COUNT, "of these, the most promising that the decoder judges on the step's batch", 3
+    )
+    most_words: float = key(
+        Number(0, 1e6), "words a slot that a search stays within, in the mean; 0: any", 0.0
     )
     warm_up: float = key(
         Number(0, 1),
@@ -73,7 +82,9 @@ class ShutterSettings:
         Text(("fixed", "open")), "open: every legal code must compile, not only those learned",
         "fixed",
     )  # fmt: skip
-    words_weight: float = key(Number(0, 1e6), "of the stand-in for words a slot in the loss", 0.0)
+    words_weight: float = key(
+        Number(0, 1e6), "of words a slot in the loss: a search's own, else a stand-in for them", 0.0
+    )
 
 
 @dataclass(frozen=True)
@@ -84,6 +95,10 @@ class DecoderSettings:
     size: str = key(Text(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
     width: float = key(Number(0.01, 1), "of its layers, as a part of the size's", 1.0)
     sees_code: bool = key(Flag(), "whether the decoder knows the code of each pixel", True)
+    init: str = key(
+        Text(), "the run, a folder or one that comes with nscc, whose weights it begins with; "
+        "empty: drawn from the seed", "",
+    )  # fmt: skip
     learn: bool = key(
         Flag(), "false keeps it as it begins; with `any`, codes are judged by what favours none",
         True,
@@ -124,7 +139,10 @@ class DataSettings:
     together: int = key(_COUNT, "patches of a batch that are cut from one exposure of a scene", 1)
     scenes: int = key(_COUNT, "procedural scenes for training; a quarter as many to validate", 16)
     frames: int = key(_COUNT, "frames read of a clip", 128)
-    paths: int = key(_COUNT, "clips that a camera makes of a panorama, turning inside it", 4)
+    paths: int = key(
+        _COUNT, "clips that are made of a panorama, in which a camera turns, or of a photograph, "
+        "whose parts move", 4,
+    )  # fmt: skip
     val_items: int = key(_COUNT, "exposures in a validation, of `together` patches", 8)
     augment: bool = key(
         Flag(), "turn and mirror; contrast of stills; time of clips backwards", True

@@ -27,7 +27,6 @@ from nscc.emit.cpp.frame import (
 from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines
 from nscc.emit.cpp.narrow import narrowed
 from nscc.emit.cpp.patterns import ADDRESS_BITS
-from nscc.emit.cpp.readout import preparation_of
 from nscc.emit.cpp.text import comment, entry, literal, part, safe, section
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
@@ -38,6 +37,7 @@ from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, Pix
 from nscc.target.target import Target
 from nscc.words.container import Container, Kernel, state_registers
 from nscc.words.encoding import decode
+from nscc.words.readout import converter_of, preparation_of
 from nscc.words.text import number_text, ranges_text
 
 _SIDE = 1 << ADDRESS_BITS
@@ -125,7 +125,7 @@ def _check_store(program: Program, container: Container, loading: Loading, devki
         for kernel in container.kernels
         if target.tables_count_against_store or calls(ops_of(kernel)) is not None
     )
-    preparing = preparation_of(container).words
+    preparing = len(preparation_of(container).words)
     needed = frame + loading.words + preparing
     if needed > target.store_words:
         reason = (
@@ -149,7 +149,7 @@ def _header(
     target = container.target
     stored = sum(len(kernel.words) for kernel in container.kernels)
     executed = sum(len(container.kernels[launch.kernel].words) for launch in container.launches)
-    others = loading.words + preparation_of(container).words
+    others = loading.words + len(preparation_of(container).words)
     yield from comment(
         f"{_name(program)}: per-pixel shutters for the {devkit.name} devkit. Written by nscc from "
         f"the words of the compiled program, {_WORDS[devkit.tables]}."
@@ -219,7 +219,7 @@ def _readout_text(container: Container) -> str:
             f"2 x exposure - full well: all codes for 0 to {number_text(target.full_well_e)} e, "
             f"{number_text(round(target.electrons_per_lsb, 3))} e each"
         )
-    step_e = 2 * target.full_well_e / ((1 << target.adc_bits) - 1)
+    step_e = converter_of(container).electrons_per_lsb
     return (
         "exposures as they are, in the upper half of a symmetric converter's codes, "
         f"{number_text(round(step_e, 3))} e each"
@@ -328,7 +328,9 @@ def _main(container: Container, loading: Loading) -> Iterator[str]:
     if preparing.level is not None:
         settle = ceil(exact(container.target.in_settle_us))
         prepare = part("spread", level=preparing.level, settle=settle)
-    prepare += section(preparing.calls, " " * 8)
+    made = calls(preparing.words)
+    assert made is not None, "every bus of at most four registers has a call"
+    prepare += section((call for call, _ in made), " " * 8)
     yield from ["", *part("frames", prepare="\n".join(prepare))]
     gains = {readout.register: readout.gain for readout in container.readouts}
     for number, (register, _) in enumerate(shown):

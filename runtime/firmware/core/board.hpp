@@ -49,8 +49,8 @@ public:
     // The light of so many slots falls before the next deadline.
     virtual void pass(uint32_t slots) = 0;
     // Waits for a deadline: by how many ticks it is past then. Below 0, and without a wait, where
-    // there is time for other things before (more than breath_us, see schedule.hpp).
-    virtual int32_t past(uint32_t deadline) = 0;
+    // more than so many ticks are left, in which the main loop has time for other things.
+    virtual int32_t past(uint32_t deadline, uint32_t left) = 0;
     virtual void run(const uint32_t (*words)[5], uint32_t count) = 0;
     // IN is so many steps from here on, and `target::in_settle_us` pass until words may read it.
     virtual void set_in(int16_t steps) = 0;

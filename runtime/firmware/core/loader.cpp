@@ -22,7 +22,7 @@ void Loader::start() {
     unpacker_.reset();
     program_.forget();
     state_ = State::EMPTY;
-    announced_ = false;
+    announced_ = hurries_ = false;
     refusal_ = fine;
     session_ = boot_ = packets_ = 0;
     now_us_ = started_us_ = refreshed_us_ = 0;
@@ -43,6 +43,20 @@ void Loader::receive(const uint8_t *data, size_t count, uint64_t now_us) {
             handle(packet);
         }
     }
+}
+
+void Loader::glance(const uint8_t *data, size_t count, uint64_t now_us) {
+    now_us_ = now_us;
+    Packet packet;
+    for (size_t i = 0; i < count; ++i) {
+        if (unpacker_.take(data[i], packet)) {
+            ++packets_;
+            if (packet.kind == CANCEL && spoken_to(packet)) {
+                handle(packet);
+            }
+        }
+    }
+    expose();
 }
 
 size_t Loader::poll(uint8_t *out, size_t room, uint64_t now_us) {
@@ -71,7 +85,7 @@ void Loader::refresh() {
 
 void Loader::handle(const Packet &packet) {
     Verdict verdict = refused(NO_SESSION);
-    if (packet.kind == HELLO || (session_ != 0 && packet.session == session_)) {
+    if (spoken_to(packet)) {
         verdict = answer(packet);
     }
     if (!verdict.good()) {

@@ -254,7 +254,7 @@ void Schedule::begin_frame() {
     rows_left_ = row_count_ + 1;        // the last one is what follows the rows: slots, no words
     times_ = late_ = latest_ = lasted_ = 0;
     waiting_ = false;
-    in_ = as_it_is;
+    level_ = in_ = as_it_is;
     board_.begin_frame();
     began_ = board_.ticks();
     due_ = (Time(began_) << 32) + setup_ + tick / 2;
@@ -268,13 +268,15 @@ bool Schedule::next_row() {
         advance_ = rest_;
         times_ = 1;
         words_ = nullptr;
-        level_ = as_it_is;
         return true;
     }
     const uint32_t k = row_[1] & 0xffff;
     advance_ = row_[0];
     times_ = row_[1] >> 16;
-    level_ = level(row_count_ - rows_left_);
+    if (level_count_ > 0) {
+        const int16_t wanted = level(row_count_ - rows_left_);
+        level_ = wanted == as_it_is ? level_ : wanted;
+    }
     words_ = kernels_.words + kernels_.kernel[k].first;
     kernel_words_ = kernels_.length(k);
     row_ += 2;
@@ -282,6 +284,11 @@ bool Schedule::next_row() {
 }
 
 Schedule::Now Schedule::go_on() {
+    constexpr uint32_t deaf = deaf_us * limits::ticks_per_us;
+    constexpr uint32_t glance = glance_us * limits::ticks_per_us;
+    constexpr uint32_t breath_ticks = breath_us * limits::ticks_per_us;
+    const uint32_t deaf_from = board_.ticks() + deaf;
+    uint32_t left = breath_ticks;
     while (true) {
         if (!waiting_) {
             if (times_ == 0 && !next_row()) {
@@ -292,12 +299,22 @@ Schedule::Now Schedule::go_on() {
                 board_.pass(advance_);
                 due_ += slots_.pass(advance_);
                 waiting_ = true;
+            } else if (int32_t(board_.ticks() - deaf_from) > int32_t(deaf)) {
+                return Now::GLANCE;
             }
         }
         if (waiting_) {
-            const int32_t past = board_.past(uint32_t(due_ >> 32));
+            const uint32_t deadline = uint32_t(due_ >> 32);
+            const int32_t past = board_.past(deadline, left);
             if (past < 0) {
-                return Now::WAITING;
+                return past < -int32_t(breath_ticks) ? Now::WAITING : Now::GLANCE;
+            }
+            const int32_t deaf_for = int32_t(deadline + uint32_t(past) - deaf_from);
+            if (deaf_for > 0) {
+                if (deaf_for > int32_t(deaf)) {
+                    return Now::GLANCE;
+                }
+                left = glance;
             }
             waiting_ = false;
             latest_ = uint32_t(past) > latest_ ? uint32_t(past) : latest_;
@@ -306,7 +323,7 @@ Schedule::Now Schedule::go_on() {
             }
         }
         --times_;
-        if (level_ != as_it_is && level_ != in_) {
+        if (level_ != in_) {
             board_.set_in(level_);
             in_ = level_;
         }

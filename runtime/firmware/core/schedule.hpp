@@ -13,6 +13,9 @@ namespace nscc {
 constexpr uint32_t breath_us = 200;
 // No frame keeps the main loop from its work for longer than this.
 constexpr uint32_t longest_stretch_us = 2000000;
+// After so long without a look at the line one is taken in any wait that is longer than a glance,
+// and after twice that time without a wait.
+constexpr uint32_t deaf_us = 5000, glance_us = 20;
 // From the first word of a frame to its last: well inside half of the clock's range.
 constexpr uint32_t longest_us = 1200000000u / limits::ticks_per_us;
 
@@ -85,9 +88,11 @@ public:
     // A frame's time from its first word to its last, at most.
     uint32_t length_us() const { return length_us_; }
 
-    enum class Now : uint8_t { WAITING, ENDED, TOO_LATE };
+    // WAITING: there is time for everything; GLANCE: for a look at the line, whether the frame is
+    // wanted no more.
+    enum class Now : uint8_t { WAITING, GLANCE, ENDED, TOO_LATE };
     void begin_frame();
-    // Goes on with the frame until it has ended, or has to wait, or is later than it may be.
+    // Goes on with the frame until it has ended, or there is time, or is later than it may be.
     Now go_on();
     // Launches that came later than they may, and by how many ticks the latest one did.
     uint32_t late() const { return late_; }

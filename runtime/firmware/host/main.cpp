@@ -30,7 +30,7 @@ public:
         EmulatedBoard::begin_frame();
         now_ = Time(ticks()) << 32;
     }
-    int32_t past(uint32_t deadline) override {
+    int32_t past(uint32_t deadline, uint32_t) override {
         const int32_t late = int32_t(ticks() - deadline);
         now_ = (late < 0 ? Time(deadline) << 32 : now_) + time_of(target::wait_us);
         return late < 0 ? 0 : late;
@@ -83,6 +83,15 @@ uint64_t now_us() {
     return uint64_t(now.tv_sec) * 1000000 + uint64_t(now.tv_nsec) / 1000;
 }
 
+// Goes on with what is being done; frames have a clock of their own, on which nothing comes meanwhile.
+size_t go_on(uint8_t *out, size_t room, uint64_t now) {
+    const size_t count = loader.poll(out, room, now);
+    while (loader.hurries()) {
+        loader.glance(nullptr, 0, now);
+    }
+    return count;
+}
+
 // A step: bytes from the line at a time, and what the loader has for the line then.
 void step(const std::vector<uint8_t> &data) {
     if (data.size() < 12) {
@@ -92,7 +101,7 @@ void step(const std::vector<uint8_t> &data) {
     const size_t room = get32(data.data() + 8);
     loader.receive(data.data() + 12, data.size() - 12, now);
     std::vector<uint8_t> out(1 + (room < most_bytes ? room : most_bytes));
-    const size_t count = loader.poll(out.data() + 1, out.size() - 1, now);
+    const size_t count = go_on(out.data() + 1, out.size() - 1, now);
     out[0] = loader.busy();
     put_record(OUTPUT, out.data(), 1 + count);
     flush_records();
@@ -151,14 +160,14 @@ int serve() {
         obey();
         if (watched[1].revents & POLLHUP) {
             waiting = 0;                // nobody listens
-            loader.poll(out, sizeof out, now_us());
+            go_on(out, sizeof out, now_us());
             poll(watched, 1, nobody_ms);
             continue;
         }
         const ssize_t count = read(master, in, sizeof in);
         loader.receive(in, count > 0 ? size_t(count) : 0, now_us());
         if (waiting == 0) {
-            waiting = loader.poll(out, sizeof out, now_us());
+            waiting = go_on(out, sizeof out, now_us());
         }
         const ssize_t sent = waiting > 0 ? write(master, out, waiting) : 0;
         if (sent > 0) {

@@ -29,6 +29,10 @@ public:
             loader_.poll(out_, 0, port_micros());
         }
         sent_ += port_write(out_ + sent_, waiting_ - sent_);
+        while (loader_.hurries()) {
+            const size_t count = port_read(in_, sizeof in_);
+            loader_.glance(in_, count, port_micros());
+        }
     }
 
 private:

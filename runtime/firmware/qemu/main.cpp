@@ -53,13 +53,37 @@ namespace {
 
 constexpr uint32_t patience_ticks = 1500000 * limits::ticks_per_us;
 
+// The target's figures in parts of a tick.
+constexpr uint32_t part_bits = 8;
+constexpr uint32_t parts(double us) { return uint32_t(time_of(us) >> (32 - part_bits)); }
+constexpr uint32_t launch = parts(target::launch_us), settling = parts(target::in_settle_us);
+constexpr uint32_t analog_word = parts(target::analog_word_us);
+constexpr uint32_t digital_word = parts(target::digital_word_us);
+
+// Launches, words and IN take what the target's figures say, telling the emulator of them included.
 class Chip final : public EmulatedBoard {
 public:
     uint32_t ticks() override { return mps2::ticks(); }
 
-    int32_t past(uint32_t deadline) override {
+    void run(const uint32_t (*words)[5], uint32_t count) override {
+        const uint32_t begin = ticks();
+        EmulatedBoard::run(words, count);
+        uint32_t time = launch;
+        for (uint32_t i = 0; i < count; ++i) {
+            time += is_analog(words[i]) ? analog_word : digital_word;
+        }
+        wait(begin, time);
+    }
+
+    void set_in(int16_t steps) override {
+        const uint32_t begin = ticks();
+        EmulatedBoard::set_in(steps);
+        wait(begin, settling);
+    }
+
+    int32_t past(uint32_t deadline, uint32_t left) override {
         int32_t late = int32_t(ticks() - deadline);
-        if (late < -int32_t(breath_us * limits::ticks_per_us)) {
+        if (late < -int32_t(left)) {
             return late;
         }
         while (late < 0) {
@@ -124,6 +148,11 @@ public:
     }
 
 private:
+    void wait(uint32_t begin, uint32_t time) {
+        while (ticks() - begin < time >> part_bits) {
+        }
+    }
+
     uint8_t head_[5], body_[target::rows > 8 ? target::rows : 8];
     size_t got_ = 0, size_ = 0;
     bool restart_ = false;

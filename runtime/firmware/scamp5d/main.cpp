@@ -58,9 +58,9 @@ public:
 
     uint32_t ticks() override { return uint32_t(port_micros()); }
 
-    int32_t past(uint32_t deadline) override {
+    int32_t past(uint32_t deadline, uint32_t left) override {
         int32_t late = int32_t(ticks() - deadline);
-        if (late < -int32_t(breath_us)) {
+        if (late < -int32_t(left)) {
             return late;
         }
         while (late < 0) {
@@ -118,7 +118,8 @@ private:
     static_assert(target::cols % 8 == 0 && target::rows % row_bytes == 0, "pieces are whole rows");
 
     // Makes every register 2 x exposure - full well: a converter that is symmetric around 0 has all
-    // of its codes for that. Needs a register that is not read out.
+    // of its codes for that. Where all registers are read out they stay as they are: the host
+    // knows (nscc/words/readout.py).
     void spread() {
         uint32_t copy = target::analog_count;
         for (uint32_t reg = 0; reg < target::analog_count; ++reg) {
@@ -130,11 +131,7 @@ private:
         run(target::flag_all, 1);
         set_in(int16_t(target::spread_level));
         for (uint32_t i = 0; i < contents_.readout_count; ++i) {
-            const uint32_t reg = contents_.readouts[i].reg;
-            run(target::to_scratch[reg], 1);
-            run(target::from_scratch[copy], 1);
-            run(target::doubled[reg * target::analog_count + copy], 1);
-            run(target::from_scratch[reg], 1);
+            run(target::spread[contents_.readouts[i].reg * target::analog_count + copy], 3);
         }
     }
 
@@ -160,7 +157,11 @@ NSCC_SHARED_RAM Loader loader(chip);
 void serve() {
     static Turns turns(loader);
     while (true) {
-        vs_frame_loop_control();
+        // The library's own loop, which no trigger holds up, takes as long as it takes.
+        if (!loader.exposing()) {
+            vs_disable_frame_trigger();
+            vs_frame_loop_control();
+        }
         turns.take();
     }
 }
@@ -169,6 +170,5 @@ void serve() {
 
 int main() {
     vs_init();
-    vs_configure_frame_trigger(VS_FRAME_TRIGGER_CONST_LOOP, 1000);
     nscc::serve();
 }

@@ -29,7 +29,7 @@ _TAKEN = {
 _SOURCES = _TAKEN | {
     "read_noise_e": "dark_noise_e", "analog_pattern_lsb": "dsnu_lsb", "analog_bias_lsb": "offset",
     "adc_offset_lsb": "offset", "analog_noise_lsb": "dark_noise_e", "adc_noise_lsb": "dark_noise_e",
-    "full_well_e": "full_well",
+    "spread_noise_lsb": "dark_noise_e", "full_well_e": "full_well",
 }  # fmt: skip
 """The figure that tells of a parameter."""
 
@@ -96,6 +96,7 @@ def _noise(chosen: dict[str, Choice], noise: Quantity, chain: Chain) -> None:
         _contain(chosen, "reset_noise_e", 0.0, "read_noise_e")
     _contain(chosen, "analog_noise_lsb", 0.0, "read_noise_e")
     _contain(chosen, "adc_noise_lsb", 0.0, "read_noise_e")
+    _contain(chosen, "spread_noise_lsb", 0.0, "read_noise_e")
 
 
 def _pattern(chosen: dict[str, Choice], found: Mapping[str, Quantity], chain: Chain) -> None:

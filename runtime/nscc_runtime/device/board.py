@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nscc.operations import Effect
 from nscc.words.encoding import decode
+from nscc.words.readout import converter_of
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import packed_plane
 
@@ -60,7 +61,7 @@ class EmulatedChip:
         if self._light is None or self._light[0] != container.slot_us:
             self._light = (container.slot_us, self.scene(container.slot_us))
         exact, planes = self._executed(container, self._light[1])
-        frame = read_out(exact, self.target, self.sensor)
+        frame = read_out(exact, self.target, self._converting(container))
         parts = [in_columns(frame.frame)] if channels & Channel.CODES else []
         if channels & Channel.EXPOSURE:
             parts.append(in_columns(frame.exposure_e.astype("<f8")))
@@ -68,6 +69,21 @@ class EmulatedChip:
         if channels & Channel.STATES:
             parts += [packed[name] for name in container.state_planes]
         return Executed(b"".join(parts), {name: packed[name] for name in container.code_registers})
+
+    def _converting(self, container: Container) -> Sensor:
+        """The sensor, with codes as they are where the program leaves no register to spread
+        exposures with."""
+        from nscc_runtime.sensor import default_sensor
+
+        own = default_sensor(converter_of(container))
+        if self.sensor is None:
+            return own
+        common = default_sensor(self.target)
+        return self.sensor.changed(
+            electrons_per_lsb=self.sensor.electrons_per_lsb
+            * (own.electrons_per_lsb / common.electrons_per_lsb),
+            adc_offset_lsb=self.sensor.adc_offset_lsb + own.adc_offset_lsb - common.adc_offset_lsb,
+        )
 
     def exposure(self, container: Container, channels: int) -> bytes:
         """The frame alone."""

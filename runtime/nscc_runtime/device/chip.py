@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import state_registers
 from nscc.words.file import to_bytes
+from nscc.words.readout import converter_of
 from nscc_runtime.device import tasks
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.link import Link
@@ -161,7 +162,7 @@ class Chip:
             raise states_lost(self.link.path)
         captured = taken.captured
         shape = (captured.readouts, target.rows, target.cols)
-        sensor = self.sensor or default_sensor(target)
+        sensor = self.sensor or default_sensor(converter_of(container) if container else target)
         frame = frame_of(taken.data, wanted.channels, shape, sensor, target, container)
         return Shot(frame, captured)
 

@@ -14,6 +14,7 @@ from nscc.files import write_whole
 from nscc.target.load import load_target, target_names
 from nscc.target.target import Target
 from nscc.words.container import Container
+from nscc.words.readout import converter_of
 from nscc_runtime.decode_table import with_table
 from nscc_runtime.device.chip import Chip
 from nscc_runtime.device.objects import target_digest
@@ -40,7 +41,7 @@ def exposed(
     shots = (chip.capture(container) for _ in range(most))
     frames = [shot.frame for shot in progress(shots, "exposing", most)]
     frame = stacked(frames) if repeat else frames[0]
-    sensor = chip.sensor or default_sensor(container.target)
+    sensor = chip.sensor or default_sensor(converter_of(container))
     return frame, device_meta(chip, frame, sensor, container, light)
 
 

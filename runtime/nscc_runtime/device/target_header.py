@@ -15,6 +15,7 @@ from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc.words.container import Word
 from nscc.words.encoding import encode, masks
+from nscc.words.readout import spreading
 from nscc_runtime.device.objects import target_digest
 
 _PHASES = {Phase.WHOLE: "WHOLE", Phase.READ: "FIRST_HALF", Phase.WRITE: "SECOND_HALF"}
@@ -150,28 +151,20 @@ def _sequences(target: Target) -> Iterator[str]:
 def _spreading(target: Target) -> Iterator[str]:
     """The words that make a register 2 x exposure - full well before it is converted, and what a
     code of the converter's, which is symmetric around 0, is in the frame."""
-    names, scratch = target.analog_registers, target.analog_scratch
-    level = target.spread_level
+    names, level = target.analog_registers, target.spread_level
     yield "\n// What readout makes of exposures, so that they take all codes of the converter."
     yield f"constexpr bool spreads = {str(level is not None).lower()};"
     yield f"constexpr int spread_level = {level or 0};"
     yield f"constexpr int code_of_nothing = {128 if target.readout == 'half' else 0};"
-    yield f"constexpr uint32_t analog_scratch = {names.index(scratch)};"
-
-    def table(name: str, words: Sequence[Op], sides: str) -> Iterator[str]:
-        yield f"constexpr uint32_t {name}{sides}[1][5] = {{"
-        yield from (f"    {{{_table([word])}}}," for word in words)
-        yield "};"
-
-    def moved(to: str, *sources: str) -> Op:
-        free = to not in sources and len({*sources}) == len(sources)
-        return op("bus", [to], sources) if free else op("nop")
-
-    yield from table("to_scratch", [moved(scratch, name) for name in names], "[]")
-    yield from table("from_scratch", [moved(name, scratch) for name in names], "[]")
-    pairs = [moved(scratch, name, copy, "IN") for name in names for copy in names]
-    yield "// Of a register and its copy, in the order of both."
-    yield from table("doubled", pairs, "[]")
+    yield f"constexpr uint32_t analog_scratch = {names.index(target.analog_scratch)};"
+    yield "// Of a register and the one that its copy goes through, in the order of both."
+    yield "constexpr uint32_t spread[][3][5] = {"
+    for register in names:
+        for copy in names:
+            apart = len({register, copy, target.analog_scratch}) == 3
+            words = spreading(target, register, copy) if apart else [op("nop")] * 3
+            yield f"    {{{_table(words)}}},"
+    yield "};"
 
 
 def refresh_words(target: Target, register: str) -> list[Op]:

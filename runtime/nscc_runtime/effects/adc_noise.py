@@ -4,21 +4,13 @@ from __future__ import annotations
 
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
 from nscc_runtime.effects.effect import AfterExposure, ByParts, Effect, InLoop
-from nscc_runtime.effects.field import Values
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Converter
-from nscc_runtime.effects.views import Where
-from nscc_runtime.noise import key, normals
 
 SIGMA = parameter(
     "adc_noise_lsb", "readout", 0.65, "lsb", 0, 1e6, "temporal noise of the readout",
     "the scamp5c project's noise model", place=1,
 )  # fmt: skip
-
-
-def _off(where: Where, bucket: int) -> Values:
-    stream = key(where.seed, ADC_NOISE.stream, frame=where.frame, group=bucket)
-    return SIGMA(where.sensor) * normals(stream, where.places)
 
 
 ADC_NOISE = Effect(
@@ -32,7 +24,7 @@ ADC_NOISE = Effect(
     applied="to `frame` before rounding",
     absent="this sensor has none",
     parameters=(SIGMA, ELECTRONS_PER_LSB),
-    reference={"converter": _off},
+    reference={"converter": SIGMA},
     field=AfterExposure(
         "rms = sigma electrons_per_lsb, in `frame` only",
         lambda sensor: SIGMA(sensor) * ELECTRONS_PER_LSB(sensor),

@@ -2,7 +2,7 @@
 
 A sum over slots weighs the light of every slot by the pixel's code, draws counts for groups of
 slots, and the errors of all words at once. An effect takes part in it by these. One effect has each
-of them, but for `Errors`, of which there may be any number.
+of them, but for `Errors` and `Converter`, of which there may be any number.
 """
 
 from __future__ import annotations
@@ -138,7 +138,8 @@ class Fading(Part, stage="digital"):
 
 @dataclass(frozen=True)
 class Converter(Part, stage="converter", fused=True):
-    """The converter is off by `sigma_lsb` codes, drawn for every pixel and bucket."""
+    """The converter is off by `sigma_lsb` codes, drawn for every pixel and bucket, once for all
+    effects with such a part."""
 
     sigma_lsb: OfSensor
 

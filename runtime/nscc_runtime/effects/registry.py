@@ -26,17 +26,18 @@ from nscc_runtime.effects.leakage import LEAKAGE
 from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.motion import MOTION
 from nscc_runtime.effects.parameters import Parameter
-from nscc_runtime.effects.parts import Errors, Part
+from nscc_runtime.effects.parts import Converter, Errors, Part
 from nscc_runtime.effects.prnu import PRNU
 from nscc_runtime.effects.read import READ
 from nscc_runtime.effects.register import REGISTER
 from nscc_runtime.effects.reset import RESET
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.shot import SHOT
+from nscc_runtime.effects.spreading import SPREADING
 
 _OURS = (
     SHOT, PRNU, DARK, LAG, MOTION, CROSSTALK, FULL_WELL, RESET, READ, DEAD_TIME, ANALOG, REGISTER,
-    COMPARATOR_OFFSET, COMPARATOR_NOISE, LEAKAGE, DECAY, ADC_NOISE, ADC,
+    COMPARATOR_OFFSET, COMPARATOR_NOISE, LEAKAGE, DECAY, ADC_NOISE, SPREADING, ADC,
 )  # fmt: skip
 """In the order in which charge meets them."""
 
@@ -88,7 +89,7 @@ def _clashes(effect: Effect) -> list[str]:
             for at in effect.marks.keys() & other.marks.keys()
         ]
         for part in effect.parts(Part):
-            if other.parts(type(part)) and not isinstance(part, Errors):
+            if other.parts(type(part)) and not isinstance(part, Errors | Converter):
                 kind = type(part).__name__
                 found.append(f"`sums` without {kind}: sums have one, that of `{other.name}`")
     return found

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cache, cached_property
+from math import hypot
 from typing import Any, TypeVar
 
 from nscc.diagnostics.diagnostic import Rejected
@@ -12,8 +13,9 @@ from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
 from nscc_runtime.effects.effect import RESERVED, Effect
 from nscc_runtime.effects.marks import Mark
-from nscc_runtime.effects.parts import Errors, Part
+from nscc_runtime.effects.parts import Converter, Errors, Part
 from nscc_runtime.effects.registry import always_on, by_name, optional, registered
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.remembered import remembered
 
 P = TypeVar("P", bound=Part)
@@ -60,6 +62,7 @@ class Selection:
         """Those that have a part of that kind in sums over slots, with the part."""
         return [(effect, part) for effect in self.effects for part in effect.parts(kind)]
 
+    @remembered
     def names(self, kind: type[Part]) -> frozenset[str]:
         """The names of those that have a part of that kind."""
         return frozenset(effect.name for effect, _ in self.having(kind))
@@ -78,6 +81,10 @@ class Selection:
     def errors(self) -> list[tuple[Effect, Errors]]:
         """Those that have small errors: of reads, then of resets, then of words."""
         return sorted(self.having(Errors), key=lambda each: each[1].at)
+
+    def converter_lsb(self, sensor: Sensor) -> float:
+        """The standard deviation of a code before it is rounded."""
+        return hypot(*(part.sigma_lsb(sensor) for _, part in self.having(Converter)))
 
     def without(self, *names: str) -> Selection:
         """The same without some effects."""

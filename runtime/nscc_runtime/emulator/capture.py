@@ -26,9 +26,11 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.words.soundness import faults
-from nscc_runtime.emulator.steps import Layout, steps_of
+from nscc_runtime.emulator.steps import Layout, Steps, steps_of
 from nscc_runtime.emulator.taps import sorted_light
 from nscc_runtime.interface import Exposure
+from nscc_runtime.pool import in_parts, threads_of
+from nscc_runtime.ready import OfContainer
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
@@ -52,11 +54,17 @@ class Emulator:
 
 
 def expose(
-    container: Container, light: Light, *, device_seed: int = 0, block: int = BLOCK
+    container: Container,
+    light: Light,
+    *,
+    device_seed: int = 0,
+    block: int = BLOCK,
+    threads: int | None = None,
 ) -> Exposure:
     """Run `container`'s words over `light`, slot by slot, in float64; or what it is sent.
 
-    `block`, a multiple of 64, is how many pixels run together; it changes no bit. Raises
+    `block`, a multiple of 64, is how many pixels run together, `threads` (by default as many as
+    there are processors) how many such blocks do; they change no bit. Raises
     `Rejected` for a program without pixel codes (NS0741), for light of another size (NS0734), and
     for words that the target cannot run (`nscc.words.legality`); ValueError for a container or
     light whose parts contradict each other.
@@ -68,8 +76,7 @@ def expose(
 
     if block < 64 or block % 64:
         raise ValueError(f"a block of {block} pixels")
-    layout = Layout.of(container.target)
-    codes = container.planes()
+    words = _decoded(container)
     readouts = {readout.bucket: readout for readout in container.readouts}
     ordered = [readouts[bucket] for bucket in container.buckets]
     pixels = light.shape[0] * light.shape[1]
@@ -77,7 +84,7 @@ def expose(
     block = min(block, (pixels + 63) // 64 * 64)
     frames = np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), pixels)
     _check_matrix(light)
-    program = steps_of(container, layout)
+    program, layout = words.steps, words.layout
     run = expose_block.bound(
         steps=program.steps,
         operands=program.operands,
@@ -89,31 +96,62 @@ def expose(
         frame_index=np.require(light.frame_index, np.int32, ["C", "A"]),
         weight=np.require(light.weight, np.float64, ["C", "A"]),
         frame_weight=np.bincount(light.frame_index, light.weight, minlength=len(frames)),
-        code_planes=_packed(codes.values(), pixels),
-        code_rows=np.array([layout.planes[name] for name in codes], np.int64),
+        code_planes=words.code_planes,
+        code_rows=words.code_rows,
         readout_rows=np.array([layout.rows[readout.register] for readout in ordered], np.int64),
         readout_gain=np.array([readout.gain for readout in ordered], np.float64),
-        planes=np.empty(len(layout.planes) * (block // 64), np.uint64),
-        rows=np.empty(len(layout.rows) * block, np.float64),
-        charge=np.empty(block, np.float32),
         exposure=exposure,
     )
-    for first in range(0, pixels, block):
-        sizes = Block(
-            slots=container.slots,
-            pixels=pixels,
-            first=first,
-            length=min(block, pixels - first),
-            frames=len(frames),
-            code_registers=len(codes),
-            buckets=len(ordered),
-            seed=np.uint64(device_seed & 2**64 - 1),
-            flag_plane=layout.planes["FLAG"],
-            pix_row=layout.rows["PIX"],
-        )
-        run(block=sizes)
+
+    def fill(begin: int, end: int) -> None:
+        working = {
+            "planes": np.empty(len(layout.planes) * (block // 64), np.uint64),
+            "rows": np.empty(len(layout.rows) * block, np.float64),
+            "charge": np.empty(block, np.float32),
+        }
+        for first in range(begin, end, block):
+            sizes = Block(
+                slots=container.slots,
+                pixels=pixels,
+                first=first,
+                length=min(block, end - first),
+                frames=len(frames),
+                code_registers=len(words.code_rows),
+                buckets=len(ordered),
+                seed=np.uint64(device_seed & 2**64 - 1),
+                flag_plane=layout.planes["FLAG"],
+                pix_row=layout.rows["PIX"],
+            )
+            run(block=sizes, **working)
+
+    in_parts(fill, pixels, threads_of(threads), block)
     shaped = exposure.reshape(len(ordered), *light.shape)
     return Exposure(shaped, np.isfinite(shaped))
+
+
+@dataclass(frozen=True, eq=False)
+class _Decoded:
+    """A program's words and codes as the loop takes them."""
+
+    layout: Layout
+    steps: Steps
+    code_planes: NDArray[np.uint64]
+    code_rows: NDArray[np.int64]
+
+    @classmethod
+    def of(cls, container: Container) -> _Decoded:
+        assert container.pixel_codes is not None  # it was checked
+        layout, codes = Layout.of(container.target), container.planes()
+        return cls(
+            layout,
+            steps_of(container, layout),
+            _packed(codes.values(), container.pixel_codes.size),
+            np.array([layout.planes[name] for name in codes], np.int64),
+        )
+
+
+_decoded = OfContainer(_Decoded.of)
+_faults = OfContainer(faults)
 
 
 def _check_matrix(light: Light) -> None:
@@ -140,7 +178,7 @@ def check_program(container: Container) -> None:
             helps=("give it a `pixels` statement, or codes in a file: --pixels CODES.npz",),
             status=1,
         )
-    unsound = faults(container)
+    unsound = _faults(container)
     if unsound:
         raise ValueError(f"unsound container: {unsound[0]}")
 

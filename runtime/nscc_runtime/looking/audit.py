@@ -26,8 +26,9 @@ from nscc_runtime.planner.audit import (
 )
 from nscc_runtime.planner.plan import MOST_OTHER_STATES, Plan
 from nscc_runtime.reference.capture import scene_of
+from nscc_runtime.reference.film import next_planes
 from nscc_runtime.reference.intervals import Intervals
-from nscc_runtime.reference.looks import LookingReference, next_planes
+from nscc_runtime.reference.looks import LookingReference
 
 
 def audit(

@@ -14,10 +14,11 @@ from nscc_runtime.emulator.capture import check
 from nscc_runtime.frame_file import Frame, check_adc
 from nscc_runtime.light import Light
 from nscc_runtime.looking.ways import Ways
-from nscc_runtime.planner.pool import processors
+from nscc_runtime.pool import threads_of
 from nscc_runtime.ready import MadeReady
 from nscc_runtime.reference.capture import scene_of
-from nscc_runtime.reference.looks import Exposing, LookingReference, film
+from nscc_runtime.reference.film import Exposing, film
+from nscc_runtime.reference.looks import LookingReference
 
 Planes = Mapping[str, NDArray[np.bool_]]
 
@@ -28,7 +29,7 @@ ways_of = MadeReady(Ways)
 def exposer(ways: Ways, effects: Selection, threads: int = 1) -> Exposing:
     """What exposes (scene, loaded, seeds, frame, rows) with these effects."""
     if ways.lacks(effects):
-        return LookingReference(ways.container, ways.sensor, effects).expose
+        return LookingReference(ways.container, ways.sensor, effects, threads).expose
     return lambda scene, loaded, seeds, frame, rows: ways.expose(
         scene, loaded, effects, seeds, frame, rows, threads
     )
@@ -51,6 +52,6 @@ def frames(
     check(container, light)
     check_adc(container.target)
     ways = ways_of(container, sensor)
-    expose = exposer(ways, effects, processors() if threads is None else threads)
+    expose = exposer(ways, effects, threads_of(threads))
     scene = scene_of(container, light, previous)
     return film(expose, container, scene, sensor, effects, (seed, device_seed), count)

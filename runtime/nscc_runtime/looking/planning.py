@@ -18,8 +18,8 @@ from nscc_runtime.looking.way_loop import run_ways
 from nscc_runtime.looking.ways import Ways
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.pool import processors
 from nscc_runtime.planner.tolerance import Given, mean_signal_e, tolerance_of
+from nscc_runtime.pool import threads_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,5 +74,5 @@ class PlanningByWays:
         return audit(
             self._ways, self.light, plan,
             seed=seed, device_seed=self.device_seed, frames=count,
-            threads=processors() if self.threads is None else self.threads,
+            threads=threads_of(self.threads),
         )  # fmt: skip

@@ -21,8 +21,9 @@ from nscc_runtime.light import Light
 from nscc_runtime.looking.ways import BEFORE_WORDS, Ways
 from nscc_runtime.planner.sample import chances, drawn_by
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
+from nscc_runtime.reference.film import Executed
 from nscc_runtime.reference.intervals import Intervals
-from nscc_runtime.reference.looks import Executed, LookingReference
+from nscc_runtime.reference.looks import LookingReference
 from nscc_runtime.remembered import remembered
 
 Bits = NDArray[np.bool_]

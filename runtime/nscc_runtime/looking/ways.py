@@ -26,11 +26,12 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.looking.layout import Keys, Numbers, Sizes, Word
 from nscc_runtime.looking.paths import AnalogWord, Pathless, Paths
 from nscc_runtime.looking.way_loop import BLOCK, run_ways
-from nscc_runtime.planner.pool import in_parts
+from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import most_destinations
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
+from nscc_runtime.reference.film import Executed
 from nscc_runtime.reference.intervals import Intervals
-from nscc_runtime.reference.looks import WORD_DRAWS, Executed
+from nscc_runtime.reference.looks import WORD_DRAWS
 from nscc_runtime.reference.weights import error_sign
 from nscc_runtime.remembered import remembered
 

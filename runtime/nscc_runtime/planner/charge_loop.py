@@ -51,7 +51,9 @@ def _split(
     middle, end = start + size // 2, min(start + size, slots)
     count = heap[top + parent]
     drawn = count
-    if middle < slots:
+    if count <= 0.0:
+        drawn = 0.0
+    elif middle < slots:
         left = _share(rates, at, groups, lane, group, start, middle)
         right = _share(rates, at, groups, lane, group, middle, end)
         drawn = halved(stream, place, parent, count, left, right)
@@ -129,7 +131,8 @@ def _between(
             total += rates[at + n]
         return total
     for group in range(count):
-        if present[lane * count + group]:
+        # Where nothing was counted there is nothing to spread: so it is with most dark charge.
+        if present[lane * count + group] and heap[first + 2 * whole * group + 1] > 0.0:
             stream = stream_key(of_thin, sizes.frame, group_ids[group])
             total += _counted(
                 heap, stamps, first + 2 * whole * group, begin, stop, slots, whole,

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +23,7 @@ from nscc_runtime.effects import (
     Selection,
     registered,
 )
-from nscc_runtime.effects.parts import Exchange, Soft, Well
+from nscc_runtime.effects.parts import Counted, Errors, Exchange, Soft, Well
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
 from nscc_runtime.planner.program import Program
@@ -30,11 +31,15 @@ from nscc_runtime.planner.sample import Sample
 from nscc_runtime.planner.sampled import SampledScene
 
 Values = NDArray[np.float64]
+Held = dict[tuple[str, ...], Values]
+"""Exposures (buckets, pixels near saturation) by the effects that they lack."""
 
 FORCED = "forced off"
 """What all that is forced off does where pixels run through their words: random parts included."""
 BOTH = "saturation"
 """What saturation of PIX and of registers do together."""
+_SURELY = 4.0
+"""Times the tolerance: noise changes what saturation loses by less than the rest."""
 _CLIPPED_E = 1.0
 _SIGMAS = 8
 
@@ -70,9 +75,12 @@ def fields_of(
     sample: Sample,
     device_seed: int,
     forced_off: frozenset[str] = frozenset(),
+    tolerance_e: float = math.inf,
+    threads: int = 1,
 ) -> Fields:
     """The fields of a scene, each effect against all others; `forced_off` are effects that pixels
-    near saturation lack as well.
+    near saturation lack as well. What saturation loses that is far above the tolerance is that of
+    light without noise. Threads change no bit.
     """
     scene = SampledScene(program, light, sample, device_seed)
     found = {effect.name: _field(effect, scene) for effect in registered()}
@@ -96,7 +104,7 @@ def fields_of(
     )
     if not sample.near.any():
         return fields
-    return _Near(scene, forced_off).added(fields, found)
+    return _Near(scene, forced_off, tolerance_e, threads).added(fields, found)
 
 
 def _field(effect: Effect, scene: SampledScene) -> Field:
@@ -123,18 +131,62 @@ class _Near:
 
     scene: SampledScene
     forced_off: frozenset[str]
+    tolerance_e: float
+    threads: int
 
     def added(self, fields: Fields, found: Mapping[str, Field]) -> Fields:
         """The fields with what the words make of these pixels."""
-        near = self.scene.sample.near
+        held = self._without_noise()
+        if self.forced_off or not self._kept_surely(held):
+            held = self._by_selection(self._every)
+        return self._fields(fields, found, held)
+
+    @cached_property
+    def _every(self) -> Selection:
+        """All that the loop over words can have."""
         every = everything()
-        every = every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))
-        exchanges = every.names(Exchange)
-        (well,), (register,) = every.names(Well), every.names(Soft)
-        held = {
-            names: self._held(every.without(*names, *exchanges))
+        return every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))
+
+    @cached_property
+    def _saturation(self) -> tuple[str, str]:
+        (well,), (register,) = self._every.names(Well), self._every.names(Soft)
+        return well, register
+
+    def _by_selection(self, kept: Selection) -> Held:
+        """What the words make of these pixels with all of `kept`, without what saturates first,
+        last, and both; neighbours' charge never.
+        """
+        well, register = self._saturation
+        exchanges = self._every.names(Exchange)
+        return {
+            names: self._held(kept.without(*names, *exchanges))
             for names in ((), (well,), (register,), (well, register))
         }
+
+    def _without_noise(self) -> Held:
+        """The same of the mean light: counting it takes most of the time."""
+        noise = self._every.names(Counted) | self._every.names(Errors)
+        return self._by_selection(self._every.without(*noise))
+
+    def _kept_surely(self, held: Held) -> bool:
+        """Whether what saturates has to be kept whatever noise does: no tolerance lets so much go.
+        The well alone is never left out, as that saves nothing.
+        """
+        _, register = self._saturation
+        return all(
+            self._rms(held[()] - held[names]) > _SURELY * self.tolerance_e
+            for names in ((register,), self._saturation)
+        )
+
+    def _rms(self, lost: Values) -> float:
+        """The root mean square of losses (buckets, pixels) here over the whole array."""
+        weight = self.scene.sample.weight
+        part = weight[self.scene.sample.near] / weight.sum()
+        return math.sqrt(float(np.max(lost**2 @ part)))
+
+    def _fields(self, fields: Fields, found: Mapping[str, Field], held: Held) -> Fields:
+        """The fields of what was held."""
+        near, (well, register) = self.scene.sample.near, self._saturation
         fixed, blank = dict(fields.fixed), np.zeros_like(fields.expected)
         rare = self._rarely_lost(held[(register,)])
         for name, lost, least in (
@@ -145,8 +197,9 @@ class _Near:
             fixed[name] = blank.copy()
             fixed[name][:, near] = np.where(np.abs(lost) < least, -least, lost)
         if self.forced_off:
+            without = self._every.without(*self.forced_off)
             fixed[FORCED] = blank.copy()
-            fixed[FORCED][:, near] = self._held(every) - self._held(every.without(*self.forced_off))
+            fixed[FORCED][:, near] = self._held(self._every) - self._held(without)
         expected = fields.expected.copy()
         expected[:, near] = held[()]
         clipped = np.zeros(expected.shape, np.bool_)
@@ -188,5 +241,6 @@ class _Near:
             self.scene.places[self.scene.sample.near],
             kept,
             device_seed=self.scene.device.device_seed,
+            threads=self.threads,
         )
         return exposures

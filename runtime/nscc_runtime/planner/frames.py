@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from nscc_runtime.frame_file import Frame, check_adc, converted
+from nscc_runtime.frame_file import Frame, check_adc
 from nscc_runtime.light import Light
 from nscc_runtime.planner.capture import prepared
 from nscc_runtime.planner.plan import Plan
@@ -28,11 +28,6 @@ def planned_frames(
     if count < 1:
         raise ValueError(f"{count} frames")
     scene = prepared(program, light, plan, device_seed=device_seed, threads=threads)
-    sensor, target = program.sensor, program.container.target
-    check_adc(target)
+    check_adc(program.container.target)
     for number in range(count):
-        if scene.fused is not None:
-            yield scene.fused.expose(seed, number, read_out=True)
-        else:
-            exposure = scene.expose(seed, number)
-            yield converted(exposure, target, sensor, plan.kept, (seed, device_seed), number)
+        yield scene.frame(seed, number)

@@ -19,16 +19,16 @@ from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
-from nscc_runtime.planner.fused_loop import BLOCK, Simple, fused
+from nscc_runtime.planner.drawn import BLOCK
+from nscc_runtime.planner.fused_loop import Simple, fused
 from nscc_runtime.planner.masks import Masks
-from nscc_runtime.planner.pool import in_parts
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.summed import ROUNDING
 from nscc_runtime.planner.sums import on_frames
+from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.noise import SUM
 
-ROUNDING = 1e-12
-"""Of sums of charge: the part by which a well that is just full may seem to hold more."""
 _NO_TABLE, _NO_MASKS = np.zeros((1, 1), np.float32), np.zeros(1, np.uint8)
 _MUCH = 1 << 21
 """Pixels x frames from which on a second thread is worth waking."""
@@ -88,7 +88,7 @@ class Fused:
             "electrons_per_code": codes.electrons(sensor) if codes else 1.0,
             "offset": codes.offset(sensor) if codes else 0.0,
             "top": float(target.top_code),
-            "readout_noise": sum(part.sigma_lsb(sensor) for _, part in converters),
+            "readout_noise": kept.converter_lsb(sensor),
             "count": len(frames),
             "lane_count": shape[1],
             "sources": len(sources),

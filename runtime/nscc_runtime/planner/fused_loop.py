@@ -25,18 +25,12 @@ from nscc_runtime.loop import (
 )
 from nscc_runtime.noise.counter import bits, unit
 from nscc_runtime.noise.gaussian_fast import normal_fast
-from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
+from nscc_runtime.planner.drawn import BLOCK, FIRST_LANE, counted, read_out
 from nscc_runtime.planner.masks import Masks
 
-BLOCK = 1024
-"""Pixels that go through all steps together."""
-
-MOST_COUNTED = 80
-_NOTHING = 1e-17
 _EXACT_SLOTS = 8
 """Frames added up in float32 before float64 takes over: an error of 4e-7 at most."""
 
-_FIRST_LANE = np.uint64(0)
 _LARGE = 1e30
 """Sums from here on are made once more, in float64."""
 
@@ -112,91 +106,6 @@ def _summed(
     return total
 
 
-@inlined
-def _exp_minus(x: float) -> float:
-    """exp(-x) for x in [0, 16], to 2e-16: without branches, so that LLVM makes vectors."""
-    n = np.floor(0.5 - x * 1.4426950408889634)
-    r = -x - n * 0.6931471803691238 - n * 1.9082149292705877e-10
-    p = 1.0 / 6227020800.0
-    p = p * r + 1.0 / 479001600.0
-    p = p * r + 1.0 / 39916800.0
-    p = p * r + 1.0 / 3628800.0
-    p = p * r + 1.0 / 362880.0
-    p = p * r + 1.0 / 40320.0
-    p = p * r + 1.0 / 5040.0
-    p = p * r + 1.0 / 720.0
-    p = p * r + 1.0 / 120.0
-    p = p * r + 1.0 / 24.0
-    p = p * r + 1.0 / 6.0
-    p = p * r + 0.5
-    p = p * r + 1.0
-    p = p * r + 1.0
-    power = np.int64((np.int64(n) + np.int64(1023)) << np.int64(52)).view(np.float64)
-    found: float = p * power
-    return found
-
-
-@compiled
-def _searched(count: int, rates: Floats, rest: int, room: int, scratch: Floats) -> None:
-    """`nscc_runtime.noise.poisson_law.search`, step by step for many pixels at once.
-
-    `scratch` holds uniform numbers from `rest` on, then masses and the counts found, each of
-    `room`; `rates` are at most SEARCH_BELOW.
-    """
-    mass, found = rest + room, rest + 2 * room
-    for i in range(count):
-        start = _exp_minus(rates[i])
-        scratch[mass + i] = start
-        scratch[rest + i] -= start
-        scratch[found + i] = 0.0
-    for step in range(1, MOST_COUNTED):
-        inverse, going = 1.0 / step, 0
-        for i in range(count):
-            next_mass = scratch[mass + i] * (rates[i] * inverse)
-            left = scratch[rest + i]
-            on = left > 0.0 and next_mass > _NOTHING
-            scratch[mass + i] = next_mass
-            scratch[rest + i] = left - next_mass
-            scratch[found + i] += 1.0 if on else 0.0
-            going += 1 if on else 0
-        if going == 0:
-            break
-
-
-@compiled
-def _counted(
-    stream: np.uint64, top: float, first: int, stop: int, values: Floats, scratch: Floats,
-    few: Floats, places: Ints,
-) -> None:  # fmt: skip
-    """values[i] := a count of the rate values[i] at pixel first + i."""
-    low = 0
-    for i in range(stop - first):
-        rate = values[i] if values[i] > 0.0 else 0.0
-        values[i] = rate if rate < top else top
-    for i in range(stop - first):
-        scratch[i] = unit(bits(stream, first + i, _FIRST_LANE))
-    for i in range(stop - first):
-        if values[i] < SETTLED_ABOVE:
-            places[low] = i
-            few[low] = values[i] if values[i] < SEARCH_BELOW else SEARCH_BELOW
-            low += 1
-    for j in range(low):
-        scratch[BLOCK + j] = scratch[places[j]]
-    for i in range(stop - first):
-        z = float(normal_fast(scratch[i]))
-        x = np.floor(quantile(z, values[i] if values[i] > SEARCH_BELOW else SEARCH_BELOW))
-        scratch[i] = x if x > 0.0 else 0.0
-    if low:
-        _searched(low, few, BLOCK, BLOCK, scratch)
-        for j in range(low):
-            i, found = places[j], scratch[3 * BLOCK + j]
-            # The formula's error at the crossover must not let a greater rate give a smaller count.
-            formula = scratch[i] if values[i] >= SEARCH_BELOW else 0.0
-            scratch[i] = found if found > formula else formula
-    for i in range(stop - first):
-        values[i] = scratch[i]
-
-
 @compiled
 def _noisy(
     stream: np.uint64, sigma: Floats, row: int, lanes: Ints32, first: int, stop: int,
@@ -204,17 +113,9 @@ def _noisy(
 ) -> None:  # fmt: skip
     """values[i] += a normal number times the lane's sigma."""
     for i in range(stop - first):
-        scratch[i] = float(normal_fast(unit(bits(stream, first + i, _FIRST_LANE))))
+        scratch[i] = float(normal_fast(unit(bits(stream, first + i, FIRST_LANE))))
     for i in range(stop - first):
         values[i] += sigma[row + lanes[first + i]] * scratch[i]
-
-
-@inlined
-def _code(value: float, noise: float, lsb: float, offset: float, top: float) -> float:
-    """What the ADC makes of an exposure."""
-    code = np.rint(value / lsb + noise) + offset
-    code = code if code > 0.0 else 0.0
-    return float(np.rint(code if code < top else top))
 
 
 @record
@@ -299,23 +200,6 @@ def _lit(
                 )  # fmt: skip
 
 
-@inlined
-def _read_out(
-    plan: Simple, first: int, stop: int, values: Floats, scratch: Floats, frame: Bytes
-) -> None:
-    """frame[first + i] := the code of values[i]."""
-    if plan.readout_noisy:
-        for i in range(stop - first):
-            z = float(normal_fast(unit(bits(plan.readout_key, first + i, _FIRST_LANE))))
-            scratch[i] = plan.readout_noise * z
-    else:
-        for i in range(stop - first):
-            scratch[i] = 0.0
-    for i in range(stop - first):
-        code = _code(values[i], scratch[i], plan.electrons_per_code, plan.offset, plan.top)
-        frame[first + i] = np.uint8(np.int32(code))
-
-
 @loop
 def fused(
     plan: Simple,
@@ -360,7 +244,7 @@ def fused(
             for i in range(stop - first):
                 values[i] *= response[first + i]
         if plan.counted:
-            _counted(plan.count_key, plan.rate_cap, first, stop, values, scratch, few, places)
+            counted(plan.count_key, plan.rate_cap, first, stop, values, scratch, few, places)
         if plan.clipped:
             for i in range(stop - first):
                 most = limit[lanes[first + i]]
@@ -373,4 +257,7 @@ def fused(
         for i in range(stop - first):
             exposure[first + i] = values[i] + 0.0
         if plan.read_out:
-            _read_out(plan, first, stop, values, scratch, frame)
+            read_out(
+                plan.readout_noisy, plan.readout_noise, plan.readout_key, plan.electrons_per_code,
+                plan.offset, plan.top, first, stop - first, values, 0, scratch, frame, first,
+            )  # fmt: skip

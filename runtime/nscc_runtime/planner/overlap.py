@@ -6,7 +6,7 @@ slots that another pixel has open is taken as that part of the group's time.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,49 +28,39 @@ _NEIGHBOURS = (
 
 @dataclass(frozen=True, eq=False)
 class Overlap:
-    """Weights of own and neighbours' deviations in the exposures; see `smeared`."""
+    """Weights of the deviations of groups' counts in the exposures: of a pixel's `own` (groups,
+    buckets, pixels), and of those of its `neighbours` (groups, 4, buckets, pixels) above, below,
+    left and right.
+    """
 
-    fraction: float
-    shape: tuple[int, int]
-    own: dict[int, Weights]
-    neighbours: dict[int, tuple[Weights, ...]]
+    own: Weights
+    neighbours: Weights
 
     @classmethod
     def of(
         cls,
-        fraction: float,
         lanes: NDArray[np.int32],
         slot_s: Values,
         weights: Values,
-        groups: Mapping[int, tuple[Values, Values]],
+        groups: Sequence[tuple[Values, Values]],
     ) -> Overlap:
         """For the weights (N, lanes, buckets) of slots that are `slot_s` (N,) long.
 
         `lanes` (rows, cols); `groups`: where each group has slots (N, lanes), 1 or 0, and its mean
         weight (lanes, buckets).
         """
-        rows, cols = lanes.shape
         seconds = weights * slot_s[:, None, None]
-        own, neighbours = {}, {}
-        for group, (members, means) in groups.items():
+        shape = len(groups), weights.shape[2], lanes.size
+        own = np.empty(shape, np.float32)
+        neighbours = np.empty((shape[0], len(_NEIGHBOURS), *shape[1:]), np.float32)
+        for group, (members, means) in enumerate(groups):
             time = slot_s @ members
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
-            own[group] = means.T[:, lanes.reshape(-1)].reshape(-1, rows, cols).astype(np.float32)
-            neighbours[group] = tuple(_pairs(seconds, parts, lanes, *each) for each in _NEIGHBOURS)
-        return cls(fraction, (rows, cols), own, neighbours)
-
-    def smeared(self, away: dict[int, Values]) -> Values:
-        """What deviations (pixels,) of the groups' counts make of exposures (buckets, pixels)."""
-        total: Values | float = 0.0
-        for group, flat in away.items():
-            each = flat.reshape(self.shape)
-            own = self.own[group] * each
-            total = total + own
-            for (to, source), weight in zip(_NEIGHBOURS, self.neighbours[group], strict=True):
-                total[(..., *to)] += self.fraction * (
-                    weight[(..., *to)] * each[source] - own[(..., *to)]
-                )
-        return np.asarray(total).reshape(len(next(iter(self.own.values()))), -1)
+            own[group] = means.T[:, lanes.reshape(-1)]
+            for each, (to, source) in enumerate(_NEIGHBOURS):
+                found = _pairs(seconds, parts, lanes, to, source)
+                neighbours[group, each] = found.reshape(shape[1:])
+        return cls(own, neighbours)
 
 
 def _pairs(

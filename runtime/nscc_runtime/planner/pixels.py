@@ -23,7 +23,7 @@ from nscc_runtime.noise.keys import base
 from nscc_runtime.planner.charge_loop import SITES
 from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
 from nscc_runtime.planner.pixel_loop import ERRORS, run_pixels
-from nscc_runtime.planner.pool import in_parts
+from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import START, Reference, most_destinations
 from nscc_runtime.reference.noise import PART, SUM
 

@@ -21,6 +21,7 @@ from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.tolerance import Given, mean_signal_e, tolerance_of
+from nscc_runtime.pool import threads_of
 
 
 class Planning(Protocol):
@@ -82,6 +83,10 @@ class PlanningBySums:
         """See `Planning`."""
         self._program  # noqa: B018  # made when it is asked for
 
+    @property
+    def _threads(self) -> int:
+        return threads_of(self.threads)
+
     @cached_property
     def _program(self) -> Program:
         return made_ready(self.container, self.sensor)
@@ -93,13 +98,15 @@ class PlanningBySums:
     def plan(self, tolerance: Given, effects: Selection) -> Plan:
         """See `Planning`."""
         allowed = tolerance_of(tolerance, self.sensor, self.signal_e)
-        made = plan_for(self._program, self.light, allowed.electrons, effects, self.device_seed)
+        made = plan_for(
+            self._program, self.light, allowed.electrons, effects, self.device_seed, self._threads
+        )
         return made.asked(allowed)
 
     def predicted(self, plan: Plan) -> Plan:
         """See `Planning`."""
         plan = plan.on(self.sensor, self.signal_e)
-        return predicted_for(self._program, self.light, plan, self.device_seed)
+        return predicted_for(self._program, self.light, plan, self.device_seed, self._threads)
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
         """See `Planning`."""

@@ -49,12 +49,15 @@ _NOTHING = np.zeros(1)
 
 @dataclass(frozen=True, eq=False)
 class Forecast(ABC):
-    """What a scene makes of a program's effects; `tolerance_e` decides on short cuts only."""
+    """What a scene makes of a program's effects. `tolerance_e` decides on short cuts, and on how
+    well has to be known what saturation loses. Threads change no bit.
+    """
 
     program: Program
     light: Light
     tolerance_e: float
     device_seed: int
+    threads: int
 
     @property
     @abstractmethod
@@ -69,7 +72,9 @@ class Forecast(ABC):
         total_e = (self._everything.total + dark_e).reshape(self.light.shape)
         sample = sample_of(total_e, len(self.light.frames), self.near)
         lost = self.forced_off - self.saturation - self.slow
-        return fields_of(self.program, self.light, sample, self.device_seed, lost)
+        return fields_of(
+            self.program, self.light, sample, self.device_seed, lost, self.tolerance_e, self.threads
+        )
 
     @cached_property
     def saturation(self) -> frozenset[str]:
@@ -103,7 +108,7 @@ class Forecast(ABC):
             for effect in registered()
         )
         plan = Plan(0.0, 0.0, 0.0, "some", (), 0.0, (), decisions)
-        return Prepared(self.program, self.light, plan, self.device_seed, threads=1)
+        return Prepared(self.program, self.light, plan, self.device_seed, self.threads)
 
     @cached_property
     def present(self) -> list[Effect]:
@@ -145,18 +150,14 @@ class Forecast(ABC):
         sizes = np.sqrt(np.maximum(np.diagonal(part, axis1=1, axis2=2), 0.0)).sum(axis=1)
         return part.sum(axis=(1, 2)) + random, sizes**2 + random
 
+    @remembered
     def state(self, dropped: frozenset[str]) -> str:
         """What becomes of pixels that may saturate: they run through their words with all effects,
         are clipped at the full well, or are taken as any others.
         """
         if not len(self.near) or dropped >= self.saturation:
             return "sums"
-        return "clip" if self._dropped(Soft, dropped) and self._all_single else "words"
-
-    @cached_property
-    def _all_single(self) -> bool:
-        tables = self.program.tables
-        return not np.isnan(tables.single(self.program.full)).any()
+        return "clip" if self._dropped(Soft, dropped) and self.program.all_single else "words"
 
     def _where(self, state: str, name: str = "") -> NDArray[np.float64]:
         """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""

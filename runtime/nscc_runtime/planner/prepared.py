@@ -26,12 +26,13 @@ from nscc_runtime.effects.parts import (
     WordGain,
 )
 from nscc_runtime.effects.selection import Selection
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.light import Light
 from nscc_runtime.planner import leak_nodes
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sums import smeared_frames, sums_by_slot, weighted_sums
+from nscc_runtime.planner.sums import scene_sums, sums_by_slot, weighted_sums
 from nscc_runtime.planner.tables import Model
 
 Values = NDArray[np.float64]
@@ -40,6 +41,19 @@ _MOST_LIGHT = 1e36
 """Sums of float32 may have no end."""
 _SIGMAS = 6.0
 """How far from its mean a pixel is taken to come when it is asked whether it may saturate."""
+
+
+@dataclass(frozen=True)
+class _SmearedDark:
+    """The dark current of pixels (rows, cols) that exchange charge: fixed on a chip."""
+
+    dark: CountedDark
+    exchange: Exchange
+    shape: tuple[int, int]
+
+    def __call__(self, sensor: Sensor, device_seed: int, places: NDArray[np.int64]) -> Values:
+        current = self.dark.per_s(sensor, device_seed, places).reshape(self.shape)
+        return self.exchange.smeared(current, self.exchange.fraction(sensor)).reshape(-1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,18 +138,34 @@ class Prepared:
         return [g for g in self.program.group_ids.tolist() if g or self.plan.closed]
 
     @cached_property
-    def light_rates(self) -> dict[int, Values]:
-        """The light of each counted group of slots."""
-        if self.kept.part(CountedLight) is None:
-            return {}
-        sums = self._sum(self.source, [self.program.members(group) for group in self.counted])
-        return {g: each * self.scale for g, each in zip(self.counted, sums, strict=True)}
+    def _sums(self) -> tuple[Values, Values]:
+        """All sums over the scene in one go: the light (counted groups, pixels) of each group of
+        slots that is counted, and the light (buckets, leak nodes, pixels) of each bucket.
+        """
+        program, exchange = self.program, self.kept.part(Exchange)
+        buckets, nodes = range(len(program.container.buckets)), self.leaks[0]
+        lit = self.counted if self.kept.part(CountedLight) is not None else ()
+        groups = [program.members(group) for group in lit]
+        model = program.model(self.kept)
+        weights = [program.tables.weights(replace(model, leak_per_s=rate)).slots for rate in nodes]
+        stack = [each[:, :, b] for b in buckets for each in weights]
+        plain, smeared = (groups + stack, []) if exchange is None else (groups, stack)
+        found = scene_sums(
+            self.source, program.lanes, self.scale, plain, smeared, self._fraction(exchange),
+            self.threads,
+        )  # fmt: skip
+        return found[: len(groups)], found[len(groups) :].reshape(len(buckets), len(nodes), -1)
+
+    @property
+    def light_rates(self) -> Values:
+        """The light (groups, pixels) of each counted group of slots."""
+        return self._sums[0]
 
     @cached_property
-    def dark_rates(self) -> dict[int, Values]:
-        """The dark charge of each counted group of slots."""
-        times = {g: self.program.slot_s @ self.program.members(g) for g in self.counted}
-        return {g: self.current * time[self.program.lanes] for g, time in times.items()}
+    def dark_rates(self) -> Values:
+        """The dark charge (groups, pixels) of each counted group of slots."""
+        times = [self.program.slot_s @ self.program.members(group) for group in self.counted]
+        return np.array([self.current * time[self.program.lanes] for time in times])
 
     @cached_property
     def leaks(self) -> tuple[Values, Values]:
@@ -145,33 +175,22 @@ class Prepared:
         program, leak = self.program, self.kept.part(Leak)
         if leak is None or self.plan.leak_nodes == 1:
             rate = program.model(self.kept).leak_per_s
-            return np.array([rate]), np.ones((1, len(self.places)))
+            return np.array([rate]), np.ones((1, 1))
         nodes = leak_nodes.rates(leak, program.sensor, self.plan.leak_nodes)
         return nodes, leak_nodes.between(nodes, self.device.fixed(leak.per_s))
 
     @cached_property
     def expected(self) -> Values:
         """The exposures (buckets, pixels) of the mean charge, nothing saturated."""
-        program, exchange = self.program, self.kept.part(Exchange)
-        model = program.model(self.kept)
-        nodes, between = self.leaks
-        buckets = len(program.container.buckets)
-        weights = [program.tables.weights(replace(model, leak_per_s=rate)).slots for rate in nodes]
-        stack = [each[:, :, b] for b in range(buckets) for each in weights]
-        if exchange is not None:
-            scale = self.scale.reshape(self.light.shape)
-            part = exchange.fraction(program.sensor)
-            frames = smeared_frames(self.source.frames, scale, part, self.threads)
-            sums = self._sum(replace(self.source, frames=frames, motion=None), stack)
-        else:
-            sums = self._sum(self.source, stack) * self.scale
-        found = (sums.reshape(buckets, len(nodes), -1) * between).sum(axis=1)
+        program, exchange, sums = self.program, self.kept.part(Exchange), self._sums[1]
+        found = sums[:, 0] if sums.shape[1] == 1 else (sums * self.leaks[1]).sum(axis=1)
         if self.kept.part(CountedDark) is not None:
             current = self.current
             if exchange is not None:
-                shaped = current.reshape(self.light.shape)
-                current = exchange.smeared(shaped, part).reshape(-1)
-            open_s = np.einsum("n,nlb->bl", program.slot_s, program.tables.weights(model).slots)
+                dark = self.kept.the(CountedDark)
+                current = self.device.fixed(_SmearedDark(dark, exchange, self.light.shape))
+            weights = program.tables.weights(program.model(self.kept)).slots
+            open_s = np.einsum("n,nlb->bl", program.slot_s, weights)
             found = found + current * open_s[:, program.lanes]
         return np.asarray(found)
 

@@ -10,13 +10,14 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.parts import Exchange, Fading, Leak, SlowWords, WordGain
+from nscc_runtime.effects.parts import Fading, Leak, SlowWords, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.planner.masks import Masks
 from nscc_runtime.planner.overlap import Overlap
 from nscc_runtime.planner.pixels import Pixels
+from nscc_runtime.planner.prices import Work
 from nscc_runtime.planner.reach import Reach, reach_of
 from nscc_runtime.planner.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
@@ -74,6 +75,11 @@ class Program:
         """The words as they are meant."""
         return Pixels.of(replace(self.reference, words=self.tables.fresh))
 
+    @cached_property
+    def work(self) -> Work:
+        """What a pixel has to do in the loop over words."""
+        return Work.of(self.pixels, self.container.slots)
+
     def words(self, kept: Selection) -> Pixels:
         """The loop over the words of single pixels."""
         faded = self.model(kept).decay or not self.tables.decays
@@ -88,6 +94,11 @@ class Program:
     def lanes(self) -> NDArray[np.int32]:
         """The lane of every pixel, flat."""
         return self.reference.groups.lane.reshape(-1).astype(np.int32)
+
+    @cached_property
+    def all_single(self) -> bool:
+        """Whether all charge reaches its bucket through one read: then sums can be clipped."""
+        return not np.isnan(self.tables.single(self.full)).any()
 
     @cached_property
     def overlapping(self) -> bool:
@@ -114,15 +125,14 @@ class Program:
         return {}
 
     @remembered
-    def overlap(self, model: Model, exchange: Exchange) -> Overlap:
+    def overlap(self, model: Model, groups: tuple[int, ...]) -> Overlap:
         """How much of the neighbours' groups falls on a pixel's open slots; kept."""
         means = self.mean_weights(model)
         return Overlap.of(
-            exchange.fraction(self.sensor),
             self.lanes.reshape(self.reference.groups.lane.shape),
             self.slot_s,
             self.tables.weights(model).slots,
-            {group: (self.members(group), means[group]) for group in means},
+            [(self.members(group), means[group]) for group in groups],
         )
 
     @remembered

@@ -221,7 +221,7 @@ class SampledScene:
         """The variance that sums leave out because counts are not spread over the slots, with
         closed slots counted or not; the same of what neighbours exchange.
         """
-        program, c, full = self.program, self.exchanged, self.slots
+        program, full = self.program, self.slots
         means = program.mean_weights(program.full)
         shape = len(self.buckets), len(self.places)
         thinning = {closed: np.zeros(shape) for closed in (False, True)}
@@ -231,27 +231,40 @@ class SampledScene:
             members = program.members(group)
             time = program.slot_s @ members
             parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
-            for bucket in self.buckets:
-                weight = full[:, :, bucket] * members
-                mean = means[group][self.lanes, bucket]
-                weights = [members, weight, weight**2]
-                summed = self.sum(self.moving, weights, self.frames) * scale
-                seconds = time, program.slot_s @ weight, program.slot_s @ weight**2
-                rates, one, two = (
-                    light + dark[self.lanes] * self.dark
-                    for light, dark in zip(summed, seconds, strict=True)
+            weighed = [each * members for each in self.by_bucket(full)]
+            # Of all buckets at once: every sum reads the light again.
+            weights = [members, *weighed, *(each**2 for each in weighed)]
+            rates, *moments = (
+                light + (program.slot_s @ each)[self.lanes] * self.dark
+                for light, each in zip(
+                    self.sum(self.moving, weights, self.frames) * scale, weights, strict=True
                 )
+            )
+            for bucket in self.buckets:
+                one, two = moments[bucket], moments[len(self.buckets) + bucket]
+                mean = means[group][self.lanes, bucket]
                 counted = np.maximum(two - 2 * mean * one + mean**2 * rates, 0.0)
                 thinning[True][bucket] += counted
                 thinning[False][bucket] += counted if group else two
-            for _, place, frames, part in self.beside:
-                other = program.lanes[place]
-                lit = sums_by_slot(self.moving, frames * part, other, [members])[0] * self.echo
+            for beside in self.beside:
+                lit = self._exchanged(beside, members)
                 for bucket in self.buckets:
                     seen = full[:, :, bucket] * program.slot_s[:, None]
-                    inside = np.einsum("np,np->p", seen[:, self.lanes], parts[:, other])
-                    within = np.clip(inside, 0.0, 1.0)
-                    counted = c**2 * lit * within * (1.0 - within)
+                    within = np.clip(self._overlap(seen, parts, beside), 0.0, 1.0)
+                    counted = lit * within * (1.0 - within)
                     neighbours[True][bucket] += counted
-                    neighbours[False][bucket] += counted if group else c**2 * lit * within
+                    neighbours[False][bucket] += counted if group else lit * within
         return thinning, neighbours
+
+    def _exchanged(self, beside: Beside, members: Values) -> Values:
+        """The variance of what neighbours' counts in some slots (N, lanes) send over."""
+        frames, lanes = beside.frames * beside.response, self.program.lanes[beside.place]
+        lit = sums_by_slot(self.moving, frames, lanes, [members])[0]
+        return np.asarray(self.exchanged**2 * self.echo * lit)
+
+    def _overlap(self, seen: Values, parts: Values, beside: Beside) -> Values:
+        """The sum over slots of weights (N, lanes) of the pixels and of their neighbours."""
+        other = self.program.lanes[beside.place]
+        if seen.shape[1] ** 2 <= len(other) * len(seen):
+            return np.asarray((seen.T @ parts)[self.lanes, other])
+        return np.asarray(np.einsum("np,np->p", seen[:, self.lanes], parts[:, other]))

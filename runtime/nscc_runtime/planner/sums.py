@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.light import Light
+from nscc_runtime.loop import Bound
 from nscc_runtime.planner import sum_loop
-from nscc_runtime.planner.pool import in_parts
-from nscc_runtime.planner.sum_loop import SmearSizes, SumSizes
+from nscc_runtime.planner.sum_loop import SceneSizes, SumSizes
+from nscc_runtime.pool import in_parts
 
 _MOST_ENTRIES = 1 << 23
 """Of tables in memory at once, unless a single one is larger."""
@@ -51,23 +53,50 @@ def weighted_sums(
     return out
 
 
-def smeared_frames(
-    frames: NDArray[np.float32], scale: NDArray[np.float64], fraction: float, threads: int = 1
-) -> NDArray[np.float32]:
-    """Frames (T, rows, cols) times `scale` (rows, cols), smeared by crosstalk; in float32."""
-    out = np.empty(frames.shape, np.float32)
-    rows, cols = scale.shape
-    bound = sum_loop.smeared_frames.bound(
-        frames=np.require(frames, np.float32, ["C", "A"]),
-        scale=np.require(scale, np.float64, ["C", "A"]),
-        out=out,
+def scene_sums(
+    light: Light,
+    lanes: NDArray[np.int32],
+    scale: NDArray[np.float64],
+    plain: Sequence[NDArray[np.float64]],
+    smeared: Sequence[NDArray[np.float64]],
+    fraction: float,
+    threads: int = 1,
+) -> NDArray[np.float64]:
+    """The sums (plain and smeared, pixels) of a light's slots, each weighted by slot and lane.
+
+    `lanes` and `scale`, a factor on the light, are (pixels,); weights are (N, lanes of the
+    program). The smeared ones weigh what is there after `fraction` of each pixel's light has gone
+    to each of its neighbours. Threads change no bit.
+    """
+    weights = [*plain, *smeared]
+    shape = light.shape
+    out = np.empty((len(weights), *shape))
+    room = max(
+        1, _MOST_ENTRIES // max(1, len(light.frames) * (weights[0].shape[1] if weights else 1))
     )
+    frames = np.require(light.frames, np.float32, ["C", "A"])
+    for first in range(0, len(weights), room):
+        tables = np.stack([on_frames(light, each) for each in weights[first : first + room]])
+        bound = sum_loop.scene_sums.bound(
+            frames=frames,
+            scale=np.require(scale.reshape(shape), np.float64, ["C", "A"]),
+            lanes=np.require(lanes.reshape(shape), np.int32, ["C", "A"]),
+            table=tables,
+            even=(tables == tables[:, :, :1]).all(axis=2).view(np.uint8),
+            out=out[first : first + room],
+        )
+        sizes = {
+            "rows": shape[0], "cols": shape[1], "count": len(frames), "sums": len(tables),
+            "lane_count": tables.shape[2], "fraction": fraction,
+            "smeared": min(max(len(plain) - first, 0), len(tables)),
+        }  # fmt: skip
 
-    def run(begin: int, end: int) -> None:
-        bound(sizes=SmearSizes(begin=begin, end=end, rows=rows, cols=cols, fraction=fraction))
+        def run(begin: int, end: int, bound: Bound = bound, sizes: dict[str, Any] = sizes) -> None:
+            lit = np.empty(sum_loop.BLOCK, np.float32)
+            bound(sizes=SceneSizes(begin=begin, end=end, **sizes), lit=lit)
 
-    in_parts(run, len(frames), threads)
-    return out
+        in_parts(run, shape[0], threads)
+    return out.reshape(len(weights), -1)
 
 
 def sums_by_slot(

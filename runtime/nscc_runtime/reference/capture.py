@@ -27,6 +27,7 @@ from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, uniforms
+from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.charge import Groups, charge_of_rows
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.noise import SpreadNoise
@@ -36,7 +37,7 @@ from nscc_runtime.reference.weights import Backward, Weights, backward, error_si
 Values = NDArray[np.float64]
 
 _CELLS = 1 << 21
-"""Most slots x pixels of a chunk of rows: some ten arrays of that size are alive at once."""
+"""Most slots x pixels in work at once: some ten arrays of that size are alive then."""
 START = 0
 """The stream of what registers hold when a frame starts; effects have streams from 1."""
 
@@ -90,22 +91,26 @@ class Reference:
         """Where the effects that have small errors make them."""
         return {effect.name: part.at for effect, part in self.effects.having(Errors)}
 
-    def expose(self, scene: Scene, seed: int = 0, device_seed: int = 0, frame: int = 0) -> Exposure:
-        """Frame number `frame` of a scene."""
-        return self.expose_rows(scene, range(scene.light.shape[0]), seed, device_seed, frame)
+    def expose(
+        self, scene: Scene, seed: int = 0, device_seed: int = 0, frame: int = 0,
+        threads: int | None = None,
+    ) -> Exposure:  # fmt: skip
+        """Frame number `frame` of a scene; `threads`, None for all processors, change no bit."""
+        rows = range(scene.light.shape[0])
+        return self.expose_rows(scene, rows, seed, device_seed, frame, threads)
 
     def expose_rows(
-        self, scene: Scene, rows: range, seed: int = 0, device_seed: int = 0, frame: int = 0
-    ) -> Exposure:
+        self, scene: Scene, rows: range, seed: int = 0, device_seed: int = 0, frame: int = 0,
+        threads: int | None = None,
+    ) -> Exposure:  # fmt: skip
         """Consecutive rows of a frame, bit for bit as the whole frame has them."""
         container = self.container
         cols = scene.light.shape[1]
         exposure = np.empty((len(container.buckets), len(rows), cols))
         valid = np.empty((len(rows), cols), np.bool_)
         saturated_by = np.empty(exposure.shape, np.uint8)
-        step = max(1, _CELLS // (container.slots * cols))
-        for begin in range(rows.start, rows.stop, step):
-            part = range(begin, min(begin + step, rows.stop))
+
+        def fill(part: range) -> None:
             fallen = charge_of_rows(
                 scene, self.groups, self.sensor, self.effects, (seed, device_seed), frame, part
             )
@@ -119,6 +124,8 @@ class Reference:
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
             saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
             valid[chunk] = fallen.valid
+
+        in_strips(fill, rows, _CELLS // (container.slots * cols), threads_of(threads))
         return Exposure(exposure, np.isfinite(exposure) & valid, saturated_by)
 
 
@@ -132,16 +139,18 @@ def expose(
     device_seed: int = 0,
     frame: int = 0,
     previous: Light | None = None,
+    threads: int | None = None,
 ) -> Exposure:
     """Run `container`'s words over `light` with `effects` of `sensor`, slot by slot, in float64.
 
     `frame` numbers the repeats of a scene; `previous` is what the array saw in the frame before,
-    the same light unless given. Raises Rejected as `nscc_runtime.emulator.expose` does, and NS0442
+    the same light unless given. `threads`, by default as many as there are processors, change no
+    bit. Raises Rejected as `nscc_runtime.emulator.expose` does, and NS0442
     for words that open no shutters.
     """
     check(container, light)
     scene = scene_of(container, light, previous)
-    return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame)
+    return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame, threads)
 
 
 def frames(
@@ -154,6 +163,7 @@ def frames(
     device_seed: int = 0,
     count: int = 1,
     previous: Light | None = None,
+    threads: int | None = None,
 ) -> Iterator[Frame]:
     """Frames 0 .. `count` - 1 of `light`, as `nscc_runtime.reference.expose` exposes them.
 
@@ -164,8 +174,8 @@ def frames(
     scene = scene_of(container, light, previous)
     return (
         converted(
-            reference.expose(scene, seed, device_seed, number), container.target, sensor, effects,
-            (seed, device_seed), number,
+            reference.expose(scene, seed, device_seed, number, threads), container.target, sensor,
+            effects, (seed, device_seed), number,
         )
         for number in range(count)
     )  # fmt: skip

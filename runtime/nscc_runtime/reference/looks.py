@@ -12,8 +12,8 @@ Without effects every slot is added by itself, as the exposure is defined.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf
 
@@ -24,18 +24,20 @@ from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
+from nscc.words.readout import converter_of
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
 from nscc_runtime.emulator.capture import check, check_size
-from nscc_runtime.frame_file import Frame, converted
+from nscc_runtime.frame_file import Frame
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.looked_light import told_by
 from nscc_runtime.noise import key, normals, uniforms
+from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
 from nscc_runtime.reference.charge import charge_of_rows
+from nscc_runtime.reference.film import Executed, film
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.weights import error_sign
@@ -52,15 +54,6 @@ _FIRST_BIT = 256
 """The group of the first digital register among the streams of START; analog ones stand before."""
 
 
-@dataclass(frozen=True, eq=False)
-class Executed:
-    """One frame: the exposure, and the digital registers that are read, kept or hold code, as
-    planes."""
-
-    exposure: Exposure
-    planes: Mapping[str, Bits]
-
-
 @dataclass(frozen=True)
 class Running:
     """An analog word as it runs: `number` counts those of a frame."""
@@ -73,6 +66,7 @@ class Running:
 @dataclass(frozen=True, eq=False)
 class LookingReference:
     """A container whose pixels compare, made ready. Raises Rejected for words that cannot run.
+    `threads`, None for all processors, change no bit.
 
     Without a machine (what a loader has of a program) `before` is of no use: what registers hold
     when the frame starts are the container's own planes.
@@ -81,6 +75,7 @@ class LookingReference:
     container: Container
     sensor: Sensor
     effects: Selection
+    threads: int | None = None
     kernels: tuple[tuple[Op, ...], ...] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -116,9 +111,8 @@ class LookingReference:
         saturated_by = np.empty(exposure.shape, np.uint8)
         valid = np.empty((len(rows), cols), np.bool_)
         planes = {name: np.empty((len(rows), cols), np.bool_) for name in sorted(told)}
-        step = max(1, _CELLS // (len(self.intervals) * cols))
-        for begin in range(rows.start, rows.stop, step):
-            part = range(begin, min(begin + step, rows.stop))
+
+        def fill(part: range) -> None:
             fallen = charge_of_rows(scene, None, self.sensor, self.effects, seeds, frame, part)
             here = slice(part.start, part.stop)
             places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
@@ -134,20 +128,10 @@ class LookingReference:
             valid[chunk] = fallen.valid
             for name, plane in planes.items():
                 plane[chunk] = pixels.bits[name].reshape(len(part), cols)
+
+        in_strips(fill, rows, _CELLS // (len(self.intervals) * cols), threads_of(self.threads))
         valid_here = np.isfinite(exposure) & valid
         return Executed(Exposure(exposure, valid_here, saturated_by), planes)
-
-
-def next_planes(
-    container: Container, loaded: Mapping[str, Bits], left: Mapping[str, Bits]
-) -> dict[str, Bits]:
-    """The registers with which a frame starts after one that has `left` these planes: kept states
-    go on, the codes that were `loaded` stay."""
-    machine = container.machine
-    assert machine is not None
-    names = (state.name for state in machine.states if state.kept)
-    kept = {register for name in names for register in container.state_planes[name].registers}
-    return {**loaded, **{name: plane for name, plane in left.items() if name in kept}}
 
 
 def executed(
@@ -156,7 +140,7 @@ def executed(
     """One frame without effects, of a container that a loader has checked."""
     check_size(container, light)
     reference = LookingReference(
-        container, sensor or default_sensor(container.target), selected("none")
+        container, sensor or default_sensor(converter_of(container)), selected("none")
     )
     return reference.expose(
         scene_of(container, light, None), container.planes(), (0, device_seed), 0
@@ -166,38 +150,14 @@ def executed(
 def looking_frames(
     container: Container, light: Light, sensor: Sensor, effects: Selection, *,
     seed: int = 0, device_seed: int = 0, count: int = 1, previous: Light | None = None,
+    threads: int | None = None,
 ) -> Iterator[Frame]:  # fmt: skip
     """Frames 0 .. `count` - 1 of `light`, one after the other: kept states go on from frame to
     frame. What can be refused is refused before the first one."""
     check(container, light)
-    reference = LookingReference(container, sensor, effects)
+    reference = LookingReference(container, sensor, effects, threads)
     scene = scene_of(container, light, previous)
     return film(reference.expose, container, scene, sensor, effects, (seed, device_seed), count)
-
-
-Exposing = Callable[[Scene, Mapping[str, Bits], tuple[int, int], int, range | None], "Executed"]
-"""What exposes (scene, loaded, seeds, frame, rows) as `LookingReference.expose` does."""
-
-
-def film(
-    expose: Exposing, container: Container, scene: Scene, sensor: Sensor, effects: Selection,
-    seeds: tuple[int, int], count: int,
-) -> Iterator[Frame]:  # fmt: skip
-    """Frames 0 .. `count` - 1, one after the other: kept states go on from frame to frame."""
-    loaded: Mapping[str, Bits] = container.planes()
-    for number in range(count):
-        executed = expose(scene, loaded, seeds, number, None)
-        loaded = next_planes(container, loaded, executed.planes)
-        yield told_frame(container, executed, sensor, effects, seeds, number)
-
-
-def told_frame(
-    container: Container, executed: Executed, sensor: Sensor, effects: Selection,
-    seeds: tuple[int, int], number: int,
-) -> Frame:  # fmt: skip
-    """Frame number `number` as its file has it."""
-    frame = converted(executed.exposure, container.target, sensor, effects, seeds, number)
-    return replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
 
 
 @dataclass(eq=False, kw_only=True)

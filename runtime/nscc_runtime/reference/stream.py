@@ -24,13 +24,14 @@ from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals
+from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.charge import charge_of_rows
 
 Values = NDArray[np.float64]
 
 _CELLS = 1 << 21
-"""Most slots x pixels of a chunk of rows."""
+"""Most slots x pixels in work at once."""
 _ACTING = {
     "scene", "light", "response", "count", "charge", "neighbours", "well", "resets", "reads",
     "hold", "readout", "converter", "codes",
@@ -58,6 +59,7 @@ def stream_frames(
     device_seed: int = 0,
     count: int = 1,
     previous: Light | None = None,
+    threads: int | None = None,
 ) -> Iterator[Frame]:
     """Frames 0 .. `count` - 1 of `light`. What can be refused is refused before the first one."""
     check(container, light)
@@ -65,8 +67,8 @@ def stream_frames(
     seeds = seed, device_seed
     return (
         converted(
-            expose_stream(container, scene, sensor, effects, seeds, number), container.target,
-            sensor, effects, seeds, number,
+            expose_stream(container, scene, sensor, effects, seeds, number, threads),
+            container.target, sensor, effects, seeds, number,
         )
         for number in range(count)
     )  # fmt: skip
@@ -79,17 +81,18 @@ def expose_stream(
     effects: Selection,
     seeds: tuple[int, int],
     frame: int,
+    threads: int | None = None,
 ) -> Exposure:
-    """Frame number `frame` of a scene; `seeds` are those of the frames' noise and of the device."""
+    """Frame number `frame` of a scene; `seeds` are those of the frames' noise and of the device.
+    `threads`, None for all processors, change no bit."""
     sent, (rows, cols) = container.stream, scene.light.shape
     if sent is None:
         raise ValueError("a container without planes")
     exposure = np.empty((len(container.buckets), rows, cols))
     saturated_by = np.empty(exposure.shape, np.uint8)
     valid = np.empty((rows, cols), np.bool_)
-    step = max(1, _CELLS // (container.slots * cols))
-    for begin in range(0, rows, step):
-        part = range(begin, min(begin + step, rows))
+
+    def fill(part: range) -> None:
         fallen = charge_of_rows(scene, None, sensor, effects, seeds, frame, part)
         chunk = slice(part.start, part.stop)
         pixels = _Taps(
@@ -101,6 +104,8 @@ def expose_stream(
         exposure[:, chunk] = found.reshape(-1, len(part), cols)
         saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
         valid[chunk] = fallen.valid
+
+    in_strips(fill, range(rows), _CELLS // (container.slots * cols), threads_of(threads))
     return Exposure(exposure, np.isfinite(exposure) & valid, saturated_by)
 
 

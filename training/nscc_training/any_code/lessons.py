@@ -9,6 +9,8 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
+from nscc_runtime.scenes.colour import srgb_to_linear
+from nscc_training.any_code.decode import white
 from nscc_training.any_code.measured import Measured
 from nscc_training.data.moving import Generator, Picture, moving
 
@@ -18,6 +20,7 @@ Light = NDArray[np.float32]
 _NOISE = (3 / 255, 40 / 255)
 _LENGTHS = (4, 6, 8, 8, 8, 8, 12, 16)
 """Frames of a clip; eight most often, as the benchmark has."""
+_FILM_LENGTHS = (8, 16, 16)
 _FULL_WELL_E = (2_000.0, 60_000.0)
 _READ_LSB = (0.2, 2.0)
 _BITS = 8
@@ -34,26 +37,55 @@ def noisy(
 
 
 def coded(
-    pictures: Sequence[Picture], generator: Generator, batch: int, size: int
+    pictures: Sequence[Picture], generator: Generator, batch: int, size: int, exact: float = 0.5
 ) -> tuple[Tensor, Measured]:
     """Clips of one length behind a mask each, as many as come to `batch` of eight frames.
 
-    Half of them are measured exactly, as benchmarks are; the others by a sensor with photon noise,
-    readout noise and rounding, and a full well that some pixels reach.
+    The part `exact` of them is measured exactly, as benchmarks are; the others by a sensor with
+    photon noise, readout noise and rounding, and a full well that some pixels reach.
     """
     frames = _LENGTHS[int(generator.integers(len(_LENGTHS)))]
     count = max(1, batch * 8 // frames)
     clip = _clips(pictures, generator, count, frames, size)
     masks = [mask_drawn(generator, frames, size) for _ in range(count)]
     mask = torch.from_numpy(np.stack(masks)).unsqueeze(1)
-    exact = Measured.exact((mask[:, 0] * clip).sum(dim=1), mask[:, 0])
-    if generator.random() < 0.5:
-        return clip, exact
-    read = [_read_out(value.numpy(), generator) for value in exact.value]
+    known = Measured.exact((mask[:, 0] * clip).sum(dim=1), mask[:, 0])
+    if generator.random() < exact:
+        return clip, known
+    read = [_read_out(value.numpy(), generator) for value in known.value]
     value, variance, saturated = (
         torch.from_numpy(np.stack(part)) for part in zip(*read, strict=True)
     )
     return clip, Measured(value, mask, variance, saturated)
+
+
+def filmed(
+    pictures: Sequence[Picture], generator: Generator, batch: int, size: int
+) -> tuple[Tensor, Measured, Tensor]:
+    """Clips as a camera takes them, as many as come to `batch` of eight frames: linear light, in
+    units of a white that is guessed as `decoded_clip` does, the white of the display being `unit`
+    (batch,) of the third result.
+
+    The full well holds about what always open pixels gather at the brightest percent of places, as
+    protocol video-v1 exposes: behind short shutters dark places are lost in noise and rounding.
+    """
+    frames = _FILM_LENGTHS[int(generator.integers(len(_FILM_LENGTHS)))]
+    count = max(1, batch * 8 // frames)
+    shown = _clips(pictures, generator, count, frames, size).numpy()
+    light = torch.from_numpy(srgb_to_linear(shown).astype(np.float32))
+    drawn = [_film_mask(generator, frames, size) for _ in range(count)]
+    mask = torch.from_numpy(np.stack(drawn)).unsqueeze(1)
+    read = []
+    for each, opened in zip(light.numpy(), mask.numpy(), strict=True):
+        brightest = float(np.quantile(each.sum(axis=0), 0.99))
+        full = max(brightest * float(np.exp2(generator.uniform(-1, 1))), 1e-3)
+        read.append(_read_out((opened * each).sum(axis=1), generator, full))
+    value, variance, saturated = (
+        torch.from_numpy(np.stack(part)) for part in zip(*read, strict=True)
+    )
+    measured = Measured(value, mask, variance, saturated)
+    unit = white(measured)
+    return light / unit.reshape(-1, 1, 1, 1), measured.over(unit), 1 / unit
 
 
 def exposed_still(
@@ -124,6 +156,26 @@ def mask_drawn(generator: Generator, frames: int, size: int) -> Mask:
     closed = ~made.any(axis=0)
     made[int(generator.integers(frames))] |= closed
     whole = np.tile(made, (1, -(-size // tile), -(-size // tile)))[:, :size, :size]
+    return np.ascontiguousarray(whole, np.float32)
+
+
+def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
+    """Half of them of any class; the others bumps of a quarter of the frame that open one after
+    the other in a small tile: within the frame, in two phases, or around its end."""
+    if generator.random() < 0.5:
+        return mask_drawn(generator, frames, size)
+    length = max(1, frames // 4)
+    side, kind = 4, int(generator.integers(3))
+    begin = np.arange(16) * frames // 16
+    if kind < 2:
+        begin = np.tile(np.arange(4) * (frames - length) // 3, 4)
+    if kind == 1:
+        begin[8:] = np.minimum(begin[8:] + length // 2, frames - length)
+    if kind == 0:
+        side, begin = 2, begin[:4]
+    places = generator.permutation(begin).reshape(side, side)
+    made = (np.arange(frames)[:, None, None] - places) % frames < length
+    whole = np.tile(made, (1, -(-size // side), -(-size // side)))[:, :size, :size]
     return np.ascontiguousarray(whole, np.float32)
 
 

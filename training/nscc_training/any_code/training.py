@@ -18,7 +18,7 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
-from nscc_training.any_code.lessons import coded, exposed_still, noisy
+from nscc_training.any_code.lessons import coded, exposed_still, filmed, noisy
 from nscc_training.any_code.muon import optimizers
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
 from nscc_training.any_code.stages import schedule, stage, started
@@ -28,6 +28,7 @@ from nscc_training.any_code.stills import (
     still_schedule,
     still_stage,
 )
+from nscc_training.curves import srgb
 from nscc_training.data.moving import Picture, lights_in, pictures_in
 
 CHECKPOINT = "checkpoint.pt"
@@ -39,7 +40,8 @@ _WARM_UP = 20
 class Part:
     """A part of the training: `batch` clips of `size` pixels a side a step, and its rate at the
     most, which falls to a hundredth as a cosine. `through`: stages that a gradient passes, of
-    `stages`."""
+    `stages`. The part `films` of the lessons is `filmed`, and of the others `exact` has no noise.
+    """
 
     name: str
     steps: int
@@ -48,6 +50,8 @@ class Part:
     rate: float
     through: int = 0
     stages: int = 8
+    films: float = 0.0
+    exact: float = 0.5
 
 
 PARTS: Mapping[str, tuple[Part, ...]] = {
@@ -56,6 +60,7 @@ PARTS: Mapping[str, tuple[Part, ...]] = {
         Part("together", 240, 2, 80, 1e-4, 4),
         Part("again", 360, 2, 80, 2e-4, 4),
         Part("longer", 150, 2, 80, 1e-4, 4, 12),
+        Part("films", 640, 2, 80, 2e-4, 6, 12, 0.4, 0.8),
     ),
     "still": (Part("stills", 3000, 6, 96, 8e-4, 3),),
 }
@@ -122,7 +127,12 @@ class Trainer:
         return self._update(error.square().mean() + 0.2 * error.abs().mean())
 
     def _learn_stages(self, part: Part, generator: np.random.Generator) -> float:
-        clip, measured = coded(self.pictures, generator, part.batch, part.size)
+        drawn = self.pictures, generator, part.batch, part.size
+        shown: Tensor | None = None
+        if part.films and generator.random() < part.films:
+            clip, measured, shown = filmed(*drawn)
+        else:
+            clip, measured = coded(*drawn, part.exact)
         now, target = started(measured)
         losses: list[float] = []
         waiting: list[Tensor] = []
@@ -130,7 +140,8 @@ class Trainer:
             with bf16_where_multiplied():
                 now, target = stage(measured, self.network, now, target, sigma)
             # The root: a clip counts by its error's ratio, nearly, as decibels do.
-            waiting.append((now - clip).square().mean(dim=(1, 2, 3)).add(1e-6).sqrt().mean())
+            error = _difference(now, clip, shown)
+            waiting.append(error.square().mean(dim=(1, 2, 3)).add(1e-6).sqrt().mean())
             if (number + 1) % part.through == 0:
                 losses.append(self._update(torch.stack(waiting).mean() * 10))
                 waiting.clear()
@@ -194,6 +205,14 @@ def write_weights(folders: Sequence[Path], out: Path) -> None:
         state = torch.load(folder / CHECKPOINT, weights_only=True)
         found |= {f"{state['kind']}.{name}": p.half() for name, p in state["average"].items()}
     save_file({name: part.contiguous() for name, part in found.items()}, out)
+
+
+def _difference(found: Tensor, clip: Tensor, shown: Tensor | None) -> Tensor:
+    """That of two clips, or of what a display shows of them, whose white is `shown` (batch,)."""
+    if shown is None:
+        return found - clip
+    level = shown.reshape(-1, 1, 1, 1)
+    return srgb(found / level) - srgb(clip / level)
 
 
 def _still_loss(light: Tensor, truth: Tensor) -> Tensor:

@@ -18,6 +18,7 @@ from nscc.examples import examples
 from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container
+from nscc.words.readout import converter_of
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import FrameFile, meta
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
@@ -121,7 +122,7 @@ def exposed(found: Subject, settings: Settings, listener: Listener) -> Exposed:
     like = run_capture(run)
     compiled = compile_file(like.program, Options()).container
     assert compiled is not None  # a run's program has compiled before
-    sensor = load_sensor(compiled.target, like.sensor)
+    sensor = load_sensor(converter_of(compiled), like.sensor)
     laid, scene = _laid(found, like, compiled, settings, listener)
     request = Request(selected("auto"), seed=settings.seed)
     begin = perf_counter()

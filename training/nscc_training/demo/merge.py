@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.effects import everything
 from nscc_runtime.pieces import Taken
 from nscc_runtime.sensor import Sensor
 from nscc_training.baselines.hdr import merged
@@ -59,7 +60,7 @@ def _still(
     sensor: Sensor,
 ) -> NDArray[np.float64]:  # fmt: skip
     lsb_e = sensor.electrons_per_lsb
-    return merged(seen_lsb, share, lsb_e, saturated, sensor.adc_noise_lsb * lsb_e)
+    return merged(seen_lsb, share, lsb_e, saturated, everything().converter_lsb(sensor) * lsb_e)
 
 
 def _clip(seen_lsb: NDArray[np.float64], taken: Taken, sensor: Sensor) -> NDArray[np.float32]:

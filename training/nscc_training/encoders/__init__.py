@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from nscc_training.encoders.base import RELAXATIONS, Encoder, ShutterSpec
+from nscc_training.code_choices import RELAXATIONS
+from nscc_training.encoders.base import Encoder, ShutterSpec
 from nscc_training.encoders.make import CLASSES, make_encoder
 from nscc_training.encoders.trial import Trial
 

@@ -11,17 +11,9 @@ import torch
 from numpy.typing import NDArray
 from torch import Tensor, nn
 
+from nscc_training.code_choices import RELAXATIONS
 from nscc_training.draws import normal
 from nscc_training.encoders.trial import Over, Trial
-
-RELAXATIONS = ("straight-through", "sigmoid", "gumbel", "tried")
-"""How gradients get past the quantisation.
-
-`straight-through`: hard shutters forward, a stand-in slope backward. `sigmoid`: soft shutters
-forward, whose temperature a schedule takes down. `gumbel` (codebooks; elsewhere as `sigmoid`): soft
-shapes and a random soft choice of them. `tried`: hard shutters without any gradient; the loop tries
-others around them (`nscc_training.loop.trials`).
-"""
 
 Codes = dict[str, NDArray[np.int64]]
 """Field values at every place of the tile, by field name, each (rows, cols)."""
@@ -102,7 +94,7 @@ class Encoder(nn.Module, ABC):
 
     def forward(self, generator: torch.Generator | None = None) -> Tensor:
         """The shutters of this step; noise on parameters comes from `generator`, if given."""
-        if self.relaxation == "tried":
+        if self.relaxation in ("tried", "search"):
             return self.hard()
         return self.shutters(generator, soft=self.relaxation != "straight-through")
 

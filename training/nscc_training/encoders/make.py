@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from nscc_training.code_choices import ORDERED, SCATTERED, STARTS
 from nscc_training.encoders.base import Encoder, ShutterSpec
 from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
 from nscc_training.encoders.looks import LOOKS, Looks
+from nscc_training.encoders.ordered import ordered
 from nscc_training.encoders.patterns import Bits, Codebook
-from nscc_training.encoders.scattered import SCATTERED, scattered
+from nscc_training.encoders.scattered import scattered
 
 CLASSES: dict[str, type[Encoder]] = {
     "a": AlwaysOpen,
@@ -20,7 +22,6 @@ CLASSES: dict[str, type[Encoder]] = {
     LOOKS: Looks,
 }
 
-STARTS = ("random", "uniform", "quad", *SCATTERED)
 _MOST_LEVELS = 16
 """Exposures that are scattered one by one: of more, those that double."""
 
@@ -37,12 +38,16 @@ def make_encoder(
     if spec.slots < 1 or min(spec.tile) < 1:
         raise ValueError(f"{spec.slots} slots, a tile of {spec.tile}")
     encoder = CLASSES[spec.kind](spec, relaxation)
-    if relaxation == "tried" and spec.kind == "a":
+    if relaxation in ("tried", "search") and spec.kind == "a":
         raise ValueError("class a is always open: there is nothing to try")
+    if relaxation == "search" and spec.kind == LOOKS:
+        raise ValueError("a search moves codes of places, and pixels that look have levels")
     if start not in STARTS:
         raise ValueError(f"{start!r} is none of {', '.join(STARTS)}")
     if start in SCATTERED:
         _scatter(encoder, start, np.random.default_rng(seed))
+    elif start in ORDERED:
+        encoder.load_codes(ordered(start, spec))
     elif start == "random":
         encoder.start_random(np.random.default_rng(seed))
     else:

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 Tile = NDArray[np.int64]
-SCATTERED = ("poisson-disc", "non-adjacent")
 
 
 def scattered(

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training.encoders import ShutterSpec
-from nscc_training.encoders.make import STARTS
+from nscc_training.code_choices import STARTS
+from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.protocols import Protocol
 
 _CLASSES = {
@@ -36,4 +36,9 @@ def codes_named(text: str, protocol: Protocol, takers: tuple[str, ...], name: st
         raise rejected("NS0840", reason, notes=(note,), helps=(f"such as {known[0]}:quad",))
     slots = int(protocol["slots" if protocol.name == "hdr-v1" else "frames"])
     length = max(1, slots // 4) if kind == "c" else None
-    return ShutterSpec(kind, slots, _TILE, length=length), start
+    spec = ShutterSpec(kind, slots, _TILE, length=length)
+    try:
+        make_encoder(spec, start)
+    except ValueError as error:
+        raise rejected("NS0840", f"'{text}' names no codes: {error}") from error
+    return spec, start

@@ -100,7 +100,7 @@ def evaluate_run(
                 "NS0841", "sci8 brings its own measurements, which no chip has made",
                 helps=("leave --effects out, or take video-v1",),
             )  # fmt: skip
-        decode = partial(_made_by_chip, folder, seed, _container(folder), effects)
+        decode = partial(_made_by_chip, folder, seed, container_of(folder), effects)
     if protocol.name == "hdr-v1":
         crops, unusable = hdr.parted(files, protocol)
         left_out += [crop.as_json() for crop in unusable]
@@ -229,7 +229,9 @@ def _made(folder: RunFolder, seed: int, scene: Scene, index: int) -> tuple[NDArr
     return made * (parts.model.full_e / (1 if parts.still else parts.slots)), seconds
 
 
-def _container(folder: RunFolder) -> Container:
+def container_of(folder: RunFolder) -> Container:
+    """A run's program, compiled."""
+    """A run's program, compiled."""
     chip = folder.parts.chip
     found = programs.compiled(programs.program_of(folder.parts.encoder, chip), chip).container
     assert found is not None

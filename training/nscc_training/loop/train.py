@@ -20,6 +20,7 @@ from nscc_training.config import config_toml
 from nscc_training.data import Ahead, Batch, Batches, Scenes, load_scenes
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
 from nscc_training.loop.ranks import Ranks
+from nscc_training.loop.searching import search
 from nscc_training.loop.setup import Parts, make_parts
 from nscc_training.loop.state import CHECKPOINT, Progress, packed, set_tensors, tensors_of, unpack
 from nscc_training.loop.steps import decoded, finite_norm, generator_of, loss_of, scored, window
@@ -69,6 +70,12 @@ def train(
                 notes=("every process takes its part of each batch, a patch at least",),
                 helps=("raise [train] batch, or start fewer processes",),
             )
+        if ranks.count > 1 and settings.shutter.learn and settings.shutter.relaxation == "search":
+            raise rejected(
+                "NS0815", f"codes are searched by one process, and here are {ranks.count}",
+                notes=("processes would judge other patches, and choose other codes",),
+                helps=("start one: `nscc train` without torchrun",),
+            )  # fmt: skip
         run = _start(settings, out, resume, ranks)
         if ranks.first:
             out.mkdir(parents=True, exist_ok=True)
@@ -195,6 +202,9 @@ def _update(run: Run, step: int, ahead: Ahead) -> float:
     place = (seed, 7, step)
     trial = None
     learns = codes_learn(settings, step)
+    if learns and parts.encoder.relaxation == "search":
+        ahead.begin(step + 1)
+        return search(parts, batch, step)
     if learns and parts.encoder.relaxation == "tried":
         trial = trial_of(parts.encoder, rows, cols, (seed, 6, step, run.ranks.rank), place)
         shutters = trial.shutters[0]

@@ -92,6 +92,7 @@ def _emulate(values: Values, place: Place) -> Figures:
 
 def _capture(values: Values, threads: int) -> Figures:
     from nscc.containers import with_pixels
+    from nscc.words.readout import converter_of
     from nscc_runtime import capture
 
     compiled = compiled_of(values)
@@ -99,7 +100,7 @@ def _capture(values: Values, threads: int) -> Figures:
     container = with_pixels(compiled.container, "the program")
     plans = values["effects"] != "none" and values["fidelity"] == "planned"
     shot = capture(
-        container, scene_of(values), sensor=sensor_of(values, container.target),
+        container, scene_of(values), sensor=sensor_of(values, converter_of(container)),
         effects=values["effects"],
         tolerance=values["tolerance"] if plans else None,
         fidelity=values["fidelity"], audit=values["audit"], seed=values["seed"],

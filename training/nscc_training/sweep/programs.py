@@ -17,10 +17,10 @@ from nscc.target.load import DEFAULT_NAME, load_target
 from nscc.target.target import SCHEMA, Target
 from nscc.toml.kinds import Axis, Integer, Number, Several, Text
 from nscc.toml.schema import Key
+from nscc_training.code_choices import STARTS
 from nscc_training.sweep.point import Fault, Values
 
 CLASSES = ("a", "b", "c", "d", "e", "codebook")
-STARTS = ("random", "uniform", "quad")
 SOURCES = ("program", "rule", "class")
 """Where a program may come from: one of them."""
 

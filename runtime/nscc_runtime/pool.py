@@ -15,6 +15,11 @@ def processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
+def threads_of(asked: int | None) -> int:
+    """So many threads as were asked for, by default one a processor."""
+    return processors() if asked is None else asked
+
+
 @cache
 def _pool(threads: int) -> ThreadPoolExecutor:
     return ThreadPoolExecutor(threads, thread_name_prefix="nscc")
@@ -38,3 +43,18 @@ def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple
     run(cuts[0], cuts[1])
     for other in others:
         other.result()
+
+
+def in_strips(run: Callable[[range], None], rows: range, most: int, threads: int) -> None:
+    """Call `run(strip)` for consecutive strips of rows, `threads` at a time.
+
+    All strips in work together have at most `most` rows, or one each.
+    """
+    each = max(1, min(most // threads, -(-len(rows) // threads)))
+    strips = [rows[first : first + each] for first in range(0, len(rows), each)]
+
+    def some(begin: int, end: int) -> None:
+        for strip in strips[begin:end]:
+            run(strip)
+
+    in_parts(some, len(strips), threads)

@@ -1,0 +1,240 @@
+"""Frames by weighted sums: what all of them have in common, laid out for the loops over pixels."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.counts import LIGHT, WITHOUT_LIGHT, count_key
+from nscc_runtime.effects.parts import (
+    Codes,
+    Converter,
+    CountedDark,
+    CountedLight,
+    Exchange,
+    Soft,
+    Well,
+    WordGain,
+)
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.interface import Exposure
+from nscc_runtime.loop import Bound
+from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.planner.drawn import BLOCK
+from nscc_runtime.planner.frame_loop import (
+    Adding,
+    Counting,
+    Reading,
+    add_up,
+    convert,
+    draw_counts,
+)
+from nscc_runtime.planner.prepared import Prepared
+from nscc_runtime.pool import in_parts
+from nscc_runtime.reference.noise import SUM
+
+Values = NDArray[np.float64]
+
+ROUNDING = 1e-12
+"""Of sums of charge: the part by which a well that is just full may seem to hold more."""
+_NONE, _NONE_32 = np.zeros((1, 1)), np.zeros(1, np.float32)
+
+
+@dataclass(frozen=True, eq=False)
+class Summed:
+    """A scene under a plan whose frames are weighted sums, with noise."""
+
+    scene: Prepared
+
+    def expose(self, seed: int, frame: int) -> tuple[Values, NDArray[np.uint8]]:
+        """Exposures (buckets, pixels) of frame number `frame`, and what cut them off."""
+        scene = self.scene
+        rows, pixels = scene.light.shape[0], len(scene.places)
+        buckets = len(scene.program.container.buckets)
+        away = np.empty((len(scene.counted), pixels))
+        for number, (stream, source, count) in enumerate(self._counts):
+            keys = [count_key(seed, stream, source, frame, group) for group in scene.counted]
+            self._draw(count, np.array(keys, np.uint64), number > 0, away)
+        found, marked = np.empty((buckets, pixels)), np.empty((buckets, pixels), np.uint8)
+        noise = [key(seed, stream, SUM, frame, draw) for stream, draw in self._noise[0]]
+        filled = {
+            "noise_keys": np.array(noise, np.uint64), "away": away, "exposure": found,
+            "marked": marked,
+        }  # fmt: skip
+
+        def run(begin: int, end: int) -> None:
+            self._adding(
+                adding=Adding(begin=begin, end=end, **self._sizes),
+                total=np.empty(BLOCK * buckets),
+                drawn=np.empty(BLOCK),
+                **filled,
+            )
+
+        in_parts(run, rows, scene.threads)
+        return found, marked
+
+    def _draw(self, count: Bound, keys: NDArray[np.uint64], more: bool, away: Values) -> None:
+        """Add how far counts are from their means."""
+        groups, pixels = away.shape
+
+        def run(begin: int, end: int) -> None:
+            count(
+                counting=Counting(
+                    begin=begin, end=end, pixels=pixels, groups=groups, more=more,
+                    rate_cap=RATE_CAP,
+                ),
+                keys=keys,
+                away=away,
+                values=np.empty(BLOCK),
+                scratch=np.empty(4 * BLOCK),
+                few=np.empty(BLOCK),
+                places=np.empty(BLOCK, np.int64),
+            )  # fmt: skip
+
+        in_parts(run, pixels, self.scene.threads, BLOCK)
+
+    @cached_property
+    def _counts(self) -> list[tuple[int, int, Bound]]:
+        """What counts charge: the effect's stream, the source, the loop with its rates."""
+        scene = self.scene
+        light, dark = scene.kept.having(CountedLight), scene.kept.having(CountedDark)
+        found = [(e.stream, LIGHT, draw_counts.bound(rates=scene.light_rates)) for e, _ in light]
+        return found + [
+            (e.stream, WITHOUT_LIGHT, draw_counts.bound(rates=scene.dark_rates)) for e, _ in dark
+        ]
+
+    @cached_property
+    def _noise(self) -> tuple[list[tuple[int, int]], Values]:
+        """The streams and draws of small errors, and how much (draws, buckets, lanes) each is."""
+        program, kept = self.scene.program, self.scene.kept
+        draws, sigmas = [], []
+        for effect, part in kept.errors():
+            factor = (
+                part.sigma_e(program.sensor) * program.tables.noise(part.at, self.scene.wanted)[0]
+            )
+            for draw in range(factor.shape[2]):
+                if factor[:, :, draw].any():
+                    draws.append((effect.stream, draw))
+                    sigmas.append(factor[:, :, draw].T)
+        shape = len(draws), len(program.container.buckets), len(program.container.encoding)
+        return draws, np.ascontiguousarray(np.array(sigmas).reshape(shape))
+
+    @cached_property
+    def _clipped(self) -> bool:
+        kept = self.scene.kept
+        return kept.part(Well) is not None and kept.part(Soft) is None
+
+    @cached_property
+    def _sizes(self) -> dict[str, Any]:
+        """Everything of `Adding` but the rows."""
+        scene, program = self.scene, self.scene.program
+        exchange, mark = scene.kept.part(Exchange), scene.kept.marking("well")
+        counts = bool(self._counts)
+        return {
+            "rows": scene.light.shape[0],
+            "cols": scene.light.shape[1],
+            "pixels": len(scene.places),
+            "buckets": len(program.container.buckets),
+            "lane_count": len(program.container.encoding),
+            "groups": len(scene.counted),
+            "sources": len(self._noise[0]),
+            "exchanges": counts and exchange is not None,
+            "clipped": self._clipped,
+            "patterned": scene.kept.part(WordGain) is not None,
+            "well_bit": mark.bit if mark else 0,
+            "fraction": 0.0 if exchange is None else exchange.fraction(program.sensor),
+            "full": 1.0 + ROUNDING,
+        }
+
+    @cached_property
+    def _adding(self) -> Bound:
+        """The loop that adds up, with all that frames have in common."""
+        scene, program = self.scene, self.scene.program
+        model = program.model(scene.kept)
+        means = program.mean_weights(model)
+        shape = len(scene.counted), len(program.container.buckets), len(program.container.encoding)
+        weights = np.array([means[group].T for group in scene.counted]).reshape(shape)
+        own = neighbours = _NONE_32
+        if self._sizes["exchanges"]:
+            overlap = program.overlap(model, tuple(scene.counted))
+            own, neighbours = overlap.own, overlap.neighbours
+        return add_up.bound(
+            lanes=program.lanes,
+            expected=np.ascontiguousarray(scene.expected),
+            weights=np.ascontiguousarray(weights),
+            own=own,
+            neighbours=neighbours,
+            limits=np.ascontiguousarray(scene.limits) if self._clipped else _NONE,
+            patterns=np.ascontiguousarray(scene.patterns) if self._sizes["patterned"] else _NONE,
+            sigma=self._noise[1],
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Readout:
+    """The converter as the loop knows it: `given` are its figures, `stream` is that of its noise,
+    0 where it has none.
+    """
+
+    given: dict[str, Any]
+    stream: int
+
+    @classmethod
+    def of(cls, scene: Prepared) -> Readout | None:
+        """None where an effect that is kept does something else after the exposure."""
+        kept, sensor = scene.kept, scene.program.sensor
+        target = scene.program.container.target
+        converters, codes = kept.having(Converter), kept.having(Codes)
+        known = {effect.name for effect, _ in (*converters, *codes)}
+        if not _after(kept) <= known:
+            return None
+        mark = kept.marking("codes")
+        ((_, code),) = codes
+        given = {
+            "noisy": len(converters),
+            "last_bit": mark.bit if mark else 0,
+            "electrons_per_code": code.electrons(sensor),
+            "offset": code.offset(sensor),
+            "top": float(target.top_code),
+            "readout_noise": sum(part.sigma_lsb(sensor) for _, part in converters),
+        }
+        return cls(given, converters[0][0].stream if converters else 0)
+
+    def frame(self, exposure: Exposure, seed: int, number: int, threads: int) -> Frame:
+        """The codes of frame number `number`."""
+        values, marked = exposure.exposure_e, exposure.saturated_by
+        assert marked is not None  # plans mark what they cut off
+        buckets = len(values)
+        frame, valid = np.empty(values.shape, np.uint8), np.empty(values.shape, np.bool_)
+        flat: dict[str, NDArray[Any]] = {
+            "exposure": values,
+            "frame": frame,
+            "valid": valid.view(np.uint8),
+            "marked": marked,
+        }
+        filled = {name: each.reshape(buckets, -1) for name, each in flat.items()}
+        keys = [key(seed, self.stream, frame=number, group=bucket) for bucket in range(buckets)]
+        pixels = values[0].size
+
+        def run(begin: int, end: int) -> None:
+            convert(
+                reading=Reading(
+                    begin=begin, end=end, pixels=pixels, buckets=buckets, **self.given
+                ),
+                keys=np.array(keys, np.uint64),
+                scratch=np.empty(BLOCK),
+                **filled,
+            )  # fmt: skip
+
+        in_parts(run, pixels, threads, BLOCK)
+        return Frame(frame, values, valid, marked)
+
+
+def _after(kept: Selection) -> set[str]:
+    """The effects that act after the exposure."""
+    return {effect.name for at in ("converter", "codes") for effect, _ in kept.acting(at)}

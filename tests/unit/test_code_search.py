@@ -1,0 +1,236 @@
+"""Ordered starts, the closed form, moves together, and the search that uses them."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+
+torch = pytest.importorskip("torch")
+
+from small_runs import SMALL  # noqa: E402
+
+from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
+from nscc_training.code_choices import ORDERED  # noqa: E402
+from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.design import Frame  # noqa: E402
+from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
+from nscc_training.loop import searching  # noqa: E402
+from nscc_training.loop.setup import make_parts  # noqa: E402
+from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.search import (  # noqa: E402
+    MOVING,
+    Motion,
+    moved,
+    speeds_of,
+    texture_of,
+    told_db,
+)
+from nscc_training.search.choose import design_motion  # noqa: E402
+
+SPECS = {
+    "b": ShutterSpec("b", 16, (4, 8)),
+    "c": ShutterSpec("c", 16, (4, 8), length=4),
+    "d": ShutterSpec("d", 16, (4, 8)),
+    "e": ShutterSpec("e", 16, (4, 8)),
+    "codebook": ShutterSpec("codebook", 16, (4, 8), rows=16),
+}
+
+
+def opened(kind: str, start: str, seed: int = 0) -> np.ndarray:
+    return make_encoder(SPECS[kind], start, seed).hard().numpy()
+
+
+@pytest.mark.parametrize("kind", ["c", "d", "e", "codebook"])
+def test_two_phases_are_the_pattern_and_the_pattern_later(kind: str) -> None:
+    quad, both = opened("c", "quad"), opened(kind, "two-phase")
+    assert np.array_equal(both[:, :2, :2], quad[:, :2, :2])
+    assert np.array_equal(both[:, 2:, 2:4], quad[:, :2, :2])
+    later = both[:, :2, 2:4].argmax(axis=0)
+    assert later.tolist() == [[2, 6], [10, 12]]
+    assert (both.sum(axis=0) == 4).all()
+
+
+@pytest.mark.parametrize("kind", ["e", "codebook"])
+def test_cyclic_bumps_share_the_frame_evenly(kind: str) -> None:
+    found = opened(kind, "cyclic")
+    assert (found.sum(axis=0) == 4).all()
+    assert (found[:, :, :4].sum(axis=(1, 2)) == 4).all()
+    # Each 2 x 2 block of the tile sees all of the frame, each place a quarter of it.
+    for row, col in ((0, 0), (0, 2), (2, 0), (2, 2)):
+        block = found[:, row : row + 2, col : col + 2].sum(axis=(1, 2))
+        assert block.tolist() == [1] * 16
+    assert len(np.unique(found.reshape(16, -1).T, axis=0)) == 16
+
+
+def test_staggered_bumps_begin_at_moments_evenly_spread() -> None:
+    found = opened("c", "staggered")[:, :, :4].argmax(axis=0).ravel()
+    steps = np.diff(np.sort(found))
+    assert (found.min(), found.max()) == (0, 12)
+    assert set(steps.tolist()) <= {0, 1}
+
+
+@pytest.mark.parametrize(
+    ("spec", "name", "reason"),
+    [
+        (SPECS["c"], "cyclic", "class e and a codebook"),
+        (SPECS["d"], "cyclic", "end with the frame"),
+        (SPECS["b"], "two-phase", "bumps of clips"),
+        (ShutterSpec("c", 16, (2, 2), length=4), "staggered", "multiple"),
+        (ShutterSpec("codebook", 16, (4, 4), rows=8), "cyclic", "16 shutters are more"),
+    ],
+)
+def test_starts_that_a_class_has_not(spec: ShutterSpec, name: str, reason: str) -> None:
+    assert name in ORDERED
+    with pytest.raises(ValueError, match=reason):
+        make_encoder(spec, name)
+
+
+def test_the_closed_form_of_light_without_neighbours() -> None:
+    """Beside least squares of one pixel by hand: still light, and light that changes each slot."""
+    shutters = np.zeros((8, 4, 4))
+    shutters[:3] = 1
+    noise, counts, contrast = 2e-3, 1e-3, 0.5
+    variance = noise + counts * 3 / 8
+    still = Motion((0.0,), 1e-6, contrast, noise, counts)
+    wanted = 10 * np.log10(1 + (3 / 8 * contrast) ** 2 / variance)
+    assert told_db(shutters, still) == pytest.approx(wanted, abs=1e-4)
+    fast = Motion((1e6,), 1e-6, contrast, noise, counts)
+    left = 1 - 3 / 8 / (3 + variance * (8 / contrast) ** 2)
+    assert told_db(shutters, fast) == pytest.approx(-10 * np.log10(left), abs=1e-4)
+
+
+def test_what_moves_fast_wants_more_moments() -> None:
+    slow, fast = (Motion((speed,)) for speed in (6.0, 40.0))
+    codes = {name: opened("c", name) for name in ("quad", "two-phase")}
+    assert told_db(codes["quad"], slow) > told_db(codes["two-phase"], slow)
+    assert told_db(codes["two-phase"], fast) > told_db(codes["quad"], fast) + 0.5
+    # How often the pattern is repeated in a tile does not matter.
+    again = np.tile(codes["two-phase"], (1, 2, 1))
+    assert told_db(again, fast) == pytest.approx(told_db(codes["two-phase"], fast), abs=1e-9)
+
+
+@pytest.mark.parametrize("kind", [*MOVING])
+def test_moves_stay_legal_and_are_of_many_places(kind: str) -> None:
+    spec = SPECS[kind]
+    encoder = make_encoder(spec, "random", 3)
+    codes = encoder.codes() | ({"book": encoder.book()} if kind == "codebook" else {})
+    before = {name: values.copy() for name, values in codes.items()}
+    start, many = encoder.hard(), []
+    for seed in range(60):
+        found = moved(spec, codes, np.random.default_rng(seed))
+        encoder.load_codes(found)
+        again = encoder.codes()
+        assert all(np.array_equal(again[name], found[name]) for name in again)
+        assert bool(encoder.hard().any(dim=0).all())
+        many.append(int((encoder.hard() != start).any(dim=0).sum()))
+    assert all(np.array_equal(before[name], codes[name]) for name in codes)
+    assert min(many) <= 2
+    assert max(many) >= spec.places // 2
+
+
+def parts_of(**shutter: object) -> searching.Parts:
+    search = {"class": "c", "slots": 8, "length": 2, "tile": [4, 4], "init": "random"}
+    return make_parts(settings_of({
+        "shutter": {**search, "relaxation": "search", **shutter},
+        "decoder": {"learn": False}, "data": {"protocol": "video-v1"}, "train": {"device": "cpu"},
+    }))  # fmt: skip
+
+
+def test_a_search_goes_where_the_losses_fall(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With losses that count late places, against noise that must not lead astray."""
+    parts = parts_of(moves=12, judged=12)
+    asked = []
+
+    def losses(_parts: object, codes: dict[str, np.ndarray], *_batch: object) -> np.ndarray:
+        asked.append(codes)
+        noise = np.random.default_rng(len(asked)).normal(0, 1e-3, 4)
+        return codes["start"].mean() + noise
+
+    monkeypatch.setattr(searching, "_losses", losses)
+    monkeypatch.setattr(searching, "_words", lambda _parts, _codes: 1.0)
+    found = [searching.search(parts, None, step) for step in range(24)]  # type: ignore[arg-type]
+    assert parts.encoder.codes()["start"].max() == 0
+    assert found[-1] < 0.01
+
+
+def test_a_search_keeps_within_its_words(monkeypatch: pytest.MonkeyPatch) -> None:
+    parts = parts_of(moves=12, judged=12, most_words=3.0)
+    before = parts.encoder.codes()["start"]
+    monkeypatch.setattr(
+        searching, "_losses", lambda _p, codes, *_: np.full(2, -codes["start"].sum())
+    )
+    monkeypatch.setattr(searching, "_words", lambda _parts, _codes: 3.5)
+    searching.search(parts, None, 0)  # type: ignore[arg-type]
+    assert np.array_equal(parts.encoder.codes()["start"], before)
+    monkeypatch.setattr(searching, "_words", lambda _parts, _codes: 3.0)
+    searching.search(parts, None, 0)  # type: ignore[arg-type]
+    assert parts.encoder.codes()["start"].sum() > before.sum()
+
+
+def moving(speed: float, seed: int = 0) -> np.ndarray:
+    """Light (16, 64, 96) of a texture that moves by `speed` pixels over the frame; by shifting its
+    phases, so that what is found is not found by what made it."""
+    noise = np.random.default_rng(seed).standard_normal((64, 96))
+    y, x = np.fft.fftfreq(64)[:, None], np.fft.fftfreq(96)[None]
+    smooth = np.fft.fft2(noise) * (y**2 + x**2 + 1e-3) ** -0.7
+    steps = np.exp(-2j * np.pi * x * speed / 16 * np.arange(16)[:, None, None])
+    clip = np.fft.ifft2(smooth * steps).real
+    return np.asarray(1000 * (1 + 0.3 * clip / clip.std()).clip(min=0))
+
+
+def test_speeds_are_those_of_the_scene() -> None:
+    for speed in (3.0, 16.0, 48.0):
+        assert np.median(speeds_of(moving(speed))) == pytest.approx(speed, rel=0.15)
+    still = np.broadcast_to(moving(0)[:1], (16, 64, 96))
+    assert max(speeds_of(still)) < 0.5
+    assert speeds_of(np.ones((4, 8, 8))) == (0.0,) * 5
+    fine, coarse = (np.kron(moving(0)[0], np.ones((k, k))) for k in (1, 4))
+    assert texture_of(coarse)[0] > 2 * texture_of(fine)[0]
+    assert texture_of(np.ones((1, 1))) == (1.0, 0.1)
+
+
+def test_the_design_follows_the_motion() -> None:
+    slow, fast = (
+        design_motion("scene", [moving(speed)], Frame(slots=16, level=0)) for speed in (2.0, 48.0)
+    )
+    assert slow.expected[slow.name] > slow.expected[fast.name]
+    assert fast.expected[fast.name] > fast.expected[slow.name]
+    assert design_motion("fast", frame=Frame(slots=16, level=0)).name == fast.name
+    assert "start <= n < start + len" in fast.text
+    many = design_motion("fast", frame=Frame(slots=16, level=0), most_words=20)
+    assert many.expected[many.name] > many.expected[fast.name]
+    with pytest.raises(Rejected, match="NS0843"):
+        design_motion("fast", frame=Frame(slots=16, level=0), most_words=0.5)
+
+
+def test_the_command_says_what_it_chose(tmp_path: Path) -> None:
+    done = invoke(["design", "--motion", "slow", "-O", "1"], tmp_path)
+    assert done.status == 0, done.err
+    assert "code      quad" in done.out
+    assert invoke(["check", "motion-slow.nsl"], tmp_path).status == 0
+    assert "NS0744" in invoke(["design", "--motion", "scene"], tmp_path).err
+    both = ["design", "--motion", "slow", "--looks", "4", "--scene", "builtin:hdr"]
+    assert invoke(both, tmp_path).status == 2
+
+
+def test_a_searched_run_says_what_moved_and_goes_on_where_it_stopped(tmp_path: Path) -> None:
+    shutter = {"class": "b", "slots": 8, "tile": [2, 2], "relaxation": "search", "moves": 6}
+    values = {**SMALL, "shutter": shutter, "decoder": {"learn": False}}
+    train(settings_of(values), tmp_path / "once")
+    train(settings_of(values), tmp_path / "twice", stop_after=1)
+    train(settings_of(values), tmp_path / "twice")
+    once, twice = (tmp_path / name / "result.json" for name in ("once", "twice"))
+    assert once.read_bytes() == twice.read_bytes()
+    result = json.loads(once.read_text())
+    codes, card = result["codes"], (tmp_path / "once/model_card.md").read_text()
+    start = make_encoder(ShutterSpec("b", 8, (2, 2)), "quad").codes()["stop"]
+    with np.load(tmp_path / "once/codes.npz") as found:
+        assert codes["moved"] == int((found["stop"] != start).sum())
+    assert isinstance(codes["start_alone_psnr_db"], float)
+    alone = result["robustness"][0]["psnr_db"] - codes["start_alone_psnr_db"]
+    assert (codes["moved"] == 0) == (alone == 0)
+    assert ("start alone" in card) == (codes["moved"] > 0)

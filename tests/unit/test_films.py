@@ -1,0 +1,60 @@
+"""Many frames of one scene: gathered as they come, in memory or mapped to a file."""
+
+from __future__ import annotations
+
+import errno
+from collections.abc import Iterator
+
+import numpy as np
+import pytest
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc_runtime import films
+from nscc_runtime.frame_file import Frame, stacked
+
+
+def _frames(count: int) -> Iterator[Frame]:
+    for number in range(count):
+        values = np.full((2, 3, 4), number, np.float64)
+        yield Frame(
+            values.astype(np.uint8), values + 0.5, values > 1, (values % 3).astype(np.uint8),
+            told={"open_slots": values.astype(np.int64)},
+        )  # fmt: skip
+
+
+@pytest.mark.parametrize("most", [0, 1 << 28])
+def test_a_film_is_its_frames_stacked(most: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(films, "MOST_BYTES", most)
+    found, wanted = films.gathered(_frames(5), 5), stacked(list(_frames(5)))
+    for name in ("frame", "exposure_e", "valid", "saturated_by"):
+        values = getattr(found, name)
+        assert type(values) is np.ndarray
+        assert values.dtype == getattr(wanted, name).dtype
+        np.testing.assert_array_equal(values, getattr(wanted, name))
+        # Memory that is mapped belongs to a file, and not to the array.
+        assert values.flags.owndata == (most > 0)
+    np.testing.assert_array_equal(found.told["open_slots"], wanted.told["open_slots"])
+
+
+def test_a_frame_is_let_go_before_the_next_is_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(films, "MOST_BYTES", 0)
+    room = np.zeros((1, 2, 2))
+
+    def reused() -> Iterator[Frame]:
+        for number in range(3):
+            room[:] = number
+            yield Frame(room.astype(np.uint8), room, room > 0, room.astype(np.uint8))
+
+    assert films.gathered(reused(), 3).exposure_e[:, 0, 0, 0].tolist() == [0.0, 1.0, 2.0]
+
+
+def test_a_full_disk_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    def full(*_: int) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(films, "MOST_BYTES", 0)
+    monkeypatch.setattr(films.os, "posix_fallocate", full, raising=False)
+    with pytest.raises(Rejected, match="No space left on device") as caught:
+        films.gathered(_frames(5), 5)
+    assert caught.value.diagnostics[0].code == "NS0784"
+    assert "TMPDIR" in caught.value.diagnostics[0].helps[0]

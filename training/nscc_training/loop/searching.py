@@ -1,0 +1,115 @@
+"""A step of a search: codes that are moved together, and the decoder's word on the best of them.
+
+The decoder is not trained meanwhile, so that it favours no code that was tried before another;
+what is left of the steps (`settle`) trains it for what was found.
+"""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc_training.data import Batch
+from nscc_training.encoders.base import Codes
+from nscc_training.loop.setup import Parts
+from nscc_training.loop.steps import compared, decoded, generator_of, window
+from nscc_training.programs import compiled, program_of, words_per_slot
+from nscc_training.search import Motion, moved, told_db
+from nscc_training.sensor_model import SensorModel
+
+_SPEEDS = (2.0, 8.0, 24.0, 64.0)
+"""Pixels a frame: of hands and heads over a few frames of film, up to what flies past."""
+_MEAN_LIGHT = 0.35
+"""Of the light that fills a well; what light as bright as film has it is."""
+
+
+def search(parts: Parts, batch: Batch, step: int) -> float:
+    """Move the codes to the best of some that were tried, if it is better than they are; returns
+    the loss of the codes that are kept.
+
+    Of `shutter.moves` the closed form takes the `shutter.judged` that it expects most of (of stills
+    the first). Losses are those of the batch's patches under the same noise, and the words' weight.
+    A code is better where the mean over patches of what it gains is above its standard error. It
+    takes at most `shutter.most_words`, or fewer than the codes there are where these take more.
+    """
+    chosen = parts.settings.shutter
+    parts.decoder.eval()
+    generator = np.random.default_rng([parts.settings.train.seed, 11, step])
+    own = codes_of(parts)
+    tried = [moved(parts.encoder.spec, own, generator) for _ in range(chosen.moves)]
+    kept, first = own, _losses(parts, own, batch, step)
+    losses, most = first, chosen.most_words
+    if most and (words := _words(parts, own)) is not None and words > most:
+        most = np.nextafter(words, 0)
+    for codes in _expected(parts, own, tried)[: chosen.judged]:
+        words = _words(parts, codes)
+        if words is None or 0 < most < words:
+            continue
+        found = _losses(parts, codes, batch, step)
+        gain = first - found
+        error = gain.std(ddof=1) / len(gain) ** 0.5 if len(gain) > 1 else 0.0
+        if gain.mean() > error and found.mean() < losses.mean():
+            kept, losses = codes, found
+    parts.encoder.load_codes(kept)
+    return float(losses.mean())
+
+
+def codes_of(parts: Parts) -> Codes:
+    """The codes of a run's tile, of a codebook with its shapes as `book`."""
+    book = getattr(parts.encoder, "book", None)
+    return parts.encoder.codes() | ({} if book is None else {"book": book()})
+
+
+def _expected(parts: Parts, own: Codes, tried: list[Codes]) -> list[Codes]:
+    """Those of the codes that are allowed and others than `own`, most expected first."""
+    found = []
+    motion = motion_seen(parts.model)
+    for codes in tried:
+        if all((values == own[name]).all() for name, values in codes.items()):
+            continue
+        with suppress(ValueError):  # what `require` does not allow
+            parts.encoder.load_codes(codes)
+            worth = 0.0 if parts.still else told_db(parts.encoder.hard().cpu().numpy(), motion)
+            found.append((worth, codes))
+    found.sort(key=lambda pair: -pair[0])
+    return [codes for _, codes in found]
+
+
+def motion_seen(model: SensorModel) -> Motion:
+    """What light moves like that is as bright as that of films, with a sensor's noise."""
+    read_e2 = (model.adc_noise_lsb**2 + 1 / 12) * model.electrons_per_lsb**2
+    mean_e = _MEAN_LIGHT * model.full_e
+    counts = 1 / mean_e if model.shot_noise else 0.0
+    return Motion(_SPEEDS, noise=read_e2 / mean_e**2, counts=counts)
+
+
+def _words(parts: Parts, codes: Codes) -> float | None:
+    """Words a slot of codes, which the run then has; None where they do not compile."""
+    every = parts.settings.shutter.codes == "open"
+    parts.encoder.load_codes(codes)
+    with suppress(Rejected):
+        program = program_of(parts.encoder, parts.chip)
+        return words_per_slot(compiled(program, parts.chip, every_code=every))
+    return None
+
+
+@torch.no_grad()
+def _losses(parts: Parts, codes: Codes, batch: Batch, step: int) -> NDArray[np.float64]:
+    """The loss of each patch (batch,) with these codes, their words weighed."""
+    settings = parts.settings
+    seed, weight = settings.train.seed, settings.shutter.words_weight
+    parts.encoder.load_codes(codes)
+    rows, cols = batch.light.shape[-2:]
+    shutters = window(parts.encoder.hard(), rows, cols, (seed, 7, step)).to(parts.device)
+    noise = generator_of(seed, 10, step)
+    made = decoded(parts, batch.light, shutters, parts.model, noise)
+    losses = [
+        parts.loss(*compared(made[k : k + 1], batch.part(k, k + 1))).item()
+        for k in range(len(made))
+    ]
+    words = (_words(parts, codes) or 0.0) if weight else 0.0
+    return np.array(losses) + weight * words

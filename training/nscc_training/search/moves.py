@@ -1,0 +1,150 @@
+"""Moves of a tile's codes that many places make together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training.encoders.base import Codes, ShutterSpec
+
+Generator = np.random.Generator
+Where = NDArray[np.bool_]
+Values = NDArray[np.int64]
+
+_PERIODS = (1, 2, 4, 8)
+_MOST_AT_ONCE = 4
+
+
+def moved(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
+    """Codes one to four moves away, in the form of `Encoder.codes`, of a codebook with its `book`.
+
+    A move is of one place, of a rectangle, of all places that are alike modulo a period down and
+    across, or of every other block. Their shutters open at another time, are open for longer or for
+    less, or become those of places beside them, in exchange or as copies. Codes stay legal for the
+    class; a move may find nothing to change.
+    """
+    found = codes
+    for _ in range(int(generator.integers(1, _MOST_AT_ONCE + 1))):
+        where = _somewhere(spec.tile, generator)
+        kind = generator.random()
+        if kind < 0.5:
+            found = MOVING[spec.kind](spec, found, where, generator)
+        else:
+            found = _from_beside(found, where, generator, exchange=kind < 0.75)
+    return found
+
+
+def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
+    """Which places (rows, cols) of a tile move together."""
+    y, x = np.mgrid[: tile[0], : tile[1]]
+    kind = generator.integers(4)
+    if kind == 0:
+        row, col = (generator.integers(side) for side in tile)
+        return np.asarray((y == row) & (x == col))
+    if kind == 1:
+        high, wide = (generator.integers(1, side, endpoint=True) for side in tile)
+        row, col = (generator.integers(side) for side in tile)
+        return np.asarray(((y - row) % tile[0] < high) & ((x - col) % tile[1] < wide))
+    down, across = generator.choice(_PERIODS, 2)
+    if kind == 2:
+        return np.asarray((y % down == generator.integers(down))
+                          & (x % across == generator.integers(across)))  # fmt: skip
+    return np.asarray((y // down + x // across) % 2 == generator.integers(2))
+
+
+def _from_beside(codes: Codes, where: Where, generator: Generator, *, exchange: bool) -> Codes:
+    """Places take the codes of places somewhere beside them, which may get theirs."""
+    step = tuple(int(each) for each in generator.integers(-2, 3, 2))
+    back = (-step[0], -step[1])
+    given = np.roll(where, step, axis=(0, 1)) & ~where
+    found = dict(codes)
+    for name, values in codes.items():
+        if name == "book":
+            continue
+        changed = np.where(where, np.roll(values, back, axis=(0, 1)), values)
+        if exchange:
+            changed = np.where(given, np.roll(values, step, axis=(0, 1)), changed)
+        found[name] = changed
+    return found
+
+
+def _by(slots: int, generator: Generator) -> int:
+    """Slots, few or many, to either side."""
+    most = max(1, slots // 2)
+    return int(generator.choice((-1, 1)) * np.rint(most ** generator.random()))
+
+
+def _stops(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -> Codes:
+    """Exposures grow or shrink by the same ratio, a slot at least."""
+    stop = codes["stop"]
+    ratio = 2.0 ** (generator.choice((-1, 1)) * generator.uniform(0.1, 2))
+    made = np.rint(stop * ratio)
+    made = np.where(made == stop, stop + np.sign(ratio - 1), made)
+    return {"stop": _clipped(np.where(where, made, stop), 1, spec.slots)}
+
+
+def _starts(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -> Codes:
+    assert spec.length is not None
+    start = codes["start"] + where * _by(spec.slots, generator)
+    return {"start": _clipped(start, 0, spec.slots - spec.length)}
+
+
+def _edges(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -> Codes:
+    start, stop = codes["start"], codes["stop"]
+    by = where * _by(spec.slots, generator)
+    kind = generator.integers(3)
+    if kind == 0:
+        by = np.clip(by, -start, spec.slots - stop)
+        start, stop = start + by, stop + by
+    elif kind == 1:
+        start = np.clip(start + by, 0, stop - 1)
+    else:
+        stop = np.clip(stop + by, start + 1, spec.slots)
+    return {"start": np.asarray(start, np.int64), "stop": np.asarray(stop, np.int64)}
+
+
+def _bits(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -> Codes:
+    n = np.arange(spec.slots, dtype=np.int64).reshape(-1, 1, 1)
+    opened = _reshaped((codes["bits"][None] >> n) & 1 == 1, generator)
+    bits = np.einsum("n,nrc->rc", np.int64(1) << n[:, 0, 0], opened.astype(np.int64))
+    return {"bits": np.where(where, bits, codes["bits"])}
+
+
+def _rows(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -> Codes:
+    """Places take one row of the book, or a row becomes another shape."""
+    book = codes["book"]
+    row = int(generator.integers(len(book)))
+    if generator.random() < 0.5:
+        return {"id": np.where(where, row, codes["id"]), "book": book}
+    book = book.copy()
+    book[row] = _reshaped(book[row].reshape(-1, 1, 1) == 1, generator)[:, 0, 0]
+    return {"id": codes["id"], "book": book}
+
+
+def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.bool_]:
+    """Shutters (N, rows, cols) later or earlier around the frame, longer or shorter, or otherwise
+    in one slot; what would never open stays as it is."""
+    kind = generator.integers(4)
+    beside = np.roll(opened, int(generator.choice((-1, 1))), axis=0)
+    if kind == 0:
+        made = np.roll(opened, _by(len(opened), generator), axis=0)
+    elif kind == 1:
+        made = opened | beside
+    elif kind == 2:
+        made = opened & beside
+    else:
+        made = opened.copy()
+        made[generator.integers(len(opened))] ^= True
+    return np.asarray(np.where(made.any(axis=0), made, opened))
+
+
+def _clipped(values: NDArray[np.number], low: int, high: int) -> Values:
+    return np.asarray(np.clip(values, low, high), np.int64)
+
+
+MOVING: dict[str, Callable[[ShutterSpec, Codes, Where, Generator], Codes]] = {
+    "b": _stops, "c": _starts, "d": _edges, "e": _bits, "codebook": _rows,
+}  # fmt: skip
+"""How the shutters of some places change together, by class."""

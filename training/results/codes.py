@@ -1,0 +1,97 @@
+"""Codes side by side behind the one decoder for any code, on a window of each clip.
+
+    python training/results/codes.py DATA OUT NAME=CLASS:START|RUN ...
+
+DATA is a folder of clips. Of each the first window of protocol video-v1 is exposed, its middle of
+128 x 128 pixels decoded by the decoder that no code was trained for. OUT/codes-NAME.json is what
+`nscc evaluate` would say of it; those that are there and belong to the same weights stay.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from hashlib import sha256
+from importlib.resources import files
+from pathlib import Path
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from torch import Tensor
+
+from nscc_training.any_code.decode import WEIGHTS, decoded_clip
+from nscc_training.any_code.measured import Measured
+from nscc_training.encoders import Encoder, make_encoder
+from nscc_training.evaluation.baseline_codes import codes_named
+from nscc_training.evaluation.results import Scene, Subject, scored, with_arrays
+from nscc_training.evaluation.video import Window, clips_of, windows
+from nscc_training.programs import Chip, compiled, program_of, words_per_slot
+from nscc_training.protocols import load_protocol
+from nscc_training.run_folder import load_run
+from nscc_training.sensor_model import SensorModel, frame_of, laid
+
+SIDE = 128
+PROTOCOL = load_protocol("video-v1")
+
+
+def main() -> None:
+    """Evaluate what is missing."""
+    if len(sys.argv) < 4:
+        raise SystemExit(__doc__)
+    data, out = map(Path, sys.argv[1:3])
+    weights = sha256((files("nscc_training.any_code") / WEIGHTS).read_bytes()).hexdigest()
+    for name, _, what in (argument.partition("=") for argument in sys.argv[3:]):
+        path = out / f"codes-{name}.json"
+        if path.is_file() and json.loads(path.read_text())["settings"]["weights_sha256"] == weights:
+            continue
+        encoder, told = codes_of(what)
+        path.write_text(json.dumps(evaluated(encoder, data, told | {"weights_sha256": weights}),
+                                   indent=2) + "\n")  # fmt: skip
+        print(path, flush=True)
+
+
+def codes_of(what: str) -> tuple[Encoder, dict[str, Any]]:
+    """Codes by class and start, or of a run, and what is to be said of them."""
+    told: dict[str, Any] = {"codes": what}
+    if (Path(what) / "result.json").is_file():
+        run = load_run(Path(what))
+        encoder, report = run.parts.encoder, run.result["codes"]
+        told = {key: report[key] for key in ("start", "moved", "places")}
+    else:
+        encoder = make_encoder(*codes_named(what, PROTOCOL, ("any",), "any"))
+    words = words_per_slot(compiled(program_of(encoder, Chip()), Chip()))
+    return encoder, told | {"words_per_slot": words}
+
+
+def evaluated(encoder: Encoder, data: Path, told: dict[str, Any]) -> dict[str, Any]:
+    """The result of codes, as `nscc evaluate` says it."""
+    clips = clips_of(data)
+    tile, sensor = encoder.hard(), SensorModel.of_protocol(PROTOCOL)
+
+    def decode(window: Scene, index: int) -> tuple[NDArray[np.float64], float]:
+        begin = perf_counter()
+        frame: Tensor = frame_of(window.light_e, tile, sensor, index)
+        mask = laid(tile, *frame.shape).numpy()
+        made = decoded_clip(Measured.read(frame.numpy(), mask, sensor))[0].double().numpy()
+        return made, perf_counter() - begin
+
+    every = list(scored(firsts(clips), decode, []))
+    return with_arrays(PROTOCOL, Subject("any", told), clips, every, [])[0]
+
+
+def firsts(clips: list[Path]) -> Iterator[Window]:
+    """The middle of the first window of each clip."""
+    for clip in clips:
+        first = next(iter(windows([clip], PROTOCOL)))
+        if isinstance(first, Window):
+            margin = (first.light_e.shape[-1] - SIDE) // 2
+            middle = slice(margin, margin + SIDE)
+            yield replace(first, light_e=first.light_e[:, middle, middle])
+
+
+if __name__ == "__main__":
+    main()
